@@ -1,37 +1,8 @@
-# trophic_add_experiment(NAME SOURCES... [BACKENDS mujoco ode] [ANALYZE] [WITHOUT_MPI] [WITHOUT_LIVE]): a program of trophic/command, with ANALYZE
-# also of the command analyze (component analysis), linked with the engines that are named, or with every one that was found, and with MPI and a live page, where they were found; with the compiled libraries where there are, else from headers. Manifests and --version name
-# the revision of the project's sources and the flags of the build.
-
+# trophic_add_experiment(NAME SOURCES...): a program with the command line of trophic/experiment.hpp. Manifests and --version name the revision of
+# the project's sources and the flags of the build.
 function(trophic_add_experiment name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "ANALYZE;WITHOUT_MPI;WITHOUT_LIVE" "" "BACKENDS")
-  set(kind "")
-  if(TARGET trophic::command_compiled)
-    set(kind _compiled)
-  endif()
-  if(NOT "BACKENDS" IN_LIST ARGN)
-    foreach(backend mujoco ode)
-      if(TARGET trophic::${backend}${kind})
-        list(APPEND arg_BACKENDS ${backend})
-      endif()
-    endforeach()
-  endif()
-  add_executable(${name} ${arg_UNPARSED_ARGUMENTS})
-  target_link_libraries(${name} PRIVATE trophic::command${kind})
-  foreach(backend IN LISTS arg_BACKENDS)
-    target_link_libraries(${name} PRIVATE trophic::${backend}${kind})
-  endforeach()
-  if(TARGET trophic::mpi${kind} AND NOT arg_WITHOUT_MPI)
-    target_link_libraries(${name} PRIVATE trophic::mpi${kind})
-  endif()
-  if(TARGET trophic::live AND kind AND NOT arg_WITHOUT_LIVE)
-    target_link_libraries(${name} PRIVATE trophic::live)
-  endif()
-  if(arg_ANALYZE)
-    if(NOT TARGET trophic::analysis)
-      message(FATAL_ERROR "trophic_add_experiment(${name} ... ANALYZE): needs find_package(trophic COMPONENTS command_compiled analysis)")
-    endif()
-    target_link_libraries(${name} PRIVATE trophic::analysis)
-  endif()
+  add_executable(${name} ${ARGN})
+  target_link_libraries(${name} PRIVATE trophic::command)
   trophic_link_provenance(${name})
 endfunction()
 

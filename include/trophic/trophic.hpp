@@ -2,6 +2,7 @@
 // Every public header of the core. Programs that compile often should include only the headers that they use.
 #pragma once
 
+#include <tools/command/read_parameters.hpp>
 #include <trophic/backend/any_backend.hpp>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/backend/body_hash.hpp>
@@ -92,6 +93,7 @@
 #include <trophic/ecology/standing_poses.hpp>
 #include <trophic/ecology/start.hpp>
 #include <trophic/ecology/state_hooks.hpp>
+#include <trophic/experiment/own_metric.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/body/build.hpp>
 #include <trophic/habitat/body/descriptors.hpp>
@@ -140,11 +142,9 @@
 #include <trophic/io/growing_file.hpp>
 #include <trophic/io/manifest.hpp>
 #include <trophic/io/next_free_folder.hpp>
-#include <trophic/io/own_metric.hpp>
 #include <trophic/io/own_table.hpp>
 #include <trophic/io/phylogeny.hpp>
 #include <trophic/io/program_code.hpp>
-#include <trophic/io/read_recording.hpp>
 #include <trophic/io/recording.hpp>
 #include <trophic/io/recording_format.hpp>
 #include <trophic/io/recording_head.hpp>
@@ -172,7 +172,6 @@
 #include <trophic/params/params.hpp>
 #include <trophic/params/parse_toml.hpp>
 #include <trophic/params/policy.hpp>
-#include <trophic/params/toml.hpp>
 #include <trophic/params/toml_text.hpp>
 #include <trophic/perception/adversary.hpp>
 #include <trophic/perception/heading/contract.hpp>
@@ -267,14 +266,11 @@
 #include <trophic/rules/with_ageing_victims.hpp>
 #include <trophic/rules/with_part.hpp>
 #include <trophic/run.hpp>
-#include <trophic/run/changes/change.hpp>
-#include <trophic/run/changes/changing_simulation.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/run/checkpoint/checkpoint_writer.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/run/checkpoint/schedule.hpp>
-#include <trophic/run/contest/contest_plan.hpp>
 #include <trophic/run/replicates/common_options.hpp>
 #include <trophic/run/replicates/folder.hpp>
 #include <trophic/run/replicates/parallel.hpp>
@@ -282,13 +278,6 @@
 #include <trophic/run/replicates/run.hpp>
 #include <trophic/run/replicates/run_in_folder.hpp>
 #include <trophic/run/replicates/run_with_shadow.hpp>
-#include <trophic/run/sweep/attempt.hpp>
-#include <trophic/run/sweep/claim.hpp>
-#include <trophic/run/sweep/folder.hpp>
-#include <trophic/run/sweep/plan_file.hpp>
-#include <trophic/run/sweep/sweep_file.hpp>
-#include <trophic/run/sweep/team.hpp>
-#include <trophic/run/sweep/work_through.hpp>
 #include <trophic/support/check_folder.hpp>
 #include <trophic/support/checksum.hpp>
 #include <trophic/support/clock.hpp>

@@ -15,12 +15,12 @@
 #include <tools/analysis/report/metrics_table.hpp>
 #include <tools/analysis/report/progress_table.hpp>
 #include <tools/analysis/report/sweep_rows.hpp>
+#include <tools/changes/change.hpp>
 #include <tools/gait_evolution/history.hpp>
 #include <tools/trophic/cross_check/gait_report.hpp>
 #include <tools/trophic/cross_check/report.hpp>
 #include <trophic/io/column.hpp>
 #include <trophic/io/tables.hpp>
-#include <trophic/run/changes/change.hpp>
 #include <type_traits>
 
 namespace {

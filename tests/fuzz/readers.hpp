@@ -20,28 +20,28 @@
 #include <tools/analysis/metrics/body_metrics.hpp>
 #include <tools/analysis/metrics/own_column.hpp>
 #include <tools/analysis/metrics/run_metrics.hpp>
-#include <tools/live/src/wishes.hpp>
+#include <tools/changes/change.hpp>
+#include <tools/command/config.hpp>
+#include <tools/command/toml_of_json.hpp>
+#include <tools/contest/contest_plan.hpp>
+#include <tools/live/wishes.hpp>
+#include <tools/recording/read_recording.hpp>
+#include <tools/sweep/plan_file.hpp>
+#include <tools/sweep/sweep_file.hpp>
 #include <tools/trophic/convert/foreign_body.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/command/config.hpp>
-#include <trophic/command/toml_of_json.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/body/build.hpp>
 #include <trophic/habitat/load/arena.hpp>
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/habitat/load/robot.hpp>
-#include <trophic/io/read_recording.hpp>
 #include <trophic/io/recording_planes.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/reproduction/recruitment/after_escapes.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/rules/with.hpp>
-#include <trophic/run/changes/change.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
-#include <trophic/run/contest/contest_plan.hpp>
-#include <trophic/run/sweep/plan_file.hpp>
-#include <trophic/run/sweep/sweep_file.hpp>
 #include <vector>
 
 namespace trophic::test {
@@ -78,12 +78,12 @@ using FuzzedExperiment = Experiment<rules::Released>;
 inline void read_config(std::string_view bytes) {
   const FileInMemory file{bytes};
   FuzzedExperiment experiment;
-  command::read_config_into(experiment, command::read_config(file.path(), {}));
+  command::apply_config(param_refs(experiment), command::read_config(file.path(), {}));
   validate(experiment, "");
 }
 inline void read_assignment(std::string_view bytes) {
   FuzzedExperiment experiment;
-  command::read_config_into(experiment, command::read_config("", {std::string{bytes}}));
+  command::apply_config(param_refs(experiment), command::read_config("", {std::string{bytes}}));
   validate(experiment, "");
 }
 
@@ -177,7 +177,7 @@ inline void read_plan(std::string_view bytes) {
 inline void read_contest(std::string_view bytes) {
   const contest::Plan plan = contest::read_plan(FileInMemory{bytes}.path());
   FuzzedExperiment experiment;
-  read_numbers(experiment, command::toml_of(plan.params));
+  command::read_parameters(experiment, command::toml_of(plan.params));
   validate(experiment, "");
 }
 inline void read_outcomes(std::string_view bytes) {

@@ -24,9 +24,10 @@ constexpr double turn_tolerance = 0.08;
 void check_walk(const trophic::EcologyParams& ecology, const trophic::Physics& physics) {
   const trophic::Habitat habitat = trophic::load_habitat(ecology);
   CHECK(habitat.gait.name == trophic::load_gait(habitat.robot.gait).name);
-  const trophic::MeasuredWalk measured = gait_evolution::measure_walk<trophic::backend::Mujoco>(
-      habitat.robot, habitat.gait, trophic::control::steering::TargetedSteering{},
-      {.control_hz = ecology.control_hz, .cpg_integration = ecology.cpg_integration}, physics, {}, 8);
+  const trophic::MeasuredWalk measured =
+      gait_evolution::measure_walk(habitat.robot, habitat.gait, trophic::control::steering::TargetedSteering{},
+                                   {.control_hz = ecology.control_hz, .cpg_integration = ecology.cpg_integration}, physics,
+                                   trophic::backend::Mujoco::Params{}, 8);
   MESSAGE(habitat.robot.name << ": " << measured.speed_m_s << " m/s, " << measured.turn_rate_per_rad << " rad/s per rad");
   const trophic::MeasuredWalk& stated = habitat.robot.walk;
   CHECK(std::abs(stated.speed_m_s / measured.speed_m_s - 1.0) < speed_tolerance);

@@ -14,7 +14,7 @@ namespace gait_evolution = trophic::gait_evolution;
 
 namespace {
 
-using Numbers = gait_evolution::Params<gait_evolution::Released, trophic::backend::Mujoco>;
+using Numbers = gait_evolution::Params<gait_evolution::Released>;
 
 /// Mean fitness, m, of starts up to 1 mm above the floor: the height at which the released code begins is not recorded, and
 /// contacts make walking chaotic (standard deviation 13 mm).
@@ -29,8 +29,8 @@ double mean_fitness(const std::string& robot_name, double exponent, int starts) 
   for (int start = 0; start < starts; ++start) {
     robot.rest_height_m = rest_height_m + 0.001 * start / starts;
     sum_m += fitness.fitness([&](const gait_evolution::Pilot& pilot, double start_turn_rad) {
-      return gait_evolution::try_out<trophic::backend::Mujoco>(robot, gait, steering, numbers.trial, numbers.physics,
-                                                               numbers.backend, pilot, start_turn_rad);
+      return gait_evolution::try_out(robot, gait, steering, numbers.trial, numbers.physics, trophic::backend::Mujoco::Params{},
+                                     pilot, start_turn_rad);
     });
   }
   const double mean_m = sum_m / starts;

@@ -16,5 +16,5 @@ using Evolving = named<
     "evolving">;
 
 int main(int argc, char** argv) {
-  return experiment_on<BackendList<test::ToyBodies>, Evolving>(argc, argv);
+  return experiment<Evolving>(argc, argv, {.backends = {test::ToyBodies::Params{}}});
 }

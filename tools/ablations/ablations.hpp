@@ -12,10 +12,11 @@
 #include <stdexcept>
 #include <string>
 #include <tools/ablations/swaps.hpp>
-#include <trophic/command/backends.hpp>
-#include <trophic/command/option.hpp>
-#include <trophic/command/provenance.hpp>
-#include <trophic/command/run_command.hpp>
+#include <tools/command/backends.hpp>
+#include <tools/command/option.hpp>
+#include <tools/command/provenance.hpp>
+#include <tools/command/run_command.hpp>
+#include <trophic/backend/kinematic.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/rules/table.hpp>
 #include <vector>
@@ -81,10 +82,10 @@ template <class Base, class Other>
     return 0;
   }
   const bool is_kinematic = options.backend == backend::Kinematic::name;
-  const auto backends = linked_backends<LinkedBackends>();
-  const auto chosen = std::ranges::find(backends, options.backend, &LinkedBackend::name);
+  const auto backends = built_backends();
+  const auto chosen = std::ranges::find(backends, options.backend, &BackendChoice::name);
   if (chosen == backends.end()) {
-    throw std::invalid_argument{about_missing_backend(options.backend, backend_names<LinkedBackends>())};
+    throw std::invalid_argument{about_missing_backend(options.backend, backend_names(built_backends()))};
   }
   // There are hundreds of runs, which are not watched, so they are not recorded.
   const Study study{.plan = {.out = options.out,
@@ -93,7 +94,7 @@ template <class Base, class Other>
                              .jobs = options.jobs,
                              .resume = options.resume,
                              .output = {.replay_hz = 0.0}},
-                    .backend = chosen->choice(),
+                    .backend = *chosen,
                     .duration_s = options.duration_s,
                     .shadow = options.shadow,
                     .provenance = provenance};
@@ -114,7 +115,7 @@ template <class Base, class Other>
     detail::ablations::Options options;
     const std::string base = table_name<Base>();
     const std::string other = table_name<Other>();
-    const auto backends = backend_names<LinkedBackends>();
+    const auto backends = backend_names(built_backends());
     return run_command(
         argc, argv,
         {.name = {},
@@ -139,7 +140,7 @@ template <class Base, class Other>
                      {"--out", &options.out, "folder for the sets' folders"}},
          .work = [&] { return detail::ablations::run<Base, Other>(options, provenance(argc, argv)); },
          .subcommands = {},
-         .version = version_text(backend_versions<LinkedBackends>())});
+         .version = version_text(backend_versions(built_backends()))});
   });
 }
 

@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <string>
 #include <tools/ablations/swaps.hpp>
+#include <tools/command/read_parameters.hpp>
 #include <trophic/ecology/experiment.hpp>
-#include <trophic/params/toml.hpp>
 #include <trophic/rules/with.hpp>
 #include <trophic/run/replicates/run_with_shadow.hpp>
 #include <utility>
@@ -38,7 +38,7 @@ Experiment<Base> with_number_of(const std::string& name) {
     if (difference.name != name || !difference.is_number) continue;
     const bool of_rule = !name.starts_with("ecology.") && !name.starts_with("physics.");
     Experiment<Base> experiment;
-    read_numbers(experiment, read_assignment((of_rule ? "rules." : "") + name + "=" + difference.there));
+    read_parameters(experiment, read_assignment((of_rule ? "rules." : "") + name + "=" + difference.there));
     return experiment;
   }
   throw std::invalid_argument{"swap " + name + ": the tables do not differ in it"};

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <tools/gait_evolution/trial.hpp>
-#include <trophic/backend/contract.hpp>
+#include <trophic/backend/backend_choice.hpp>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/habitat/robot_model.hpp>
 
@@ -14,9 +14,9 @@ namespace trophic::gait_evolution {
 /// Mean speed along the heading and turning rate of a robot that is steered by +-0.7 rad, the cognitive brain's two outputs.
 /// Rule: the rate is half of what turns the robot to one side rather than the other, per rad; a drift that both share cancels.
 /// Contacts make walking chaotic: means of `starts` trials to each side, which begin up to 1 mm above the floor. Throws Diverged.
-template <JointDriven B, control::Steering SteeringRule>
+template <control::Steering SteeringRule>
 [[nodiscard]] MeasuredWalk measure_walk(RobotModel robot, const Gait& gait, const SteeringRule& steering, const Trial& trial,
-                                        const Physics& physics, const typename B::Params& backend_params, std::size_t starts) {
+                                        const Physics& physics, const BackendChoice& backend, std::size_t starts) {
   constexpr double target_angle_rad = 0.7;
   const double rest_height_m = robot.rest_height_m;
   const auto trials = static_cast<double>(2 * starts);
@@ -24,7 +24,7 @@ template <JointDriven B, control::Steering SteeringRule>
   for (std::size_t start = 0; start < starts; ++start) {
     robot.rest_height_m = rest_height_m + 0.001 * static_cast<double>(start) / static_cast<double>(starts);
     for (const double side : {1.0, -1.0}) {
-      const Track track = try_out<B>(robot, gait, steering, trial, physics, backend_params, steady(side * target_angle_rad));
+      const Track track = try_out(robot, gait, steering, trial, physics, backend, steady(side * target_angle_rad));
       walk.speed_m_s += track.forward_and_left_m_s()[0] / trials;
       walk.turn_rate_per_rad -= side * track.turn_rate_rad_s() / (trials * target_angle_rad);
     }

@@ -15,9 +15,10 @@
 #include <tools/gait_evolution/tables.hpp>
 #include <tools/gait_evolution/trial.hpp>
 #include <tools/gait_evolution/variation.hpp>
-#include <trophic/backend/contract.hpp>
+#include <trophic/backend/backend_choice.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/habitat/validate_robot.hpp>
+#include <trophic/params/named_params.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/support/rng.hpp>
@@ -33,12 +34,14 @@ namespace trophic::gait_evolution {
 /// selected among the living and the children. Every evaluation has a backend with one robot of its own, so that results are the
 /// same for any number of threads. Random streams: gait_founder by id, gait_selection by generation, gait_variation by child's
 /// id.
-template <class Table, JointDriven B>
+template <class Table>
 class PreExperiment {
  public:
   /// Throws std::invalid_argument naming field, value and bound.
-  PreExperiment(Params<Table, B> numbers, RobotModel robot) : params_{std::move(numbers)}, robot_{std::move(robot)} {
+  PreExperiment(Params<Table> numbers, BackendChoice backend, RobotModel robot)
+      : params_{std::move(numbers)}, backend_{std::move(backend)}, robot_{std::move(robot)} {
     trophic::validate(params_, "");
+    backend_.validate("backend");
     trophic::validate(robot_);
     if (robot_.hinges.empty()) throw std::invalid_argument{"robot " + robot_.name + " has no hinges: no gait can move it"};
     const Plan& plan = params_.plan;
@@ -58,7 +61,10 @@ class PreExperiment {
   /// Resumes from a stored state of the same pre-experiment.
   void restore(Lineage lineage) { lineage_ = std::move(lineage); }
 
-  [[nodiscard]] const Params<Table, B>& params() const { return params_; }
+  [[nodiscard]] const Params<Table>& params() const { return params_; }
+  [[nodiscard]] const BackendChoice& backend() const { return backend_; }
+  /// All parameters, those of the backend last.
+  [[nodiscard]] NamedParams named_params() const { return named_params_of(params_, backend_); }
   [[nodiscard]] const RobotModel& robot() const { return robot_; }
   [[nodiscard]] const Lineage& lineage() const { return lineage_; }
   [[nodiscard]] bool done() const { return lineage_.generations > params_.plan.generations; }
@@ -93,7 +99,7 @@ class PreExperiment {
     const Gait gait = cppn_gait(genome, robot_);
     const auto steering = make_policy<typename Table::Steering>(params_.steering);
     const TryOut try_gait = [&](const Pilot& pilot, double start_turn_rad) {
-      return try_out<B>(robot_, gait, steering, params_.trial, params_.physics, params_.backend, pilot, start_turn_rad);
+      return try_out(robot_, gait, steering, params_.trial, params_.physics, backend_, pilot, start_turn_rad);
     };
     try {
       const double fitness = make_policy<typename Table::Fitness>(params_.fitness).fitness(try_gait);
@@ -157,7 +163,8 @@ class PreExperiment {
     return fitness;
   }
 
-  Params<Table, B> params_;
+  Params<Table> params_;
+  BackendChoice backend_;
   RobotModel robot_;
   Lineage lineage_;
 };

@@ -10,8 +10,10 @@
 #include <tools/gait_evolution/selection.hpp>
 #include <tools/gait_evolution/trial.hpp>
 #include <tools/gait_evolution/variation.hpp>
+#include <trophic/backend/backend_choice.hpp>
 #include <trophic/backend/contract.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>
+#include <trophic/params/named_params.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/rules/table.hpp>
 #include <tuple>
@@ -116,8 +118,8 @@ consteval bool made_from_params() {
 
 }  // namespace detail
 
-/// All numbers of a pre-experiment. Starts at the numbers of its table.
-template <class Table, Backend B>
+/// All parameters of a pre-experiment but its backend's. Starts at the numbers of its table.
+template <class Table>
 struct Params {
   static_assert(Selection<typename Table::ParentSelection> && Selection<typename Table::SurvivorSelection>,
                 "ParentSelection and SurvivorSelection need std::vector<std::size_t> select(std::span<const double> fitness, "
@@ -138,7 +140,6 @@ struct Params {
   Variation variation{};
   Trial trial = Table::params().trial;
   Physics physics = Table::params().physics;
-  typename B::Params backend{};
 
   static constexpr auto fields() {
     return std::tuple{field("seed", &Params::seed, any_seed(), "every random number follows from it"),
@@ -150,9 +151,21 @@ struct Params {
                       field("steering", &Params::steering),
                       field("variation", &Params::variation),
                       field("trial", &Params::trial),
-                      field("physics", &Params::physics),
-                      field("backend", &Params::backend)};
+                      field("physics", &Params::physics)};
   }
 };
+
+/// All parameters of a pre-experiment in place, those of its backend last.
+template <class Table>
+[[nodiscard]] ParamRefs param_refs_of(Params<Table>& params, BackendChoice& backend) {
+  ParamRefs refs = param_refs(params);
+  backend.append_param_refs("backend", refs);
+  return refs;
+}
+
+template <class Table>
+[[nodiscard]] NamedParams named_params_of(Params<Table> params, BackendChoice backend) {
+  return trophic::named_params_of(param_refs_of(params, backend));
+}
 
 }  // namespace trophic::gait_evolution

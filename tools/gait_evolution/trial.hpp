@@ -11,7 +11,7 @@
 #include <span>
 #include <string_view>
 #include <tools/gait_evolution/track.hpp>
-#include <trophic/backend/contract.hpp>
+#include <trophic/backend/backend_choice.hpp>
 #include <trophic/control/locomotion/cpg.hpp>
 #include <trophic/control/locomotion/locomotion.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>
@@ -64,15 +64,15 @@ using Pilot = std::function<double(double time_s, const GroundPose& now)>;
 
 /// Tries a gait: the robot starts at the origin, at rest, turned by `start_turn_rad` (counter-clockwise) from the trial's facing.
 /// Locomotion as in the ecology; the pilot is asked before every control step. Throws Diverged. No random draws.
-template <JointDriven B, control::Steering SteeringRule>
+template <control::Steering SteeringRule>
 [[nodiscard]] Track try_out(const RobotModel& robot, const Gait& gait, const SteeringRule& steering, const Trial& trial,
-                            const Physics& physics, const typename B::Params& backend_params, const Pilot& pilot,
+                            const Physics& physics, const BackendChoice& choice, const Pilot& pilot,
                             double start_turn_rad = 0.0) {
   const double facing_rad = trial.facing == Facing::forward_axis ? robot.forward_rad : 0.0;
   const double yaw_rad = std::numbers::pi - facing_rad + start_turn_rad;
   const Pose start{.position_m = {0.0, 0.0, robot.rest_height_m},
                    .orientation = Eigen::Quaterniond{Eigen::AngleAxisd{yaw_rad, Eigen::Vector3d::UnitZ()}}};
-  B backend{robot, endless_floor(), std::span{&start, 1}, physics, backend_params};
+  AnyBackend backend = choice.build(robot, endless_floor(), std::span{&start, 1}, physics);
   locomotion::Locomotion<SteeringRule> locomotion{robot, gait, steering, 1, {trial.control_hz, trial.cpg_integration}};
   Track track{.control_hz = trial.control_hz, .poses = {ground_pose(backend.pose(0), robot.forward_rad)}};
   for (std::int64_t step = 0; step < trial.steps(); ++step) {
@@ -84,7 +84,7 @@ template <JointDriven B, control::Steering SteeringRule>
     }
     track.poses.push_back(ground_pose(backend.pose(0), robot.forward_rad));
   }
-  if constexpr (requires { backend.engine_share(); }) track.engine_share = backend.engine_share();
+  track.engine_share = backend.engine_share();
   return track;
 }
 

@@ -21,8 +21,8 @@
 #include <tools/analysis/report/compare_sets.hpp>
 #include <tools/analysis/report/swaps.hpp>
 #include <tools/analysis/report/table_file.hpp>
-#include <trophic/command/option.hpp>
-#include <trophic/command/output.hpp>
+#include <tools/command/option.hpp>
+#include <tools/command/output.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/run/replicates/parallel.hpp>
 #include <trophic/support/new_file.hpp>

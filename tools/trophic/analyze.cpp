@@ -30,14 +30,14 @@
 #include <tools/analysis/report/summary.hpp>
 #include <tools/analysis/report/summary_json.hpp>
 #include <tools/analysis/report/text_table.hpp>
+#include <tools/command/option.hpp>
+#include <tools/command/output.hpp>
+#include <tools/contest/play_contests.hpp>
 #include <tools/trophic/analysis_page.hpp>
 #include <tools/trophic/analysis_words.hpp>
 #include <tools/trophic/analyze_sweep.hpp>
 #include <tools/trophic/replay/page.hpp>
 #include <tools/trophic/replay/recorded_run.hpp>
-#include <trophic/command/option.hpp>
-#include <trophic/command/output.hpp>
-#include <trophic/command/play_contests.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/new_file.hpp>
@@ -50,7 +50,6 @@ namespace detail::analyze {
 
 struct Options {
   std::string program;
-  analysis::OwnMetrics own_metrics;
   Offer offer;  ///< the rule tables of the program
   bool lineages = false;
   bool bodies = false;
@@ -191,7 +190,7 @@ void finish(const Options& options, ResultFolder* out, std::span<const analysis:
   analysis::Measuring how{.until_s = options.until_s,
                           .any_build = options.accept_other_build,
                           .columns = {},
-                          .metrics = options.own_metrics,
+                          .metrics = options.offer.metrics,
                           .bodies = options.bodies,
                           .jobs = options.jobs.value_or(1),
                           .on_run = {}};
@@ -205,8 +204,7 @@ void finish(const Options& options, ResultFolder* out, std::span<const analysis:
                            .engine = run.backend.substr(0, run.backend.find(' ')),
                            .fingerprint = run.fingerprint,
                            .params = run.params};
-  if (const std::string why = why_not_played(plan, offer, "analyze them with the program that made them, built with ANALYZE");
-      !why.empty()) {
+  if (const std::string why = why_not_played(plan, offer, "analyze them with the program that made them"); !why.empty()) {
     throw std::invalid_argument{run.folder.string() + ": " + why};
   }
   return experiment_of(plan, offer)->brain();
@@ -369,13 +367,12 @@ void run(const Options& options) {
 
 }  // namespace detail::analyze
 
-Command analyze(const std::string& program, const io::OwnMetrics& own_metrics, const Offer& offer) {
+Command analyze(const std::string& program, const Offer& offer) {
   const auto options = std::make_shared<detail::analyze::Options>();
   const FoodWeb any_web{{"prey", "predator"}, {{1, 0}}};
-  analysis::check_names({&any_web, 1}, {.metrics = own_metrics}, {});
+  analysis::check_names({&any_web, 1}, {.metrics = offer.metrics}, {});
   options->program = program;
   options->sweep.who = program + " analyze";
-  options->own_metrics = own_metrics;
   options->offer = offer;
   return {
       .name = "analyze",

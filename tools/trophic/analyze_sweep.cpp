@@ -18,7 +18,7 @@
 #include <tools/analysis/report/sweep_json.hpp>
 #include <tools/analysis/report/sweep_tables.hpp>
 #include <tools/analysis/report/sweep_text.hpp>
-#include <trophic/command/output.hpp>
+#include <tools/command/output.hpp>
 #include <trophic/io/next_free_folder.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/terminal.hpp>

@@ -10,7 +10,7 @@
 #include <tools/analysis/data/pooled_runs.hpp>
 #include <tools/analysis/data/run_manifest.hpp>
 #include <tools/analysis/data/sweep_runs.hpp>
-#include <trophic/command/output.hpp>
+#include <tools/command/output.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/params.hpp>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <functional>
-#include <trophic/command/analyze.hpp>
-#include <trophic/command/option.hpp>
+#include <tools/command/option.hpp>
+#include <tools/trophic/analyze.hpp>
 
 namespace trophic::command {
 

@@ -21,10 +21,10 @@
 #include <thread>
 #include <tools/analysis/report/contest_progress.hpp>
 #include <tools/analysis/report/progress_table.hpp>
+#include <tools/command/output.hpp>
+#include <tools/contest/play_contests.hpp>
 #include <tools/trophic/analyze_sweep.hpp>
 #include <tools/trophic/shipped_offer.hpp>
-#include <trophic/command/output.hpp>
-#include <trophic/command/play_contests.hpp>
 #include <trophic/io/next_free_folder.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/new_file.hpp>

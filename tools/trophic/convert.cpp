@@ -7,9 +7,9 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <tools/command/option.hpp>
+#include <tools/command/output.hpp>
 #include <tools/trophic/convert/foreign_body.hpp>
-#include <trophic/command/option.hpp>
-#include <trophic/command/output.hpp>
 #include <trophic/habitat/body/build.hpp>
 #include <trophic/habitat/load/foreign_format.hpp>
 #include <trophic/support/new_file.hpp>

@@ -14,13 +14,19 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <tools/command/backends.hpp>
+#ifdef TROPHIC_WITH_MUJOCO
+#include <trophic/backend/mujoco.hpp>
+#endif
+#ifdef TROPHIC_WITH_ODE
+#include <trophic/backend/ode.hpp>
+#endif
+#include <tools/command/option.hpp>
+#include <tools/command/output.hpp>
 #include <tools/trophic/cross_check/ecologies.hpp>
 #include <tools/trophic/cross_check/gait_report.hpp>
 #include <tools/trophic/cross_check/report.hpp>
 #include <tools/trophic/cross_check/walk.hpp>
-#include <trophic/command/backends.hpp>
-#include <trophic/command/option.hpp>
-#include <trophic/command/output.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/load/habitat.hpp>
@@ -61,28 +67,28 @@ struct Task {
 };
 [[nodiscard]] std::vector<Task> tasks_for(const Habitat& habitat, double target_angle_rad, double duration_s) {
   std::vector<Task> tasks;
-  const auto add = [&]<class B>(const std::string& settings, double timestep_s, const typename B::Params& params) {
-    const Condition condition{std::string{B::name}, settings, timestep_s, target_angle_rad};
-    tasks.push_back({condition, [=, &habitat] { return walk<B>(habitat, condition, duration_s, params); }});
+  const auto add = [&](const std::string& settings, double timestep_s, const BackendChoice& backend) {
+    const Condition condition{backend.name(), settings, timestep_s, target_angle_rad};
+    tasks.push_back({condition, [=, &habitat] { return walk(habitat, condition, duration_s, backend); }});
   };
   const std::string unchanged{default_settings};
   const double usual_s = Physics{}.timestep_s;
-  for (const double finer : {1.0, 2.0, 4.0}) add.operator()<backend::Mujoco>(unchanged, usual_s / finer, {});
-  for (const double finer : {1.0, 2.0, 4.0}) add.operator()<backend::Ode>(unchanged, usual_s / finer, {});
+  for (const double finer : {1.0, 2.0, 4.0}) add(unchanged, usual_s / finer, backend::Mujoco::Params{});
+  for (const double finer : {1.0, 2.0, 4.0}) add(unchanged, usual_s / finer, backend::Ode::Params{});
   backend::Ode::Params many_sweeps;
   many_sweeps.sweeps = 100;
-  add.operator()<backend::Ode>("100 sweeps", usual_s, many_sweeps);
+  add("100 sweeps", usual_s, many_sweeps);
   backend::Ode::Params world_step;
   world_step.solver = backend::ode::Solver::world_step;
-  add.operator()<backend::Ode>("world_step", usual_s, world_step);
+  add("world_step", usual_s, world_step);
   backend::Ode::Params hard;  // half the time constant, the same damping ratio
   hard.contact_stiffness_N_m *= 4.0;
   hard.contact_damping_N_s_m *= 2.0;
   hard.friction_damping_N_s_m *= 2.0;
-  add.operator()<backend::Ode>("springs 4x", usual_s, hard);
+  add("springs 4x", usual_s, hard);
   backend::Ode::Params creeping;
   creeping.friction_damping_N_s_m /= 10.0;
-  add.operator()<backend::Ode>("creep 10x", usual_s, creeping);
+  add("creep 10x", usual_s, creeping);
   return tasks;
 }
 
@@ -119,7 +125,7 @@ void compare_gaits(const Options& options, const Habitat& habitat, Csv& csv) {
   if (options.seconds != 0) {
     throw std::invalid_argument{"--seconds " + std::to_string(options.seconds) +
                                 ": must be 0, walks need both engines and this program was built with " +
-                                backend_versions<LinkedBackends>()};
+                                backend_versions(built_backends())};
   }
 #endif
   Csv csv{io::make_new_folder(options.out) / "cross_check.csv"};

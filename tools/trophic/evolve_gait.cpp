@@ -11,20 +11,20 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <tools/command/backends.hpp>
+#include <tools/command/config.hpp>
+#include <tools/command/option.hpp>
+#include <tools/command/output.hpp>
+#include <tools/command/read_parameters.hpp>
+#include <tools/command/words.hpp>
 #include <tools/gait_evolution/archive.hpp>
 #include <tools/gait_evolution/pre_experiment.hpp>
 #include <tools/gait_evolution/tables.hpp>
-#include <trophic/command/backends.hpp>
-#include <trophic/command/config.hpp>
-#include <trophic/command/option.hpp>
-#include <trophic/command/output.hpp>
-#include <trophic/command/words.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
-#include <trophic/params/toml.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <vector>
 
@@ -48,18 +48,18 @@ struct Options {
   bool print_config = false;
 };
 
-template <class Table, Backend B>
-std::string settings_text(const gait_evolution::Params<Table, B>& numbers) {
+template <class Table>
+std::string settings_text(const gait_evolution::Params<Table>& numbers, const BackendChoice& backend) {
   TomlWriter writer;
   writer.put("rule_table", Table::name);
   writer.put("fitness_rule", Table::Fitness::name);
-  writer.put("engine", B::name);
-  writer.put_all(named_params_of(numbers));
+  writer.put("engine", backend.name());
+  writer.put_all(gait_evolution::named_params_of(numbers, backend));
   return writer.text();
 }
 
-template <class Table, Backend B>
-void report(const gait_evolution::PreExperiment<Table, B>& experiment, std::size_t evaluations, double elapsed_s) {
+template <class Table>
+void report(const gait_evolution::PreExperiment<Table>& experiment, std::size_t evaluations, double elapsed_s) {
   const gait_evolution::Lineage& lineage = experiment.lineage();
   const std::vector<double> fitness = gait_evolution::fitness_after(lineage, lineage.generations - 1);
   const double a_generation_s =
@@ -71,24 +71,24 @@ void report(const gait_evolution::PreExperiment<Table, B>& experiment, std::size
             << observe::duration_text(a_generation_s * to_go) << " left" << std::endl;
 }
 
-template <class Table, Backend B>
-int run(const Options& options, const Config& config) {
-  gait_evolution::Params<Table, B> numbers;
-  read_config_into(numbers, config);
+template <class Table>
+int run(BackendChoice backend, const Options& options, const Config& config) {
+  gait_evolution::Params<Table> numbers;
+  apply_config(gait_evolution::param_refs_of(numbers, backend), config);
   if (options.robot) numbers.robot = *options.robot;
   if (options.seed) numbers.seed = *options.seed;
   if (options.generations) numbers.plan.generations = *options.generations;
-  validate(numbers, "");
+  validate(gait_evolution::param_refs_of(numbers, backend));
   if (options.print_config) {
-    return print_text(settings_text(numbers));
+    return print_text(settings_text(numbers, backend));
   }
-  gait_evolution::PreExperiment<Table, B> experiment{numbers, load_robot(numbers.robot)};
+  gait_evolution::PreExperiment<Table> experiment{numbers, backend, load_robot(numbers.robot)};
   const bool is_new = options.resume.empty();
   if (is_new && options.out.empty()) throw std::invalid_argument{"--out: must name a new folder"};
   const std::filesystem::path folder = is_new ? io::make_new_folder(options.out) : std::filesystem::path{options.resume};
   const FolderLock alone{folder};
   if (is_new) {
-    replace_file(folder / "settings.toml", settings_text(numbers));
+    replace_file(folder / "settings.toml", settings_text(numbers, backend));
   } else if (std::filesystem::exists(folder / "checkpoint.toml")) {
     gait_evolution::resume(experiment, folder);
   }
@@ -121,15 +121,15 @@ int run(const Options& options, const Config& config) {
   return 0;
 }
 
-template <class Backends, class Table>
-[[nodiscard]] int run_table(const std::string& fitness, const std::string& backend, const Options& options,
+template <class Table>
+[[nodiscard]] int run_table(const std::string& fitness, const BackendChoice& backend, const Options& options,
                             const Config& config) {
   using Steered = gait_evolution::with_fitness<Table, gait_evolution::SteeredDisplacement>;
   if (fitness == gait_evolution::DisplacementMinusX::name) {
-    return with_joint_driven<Backends>(backend, [&]<class B>() { return run<Table, B>(options, config); });
+    return run<Table>(backend, options, config);
   }
   if (fitness == gait_evolution::SteeredDisplacement::name) {
-    return with_joint_driven<Backends>(backend, [&]<class B>() { return run<Steered, B>(options, config); });
+    return run<Steered>(backend, options, config);
   }
   const std::vector<std::string> names{std::string{gait_evolution::DisplacementMinusX::name},
                                        std::string{gait_evolution::SteeredDisplacement::name}};
@@ -150,9 +150,9 @@ template <class Backends, class Table>
   if (options.threads == 0) throw std::invalid_argument{"--threads 0: must be >= 1"};
   check_made_for(config, table, backend);
   if (table == gait_evolution::Paper::name)
-    return run_table<LinkedBackends, gait_evolution::Paper>(fitness, backend, options, config);
+    return run_table<gait_evolution::Paper>(fitness, joint_driven_backend(backend), options, config);
   if (table == gait_evolution::Released::name) {
-    return run_table<LinkedBackends, gait_evolution::Released>(fitness, backend, options, config);
+    return run_table<gait_evolution::Released>(fitness, joint_driven_backend(backend), options, config);
   }
   throw std::invalid_argument{"--table " + table + ": must be paper or released"};
 }
@@ -162,7 +162,7 @@ template <class Backends, class Table>
 /// The evolution of a gait, on a backend with joints.
 Command evolve_gait() {
   const auto options = std::make_shared<detail::evolve_gait::Options>();
-  const auto backends = joint_driven_names<LinkedBackends>();
+  const auto backends = joint_driven_names();
   return {
       .name = "evolve-gait",
       .about = "Evolves the CPPN that makes a robot's gait, by the paper's pre-experiment or that of its released code.",

@@ -9,10 +9,10 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tools/command/option.hpp>
+#include <tools/command/output.hpp>
 #include <tools/trophic/replay/gltf_scene.hpp>
 #include <tools/trophic/replay/recorded_run.hpp>
-#include <trophic/command/option.hpp>
-#include <trophic/command/output.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/support/new_file.hpp>
 

@@ -6,13 +6,13 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-#include <trophic/command/option.hpp>
+#include <tools/command/option.hpp>
 // Defined in programs that link trophic::film.
 #ifdef TROPHIC_WITH_FILM
 #include <iostream>
+#include <tools/command/output.hpp>
 #include <tools/trophic/replay/film_run.hpp>
 #include <tools/trophic/replay/robot_picture.hpp>
-#include <trophic/command/output.hpp>
 #include <trophic/support/new_file.hpp>
 #endif
 

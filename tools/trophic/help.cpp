@@ -9,10 +9,10 @@
 #include <string>
 #include <tools/analysis/metrics/sweep_values.hpp>
 #include <tools/analysis/report/columns.hpp>
+#include <tools/command/output.hpp>
+#include <tools/command/run_command.hpp>
+#include <tools/command/words.hpp>
 #include <tools/trophic/slots.hpp>
-#include <trophic/command/output.hpp>
-#include <trophic/command/run_command.hpp>
-#include <trophic/command/words.hpp>
 #include <trophic/population/food_web.hpp>
 #include <vector>
 

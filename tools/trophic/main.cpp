@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The program trophic: everything that does not depend on a rule table. `trophic --help` lists its commands.
-#include <trophic/command/backends.hpp>
-#include <trophic/command/provenance.hpp>
-#include <trophic/command/run_command.hpp>
+#include <tools/command/backends.hpp>
+#include <tools/command/provenance.hpp>
+#include <tools/command/run_command.hpp>
 
 #include "commands.hpp"
 #include "shipped_offer.hpp"
@@ -11,15 +11,14 @@ namespace {
 
 trophic::command::Command program() {
   using namespace trophic::command;
-  return {
-      .name = {},
-      .about = "From runs to results: analyses, figures, pages and films; gaits for robots.",
-      .options = {},
-      .work = {},
-      .subcommands = {analyze("trophic", {}, shipped_offer()), contest_command(), plot(), cite(), show(), film(), export_run(),
-                      ablation_table(), cross_check_engines(), evolve_gait(), measure_gait(), convert_body(), help(&program)},
-      .version = version_text(backend_versions<LinkedBackends>()),
-      .examples = {"trophic analyze runs/study --out analysis", "trophic plot analysis", "trophic help slots"}};
+  return {.name = {},
+          .about = "From runs to results: analyses, figures, pages and films; gaits for robots.",
+          .options = {},
+          .work = {},
+          .subcommands = {analyze("trophic", shipped_offer()), contest_command(), plot(), cite(), show(), film(), export_run(),
+                          ablation_table(), cross_check_engines(), evolve_gait(), measure_gait(), convert_body(), help(&program)},
+          .version = version_text(backend_versions(built_backends())),
+          .examples = {"trophic analyze runs/study --out analysis", "trophic plot analysis", "trophic help slots"}};
 }
 
 }  // namespace

@@ -11,12 +11,12 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <tools/command/backends.hpp>
+#include <tools/command/option.hpp>
+#include <tools/command/output.hpp>
 #include <tools/gait_evolution/measure_walk.hpp>
 #include <tools/gait_evolution/trial.hpp>
-#include <trophic/backend/contract.hpp>
-#include <trophic/command/backends.hpp>
-#include <trophic/command/option.hpp>
-#include <trophic/command/output.hpp>
+#include <trophic/backend/backend_choice.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/robot.hpp>
@@ -52,15 +52,14 @@ void remark_speed(const Physics& how, double engine_share) {
 
 /// The [walk] of a robot file.
 /// Returns how many walks could be measured.
-template <Backend B>
-std::size_t print_walk(const RobotModel& robot, const Gait& gait, double duration_s) {
+std::size_t print_walk(const BackendChoice& backend, const RobotModel& robot, const Gait& gait, double duration_s) {
   std::size_t measured = 0;
   for (const Physics& how : physics) {
     try {
-      const MeasuredWalk walk = gait_evolution::measure_walk<B>(robot, gait, control::steering::TargetedSteering{},
-                                                                {.duration_s = duration_s}, how, {}, 8);
-      std::cout << "# " << robot.name << " with " << gait.name << ", " << B::name << ", " << enum_name(how.integrator) << " "
-                << how.timestep_s << " s\n[walk]\nspeed_m_s = " << walk.speed_m_s
+      const MeasuredWalk walk = gait_evolution::measure_walk(robot, gait, control::steering::TargetedSteering{},
+                                                             {.duration_s = duration_s}, how, backend, 8);
+      std::cout << "# " << robot.name << " with " << gait.name << ", " << backend.name() << ", " << enum_name(how.integrator)
+                << " " << how.timestep_s << " s\n[walk]\nspeed_m_s = " << walk.speed_m_s
                 << "\nturn_rate_per_rad = " << walk.turn_rate_per_rad << std::endl;
       ++measured;
       if (walk.speed_m_s <= 0.0 || walk.turn_rate_per_rad <= 0.0) {
@@ -82,8 +81,7 @@ std::size_t print_walk(const RobotModel& robot, const Gait& gait, double duratio
 }
 
 /// Returns how many walks could be measured.
-template <Backend B>
-std::size_t print_table(const RobotModel& robot, const Gait& gait, double duration_s) {
+std::size_t print_table(const BackendChoice& backend, const RobotModel& robot, const Gait& gait, double duration_s) {
   std::size_t measured = 0;
   std::cout << "robot,gait,integrator,timestep_s,target_angle_rad,displacement_m,forward_m_s,left_m_s,turn_rate_rad_s\n";
   for (const Physics& how : physics) {
@@ -93,8 +91,8 @@ std::size_t print_table(const RobotModel& robot, const Gait& gait, double durati
                 << "," << target_angle_rad << ",";
       try {
         const gait_evolution::Track track =
-            gait_evolution::try_out<B>(robot, gait, control::steering::TargetedSteering{}, {.duration_s = duration_s}, how, {},
-                                       gait_evolution::steady(target_angle_rad));
+            gait_evolution::try_out(robot, gait, control::steering::TargetedSteering{}, {.duration_s = duration_s}, how, backend,
+                                    gait_evolution::steady(target_angle_rad));
         const auto [forward_m_s, left_m_s] = track.forward_and_left_m_s();
         std::cout << track.displacement_m() << "," << forward_m_s << "," << left_m_s << "," << track.turn_rate_rad_s()
                   << std::endl;
@@ -110,8 +108,7 @@ std::size_t print_table(const RobotModel& robot, const Gait& gait, double durati
   return measured;
 }
 
-template <Backend B>
-int measure(const Options& options) {
+int measure(const BackendChoice& backend, const Options& options) {
   const RobotModel robot = load_robot(options.robot);
   if (options.gait.empty() && robot.gait.empty()) {
     throw std::invalid_argument{"--gait: must name a gait, as the file of " + robot.name + " names none"};
@@ -119,7 +116,7 @@ int measure(const Options& options) {
   const Gait gait = load_gait(options.gait.empty() ? robot.gait : options.gait);
   check_fit(gait, robot);
   const std::size_t measured =
-      options.walk ? print_walk<B>(robot, gait, options.duration_s) : print_table<B>(robot, gait, options.duration_s);
+      options.walk ? print_walk(backend, robot, gait, options.duration_s) : print_table(backend, robot, gait, options.duration_s);
   flush_output();
   if (measured == 0) throw std::runtime_error{"nothing could be measured: every simulation diverged"};
   return 0;
@@ -129,7 +126,7 @@ int measure(const Options& options) {
   if (!(options.duration_s >= 5.1 && options.duration_s <= 1e5)) {
     throw std::invalid_argument{"--duration " + number_text(options.duration_s) + ": must be >= 5.1 and <= 100000"};
   }
-  return with_joint_driven<LinkedBackends>(options.backend, [&]<class B>() { return measure<B>(options); });
+  return measure(joint_driven_backend(options.backend), options);
 }
 
 }  // namespace detail::measure_gait
@@ -144,8 +141,7 @@ Command measure_gait() {
               "5 s, turning rate (counter-clockwise); nothing where the simulation diverges.",
           .options = {{"--robot", &options->robot, "name or path of a robot file (spider)"},
                       {"--gait", &options->gait, "name or path of a gait file (the robot's own)"},
-                      {"--backend", &options->backend, backend_help(joint_driven_names<LinkedBackends>()),
-                       joint_driven_names<LinkedBackends>()},
+                      {"--backend", &options->backend, backend_help(joint_driven_names()), joint_driven_names()},
                       {"--duration", &options->duration_s, "simulated seconds (50)"},
                       {"--walk", &options->walk,
                        "print the [walk] of a robot file instead: means of 8 tries with 0.7 and 8 with -0.7 rad"}},

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
-#include <trophic/command/output.hpp>
+#include <tools/command/output.hpp>
 #include <trophic/support/check_folder.hpp>
 #include <trophic/support/this_program.hpp>
 #include <vector>

@@ -3,26 +3,25 @@
 #include "shipped_offer.hpp"
 
 #include <memory>
-#include <string>
-#include <trophic/command/backends.hpp>
-#include <trophic/command/table_experiment.hpp>
+#include <trophic/experiment/table_experiment.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/rules/table.hpp>
 
 namespace trophic::command {
 
+namespace {
+
+template <class Rules>
+[[nodiscard]] std::unique_ptr<AnyExperiment> make(const BackendChoice& backend) {
+  return std::make_unique<TableExperiment<Rules>>(backend);
+}
+
+}  // namespace
+
 Offer shipped_offer() {
-  return {.tables = {{table_name<rules::Paper>(),
-                      [](const LinkedBackend& backend) -> std::unique_ptr<AnyExperiment> {
-                        return std::make_unique<TableExperiment<rules::Paper>>(backend);
-                      }},
-                     {table_name<rules::Released>(),
-                      [](const LinkedBackend& backend) -> std::unique_ptr<AnyExperiment> {
-                        return std::make_unique<TableExperiment<rules::Released>>(backend);
-                      }}},
-          .backends = linked_backends<LinkedBackends>(),
-          .default_backend = std::string{LinkedBackends::default_backend}};
+  return with_backends({.rule_tables = {{table_name<rules::Paper>(), &make<rules::Paper>},
+                                        {table_name<rules::Released>(), &make<rules::Released>}}});
 }
 
 }  // namespace trophic::command

@@ -2,7 +2,7 @@
 // The tables that trophic ships, on the backends that its program is linked with.
 #pragma once
 
-#include <trophic/command/selection.hpp>
+#include <tools/command/offers.hpp>
 
 namespace trophic::command {
 

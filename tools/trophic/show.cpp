@@ -12,10 +12,10 @@
 #include <string>
 #include <system_error>
 #include <tools/analysis/data/pooled_runs.hpp>
+#include <tools/command/option.hpp>
+#include <tools/command/output.hpp>
 #include <tools/trophic/replay/page.hpp>
 #include <tools/trophic/replay/recorded_run.hpp>
-#include <trophic/command/option.hpp>
-#include <trophic/command/output.hpp>
 #include <trophic/support/new_file.hpp>
 #include <vector>
 

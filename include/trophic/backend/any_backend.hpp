@@ -14,6 +14,7 @@
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/params/archive.hpp>
+#include <trophic/support/colour.hpp>
 #include <utility>
 
 namespace trophic {
@@ -51,6 +52,13 @@ class AnyBackend {
   /// A sentence if the backend has been much slower than its numbers promise (its own speed_remark()); else empty.
   [[nodiscard]] std::string speed_remark() const { return bodies_->speed_remark(); }
 
+  /// The share of steps that the engine itself took (its own engine_share()); 0 without such a function.
+  [[nodiscard]] double engine_share() const { return bodies_->engine_share(); }
+  /// Writes the engine's model, robots in these colours (its own save_mjcf). Returns false for an engine without such a file.
+  [[nodiscard]] bool save_mjcf(const std::string& path, std::span<const Colour> colours) const {
+    return bodies_->save_mjcf(path, colours);
+  }
+
   /// The backend's State, for `restore` of the same AnyBackend.
   [[nodiscard]] std::any save() const { return bodies_->save(); }
   void restore(const std::any& state) { bodies_->restore(state); }
@@ -82,6 +90,8 @@ class AnyBackend {
     [[nodiscard]] virtual bool can_embody() const = 0;
     virtual void embody(std::size_t robot, const RobotModel& model, const Pose& pose) = 0;
     [[nodiscard]] virtual std::string speed_remark() const = 0;
+    [[nodiscard]] virtual double engine_share() const = 0;
+    [[nodiscard]] virtual bool save_mjcf(const std::string& path, std::span<const Colour> colours) const = 0;
     [[nodiscard]] virtual std::any save() const = 0;
     virtual void restore(const std::any& state) = 0;
     virtual void persist(Archive& archive) = 0;
@@ -130,6 +140,18 @@ class AnyBackend {
     [[nodiscard]] std::string speed_remark() const override {
       if constexpr (requires { backend.speed_remark(); }) return backend.speed_remark();
       return {};
+    }
+    [[nodiscard]] double engine_share() const override {
+      if constexpr (requires { backend.engine_share(); }) return backend.engine_share();
+      return 0.0;
+    }
+    [[nodiscard]] bool save_mjcf([[maybe_unused]] const std::string& path,
+                                 [[maybe_unused]] std::span<const Colour> colours) const override {
+      if constexpr (requires { backend.save_mjcf(path, colours); }) {
+        backend.save_mjcf(path, colours);
+        return true;
+      }
+      return false;
     }
     [[nodiscard]] std::any save() const override { return backend.save(); }
     void restore(const std::any& state) override { backend.restore(std::any_cast<const typename B::State&>(state)); }

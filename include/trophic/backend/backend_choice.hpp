@@ -44,11 +44,10 @@ class BackendChoice {
   /// Its number of threads; null for a backend without threads.
   [[nodiscard]] std::size_t* threads() { return choice_->threads(); }
 
+  /// Appends its parameters in place, under "PATH.".
+  void append_param_refs(std::string_view path, ParamRefs& params) { choice_->append_param_refs(path, params); }
   /// Throws std::invalid_argument naming the first number outside its bounds, as "PATH.NAME".
   void validate(std::string_view path) const { choice_->validate(path); }
-  void append_named_params(std::string_view path, NamedParams& named_params) const {
-    choice_->append_named_params(path, named_params);
-  }
 
   /// The numbers of backend B; null if another one was chosen.
   template <Backend B>
@@ -78,7 +77,7 @@ class BackendChoice {
     [[nodiscard]] virtual bool can_embody() const = 0;
     [[nodiscard]] virtual std::size_t* threads() = 0;
     virtual void validate(std::string_view path) const = 0;
-    virtual void append_named_params(std::string_view path, NamedParams& named_params) const = 0;
+    virtual void append_param_refs(std::string_view path, ParamRefs& refs) = 0;
     [[nodiscard]] virtual AnyBackend build(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts,
                                            const Physics& physics) const = 0;
   };
@@ -98,9 +97,7 @@ class BackendChoice {
       return nullptr;
     }
     void validate(std::string_view path) const override { trophic::validate(params, path); }
-    void append_named_params(std::string_view path, NamedParams& named_params) const override {
-      detail::append_named_params(params, path, named_params);
-    }
+    void append_param_refs(std::string_view path, ParamRefs& refs) override { detail::append_param_refs(params, path, refs); }
     [[nodiscard]] AnyBackend build(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts,
                                    const Physics& physics) const override {
       return AnyBackend{std::in_place_type<B>, robot, arena, starts, physics, params};

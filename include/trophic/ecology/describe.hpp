@@ -22,10 +22,10 @@ namespace trophic {
 
 /// All numbers of an experiment on a backend, in order.
 template <class Rules>
-[[nodiscard]] NamedParams named_params_of(const Experiment<Rules>& experiment, const BackendChoice& backend) {
-  NamedParams all = named_params_of(experiment);
-  backend.append_named_params("backend", all);
-  return all;
+[[nodiscard]] NamedParams named_params_of(Experiment<Rules> experiment, BackendChoice backend) {
+  ParamRefs all = param_refs(experiment);
+  backend.append_param_refs("backend", all);
+  return named_params_of(all);
 }
 
 /// Everything that determines a run of `experiment` on `backend` in `habitat` until `until_s` (ecology seconds), and its

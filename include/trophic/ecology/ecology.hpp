@@ -68,7 +68,7 @@ class Ecology final : public Simulation {
   [[nodiscard]] std::int64_t tick() const override { return tick_; }
   [[nodiscard]] const Params& params() const { return params_; }
   [[nodiscard]] const Habitat& habitat() const { return habitat_; }
-  [[nodiscard]] const AnyBackend& backend() const { return bodies_.backend(); }
+  [[nodiscard]] const AnyBackend& backend() const override { return bodies_.backend(); }
   [[nodiscard]] const RuleStates<Rules>& states() const { return population_.states(); }  ///< the states of rules with a State
 
   [[nodiscard]] View view() const override {

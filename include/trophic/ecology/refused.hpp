@@ -31,7 +31,7 @@ class Ecology<Rules, false> final : public Simulation {
   [[nodiscard]] std::int64_t tick() const override;
   [[nodiscard]] const Params& params() const;
   [[nodiscard]] const Habitat& habitat() const;
-  [[nodiscard]] const AnyBackend& backend() const;
+  [[nodiscard]] const AnyBackend& backend() const override;
   [[nodiscard]] View view() const override;
   [[nodiscard]] observe::RunDescription describe(double until_s) const override;
   [[nodiscard]] io::StateColumns state_columns() const override;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <trophic/backend/any_backend.hpp>
 #include <trophic/observe/audience.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/params/archive.hpp>
@@ -44,6 +45,8 @@ class Simulation {
   [[nodiscard]] virtual std::int64_t tick() const = 0;
   /// The world as rules see it now. Valid while the ecology lives and does not run.
   [[nodiscard]] virtual View view() const = 0;
+  /// The bodies. Valid while the ecology lives.
+  [[nodiscard]] virtual const AnyBackend& backend() const = 0;
   /// Everything that determines this run, for observers.
   [[nodiscard]] virtual observe::RunDescription describe(double until_s) const = 0;
   /// The states of rules with a State, for states.csv (trophic/io/state_log.hpp). Refers to the ecology.

@@ -15,6 +15,10 @@
 #include <trophic/params/archive.hpp>
 #include <vector>
 
+namespace trophic {
+class Simulation;
+}
+
 namespace trophic::io {
 
 /// An observer (trophic/observe/hooks.hpp) that writes one table into the folder of a run:
@@ -49,6 +53,8 @@ class AnyOwnTable {
 /// Makes one table in the folder of a run.
 using MakeOwnTable = std::function<std::unique_ptr<AnyOwnTable>(const std::filesystem::path& folder, Opening opening)>;
 using OwnTables = std::vector<MakeOwnTable>;
+/// The tables that a run of an ecology writes beside its usual ones; null: none.
+using OwnTablesOf = std::function<OwnTables(const Simulation& ecology)>;
 
 namespace detail {
 

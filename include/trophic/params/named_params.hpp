@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Numbers as (path, value) pairs, for configuration files and manifests.
+// Parameters by their paths, in place and by value: for configuration files and manifests.
 #pragma once
 
 #include <concepts>
 #include <cstdint>
+#include <limits>
+#include <span>
 #include <string>
 #include <string_view>
 #include <trophic/params/params.hpp>
@@ -15,7 +17,7 @@
 
 namespace trophic {
 
-/// One number, switch or text of a run with its path, e.g. "rules.mutation.sd".
+/// One parameter, switch or text of a run with its path, e.g. "rules.mutation.sd".
 struct NamedParam {
   std::string path;
   std::variant<bool, std::int64_t, double, std::string> value;
@@ -30,56 +32,105 @@ using NamedParams = std::vector<NamedParam>;
 /// The value as text: numbers in their shortest exact form, texts unchanged.
 [[nodiscard]] std::string value_text(const NamedParam& param);
 
+/// A whole number of any type, or an enumerator as its index in `names`.
+struct WholeRef {
+  void* value;
+  std::int64_t (*get)(const void* value);
+  void (*set)(void* value, std::int64_t to);
+  std::int64_t lowest;
+  std::uint64_t largest;
+  std::span<const std::string_view> names = {};  ///< of an enumeration
+};
+
+/// A parameter in its Params struct. A rule without parameters has no target. Valid as long as the struct.
+struct ParamRef {
+  std::string path;
+  std::string_view help = {};
+  Bound bound = {};
+  std::variant<std::monostate, bool*, double*, std::string*, WholeRef> target = {};
+};
+using ParamRefs = std::vector<ParamRef>;
+
+/// The values of parameters, in order.
+[[nodiscard]] NamedParams named_params_of(const ParamRefs& params);
+
+/// Throws std::invalid_argument "PATH = VALUE: must be ..." for the first parameter outside its bound, as `validate` does.
+void validate(const ParamRefs& params);
+
+/// Params that append their own references: void append_param_refs(std::string_view path, ParamRefs& params).
+template <class P>
+concept AppendsParamRefs = requires(P& params, ParamRefs& refs) {
+  params.append_param_refs(std::string_view{}, refs);
+};
+
 namespace detail {
 
-void add_named_param(NamedParams& named_params, std::string_view path, const FieldText& field, bool value);
-void add_named_param(NamedParams& named_params, std::string_view path, const FieldText& field, std::int64_t value);
-void add_named_param(NamedParams& named_params, std::string_view path, const FieldText& field, double value);
-void add_named_param(NamedParams& named_params, std::string_view path, const FieldText& field, std::string_view value);
+template <class T>
+[[nodiscard]] WholeRef whole_ref(T& value) {
+  WholeRef ref{.value = &value,
+               .get = [](const void* of) { return static_cast<std::int64_t>(*static_cast<const T*>(of)); },
+               .set = [](void* of, std::int64_t to) { *static_cast<T*>(of) = static_cast<T>(to); },
+               .lowest = 0,
+               .largest = 0};
+  if constexpr (NamedEnum<T>) {
+    static constexpr auto names = enum_names(T{});
+    ref.names = names;
+  } else {
+    ref.lowest = static_cast<std::int64_t>(std::numeric_limits<T>::lowest());
+    ref.largest = static_cast<std::uint64_t>(std::numeric_limits<T>::max());
+  }
+  return ref;
+}
 
 template <class P>
-void append_named_params(const P& params, std::string_view path, NamedParams& named_params);
+void append_param_refs(P& params, std::string_view path, ParamRefs& refs);
 
-struct AppendNamedParam {
+struct AppendParamRef {
   std::string_view path;
-  NamedParams& named_params;
+  ParamRefs& refs;
 
   template <class T>
-  void operator()(const FieldText& f, const T& value) const {
-    const auto add = [&](auto plain) { add_named_param(named_params, path, f, plain); };
-    if constexpr (std::same_as<T, bool>) {
-      add(value);
-    } else if constexpr (std::integral<T>) {
-      add(static_cast<std::int64_t>(value));
-    } else if constexpr (std::floating_point<T>) {
-      add(static_cast<double>(value));
-    } else if constexpr (NamedEnum<T>) {
-      add(enum_name(value));
-    } else if constexpr (std::convertible_to<T, std::string_view>) {
-      add(std::string_view{value});
-    } else if constexpr (!std::is_empty_v<T>) {
-      append_named_params(value, join_path(path, f.name), named_params);
+  void operator()(const FieldText& f, T& value) const {
+    std::string own = join_path(path, f.name);
+    if constexpr (std::same_as<T, bool> || std::same_as<T, double> || std::same_as<T, std::string>) {
+      refs.push_back({std::move(own), f.help, f.bound, &value});
+    } else if constexpr (std::integral<T> || NamedEnum<T>) {
+      refs.push_back({std::move(own), f.help, f.bound, whole_ref(value)});
+    } else if constexpr (AppendsParamRefs<T>) {
+      value.append_param_refs(own, refs);
+    } else {
+      append_param_refs(value, own, refs);
     }
   }
 };
 
 template <class P>
-void append_named_params(const P& params, std::string_view path, NamedParams& named_params) {
+void append_param_refs(P& params, std::string_view path, ParamRefs& refs) {
   static_assert(OpenParams<P>, "Params must be an aggregate: public numbers, no constructor");
   static_assert(AllListed<members_of<P>, fields_of<P>>,
                 "Params must list every number in fields(); see trophic/params/params.hpp");
   static_assert(listed_once<P>(), "Params must list no number and no name twice in fields()");
-  for_each_field(params, AppendNamedParam{path, named_params});
+  if constexpr (std::is_empty_v<P>) {
+    refs.push_back({std::string{path}, {}, {}, {}});
+  } else {
+    for_each_field(params, AppendParamRef{path, refs});
+  }
 }
 
 }  // namespace detail
 
+/// Every field of a Params struct in place, nested ones included, in order.
+template <class P>
+[[nodiscard]] ParamRefs param_refs(P& params) {
+  ParamRefs refs;
+  detail::append_param_refs(params, "", refs);
+  return refs;
+}
+
 /// Every field of a Params struct, nested ones included, in order.
 template <class P>
-[[nodiscard]] NamedParams named_params_of(const P& params) {
-  NamedParams named_params;
-  detail::append_named_params(params, "", named_params);
-  return named_params;
+[[nodiscard]] NamedParams named_params_of(P params) {
+  return named_params_of(param_refs(params));
 }
 
 /// FNV-1a (64 bits) of a text, as 16 hexadecimal digits.

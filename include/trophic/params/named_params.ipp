@@ -37,23 +37,41 @@ TROPHIC_INLINE std::string hash_text(std::string_view text) {
   return digits;
 }
 
-namespace detail {
+TROPHIC_INLINE NamedParams named_params_of(const ParamRefs& params) {
+  NamedParams named;
+  const auto add = [&](const ParamRef& ref, auto value, Bound bound = {}) {
+    named.push_back({ref.path, std::move(value), std::string{ref.help}, bound});
+  };
+  for (const ParamRef& ref : params) {
+    if (const auto* flag = std::get_if<bool*>(&ref.target)) add(ref, **flag);
+    if (const auto* number = std::get_if<double*>(&ref.target)) add(ref, **number, ref.bound);
+    if (const auto* text = std::get_if<std::string*>(&ref.target)) add(ref, **text);
+    if (const auto* whole = std::get_if<WholeRef>(&ref.target)) {
+      const std::int64_t value = whole->get(whole->value);
+      if (whole->names.empty()) {
+        add(ref, value, ref.bound);
+      } else {
+        add(ref, std::string{whole->names[static_cast<std::size_t>(value)]});
+      }
+    }
+  }
+  return named;
+}
 
-TROPHIC_INLINE void add_named_param(NamedParams& named_params, std::string_view path, const FieldText& field, bool value) {
-  named_params.push_back({join_path(path, field.name), value, std::string{field.help}});
+TROPHIC_INLINE void validate(const ParamRefs& params) {
+  for (const ParamRef& ref : params) {
+    const auto check = [&](double number, const std::string& text) {
+      if (detail::within(number, ref.bound)) return;
+      const std::size_t dot = ref.path.rfind('.');
+      const std::string prefix = dot == std::string::npos ? "" : ref.path.substr(0, dot);
+      detail::reject_number(prefix, ref.path.substr(dot + 1), number, text, ref.bound);
+    };
+    if (const auto* number = std::get_if<double*>(&ref.target)) check(**number, number_text(**number));
+    if (const auto* whole = std::get_if<WholeRef>(&ref.target); whole != nullptr && whole->names.empty()) {
+      const std::int64_t value = whole->get(whole->value);
+      check(static_cast<double>(value), number_text(value));
+    }
+  }
 }
-TROPHIC_INLINE void add_named_param(NamedParams& named_params, std::string_view path, const FieldText& field,
-                                    std::int64_t value) {
-  named_params.push_back({join_path(path, field.name), value, std::string{field.help}, field.bound});
-}
-TROPHIC_INLINE void add_named_param(NamedParams& named_params, std::string_view path, const FieldText& field, double value) {
-  named_params.push_back({join_path(path, field.name), value, std::string{field.help}, field.bound});
-}
-TROPHIC_INLINE void add_named_param(NamedParams& named_params, std::string_view path, const FieldText& field,
-                                    std::string_view value) {
-  named_params.push_back({join_path(path, field.name), std::string{value}, std::string{field.help}});
-}
-
-}  // namespace detail
 
 }  // namespace trophic

@@ -9,7 +9,7 @@
 #include <string>
 #include <tools/analysis/data/sweep_grid.hpp>
 #include <tools/analysis/metrics/sweep_values.hpp>
-#include <trophic/run/sweep/plan_file.hpp>
+#include <tools/sweep/plan_file.hpp>
 #include <unit/analysis/run_files.hpp>
 #include <utility>
 #include <vector>

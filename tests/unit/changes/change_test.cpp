@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 #include <support/temporary_folder.hpp>
+#include <tools/changes/change.hpp>
 #include <trophic/io/csv.hpp>
-#include <trophic/run/changes/change.hpp>
 
 using namespace trophic;
 

@@ -4,12 +4,12 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <tools/changes/changing_simulation.hpp>
+#include <tools/command/read_parameters.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/shipped.hpp>
 #include <trophic/params/archive.hpp>
-#include <trophic/params/toml.hpp>
 #include <trophic/rules/paper.hpp>
-#include <trophic/run/changes/changing_simulation.hpp>
 
 namespace {
 
@@ -19,7 +19,8 @@ using changes::ChangingSimulation;
 
 std::unique_ptr<Simulation> make(const std::vector<Change>& made) {
   Experiment<rules::Paper> numbers{.seed = 3};
-  for (const Change& change : made) read_numbers(numbers, read_assignment(change.number + "=" + change.value));
+  for (const Change& change : made)
+    command::read_parameters(numbers, command::read_assignment(change.number + "=" + change.value));
   validate(numbers, "");
   return std::make_unique<Ecology<rules::Paper>>(numbers, backend::Kinematic::Params{});
 }

@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 #include <support/temporary_folder.hpp>
+#include <tools/command/config.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/command/config.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/rules/paper.hpp>
 #include <utility>
@@ -28,14 +28,14 @@ Config config_of(const std::string& text, std::vector<std::string> assignments =
 std::string message(const Config& config) {
   return test::message_of<std::invalid_argument>([&] {
     Numbers numbers;
-    read_config_into(numbers, config);
+    apply_config(param_refs(numbers), config);
   });
 }
 
 TEST_CASE("the file comes first, then each assignment in turn") {
   Numbers numbers;
-  read_config_into(
-      numbers, config_of("engine = 'kinematic'\nseed = 3\n[ecology]\nrobots = 20\n", {"ecology.robots=22", "ecology.robots=24"}));
+  apply_config(param_refs(numbers),
+               config_of("engine = 'kinematic'\nseed = 3\n[ecology]\nrobots = 20\n", {"ecology.robots=22", "ecology.robots=24"}));
   CHECK(numbers.seed == 3);
   CHECK(numbers.ecology.robots == 24);
 }
@@ -53,7 +53,7 @@ TEST_CASE("a key that is near to nothing lists what there is") {
 }
 
 TEST_CASE("a path without its beginning is known where it is the end of one number alone") {
-  const NamedParams named_params{{"a.x.sd", 1.0, ""}, {"b.x.sd", 1.0, ""}, {"b.y.range_m", 1.0, ""}};
+  const ParamRefs named_params{{.path = "a.x.sd"}, {.path = "b.x.sd"}, {.path = "b.y.range_m"}};
   CHECK(nearest_path("y.range_m", named_params) == "b.y.range_m");
   CHECK(nearest_path("range_m", named_params) == "b.y.range_m");
   CHECK(nearest_path("sd", named_params) == std::nullopt);

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
-#include <trophic/command/words.hpp>
+#include <tools/command/words.hpp>
 #include <vector>
 
 namespace {

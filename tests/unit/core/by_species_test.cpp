@@ -4,12 +4,12 @@
 #include <cstddef>
 #include <string>
 #include <support/hand_population.hpp>
+#include <tools/command/read_parameters.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/death/senescence/energy_store.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/initialization/community/food_chain.hpp>
-#include <trophic/params/toml.hpp>
 #include <trophic/perception/visibility/within_range.hpp>
 #include <trophic/reproduction/parent/most_escapes.hpp>
 #include <trophic/rules/by_species.hpp>
@@ -24,8 +24,8 @@ TEST_CASE("by species: numbers -> one set per species, under its name") {
   using Rules = with_mutation<rules::Paper, by_species<reproduction::mutation::NormalMutation>>;
   CHECK(table_name<Rules>() == "paper with mutation = normal_mutation_by_species");
   Ecology<Rules>::Params params{.seed = 8};
-  read_numbers(params, read_assignment("rules.mutation.prey.sd=0.5"));
-  read_numbers(params, read_assignment("rules.mutation.predator.sd=0"));
+  command::read_parameters(params, command::read_assignment("rules.mutation.prey.sd=0.5"));
+  command::read_parameters(params, command::read_assignment("rules.mutation.predator.sd=0"));
   std::vector<std::string> paths;
   for (const NamedParam& param : named_params_of(params.rules.mutation)) paths.push_back(param.path);
   CHECK(paths == std::vector<std::string>{"prey.sd", "predator.sd"});

@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <support/hand_population.hpp>
 #include <support/temporary_folder.hpp>
+#include <tools/contest/contest_plan.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/simulations_of.hpp>
 #include <trophic/rules/paper.hpp>
-#include <trophic/run/contest/contest_plan.hpp>
 #include <trophic/support/new_file.hpp>
 #include <vector>
 

@@ -15,6 +15,7 @@
 #include <support/hand_population.hpp>
 #include <support/temporary_folder.hpp>
 #include <support/toy_bodies.hpp>
+#include <tools/recording/read_recording.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/control/gait/inherited_cpg.hpp>
 #include <trophic/control/gait/inherited_cppn.hpp>
@@ -24,7 +25,6 @@
 #include <trophic/habitat/touch.hpp>
 #include <trophic/initialization/embodiment/stands_up.hpp>
 #include <trophic/initialization/placement/uniform_square.hpp>
-#include <trophic/io/read_recording.hpp>
 #include <trophic/reproduction/body_plan/inherited_modules.hpp>
 #include <trophic/reproduction/body_plan/named_body.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>

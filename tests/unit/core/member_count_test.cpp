@@ -129,5 +129,5 @@ TEST_CASE("member count: all Params in manifests -> every number listed") {
   CHECK(lists_all<RuleParams<rules::Paper>>());
   CHECK(lists_all<RuleParams<rules::Released>>());
   CHECK(lists_all<Experiment<rules::Paper>>());
-  CHECK(lists_all<gait_evolution::Params<gait_evolution::Paper, backend::Kinematic>>());
+  CHECK(lists_all<gait_evolution::Params<gait_evolution::Paper>>());
 }

@@ -130,8 +130,8 @@ TEST_CASE("trial: facing -> its start pose, and the pilot is asked at the contro
   std::vector<double> times_s;
   const auto run = [&](double start_turn_rad) {
     times_s.clear();
-    return gait_evolution::try_out<trophic::test::ToyBackend>(
-        robot, gait, trophic::control::steering::TargetedSteering{}, trial, {}, {},
+    return gait_evolution::try_out(
+        robot, gait, trophic::control::steering::TargetedSteering{}, trial, {}, trophic::test::ToyBackend::Params{},
         [&](double time_s, const GroundPose&) {
           times_s.push_back(time_s);
           return 0.0;
@@ -157,6 +157,7 @@ TEST_CASE("trial: backend with a share of steps that its engine took -> the trac
   const trophic::control::steering::TargetedSteering steering;
   const gait_evolution::Trial trial{.duration_s = 1.0};
   const auto straight = gait_evolution::steady(0.0);
-  CHECK(gait_evolution::try_out<DecliningToy>(robot, gait, steering, trial, {}, {}, straight).engine_share == 0.75);
-  CHECK(gait_evolution::try_out<trophic::test::ToyBackend>(robot, gait, steering, trial, {}, {}, straight).engine_share == 0.0);
+  CHECK(gait_evolution::try_out(robot, gait, steering, trial, {}, DecliningToy::Params{}, straight).engine_share == 0.75);
+  CHECK(gait_evolution::try_out(robot, gait, steering, trial, {}, trophic::test::ToyBackend::Params{}, straight).engine_share ==
+        0.0);
 }

@@ -22,9 +22,9 @@ using trophic::test::ToyBackend;
 namespace {
 
 template <class Table>
-using Numbers = gait_evolution::Params<Table, ToyBackend>;
+using Numbers = gait_evolution::Params<Table>;
 template <class Table>
-using PreExperiment = gait_evolution::PreExperiment<Table, ToyBackend>;
+using PreExperiment = gait_evolution::PreExperiment<Table>;
 
 template <class Table>
 Numbers<Table> quick() {
@@ -38,8 +38,8 @@ Numbers<Table> quick() {
 }
 
 template <class Table = gait_evolution::Paper>
-PreExperiment<Table> experiment(const Numbers<Table>& numbers = quick<Table>()) {
-  return {numbers, trophic::load_robot(numbers.robot)};
+PreExperiment<Table> experiment(const Numbers<Table>& numbers = quick<Table>(), const ToyBackend::Params& toy = {}) {
+  return {numbers, toy, trophic::load_robot(numbers.robot)};
 }
 
 template <class Table>
@@ -145,9 +145,7 @@ TEST_CASE("pre-experiment: generation stopped halfway -> nothing is changed") {
 }
 
 TEST_CASE("candidates whose trial diverges score -infinity and do not survive better ones") {
-  auto numbers = quick<gait_evolution::Paper>();
-  numbers.backend.breaks_beyond_rad = 1.2;
-  auto running = experiment(numbers);
+  auto running = experiment(quick<gait_evolution::Paper>(), {.breaks_beyond_rad = 1.2});
   finish(running);
   const gait_evolution::Lineage& lineage = running.lineage();
   const auto broken = std::ranges::count_if(lineage.individuals, [](const auto& one) { return std::isinf(one.fitness); });

@@ -3,7 +3,7 @@
 
 #include <set>
 #include <string>
-#include <tools/live/src/gate.hpp>
+#include <tools/live/gate.hpp>
 
 using namespace trophic;
 

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <future>
 #include <string>
-#include <tools/live/src/steering.hpp>
+#include <tools/live/steering.hpp>
 #include <vector>
 
 using namespace trophic;

@@ -3,7 +3,7 @@
 
 #include <stdexcept>
 #include <string>
-#include <tools/live/src/wishes.hpp>
+#include <tools/live/wishes.hpp>
 #include <trophic/support/json.hpp>
 
 using namespace trophic;

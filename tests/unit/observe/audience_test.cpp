@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <trophic/ecology/simulation.hpp>
@@ -36,6 +37,7 @@ class TwoMoments final : public Simulation {
   double time_s() const override { return static_cast<double>(tick_); }
   std::int64_t tick() const override { return tick_; }
   View view() const override { return robots_.view(); }
+  const AnyBackend& backend() const override { throw std::logic_error{"has no bodies"}; }
   observe::RunDescription describe(double) const override { return test::short_run(); }
   io::StateColumns state_columns() const override { return {}; }
 

@@ -13,10 +13,10 @@
 #include <string>
 #include <support/forged_recording.hpp>
 #include <support/temporary_folder.hpp>
+#include <tools/recording/read_recording.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/io/read_recording.hpp>
 #include <trophic/io/recording.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/population/food_web.hpp>

@@ -14,7 +14,7 @@
 #include <stdexcept>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/io/read_recording.hpp>
+#include <tools/recording/read_recording.hpp>
 #include <trophic/io/recording.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/support/rng.hpp>

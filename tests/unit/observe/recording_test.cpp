@@ -12,10 +12,10 @@
 #include <stdexcept>
 #include <string>
 #include <support/temporary_folder.hpp>
+#include <tools/recording/read_recording.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/io/read_recording.hpp>
 #include <trophic/io/recording.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/params/archive.hpp>

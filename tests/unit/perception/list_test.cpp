@@ -9,8 +9,8 @@
 #include <string_view>
 #include <support/hand_population.hpp>
 #include <support/odometer.hpp>
+#include <tools/command/read_parameters.hpp>
 #include <trophic/params/named_params.hpp>
-#include <trophic/params/toml.hpp>
 #include <trophic/perception/sensors/distance_over_scale.hpp>
 #include <trophic/perception/sensors/distance_over_terrain.hpp>
 #include <trophic/perception/sensors/list.hpp>
@@ -105,7 +105,7 @@ TEST_CASE("list: name -> names of its sensors") {
 
 TEST_CASE("list: numbers -> under the name of each sensor") {
   Sensors::Params params;
-  read_numbers(params, read_assignment("distance_over_scale.full_scale_m=10"));
+  command::read_parameters(params, command::read_assignment("distance_over_scale.full_scale_m=10"));
   const NamedParams settings = named_params_of(params);
   REQUIRE(settings.size() == 1);
   CHECK(settings[0].path == "distance_over_scale.full_scale_m");
@@ -117,8 +117,8 @@ TEST_CASE("list: numbers -> under the name of each sensor") {
   CHECK(first_difference(Sensors::Params{}, params) == "distance_over_scale.full_scale_m");
   CHECK_THROWS_WITH_AS(validate(Sensors::with<DistanceOverScale>({.full_scale_m = -1.0}), "rules.sensors"),
                        "rules.sensors.distance_over_scale.full_scale_m = -1: must be > 0", std::invalid_argument);
-  CHECK_THROWS_WITH_AS(read_numbers(params, read_assignment("place.x=1")), "place.x: unknown key; this rule has no numbers",
-                       std::invalid_argument);
+  CHECK_THROWS_WITH_AS(command::read_parameters(params, command::read_assignment("place.x=1")),
+                       "place.x: unknown key; this rule has no numbers", std::invalid_argument);
 }
 
 TEST_CASE("list: swap -> sensor replaced in its place") {

@@ -16,13 +16,13 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <tools/sweep/attempt.hpp>
+#include <tools/sweep/claim.hpp>
+#include <tools/sweep/folder.hpp>
+#include <tools/sweep/work_through.hpp>
 #include <trophic/io/growing_file.hpp>
 #include <trophic/io/program_code.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
-#include <trophic/run/sweep/attempt.hpp>
-#include <trophic/run/sweep/claim.hpp>
-#include <trophic/run/sweep/folder.hpp>
-#include <trophic/run/sweep/work_through.hpp>
 #include <trophic/support/version.hpp>
 #include <vector>
 

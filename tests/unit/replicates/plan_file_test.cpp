@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <support/temporary_folder.hpp>
-#include <trophic/run/sweep/plan_file.hpp>
+#include <tools/sweep/plan_file.hpp>
 #include <tuple>
 #include <utility>
 #include <vector>

@@ -5,7 +5,7 @@
 #include <fstream>
 #include <stdexcept>
 #include <string>
-#include <trophic/run/sweep/sweep_file.hpp>
+#include <tools/sweep/sweep_file.hpp>
 #include <vector>
 
 #include "../../support/temporary_folder.hpp"

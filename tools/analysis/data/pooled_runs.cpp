@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <set>
 #include <stdexcept>
-#include <trophic/run/changes/change.hpp>
+#include <tools/changes/change.hpp>
 #include <trophic/support/check_folder.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/plain_text.hpp>

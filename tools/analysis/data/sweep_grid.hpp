@@ -7,7 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <trophic/run/sweep/plan_file.hpp>
+#include <tools/sweep/plan_file.hpp>
 #include <vector>
 
 namespace trophic::analysis {

@@ -6,8 +6,8 @@
 #include <filesystem>
 #include <string>
 #include <tools/analysis/data/sweep_grid.hpp>
+#include <tools/sweep/plan_file.hpp>
 #include <trophic/population/food_web.hpp>
-#include <trophic/run/sweep/plan_file.hpp>
 #include <vector>
 
 namespace trophic::analysis {

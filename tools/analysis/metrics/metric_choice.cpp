@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
-#include <trophic/command/words.hpp>
+#include <tools/command/words.hpp>
 
 namespace trophic::analysis {
 

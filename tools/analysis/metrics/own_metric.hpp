@@ -7,7 +7,7 @@
 #include <string_view>
 #include <tools/analysis/data/read_run.hpp>
 #include <tools/analysis/metrics/measurement.hpp>
-#include <trophic/io/own_metric.hpp>
+#include <trophic/experiment/own_metric.hpp>
 #include <vector>
 
 namespace trophic::analysis {

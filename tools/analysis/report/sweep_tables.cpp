@@ -6,9 +6,9 @@
 #include <string>
 #include <tools/analysis/report/table_file.hpp>
 #include <tools/analysis/statistics/estimate.hpp>
+#include <tools/sweep/plan_file.hpp>
 #include <trophic/io/csv.hpp>
 #include <trophic/population/food_web.hpp>
-#include <trophic/run/sweep/plan_file.hpp>
 #include <trophic/support/new_file.hpp>
 
 namespace trophic::analysis::detail {

@@ -10,7 +10,7 @@
 #include <string>
 #include <tools/analysis/data/run_manifest.hpp>
 #include <tools/analysis/report/contest_progress.hpp>
-#include <trophic/run/contest/contest_plan.hpp>
+#include <tools/contest/contest_plan.hpp>
 #include <vector>
 
 namespace trophic::command::contests {

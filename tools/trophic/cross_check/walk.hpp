@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 #include <tools/gait_evolution/trial.hpp>
-#include <trophic/backend/contract.hpp>
+#include <trophic/backend/backend_choice.hpp>
 #include <trophic/control/locomotion/cpg.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>
 #include <trophic/habitat/ground_pose.hpp>
@@ -68,9 +68,8 @@ inline constexpr std::string_view default_settings = "default";
 }
 
 /// Walks for `duration_s` on an endless floor with the gait at 60 Hz, as an ecology does. Throws Diverged. No random draws.
-template <JointDriven B>
-[[nodiscard]] std::vector<Walk> walk(const Habitat& habitat, const Condition& condition, double duration_s,
-                                     const typename B::Params& params) {
+[[nodiscard]] inline std::vector<Walk> walk(const Habitat& habitat, const Condition& condition, double duration_s,
+                                            const BackendChoice& choice) {
   constexpr double control_hz = 60.0;
   constexpr int controls_per_sample = static_cast<int>(sample_s * control_hz);
   const RobotModel& robot = habitat.robot;
@@ -79,7 +78,7 @@ template <JointDriven B>
   const control::steering::TargetedSteering steering{};
   const locomotion::Cpg cpg{habitat.gait};
   const std::vector<Pose> starts = twelve_starts(robot);
-  B backend{robot, gait_evolution::endless_floor(), starts, {.timestep_s = condition.timestep_s}, params};
+  AnyBackend backend = choice.build(robot, gait_evolution::endless_floor(), starts, {.timestep_s = condition.timestep_s});
   Eigen::MatrixXd states = cpg.initial_states();
   std::vector<double> targets_rad(hinges);
   std::vector<double> before_rad(starts.size() * hinges, 0.0);

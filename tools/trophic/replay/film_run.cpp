@@ -15,9 +15,9 @@
 #include <stdexcept>
 #include <string_view>
 #include <tools/analysis/data/csv_reader.hpp>
+#include <tools/command/output.hpp>
 #include <tools/trophic/replay/catch_scene.hpp>
 #include <tools/trophic/replay/recorded_agents.hpp>
-#include <trophic/command/output.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/pictures/drawing/camera.hpp>
 #include <trophic/pictures/drawing/footage.hpp>

@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <tools/recording/read_recording.hpp>
 #include <tools/trophic/replay/gltf_file.hpp>
 #include <tools/trophic/replay/recorded_agents.hpp>
 #include <tools/trophic/replay/recorded_run.hpp>
 #include <trophic/habitat/arena.hpp>
-#include <trophic/io/read_recording.hpp>
 #include <trophic/params/params.hpp>
 #include <utility>
 #include <vector>

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <filesystem>
-#include <trophic/io/read_recording.hpp>
+#include <tools/recording/read_recording.hpp>
 #include <trophic/support/json.hpp>
 
 namespace trophic::command::replay {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <trophic/io/read_recording.hpp>
+#include <tools/recording/read_recording.hpp>
 #include <trophic/support/json.hpp>
 #include <vector>
 

@@ -54,9 +54,9 @@ class Locomotion {
     wait(backend, steps);
     return true;
   }
-  /// The same for a backend of known type, without cancelling.
-  template <JointDriven B>
-  void advance(B& backend, std::int64_t steps, std::span<const double> target_angles_rad) {
+  /// The same for a backend with joints of any type, without cancelling.
+  template <class Bodies>
+  void advance(Bodies& backend, std::int64_t steps, std::span<const double> target_angles_rad) {
     advance_joints(backend, steps, target_angles_rad, [] { return false; });
   }
 

@@ -18,7 +18,7 @@ struct CommonOptions {
   checkpoint::Schedule checkpoints = {};
   io::OutputOptions output = {};                      ///< how much of each run is written
   std::optional<checkpoint::Snapshot> snapshot = {};  ///< of a run at a moment of which they all begin
-  io::OwnTables own_tables = {};                      ///< written by each run
+  io::OwnTablesOf own_tables = {};                    ///< written by each run
 };
 
 }  // namespace trophic::replicates

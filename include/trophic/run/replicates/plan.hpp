@@ -47,7 +47,7 @@ struct Plan {
   checkpoint::Schedule checkpoints = {};  ///< of each replicate
   io::OutputOptions output = {};          ///< how much of each run is written
   std::optional<checkpoint::Snapshot> snapshot = {};  ///< of a run at a moment of which they all begin
-  io::OwnTables own_tables = {};                      ///< written by each run
+  io::OwnTablesOf own_tables = {};                    ///< written by each run
 
   /// Throws std::invalid_argument for a number out of bounds or no folder.
   void check() const {

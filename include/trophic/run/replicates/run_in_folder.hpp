@@ -12,7 +12,6 @@
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
-#include <trophic/run/changes/changing_simulation.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/run/replicates/common_options.hpp>
@@ -44,7 +43,7 @@ void run_in_folder(Simulation& ecology, double until_s, const std::filesystem::p
                       common.output,
                       run_state.opening(),
                       ecology.state_columns(),
-                      changes::with_changes(common.own_tables, ecology)};
+                      common.own_tables ? common.own_tables(ecology) : io::OwnTables{}};
   if (run_state.begins) {
     checkpoint::begin_at(run_state, common.snapshot->moment, ecology, files.manifest(),
                          checkpoint::parts_of(files, progress, stop, extra...));

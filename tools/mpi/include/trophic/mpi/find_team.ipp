@@ -17,10 +17,10 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <tools/sweep/claim.hpp>
+#include <tools/sweep/team.hpp>
+#include <tools/sweep/work_through.hpp>
 #include <trophic/mpi/find_team.hpp>
-#include <trophic/run/sweep/claim.hpp>
-#include <trophic/run/sweep/team.hpp>
-#include <trophic/run/sweep/work_through.hpp>
 #include <utility>
 #include <vector>
 

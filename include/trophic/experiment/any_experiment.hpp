@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Type-erased interface of an experiment: one rule table on one backend.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <trophic/backend/backend_choice.hpp>
+#include <trophic/ecology/ask_brain.hpp>
+#include <trophic/ecology/lineup.hpp>
+#include <trophic/ecology/simulation.hpp>
+#include <trophic/habitat/ecology_params.hpp>
+#include <trophic/habitat/physics.hpp>
+#include <trophic/params/named_params.hpp>
+#include <trophic/rules/printed_rules.hpp>
+#include <vector>
+
+namespace trophic {
+
+/// Starts with the parameters of its rule table and backend.
+class AnyExperiment {
+ public:
+  AnyExperiment() = default;
+  AnyExperiment(const AnyExperiment&) = delete;
+  AnyExperiment& operator=(const AnyExperiment&) = delete;
+  virtual ~AnyExperiment() = default;
+
+  /// The name of its rule table.
+  [[nodiscard]] virtual std::string rule_table() const = 0;
+  /// Returns an experiment of the same table and backend with their own parameters.
+  [[nodiscard]] virtual std::unique_ptr<AnyExperiment> fresh() const = 0;
+  /// All parameters, in place. Valid while the experiment lives.
+  [[nodiscard]] virtual ParamRefs params() = 0;
+  [[nodiscard]] virtual std::uint64_t& seed() = 0;
+  [[nodiscard]] virtual EcologyParams& ecology() = 0;
+  [[nodiscard]] virtual const Physics& physics() const = 0;
+  [[nodiscard]] virtual BackendChoice& backend() = 0;
+  /// The rules with their parameters and sources.
+  [[nodiscard]] virtual std::vector<rules::PrintedRule> printed_rules() const = 0;
+  /// Makes its ecologies with the present parameters, or those of its neutral shadow.
+  [[nodiscard]] virtual MakeSimulation simulations(bool shadow) const = 0;
+  /// Makes contests in its arena, with its brains and backend.
+  [[nodiscard]] virtual MakeContest contests() const = 0;
+  /// The brain of its table.
+  [[nodiscard]] virtual AskBrain brain() const = 0;
+};
+
+/// Makes the experiment of one rule table on a backend.
+using MakeExperiment = std::unique_ptr<AnyExperiment> (*)(const BackendChoice& backend);
+
+}  // namespace trophic

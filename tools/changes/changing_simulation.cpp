@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: MIT
+// Definitions of changing_simulation.hpp.
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <stdexcept>
+#include <string_view>
+#include <tools/changes/changing_simulation.hpp>
+#include <trophic/io/csv_file.hpp>
+#include <trophic/observe/audience.hpp>
+#include <trophic/params/named_params.hpp>
+#include <trophic/run/checkpoint/rewind.hpp>
+#include <utility>
+
+namespace trophic::changes {
+
+namespace detail {
+
+/// The value of a number as text.
+[[nodiscard]] inline std::string value_in(const observe::RunDescription& run, const std::string& number) {
+  const auto found = std::ranges::find(run.named_params, number, &NamedParam::path);
+  if (found == run.named_params.end()) throw std::invalid_argument{number + ": is not a number of this experiment"};
+  return value_text(*found);
+}
+
+/// changes.csv of one run.
+class ChangeTable {
+ public:
+  ChangeTable(const std::filesystem::path& folder, Opening opening) : file_{folder / file_name, opening} {}
+  void write(const ChangeRow& row) {
+    file_.write(row);
+    file_.flush();
+  }
+  void on_end(const View&) { file_.finish(); }
+  void persist(Archive& archive) { archive(file_); }
+  [[nodiscard]] io::TableSum sum() const { return file_.sum(); }
+
+ private:
+  io::CsvFile<ChangeRow> file_;
+};
+
+}  // namespace detail
+
+/// The table that takes the rows of changes, while there is one.
+struct ChangingSimulation::Journal {
+  detail::ChangeTable* table = nullptr;
+};
+
+/// The observers of the whole run, as those of each of its parts.
+class ChangingSimulation::Relay final : public observe::Audience {
+ public:
+  Relay(ChangingSimulation& whole, observe::Audience& audience, double until_s)
+      : whole_{whole}, audience_{audience}, until_s_{until_s} {}
+
+  /// The changes that ended the last part of the run.
+  [[nodiscard]] std::vector<Change> take() { return std::exchange(due_, {}); }
+  [[nodiscard]] bool has_failed() const { return has_failed_; }
+
+  void start(const observe::RunDescription&, const View& view) override {
+    if (!std::exchange(is_started_, true)) audience_.start(whole_.describe(until_s_), view);
+  }
+  void event(const observe::Event& event, const View& view) override { audience_.event(event, view); }
+  void tick(const View& view) override { audience_.tick(view); }
+  void between_ticks(Simulation&, bool last) override {
+    if (!last) audience_.between_ticks(whole_, false);
+  }
+  void end(const View&) override {}
+  void failure(std::string_view what) override {
+    has_failed_ = true;
+    audience_.failure(what);
+  }
+  [[nodiscard]] bool keep_running() override {
+    if (!audience_.keep_running()) return false;
+    due_ = whole_.scheduled_until(whole_.time_s());
+    if (!due_.empty() || whole_.conductor_ == nullptr) return due_.empty();
+    due_ = whole_.conductor_->due(whole_.time_s());
+    return due_.empty() && !whole_.conductor_->ends();
+  }
+  [[nodiscard]] bool may_cancel() const override { return audience_.may_cancel(); }
+  [[nodiscard]] bool cancels_tick() override { return audience_.cancels_tick(); }
+  [[nodiscard]] bool wants_decisions() override { return audience_.wants_decisions(); }
+  void decision(const observe::DecisionRecord& decision, const View& view) override { audience_.decision(decision, view); }
+  void exemption(BodyIndex hunter, const View& view) override { audience_.exemption(hunter, view); }
+  [[nodiscard]] std::int64_t next_frame(const observe::FrameTimes& times, std::int64_t step) override {
+    return audience_.next_frame(times, step);
+  }
+  [[nodiscard]] bool wants_frame(const observe::FrameTimes& times, std::int64_t step) override {
+    return audience_.wants_frame(times, step);
+  }
+  void frame(const observe::Frame& frame, std::int64_t step) override { audience_.frame(frame, step); }
+
+ private:
+  ChangingSimulation& whole_;
+  observe::Audience& audience_;
+  double until_s_;
+  std::vector<Change> due_;
+  bool is_started_ = false;
+  bool has_failed_ = false;
+};
+
+ChangingSimulation::ChangingSimulation(MakeChanged make, std::vector<Change> schedule, Conductor* conductor)
+    : make_{std::move(make)},
+      conductor_{conductor},
+      schedule_{std::move(schedule)},
+      journal_{std::make_shared<Journal>()},
+      current_{make_({})},
+      first_{current_->describe(0.0)} {
+  // Each state of the numbers, so that nothing is refused halfway.
+  for (std::size_t many = 1; many <= schedule_.size(); ++many) {
+    if (many < schedule_.size() && schedule_[many].time_s == schedule_[many - 1].time_s) continue;
+    static_cast<void>(changed({}, {schedule_.begin(), schedule_.begin() + static_cast<std::ptrdiff_t>(many)}));
+  }
+}
+ChangingSimulation::~ChangingSimulation() = default;
+
+observe::RunDescription ChangingSimulation::describe(double until_s) const {
+  observe::RunDescription run = first_;
+  run.until_s = until_s;
+  run.remarks = current_->describe(until_s).remarks;
+  return run;
+}
+
+io::StateColumns ChangingSimulation::state_columns() const {
+  io::StateColumns columns = current_->state_columns();
+  columns.append = [this, of = static_cast<const Simulation*>(nullptr), now = io::StateColumns{}](BodyIndex body,
+                                                                                                  std::string& row) mutable {
+    if (of != current_.get()) now = (of = current_.get())->state_columns();
+    now.append(body, row);
+  };
+  return columns;
+}
+
+io::MakeOwnTable ChangingSimulation::table() const {
+  class Table final : public io::AnyOwnTable {
+   public:
+    Table(std::shared_ptr<Journal> journal, const std::filesystem::path& folder, Opening opening)
+        : journal_{std::move(journal)}, table_{folder, opening}, observer_{table_} {
+      journal_->table = &table_;
+    }
+    ~Table() override { journal_->table = nullptr; }
+    [[nodiscard]] std::string file_name() const override { return std::string{changes::file_name}; }
+    [[nodiscard]] observe::Audience& observer() override { return observer_; }
+    [[nodiscard]] io::TableSum sum() const override { return table_.sum(); }
+    void persist(Archive& archive) override { archive(table_); }
+
+   private:
+    std::shared_ptr<Journal> journal_;
+    detail::ChangeTable table_;
+    observe::AudienceOf<detail::ChangeTable> observer_;
+  };
+  return [journal = journal_](const std::filesystem::path& folder, Opening opening) -> std::unique_ptr<io::AnyOwnTable> {
+    return std::make_unique<Table>(journal, folder, opening);
+  };
+}
+
+void ChangingSimulation::persist(Archive& archive) {
+  std::vector<ChangeRow> made = made_;
+  std::vector<Change> schedule = schedule_;
+  archive(made, schedule);
+  if (archive.reads()) {
+    current_ = changed(made, {});
+    Archive::require(schedule_.empty() || are_scheduled(made, schedule),
+                     "other changes than those of --changes; without --changes the run continues with its own");
+    made_ = std::move(made);
+    schedule_ = std::move(schedule);
+  }
+  current_->persist(archive);
+}
+
+void ChangingSimulation::run(double until_s, observe::Audience& audience) {
+  Relay relay{*this, audience, until_s};
+  try {
+    for (;;) {
+      current_->run_before(relay, until_s);
+      const std::vector<Change> due = relay.take();
+      if (due.empty()) break;
+      make(due);
+    }
+    audience.between_ticks(*this, true);
+    audience.end(view());
+  } catch (const std::exception& error) {
+    if (!relay.has_failed()) audience.failure(error.what());
+    throw;
+  }
+}
+
+std::vector<Change> ChangingSimulation::scheduled_until(double time_s) {
+  const auto later = std::ranges::find_if(schedule_, [&](const Change& change) { return change.time_s > time_s; });
+  std::vector<Change> due{schedule_.begin(), later};
+  schedule_.erase(schedule_.begin(), later);
+  return due;
+}
+
+/// Whether these changes, made and to come, are those of the schedule. A row has its number's value after all changes of its
+/// tick.
+bool ChangingSimulation::are_scheduled(const std::vector<ChangeRow>& made, const std::vector<Change>& to_come) const {
+  if (made.size() > schedule_.size()) return false;
+  const auto first_to_come = schedule_.begin() + static_cast<std::ptrdiff_t>(made.size());
+  if (!std::ranges::equal(first_to_come, schedule_.end(), to_come.begin(), to_come.end())) return false;
+  const double tick_s = current_->view().tick_s;
+  for (std::size_t index = 0; index < made.size();) {
+    std::size_t end = index;
+    while (end < made.size() && made[end].tick == made[index].tick) ++end;
+    const auto after = changed({}, {schedule_.begin(), schedule_.begin() + static_cast<std::ptrdiff_t>(end)})->describe(0.0);
+    for (; index < end; ++index) {
+      const Change& planned = schedule_[index];
+      const double late_s = made[index].time_s - planned.time_s;
+      if (planned.number != made[index].number || late_s < 0.0 || late_s >= tick_s) return false;
+      if (detail::value_in(after, planned.number) != made[index].value) return false;
+    }
+  }
+  return true;
+}
+
+/// The ecology of the numbers after changes, at its start.
+std::unique_ptr<Simulation> ChangingSimulation::changed(const std::vector<ChangeRow>& rows,
+                                                        const std::vector<Change>& more) const {
+  std::vector<Change> all;
+  for (const ChangeRow& row : rows) all.push_back({row.time_s, row.number, row.value});
+  all.insert(all.end(), more.begin(), more.end());
+  std::unique_ptr<Simulation> ecology = make_(all);
+  const observe::RunDescription run = ecology->describe(0.0);
+  for (const Change& change : more) {
+    static_cast<void>(detail::value_in(run, change.number));
+    if (!change.number.starts_with("rules.")) {
+      throw std::invalid_argument{change.number + ": cannot change during a run; must be a number of a rule (rules. ...)"};
+    }
+  }
+  checkpoint::check_may_follow(first_, run);
+  return ecology;
+}
+
+void ChangingSimulation::make(const std::vector<Change>& changes) {
+  std::unique_ptr<Simulation> next;
+  try {
+    next = changed(made_, changes);
+  } catch (const std::invalid_argument& error) {
+    if (conductor_ == nullptr) throw;
+    return conductor_->refused(changes.back(), error.what());
+  }
+  const observe::RunDescription before = current_->describe(0.0);
+  const observe::RunDescription after = next->describe(0.0);
+  Archive state;
+  current_->persist(state);
+  const std::string bytes = std::move(state).bytes();
+  Archive same{bytes};
+  next->persist(same);
+  same.finish();
+  current_ = std::move(next);
+  for (const Change& change : changes) {
+    const ChangeRow row{.time_s = current_->time_s(),
+                        .tick = current_->tick(),
+                        .number = change.number,
+                        .value = detail::value_in(after, change.number),
+                        .before = detail::value_in(before, change.number)};
+    made_.push_back(row);
+    if (journal_->table != nullptr) journal_->table->write(row);
+    if (conductor_ != nullptr) conductor_->made(row);
+  }
+}
+
+io::OwnTablesOf with_changes(const io::OwnTables& own_tables) {
+  return [own_tables](const Simulation& ecology) {
+    io::OwnTables all = own_tables;
+    if (const auto* changing = dynamic_cast<const ChangingSimulation*>(&ecology)) all.push_back(changing->table());
+    return all;
+  };
+}
+
+}  // namespace trophic::changes

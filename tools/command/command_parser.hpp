@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+// A command and its subcommands as a parser of CLI11, for run_command.ipp.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <tools/command/check_value.hpp>
+#include <tools/command/completion.hpp>
+#include <tools/command/help_text.hpp>
+#include <tools/command/output.hpp>
+#include <tools/command/words.hpp>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+namespace trophic::command::detail {
+
+inline void add_option(CLI::App& app, const Option& option) {
+  const std::string name = option.shorthand.empty() ? option.name : option.shorthand + "," + option.name;
+  CLI::Option& added = *std::visit(
+      [&](auto* target) -> CLI::Option* {
+        if constexpr (std::is_same_v<decltype(target), bool*>) {
+          return app.add_flag(name, *target, option.help);
+        } else {
+          return app.add_option(name, *target, option.help);
+        }
+      },
+      option.target);
+  added.required(option.required);
+  if (option.values > 0) added.expected(static_cast<int>(option.values));
+  if (!option.group.empty()) added.group(option.group);
+  const std::string type = added.get_type_name();
+  // A check throws; a text that it returned would be a complaint of CLI11's own.
+  added.check([&option, type](const std::string& text) {
+    if (type == "UINT") check_whole_number(option.name, text);
+    if (type == "FLOAT") check_decimal_number(option.name, text);
+    if (type == "TEXT") check_text(option.name, text);
+    if (option.use == Words::demanded) check_word(option, text);
+    return std::string{};
+  });
+  if (is_named(option))
+    added.option_text(type == "UINT" ? "N" : type == "FLOAT" ? "X" : type.empty() || type == "BOOLEAN" ? "" : "TEXT");
+}
+
+/// Adds the command's options, help and subcommands.
+inline void add_command(CLI::App& app, const Command& command) {
+  for (const Option& option : command.options) add_option(app, option);
+  app.set_help_flag("-h,--help", "print this help and stop")->group("Help");
+  app.footer(footer_of(command));
+  for (const Command& subcommand : command.subcommands) {
+    add_command(*app.add_subcommand(subcommand.name, subcommand.about)->group("Commands"), subcommand);
+  }
+}
+
+/// Adds a program's command, --version and --completion. A subcommand that is named is passed to `choose`.
+inline void add_program(CLI::App& app, const Command& command, const std::function<void(const Command&)>& choose) {
+  app.formatter(std::make_shared<HelpText>());
+  app.require_subcommand(0, 1);
+  app.allow_extras();  // check_arguments has a better sentence about them
+  add_command(app, command);
+  for (const Command& subcommand : command.subcommands) {
+    app.get_subcommand(subcommand.name)->preparse_callback([&subcommand, choose](std::size_t) { choose(subcommand); });
+  }
+  const std::string program = app.get_name();
+  if (!command.version.empty())
+    app.set_version_flag("--version", command.version, "print what this program is made of and stop")->group("Help");
+  const auto print_completion = [&command, program](const std::string& shell) {
+    check_text("--completion", shell);
+    if (shell != "bash" && shell != "zsh") throw std::invalid_argument{"--completion " + shell + ": must be bash or zsh"};
+    static_cast<void>(print_text(shell == "bash" ? bash_completion(command, program) : zsh_completion(command, program)));
+    throw CLI::Success{};
+  };
+  app.add_option_function<std::string>(
+         "--completion", print_completion,
+         "print the completion for bash or zsh and stop: source <(" + program + " --completion bash)")
+      ->option_text("SHELL")
+      ->group("Help")
+      ->trigger_on_parse();
+}
+
+/// Returns the sentence about arguments that no option takes.
+[[nodiscard]] inline std::string about_extras(const std::vector<std::string>& extras, const Command& command) {
+  const auto option = std::ranges::find_if(extras, [](const std::string& extra) { return extra.starts_with('-'); });
+  std::vector<std::string> names;
+  if (option != extras.end()) {
+    const std::string word = option->substr(0, option->find('='));
+    names = {"--help", "--version", "--completion"};
+    for (const Option& each : command.options) {
+      if (is_named(each)) names.push_back(each.name);
+    }
+    return word + ": unknown option" + did_you_mean(nearest_word(word, names)) + " (--help lists all)";
+  }
+  const std::string& word = extras.front();
+  for (const Command& subcommand : command.subcommands) names.push_back(subcommand.name);
+  if (names.empty()) return word + ": unexpected argument (--help lists all)";
+  return must_be_one_of(word, names) + did_you_mean(nearest_word(word, names));
+}
+
+/// Throws std::invalid_argument for arguments that no option takes, options of the program that the chosen subcommand lacks, and
+/// a program without work of its own.
+inline void check_arguments(const CLI::App& app, const Command& command, const Command& chosen) {
+  if (const auto extras = app.remaining(true); !extras.empty()) throw std::invalid_argument{about_extras(extras, chosen)};
+  for (const Option& option : command.options) {
+    if (&chosen != &command && is_named(option) && app.count(option.name) > 0)
+      throw std::invalid_argument{option.name + ": not with " + chosen.name};
+  }
+  if (chosen.work) return;
+  std::vector<std::string> names;
+  for (const Command& subcommand : command.subcommands) names.push_back(subcommand.name);
+  throw std::invalid_argument{"needs a command: " + one_of(names)};
+}
+
+}  // namespace trophic::command::detail

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Numbers, texts and switches of JSON as a configuration file has them.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <tools/command/read_parameters.hpp>
+
+namespace trophic::command {
+
+/// The largest whole number of TOML; a larger one stays a number, which no whole number can be read from.
+inline constexpr std::uint64_t most_whole = std::numeric_limits<std::int64_t>::max();
+
+/// Puts a value into a table under a key. Throws Json::exception for a value that is not a number, text or switch.
+template <class Json>
+void insert_value(toml::table& table, std::string_view key, const Json& value) {
+  if (value.is_boolean()) {
+    table.insert(key, value.template get<bool>());
+  } else if (value.is_number_integer() && !(value.is_number_unsigned() && value.template get<std::uint64_t>() > most_whole)) {
+    table.insert(key, value.template get<std::int64_t>());
+  } else if (value.is_number()) {
+    table.insert(key, value.template get<double>());
+  } else {
+    table.insert(key, value.template get<std::string>());
+  }
+}
+
+/// The numbers of a manifest as those of a configuration file. Throws Json::exception for a value that is not a number, text or
+/// switch.
+template <class Json>
+[[nodiscard]] toml::table toml_of(const Json& json) {
+  toml::table table;
+  for (const auto& [key, value] : json.items()) {
+    if (value.is_object()) {
+      table.insert(key, toml_of(value));
+    } else {
+      insert_value(table, key, value);
+    }
+  }
+  return table;
+}
+
+}  // namespace trophic::command

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Definitions of play_contests.hpp.
+#include <algorithm>
+#include <atomic>
+#include <stdexcept>
+#include <tools/command/backends.hpp>
+#include <tools/command/offers.hpp>
+#include <tools/command/output.hpp>
+#include <tools/command/read_parameters.hpp>
+#include <tools/command/toml_of_json.hpp>
+#include <tools/command/words.hpp>
+#include <tools/contest/play_contests.hpp>
+#include <trophic/run/replicates/parallel.hpp>
+#include <trophic/support/new_file.hpp>
+
+namespace trophic::command {
+
+std::unique_ptr<AnyExperiment> experiment_of(const contest::Plan& plan, const Offer& offer) {
+  auto experiment = find_experiment(offer, plan.rule_table, plan.engine);
+  read_parameters(experiment->params(), toml_of(plan.params));
+  if (std::size_t* threads = experiment->backend().threads()) *threads = 1;
+  validate(experiment->params());
+  return experiment;
+}
+
+std::string why_not_played(const contest::Plan& plan, const Offer& offer, const std::string& otherwise) {
+  const std::vector<std::string> tables = table_names(offer);
+  if (std::ranges::find(tables, plan.rule_table) == tables.end()) {
+    return "rule table " + plan.rule_table + ": must be " + one_of(tables) + ", those of this program; " + otherwise;
+  }
+  if (find_backend(offer, plan.engine) == nullptr) return about_missing_backend(plan.engine, backend_names(offer.backends));
+  const auto description = experiment_of(plan, offer)->simulations(false)(1)->describe(0.0);
+  if (plan.fingerprint.empty() || description.fingerprint == plan.fingerprint) return "";
+  return "fingerprint " + plan.fingerprint + ": must be " + description.fingerprint +
+         ", what this program makes of the runs' numbers; rules, models or engine changed";
+}
+
+std::vector<contest::Outcome> play(const contest::Plan& plan, const Offer& offer, std::size_t jobs,
+                                   const std::function<void()>& on_match) {
+  if (const std::string why = why_not_played(plan, offer); !why.empty()) throw std::invalid_argument{why};
+  const MakeContest make = experiment_of(plan, offer)->contests();
+  std::vector<contest::Outcome> outcomes(plan.matches.size());
+  std::atomic<bool> has_failed = false;
+  const auto attempts = replicates::in_parallel(
+      outcomes.size(), jobs,
+      [&](std::size_t i) {
+        try {
+          outcomes[i] = contest::play(make, plan, plan.matches[i]);
+        } catch (...) {
+          has_failed = true;
+          throw;
+        }
+        if (on_match) on_match();
+      },
+      [&] { return !has_failed; });
+  for (const replicates::Attempt& attempt : attempts) {
+    if (!attempt.error.empty()) throw std::invalid_argument{attempt.error};
+  }
+  return outcomes;
+}
+
+std::filesystem::path outcomes_of(const std::filesystem::path& plan) {
+  return plan.string() + ".outcomes";
+}
+
+int play_contests(const std::filesystem::path& plan, std::size_t jobs, const Offer& offer) {
+  check_new_file("--play", outcomes_of(plan).string());
+  const auto outcomes = play(contest::read_plan(plan), offer, jobs);
+  write_new_file(outcomes_of(plan).string(), contest::text_of(outcomes));
+  return 0;
+}
+
+}  // namespace trophic::command

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// The experiment that options and configuration describe, and its ecologies with their changes.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <iterator>
+#include <map>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <thread>
+#include <tools/changes/change.hpp>
+#include <tools/changes/changing_simulation.hpp>
+#include <tools/command/config.hpp>
+#include <tools/command/read_parameters.hpp>
+#include <tools/experiment/experiment_options.hpp>
+#include <trophic/ecology/simulation.hpp>
+#include <trophic/experiment/any_experiment.hpp>
+#include <trophic/params/params.hpp>
+#include <vector>
+
+namespace trophic::command::detail {
+
+/// Applies --seed, --duration, --robots and --robot.
+inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
+  if (options.seed) experiment.seed() = *options.seed;
+  if (options.duration_s) experiment.ecology().duration_s = *options.duration_s;
+  if (options.robots) experiment.ecology().robots = *options.robots;
+  if (options.robot) experiment.ecology().robot = *options.robot;
+}
+
+/// The experiment with the numbers of configuration and options.
+[[nodiscard]] inline std::unique_ptr<AnyExperiment> experiment_of(const AnyExperiment& chosen, const ExperimentOptions& options,
+                                                                  const Config& config) {
+  auto experiment = chosen.fresh();
+  std::size_t* threads = experiment->backend().threads();
+  if (threads != nullptr) *threads = std::max(1U, std::thread::hardware_concurrency());
+  apply_config(experiment->params(), config);
+  apply(options, *experiment);
+  if (threads != nullptr && options.replicates) *threads = 1;
+  if (threads != nullptr && options.threads) *threads = *options.threads;
+  validate(experiment->params());
+  return experiment;
+}
+
+/// The experiment of a run.
+[[nodiscard]] inline std::unique_ptr<AnyExperiment> experiment_of(const AnyExperiment& chosen, const OriginRun& origin) {
+  auto experiment = chosen.fresh();
+  read_parameters(experiment->params(), origin.params);
+  return experiment;
+}
+
+/// The experiment of a cell of a sweep, whose runs have one thread each.
+[[nodiscard]] inline std::unique_ptr<AnyExperiment> planned_experiment(const AnyExperiment& chosen, const Config& config) {
+  ExperimentOptions one_thread;
+  one_thread.threads = 1;
+  return experiment_of(chosen, one_thread, config);
+}
+
+/// Whether the numbers of a run, or of replicates, may change while it runs: that of a resumed one, if they could before.
+[[nodiscard]] inline bool may_change(const ExperimentOptions& options) {
+  if (options.live || !options.changes.empty()) return true;
+  return options.resume && std::filesystem::exists(std::filesystem::path{options.out} / changes::file_name);
+}
+
+/// The changes of --changes. Throws std::invalid_argument for one that would come after the end of the run.
+[[nodiscard]] inline std::vector<changes::Change> schedule_of_changes(const ExperimentOptions& options, double until_s) {
+  if (options.changes.empty()) return {};
+  std::vector<changes::Change> schedule = changes::read_changes(options.changes);
+  if (!schedule.empty() && !(schedule.back().time_s < until_s)) {
+    throw std::invalid_argument{options.changes + ": time_s = " + number_text(schedule.back().time_s) + ": must be < " +
+                                number_text(until_s) + ", the duration of the run"};
+  }
+  return schedule;
+}
+
+/// The changes in force after all of them, in their order: of a number, those at the moment of its last one.
+[[nodiscard]] inline std::vector<changes::Change> in_force(const std::vector<changes::Change>& made) {
+  std::map<std::string_view, double> last_s;
+  for (const changes::Change& change : made) last_s[change.number] = change.time_s;
+  std::vector<changes::Change> left;
+  std::ranges::copy_if(made, std::back_inserter(left),
+                       [&](const changes::Change& change) { return change.time_s == last_s.at(change.number); });
+  return left;
+}
+
+/// Makes the ecologies of an experiment, or of its neutral shadow, with --changes and those of a conductor, which may be null.
+[[nodiscard]] inline MakeSimulation simulations(const AnyExperiment& chosen, const ExperimentOptions& options,
+                                                const Config& config, AnyExperiment& experiment, bool shadow,
+                                                changes::Conductor* conductor = nullptr) {
+  if (!may_change(options)) return experiment.simulations(shadow);
+  const auto schedule = schedule_of_changes(options, experiment.ecology().duration_s);
+  return [=, &chosen](std::uint64_t seed) -> std::unique_ptr<Simulation> {
+    const auto make = [=, &chosen](const std::vector<changes::Change>& made) {
+      const auto changed = experiment_of(chosen, options, config);
+      for (const changes::Change& change : in_force(made)) {
+        const toml::table number = read_assignment(change.number + "=" + change.value);
+        command::check_keys(number, changed->params(), "");
+        read_parameters(changed->params(), number);
+      }
+      validate(changed->params());
+      return changed->simulations(shadow)(seed);
+    };
+    try {
+      return std::make_unique<changes::ChangingSimulation>(make, schedule, conductor);
+    } catch (const std::invalid_argument& error) {
+      if (options.changes.empty()) throw;
+      throw std::invalid_argument{options.changes + ": " + error.what()};
+    }
+  };
+}
+
+}  // namespace trophic::command::detail

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The options of an experiment's command line.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <tools/command/read_parameters.hpp>
+#include <trophic/io/manifest.hpp>
+#include <trophic/io/own_table.hpp>
+#include <trophic/io/run_folder.hpp>
+#include <trophic/observe/run_description.hpp>
+#include <trophic/rules/printed_rules.hpp>
+#include <trophic/run/checkpoint/rewind.hpp>
+#include <trophic/run/checkpoint/schedule.hpp>
+#include <vector>
+
+namespace trophic::command {
+
+/// Values from the command line. Missing ones come from the configuration file, then from the rule table.
+struct ExperimentOptions {
+  std::optional<std::string> rules;
+  std::optional<std::string> backend;
+  std::optional<std::uint64_t> seed;
+  std::optional<double> duration_s;
+  std::optional<std::uint64_t> robots;
+  std::optional<std::string> robot;
+  std::optional<std::uint64_t> threads;
+  std::optional<std::uint64_t> replicates;
+  std::optional<std::uint64_t> jobs;
+  bool resume = false;
+  bool accept_other_build = false;
+  std::string from;            ///< folder of the run that this one begins from
+  std::optional<double> at_s;  ///< moment of that run
+  double checkpoint_s = checkpoint::Schedule{}.every_s;
+  bool shadow = false;
+  std::string config;
+  std::vector<std::string> assignments;
+  std::string out;
+  std::string save_mjcf;
+  bool live = false;                       ///< in a browser, which may steer it
+  std::optional<std::uint64_t> live_port;  ///< of this machine; any free one otherwise
+  std::string changes;                     ///< file of changes of numbers
+  std::optional<std::uint64_t> replay_hz;
+  std::uint64_t agents_every = 1;
+  bool senses = false;
+  bool states = false;
+  bool print_config = false;
+  std::string sweep;  ///< file of a grid of settings
+  std::string shard;  ///< "I/N"; empty: all of it
+  bool dry_run = false;
+  std::optional<double> lease_s;
+  std::string print_table;                       ///< markdown or latex; empty: no table is printed
+  std::optional<std::string> unlike;             ///< rule table from which the printed one is to differ
+  std::vector<rules::PrintedRule> unlike_rules;  ///< of that table
+  bool status = false;                           ///< of a sweep
+  std::optional<std::uint64_t> sbatch;           ///< tasks of the Slurm script to print
+  std::string play;                              ///< file of contests
+  std::string program;                           ///< as it was called
+  io::Provenance provenance;
+  io::OwnTables own_tables;  ///< the program's own tables, written by each run
+};
+
+/// The schedule that --checkpoint-s and --accept-other-build set.
+[[nodiscard]] inline checkpoint::Schedule schedule_of(const ExperimentOptions& options) {
+  using checkpoint::OtherBuild;
+  return {.every_s = options.checkpoint_s,
+          .other_build = options.accept_other_build ? OtherBuild::accepted : OtherBuild::refused};
+}
+
+/// A run, and a moment of it at which others begin.
+struct OriginRun {
+  checkpoint::Moment moment;
+  std::string rule_table;
+  std::string engine;
+  io::OutputOptions output;  ///< how much of it is written
+  toml::table params;
+  observe::RunDescription description;  ///< as this program makes it from these numbers
+  /// Makes its state at the moment in a folder, as `replay`.
+  std::function<bool(const std::filesystem::path& folder)> make;
+};
+
+}  // namespace trophic::command

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: MIT
+// The definitions of experiment_program.hpp.
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <tools/command/backends.hpp>
+#include <tools/command/offers.hpp>
+#include <tools/command/output.hpp>
+#include <tools/command/provenance.hpp>
+#include <tools/command/run_command.hpp>
+#include <tools/command/words.hpp>
+#include <tools/contest/play_contests.hpp>
+#include <tools/experiment/run_experiment.hpp>
+#include <tools/experiment/run_live.hpp>
+#include <tools/experiment/sweep.hpp>
+#include <tools/experiment/sweep_status.hpp>
+#include <tools/sweep/team.hpp>
+#include <tools/trophic/analyze.hpp>
+#include <trophic/experiment.hpp>
+#include <trophic/io/next_free_folder.hpp>
+#include <utility>
+
+namespace trophic::command {
+
+namespace detail {
+
+/// Every path that some table has on some backend, each once.
+std::vector<std::string> paths_of(const Offer& offer) {
+  std::vector<std::string> paths;
+  for (const auto& [name, make] : offer.rule_tables) {
+    for (const BackendChoice& backend : offer.backends) {
+      for (const NamedParam& param : named_params_of(make(backend)->params())) {
+        if (std::ranges::find(paths, param.path) == paths.end()) paths.push_back(param.path);
+      }
+    }
+  }
+  return paths;
+}
+
+std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
+  const auto tables = table_names(offer);
+  const auto backends = backend_names(offer.backends);
+  std::vector<Option> all;
+  const auto add = [&all](const std::string& group, std::vector<Option> some) {
+    for (Option& option : in_group(group, std::move(some))) all.push_back(std::move(option));
+  };
+  add("The experiment",
+      {{"--rules", &options.rules, "rule table: " + one_of(tables) + " (" + tables.front() + ")", tables},
+       {"--backend", &options.backend, backend_help(backends, offer.default_backend), backends},
+       {"--config", &options.config, "TOML file with numbers, as --print-config writes it"},
+       {"--set", &options.assignments, "PATH=VALUE, e.g. rules.mutation.sd=0.1; may be repeated; wins over --config",
+        paths_of(offer), Words::assigned},
+       {"--robot", &options.robot, "name or path of a robot file (the table's)"},
+       {"--robots", &options.robots, "number of bodies (the table's)"}});
+  add("How long and how many",
+      {{"--duration", &options.duration_s, "length of the run, seconds of the ecology's clock (the table's)"},
+       {"--seed", &options.seed, "every random number follows from it (1)"},
+       {"--replicates", &options.replicates,
+        "number of runs, into OUT/replicate-00, ...; their seeds follow from --seed and are written to replicates.json"},
+       {"--shadow", &options.shadow,
+        "run the table's neutral shadow too, into OUT/shadow: the same rules, numbers and seeds, but nothing is inherited"},
+       {"--jobs", &options.jobs, "replicates at a time (one per core); results do not depend on it"},
+       {"--threads", &options.threads, "threads of the physics; results do not depend on it (all cores; 1 with --replicates)"}});
+  add("A sweep",
+      {{"--sweep", &options.sweep,
+        "run the grid of settings that this TOML file lists, into OUT; programs on several machines may work on one OUT at once"},
+       {"--dry-run", &options.dry_run, "print the sweep's cells and how long they will take, and stop"},
+       {"--status", &options.status,
+        "print how many runs of the sweep in OUT are done, running, failed and missing, and the time left"},
+       {"--shard", &options.shard, "I/N: of the sweep's runs only every N-th, beginning with the I-th (all)"},
+       {"--sbatch", &options.sbatch,
+        "print a Slurm script with N array tasks for the sweep: time by short runs, memory, output, signal; sbatch reads it"},
+       {"--lease-s", &options.lease_s,
+        "seconds after which a run of the sweep is taken over from a program on another machine that does not answer (120)"}});
+  add("Output",
+      {{"--out", &options.out, "new folder for the run's files (the next free runs/" + options.program + "-1, -2, ...)"},
+       {"--replay-hz", &options.replay_hz,
+        "frames of the recording in a simulated second: 0 (none), 5, 10 or 30 (5); nothing else of a run depends on it"},
+       {"--agents-every", &options.agents_every,
+        "agents.csv has the ticks whose number is a multiple of this (1); for large ecologies"},
+       {"--senses", &options.senses, "write senses.csv too: contacts, inputs and outputs of every robot"},
+       {"--states", &options.states, "write states.csv too: what rules with a State keep for every robot"},
+       {"--checkpoint-s", &options.checkpoint_s,
+        "seconds of the ecology's clock between two checkpoints (300); 0: only when a run ends or is stopped"},
+       {"--save-mjcf", &options.save_mjcf,
+        "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run"}});
+  add("Look",
+      {{"--live", &options.live,
+        "show the run in a browser of this machine and let the page pause it, change numbers of rules and start again; it prints "
+        "the page's address"},
+       {"--live-port", &options.live_port, "port of that address, for ssh -L (any free one)"}});
+  add("Resume and branch",
+      {{"--resume", &options.resume,
+        "resume in OUT: a run, or those replicates that are missing or were interrupted, from their last checkpoints. It keeps "
+        "what OUT has of --replay-hz, --agents-every, --senses and --states"},
+       {"--accept-other-build", &options.accept_other_build,
+        "resume runs that another build of this program made, whose rules may be other code under the same names; manifests "
+        "record it"},
+       {"--from", &options.from,
+        "begin at the state of the run in this folder at --at, with another --seed, other rules or other numbers of rules, or "
+        "with --replicates of its future"},
+       {"--at", &options.at_s, "seconds of that run's clock (its last checkpoint)"}});
+  add("Changes",
+      {{"--changes", &options.changes,
+        "CSV file with columns time_s, number and value: numbers of rules that change during the run; a run's changes.csv "
+        "makes a live run again to the byte"}});
+  add("Contests",
+      {{"--play", &options.play,
+        "play the contests in this file, with --jobs at a time, and write their outcomes next to it; trophic contest --program "
+        "writes the file and calls this"}});
+  add("Print",
+      {{"--print-config", &options.print_config, "print every number as TOML and stop"},
+       {"--print-table",
+        &options.print_table,
+        "print the rules with their numbers and sources, as markdown or latex, and stop",
+        {"markdown", "latex"},
+        Words::demanded},
+       {"--unlike", &options.unlike, "with --print-table: only rules and numbers that differ from this rule table", tables}});
+  return all;
+}
+
+void check(const ExperimentOptions& options) {
+  if (options.unlike && options.print_table.empty()) throw std::invalid_argument{"--unlike: needs --print-table"};
+  if (options.threads == std::uint64_t{0}) throw std::invalid_argument{"--threads 0: must be >= 1"};
+  if (!options.replicates && (options.jobs || options.shadow)) {
+    throw std::invalid_argument{"--jobs and --shadow: need --replicates"};
+  }
+  if (!(options.checkpoint_s >= 0.0)) {
+    throw std::invalid_argument{"--checkpoint-s " + number_text(options.checkpoint_s) + ": must be >= 0"};
+  }
+  if (options.at_s && options.from.empty()) throw std::invalid_argument{"--at: needs --from"};
+  if (!options.from.empty() && !options.save_mjcf.empty()) throw std::invalid_argument{"--from: not with --save-mjcf"};
+  if (!options.save_mjcf.empty()) check_new_file("--save-mjcf", options.save_mjcf);
+  if (options.replicates && !options.save_mjcf.empty()) throw std::invalid_argument{"--save-mjcf: not with --replicates"};
+  if (const auto hz = options.replay_hz; hz && *hz != 0 && *hz != 5 && *hz != 10 && *hz != 30) {
+    throw std::invalid_argument{"--replay-hz " + std::to_string(*hz) + ": must be 0, 5, 10 or 30"};
+  }
+  if (options.agents_every < 1 || options.agents_every > 1'000'000) {
+    throw std::invalid_argument{"--agents-every " + std::to_string(options.agents_every) + ": must be >= 1 and <= 1000000"};
+  }
+  if (options.live && (options.replicates || !options.from.empty() || !options.save_mjcf.empty())) {
+    throw std::invalid_argument{"--live: needs a run, and one only; not with --replicates, --from or --save-mjcf"};
+  }
+  if (options.live_port && !options.live) throw std::invalid_argument{"--live-port: needs --live"};
+  if (options.live_port && (*options.live_port < 1024 || *options.live_port > 65535)) {
+    throw std::invalid_argument{"--live-port " + std::to_string(*options.live_port) + ": must be >= 1024 and <= 65535"};
+  }
+  if (!options.changes.empty() && !options.from.empty()) throw std::invalid_argument{"--changes: not with --from"};
+  if (options.resume && options.out.empty()) throw std::invalid_argument{"--resume: needs --out, the folder to resume in"};
+}
+
+void check_rule_table(const std::string& option, const std::string& table, const Offer& offer) {
+  const auto tables = table_names(offer);
+  if (std::ranges::find(tables, table) != tables.end()) return;
+  throw std::invalid_argument{must_be_one_of(option + " " + table, tables) + did_you_mean(nearest_word(table, tables))};
+}
+
+/// The models or the program may differ from those that made the run.
+void check_unchanged(const OriginRun& origin) {
+  const checkpoint::Moment& moment = origin.moment;
+  if (origin.description.fingerprint == moment.fingerprint) return;
+  throw std::invalid_argument{"--from " + moment.run.string() + ": fingerprint = " + moment.fingerprint + ": must be " +
+                              origin.description.fingerprint +
+                              ", what this program makes of its numbers; rules, models or engine changed"};
+}
+
+/// The experiment of a table and a backend that the options name. Throws std::invalid_argument if the offer lacks one.
+std::unique_ptr<AnyExperiment> chosen_experiment(const Offer& offer, const std::string& table, const std::string& backend) {
+  check_rule_table("--rules", table, offer);
+  if (find_backend(offer, backend) == nullptr) {
+    throw std::invalid_argument{about_missing_backend(backend, backend_names(offer.backends))};
+  }
+  return find_experiment(offer, table, backend);
+}
+
+int run_chosen(ExperimentOptions& options, const Offer& offer) {
+  Config config = read_config(options.config, options.assignments);
+  std::optional<OriginRun> origin;
+  if (!options.from.empty()) origin = read_origin(options);
+  const std::string table =
+      options.rules.value_or(config.rule_table.value_or(origin ? origin->rule_table : offer.rule_tables.front().first));
+  const std::string backend = options.backend.value_or(config.engine.value_or(origin ? origin->engine : offer.default_backend));
+  std::unique_ptr<AnyExperiment> chosen = chosen_experiment(offer, table, backend);
+  check(options);
+  check_made_for(config, table, backend);
+  if (options.unlike) {
+    check_rule_table("--unlike", *options.unlike, offer);
+    options.unlike_rules = find_experiment(offer, *options.unlike, backend)->printed_rules();
+  }
+  if (options.out.empty() && options.save_mjcf.empty()) {
+    options.out = io::next_free_folder(std::filesystem::path{"runs"} / options.program).string();
+  }
+  std::unique_ptr<AnyExperiment> its;
+  if (origin) {
+    its = find_experiment(offer, origin->rule_table, origin->engine);
+    if (its == nullptr) {
+      throw std::invalid_argument{"--from " + options.from + ": is a run of " + origin->rule_table + " on " + origin->engine +
+                                  ", which this program lacks"};
+    }
+    origin->description = describe(*its, *origin);
+    check_unchanged(*origin);
+    config.origin = origin->params;
+    if (table != origin->rule_table) config.origin.erase("rules");
+    origin->make = [&](const std::filesystem::path& folder) { return replay(*its, *origin, options, folder); };
+  }
+  const bool is_printed = options.print_config || !options.print_table.empty();
+  if (options.live && !is_printed) return run_live(std::move(chosen), options, config, offer);
+  return run_experiment(*chosen, options, config, origin);
+}
+
+int run_options(ExperimentOptions& options, const Offer& offer) {
+  const auto tables = table_names(offer);
+  for (const std::string& table : tables) {
+    if (std::ranges::count(tables, table) > 1) {
+      throw std::invalid_argument{"two rule tables are called " + table + ": each needs a name of its own"};
+    }
+  }
+  if (!options.play.empty()) return play_contests(options.play, options.jobs.value_or(1), offer);
+  if (!options.sweep.empty() && (options.live || !options.changes.empty())) {
+    throw std::invalid_argument{"--live and --changes: not with --sweep"};
+  }
+  if (!options.sweep.empty() && !options.status) return run_sweep(options, offer, nullptr);
+  if (options.status) return sweep_status(options);
+  if (!options.shard.empty() || options.dry_run || options.lease_s || options.sbatch) {
+    throw std::invalid_argument{"--shard, --dry-run, --sbatch and --lease-s: need --sweep"};
+  }
+  return run_chosen(options, offer);
+}
+
+}  // namespace detail
+
+int experiment_program(int argc, const char* const* argv, Offer own) {
+  return guarded(argv[0], [&] {
+    const Offer offer = with_backends(std::move(own));
+    ExperimentOptions options;
+    options.program = program_name(argv[0]);
+    options.provenance = provenance(argc, argv);
+    options.own_tables = offer.tables;
+    std::optional<Command> analysis;
+    try {
+      analysis = analyze(options.program, offer);
+    } catch (const std::invalid_argument& error) {
+      static_cast<void>(report_failure(argv[0], error));
+      return usage_error;
+    }
+    return run_command(argc, argv,
+                       {.name = {},
+                        .about = "Runs an ecology of simulated robots by the rules of " + one_of(table_names(offer)) +
+                                 ", and writes its events, agents, phylogeny and genomes with a manifest into a new folder.",
+                        .options = detail::options_of(options, offer),
+                        .work = [&] { return detail::run_options(options, offer); },
+                        .subcommands = {*std::move(analysis)},
+                        .version = version_text(backend_versions(offer.backends)),
+                        .examples = {options.program + " --backend kinematic --duration 600",
+                                     options.program + " --replicates 10 --shadow --out runs/study",
+                                     options.program + " --sweep sweep.toml --out runs/sweep"}});
+  });
+}
+
+}  // namespace trophic::command

@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: MIT
+// Definitions of run_experiment.hpp.
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <system_error>
+#include <thread>
+#include <tools/changes/change.hpp>
+#include <tools/changes/changing_simulation.hpp>
+#include <tools/command/config.hpp>
+#include <tools/command/output.hpp>
+#include <tools/command/read_parameters.hpp>
+#include <tools/command/run_command.hpp>
+#include <tools/command/toml_of_json.hpp>
+#include <tools/experiment/experiment_of.hpp>
+#include <tools/experiment/run_experiment.hpp>
+#include <tools/recording/read_recording.hpp>
+#include <trophic/habitat/load/toml_writer.hpp>
+#include <trophic/io/run_folder.hpp>
+#include <trophic/io/state_log.hpp>
+#include <trophic/observe/progress.hpp>
+#include <trophic/population/species_colour.hpp>
+#include <trophic/run/checkpoint/rewind.hpp>
+#include <trophic/run/replicates/run_in_folder.hpp>
+#include <trophic/run/replicates/run_with_shadow.hpp>
+#include <trophic/support/json.hpp>
+#include <trophic/support/whole_file.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::command {
+
+namespace detail {
+
+/// Frames of a run's recording in a simulated second; 0 without one, the default if it cannot be read.
+[[nodiscard]] inline double replay_hz_of(const std::filesystem::path& run) {
+  const std::filesystem::path path = run / "replay.trp";
+  if (!std::filesystem::exists(path)) return 0.0;
+  try {
+    const io::RecordingHead head = io::RecordingReader{path}.head();
+    return static_cast<double>(head.frames_per_tick) / (head.times.tick_s * head.times.clock_scale);
+  } catch (const std::runtime_error&) {
+    return io::default_replay_hz;
+  }
+}
+
+/// Output options from --replay-hz, --agents-every, --senses and --states.
+[[nodiscard]] inline io::OutputOptions output_options_of(const ExperimentOptions& options) {
+  return {.replay_hz = options.replay_hz ? static_cast<double>(*options.replay_hz) : io::default_replay_hz,
+          .agents_every_ticks = static_cast<std::int64_t>(options.agents_every),
+          .senses = options.senses,
+          .states = options.states};
+}
+
+/// Plan of the replicates from --replicates, --jobs and --resume, with the master seed.
+[[nodiscard]] inline replicates::Plan plan_of(const ExperimentOptions& options, std::uint64_t master_seed) {
+  const std::uint64_t cores = std::max(1U, std::thread::hardware_concurrency());
+  return {.out = options.out,
+          .master_seed = master_seed,
+          .count = *options.replicates,
+          .jobs = options.jobs.value_or(std::min(cores, *options.replicates)),
+          .resume = options.resume,
+          .checkpoints = schedule_of(options),
+          .output = output_options_of(options),
+          .own_tables = changes::with_changes(options.own_tables)};
+}
+
+/// The numbers of a table on a backend as a configuration file.
+[[nodiscard]] inline int print_config(const std::string& table, const std::string& backend, const NamedParams& named_params) {
+  TomlWriter writer;
+  writer.put("rule_table", table);
+  writer.put("engine", backend);
+  writer.put_all(named_params);
+  return print_text(writer.text());
+}
+
+/// Reports replicates that are not complete, a sentence each, and returns the exit code.
+[[nodiscard]] inline int report_unfinished(const ExperimentOptions& options, const std::vector<std::string>& unfinished) {
+  flush_output();
+  if (unfinished.empty()) return 0;
+  for (const std::string& sentence : unfinished) std::cerr << options.program << ": " << sentence << "\n";
+  std::cerr << "the same command with --resume resumes these and no others\n";
+  return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
+}
+
+/// Reports how a run in a folder ended, and returns the exit code.
+[[nodiscard]] inline int report_run(io::RunFolder& folder, const observe::Progress& progress, const Simulation& ecology,
+                                    const observe::RunDescription& run) {
+  const View view = ecology.view();
+  const double until_s = run.until_s;
+  const std::string slow = replicates::add_speed(folder.manifest(), progress.elapsed_s(), ecology, run.remarks.size());
+  const bool is_stopped = view.time_s < until_s;
+  if (is_stopped) {
+    const int signal = observe::StopOnSignal::caught();
+    std::cout << (signal != 0 ? "stopped by signal " + std::to_string(signal) : "ended by its page") << " at "
+              << number_text(view.time_s) << " of " << number_text(until_s) << " s; the same command with --resume --out "
+              << folder.path().string() << " resumes it\n";
+  }
+  progress.summary(std::cout, view);
+  if (!slow.empty()) std::cout << "remark  " << slow << "\n";
+  std::cout << "files   " << folder.path().string() << "/{";
+  for (const std::string& name : folder.files()) {
+    const bool is_table = name.ends_with(".csv");
+    std::cout << (name == "events.csv"      ? ""
+                  : is_table                ? ","
+                  : name == "manifest.json" ? "}.csv, "
+                                            : ", ")
+              << (is_table ? name.substr(0, name.size() - 4) : name);
+  }
+  std::cout << ", checkpoint.bin\n";
+  flush_output();
+  return is_stopped ? stopped : 0;
+}
+
+/// The snapshot of a run at a moment, and the place to make it for the runs that begin there. Throws std::invalid_argument if
+/// they cannot begin there, before anything is made.
+[[nodiscard]] inline checkpoint::Snapshot snapshot_of(const ExperimentOptions& options, const OriginRun& origin,
+                                                      const observe::RunDescription& run) {
+  checkpoint::check_may_follow(origin.description, run);
+  if (!(origin.moment.at_s <= run.until_s)) {
+    throw std::invalid_argument{"--at " + number_text(origin.moment.at_s) + ": must be <= " + number_text(run.until_s) +
+                                ", the duration of the run that begins there"};
+  }
+  if (!options.resume) io::check_new_folder(options.out);
+  checkpoint::Snapshot snapshot{origin.moment, checkpoint::snapshot_folder(options.out, origin.moment)};
+  for (const std::filesystem::path& place : {snapshot.folder.parent_path(), snapshot.folder}) {
+    if (std::filesystem::exists(place) && std::filesystem::equivalent(place, origin.moment.run)) {
+      throw std::invalid_argument{place.string() + ": is in the way: there the snapshot of " + options.out + " would be made"};
+    }
+  }
+  return snapshot;
+}
+
+/// Makes the past of runs that begin at a moment. Returns false if a signal came before it was made.
+[[nodiscard]] inline bool make_snapshot(const checkpoint::Snapshot& snapshot, const OriginRun& origin) {
+  std::cout << snapshot.folder.string() << ": the snapshot, " << origin.moment.run.string() << " until "
+            << number_text(origin.moment.at_s) << " s, is made there" << std::endl;
+  return origin.make(snapshot.folder);
+}
+
+/// The state from which the run of the options starts; `nullopt` if a signal came before its past was made.
+[[nodiscard]] inline std::optional<checkpoint::RunState> run_state_for(const ExperimentOptions& options,
+                                                                       const Simulation& ecology, double until_s,
+                                                                       const std::optional<OriginRun>& origin) {
+  const observe::RunDescription run = ecology.describe(until_s);
+  const checkpoint::OtherBuild other_build = schedule_of(options).other_build;
+  if (!origin) return options.resume ? checkpoint::run_state_in(options.out, run, other_build) : checkpoint::RunState{};
+  const checkpoint::Snapshot snapshot = snapshot_of(options, *origin, run);
+  if (!checkpoint::needs_snapshot(options.out, run.until_s) && !checkpoint::SnapshotFolder::exists(snapshot)) {
+    return checkpoint::run_state_in(options.out, run, snapshot, other_build);
+  }
+  checkpoint::SnapshotFolder room{snapshot};
+  if (!options.resume) io::check_new_folder(options.out);
+  if (checkpoint::needs_snapshot(options.out, run.until_s) && !make_snapshot(snapshot, *origin)) return std::nullopt;
+  auto run_state = checkpoint::run_state_in(options.out, run, snapshot, other_build);
+  room.clear();
+  return run_state;
+}
+
+/// Runs an ecology into the folder that the options name and returns the exit code. `live`: null without --live.
+[[nodiscard]] inline int run_into_folder(const ExperimentOptions& options, Simulation& ecology, double until_s,
+                                         checkpoint::RunState run_state, const std::optional<OriginRun>& origin,
+                                         LiveServer* live) {
+  observe::StopOnSignal stop;
+  const observe::RunDescription run = ecology.describe(until_s);
+  io::RunFolder folder{options.out,         options.provenance,      output_options_of(options),
+                       run_state.opening(), ecology.state_columns(), changes::with_changes(options.own_tables)(ecology)};
+  if (options.states && ecology.state_columns().names.empty()) {
+    std::cout << "states  none: no rule of this table has a State; states.csv lists the robots only\n";
+  }
+  observe::Progress progress;
+  try {
+    if (run_state.begins) {
+      checkpoint::begin_at(run_state, origin->moment, ecology, folder.manifest(), checkpoint::parts_of(folder, progress, stop));
+    }
+    const checkpoint::Schedule schedule = schedule_of(options);
+    if (live != nullptr) {
+      live->run_with_checkpoints(ecology, until_s, options.out, schedule, run_state.from, folder, progress, stop);
+    } else {
+      checkpoint::run_with_checkpoints(ecology, until_s, options.out, schedule, run_state.from, folder, progress, stop);
+    }
+  } catch (const std::exception& error) {
+    const int code = report_failure(options.program.c_str(), error);
+    std::error_code unknown;
+    const bool is_there = std::filesystem::exists(folder.path(), unknown);
+    std::cerr << (is_there ? "everything written so far is in " : "its folder was removed or moved: ") << folder.path().string()
+              << "\n";
+    return code;
+  }
+  return report_run(folder, progress, ecology, run);
+}
+
+int run_once(const ExperimentOptions& options, AnyExperiment& experiment, const MakeSimulation& make,
+             const std::optional<OriginRun>& origin, LiveServer* live) {
+  const std::unique_ptr<Simulation> ecology = make(experiment.seed());
+  if (!options.save_mjcf.empty()) {
+    const std::unique_ptr<Simulation> plain = experiment.simulations(false)(experiment.seed());
+    std::vector<Colour> colours;
+    for (const Individual& individual : plain->view().robots) colours.push_back(species_colour(individual.species));
+    if (!plain->backend().save_mjcf(options.save_mjcf, colours))
+      throw std::invalid_argument{"--save-mjcf: needs --backend mujoco"};
+    if (options.out.empty()) return 0;
+  }
+  const double until_s = experiment.ecology().duration_s;
+  std::optional<checkpoint::RunState> run_state = run_state_for(options, *ecology, until_s, origin);
+  if (!run_state) return stopped;
+  if (!run_state->remark.empty()) std::cout << options.out << " " << run_state->remark << std::endl;
+  if (run_state->complete) return 0;
+  return run_into_folder(options, *ecology, until_s, std::move(*run_state), origin, live);
+}
+
+/// Whether a replicate, or one of its shadow, has nothing to resume from.
+[[nodiscard]] inline bool needs_snapshot(replicates::Plan plan, bool shadow, double until_s) {
+  const auto any = [&] {
+    return std::ranges::any_of(plan.all(),
+                               [&](const replicates::Replicate& one) { return checkpoint::needs_snapshot(one.folder, until_s); });
+  };
+  if (any()) return true;
+  plan.out /= "shadow";
+  return shadow && any();
+}
+
+/// Runs replicates into the folder that the options name, with their shadow if asked for, and returns the exit code.
+[[nodiscard]] inline int run_replicates(const AnyExperiment& chosen, const ExperimentOptions& options, const Config& config,
+                                        AnyExperiment& experiment, const std::optional<OriginRun>& origin) {
+  const MakeSimulation make = simulations(chosen, options, config, experiment, false);
+  const double until_s = experiment.ecology().duration_s;
+  replicates::Plan plan = plan_of(options, experiment.seed());
+  if (options.changes.empty() && options.resume) {
+    for (const replicates::Replicate& one : plan.all()) {
+      if (std::filesystem::exists(one.folder / changes::file_name))
+        throw std::invalid_argument{"--changes: needed to resume, as " + one.folder.string() + " has changes.csv"};
+    }
+  }
+  std::optional<checkpoint::SnapshotFolder> room;
+  if (origin) {
+    plan.check();
+    plan.snapshot = snapshot_of(options, *origin, make(plan.master_seed)->describe(until_s));
+    if (needs_snapshot(plan, options.shadow, until_s) || checkpoint::SnapshotFolder::exists(*plan.snapshot))
+      room.emplace(*plan.snapshot);
+    if (!options.resume) io::check_new_folder(options.out);
+    if (needs_snapshot(plan, options.shadow, until_s) && !make_snapshot(*plan.snapshot, *origin)) return stopped;
+  }
+  const auto unfinished =
+      replicates::run_with_shadow(make, options.shadow ? simulations(chosen, options, config, experiment, true) : nullptr,
+                                  until_s, plan, options.provenance, std::cout);
+  if (room && unfinished.empty()) room->clear();
+  return report_unfinished(options, unfinished);
+}
+
+}  // namespace detail
+
+OriginRun read_origin(const ExperimentOptions& options) {
+  OriginRun origin;
+  origin.moment.run = options.from;
+  const std::filesystem::path path = origin.moment.run / "manifest.json";
+  const std::string text = read_whole_file(path);
+  try {
+    const auto json = parse_json(text);
+    origin.rule_table = json.at("rule_table").get<std::string>();
+    origin.engine = json.at("backend").get<std::string>();
+    origin.engine.resize(std::min(origin.engine.find(' '), origin.engine.size()));
+    origin.moment.fingerprint = json.at("fingerprint").get<std::string>();
+    origin.moment.seed = whole_number<std::uint64_t>(json, "seed");
+    if (json.contains("code")) origin.moment.code = json["code"].get<std::string>();
+    if (json.contains("agents_every_ticks")) {
+      origin.output.agents_every_ticks = whole_number<std::int64_t>(json, "agents_every_ticks", 1);
+    }
+    origin.output.replay_hz = detail::replay_hz_of(origin.moment.run);
+    origin.output.senses = json.contains("senses");
+    origin.output.states = std::filesystem::exists(origin.moment.run / io::StateLog::file_name);
+    origin.params = toml_of(json.at("params"));
+  } catch (const Json::exception& error) {
+    throw std::invalid_argument{path.string() + ": " + error.what()};
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument{path.string() + ": " + error.what()};
+  }
+  if (std::filesystem::exists(origin.moment.run / changes::file_name)) {
+    throw std::invalid_argument{"--from " + options.from +
+                                ": its numbers changed while it ran (changes.csv); make it again with " +
+                                "--changes, or begin from a run without changes"};
+  }
+  const auto last_s = checkpoint::last_moment_s(origin.moment.run);
+  if (!options.at_s && !last_s) throw std::invalid_argument{"--at: needed, as " + options.from + " has no whole checkpoint"};
+  origin.moment.at_s = options.at_s.value_or(last_s.value_or(0.0));
+  if (!(origin.moment.at_s >= 0.0) || std::isinf(origin.moment.at_s)) {
+    throw std::invalid_argument{"--at " + number_text(origin.moment.at_s) + ": must be >= 0 and finite"};
+  }
+  return origin;
+}
+
+observe::RunDescription describe(const AnyExperiment& chosen, const OriginRun& origin) {
+  return detail::experiment_of(chosen, origin)->simulations(false)(origin.moment.seed)->describe(0.0);
+}
+
+bool replay(const AnyExperiment& chosen, const OriginRun& origin, const ExperimentOptions& options,
+            const std::filesystem::path& folder) {
+  const std::unique_ptr<Simulation> ecology = detail::experiment_of(chosen, origin)->simulations(false)(origin.moment.seed);
+  if (checkpoint::read_all(folder).empty()) {
+    std::filesystem::remove_all(folder);  // a copy that was interrupted
+    checkpoint::copy_until(origin.moment.run, origin.moment.at_s, folder);
+  }
+  const checkpoint::RunState run_state =
+      checkpoint::run_state_in(folder, ecology->describe(origin.moment.at_s), schedule_of(options).other_build);
+  if (run_state.complete) return true;
+  observe::StopOnSignal stop;
+  io::RunFolder files{folder, {}, origin.output, run_state.opening(), ecology->state_columns(), options.own_tables};
+  observe::Progress progress;
+  checkpoint::run_with_checkpoints(*ecology, origin.moment.at_s, folder, {}, run_state.from, files, progress, stop);
+  return ecology->time_s() >= origin.moment.at_s;
+}
+
+int run_experiment(const AnyExperiment& chosen, const ExperimentOptions& options, const Config& config,
+                   const std::optional<OriginRun>& origin) {
+  const auto experiment = detail::experiment_of(chosen, options, config);
+  if (options.print_config)
+    return detail::print_config(chosen.rule_table(), experiment->backend().name(), named_params_of(experiment->params()));
+  if (!options.print_table.empty()) {
+    std::vector<rules::PrintedRule> rules = experiment->printed_rules();
+    if (!options.unlike_rules.empty()) rules = rules::unlike(rules, options.unlike_rules);
+    return print_text(options.print_table == "latex" ? rules::latex_table(rules) : rules::markdown_table(rules));
+  }
+  if (options.replicates) return detail::run_replicates(chosen, options, config, *experiment, origin);
+  return detail::run_once(options, *experiment, detail::simulations(chosen, options, config, *experiment, false), origin,
+                          nullptr);
+}
+
+PlannedFacts facts(const AnyExperiment& chosen, const Config& config, bool shadow) {
+  const auto experiment = detail::planned_experiment(chosen, config);
+  const EcologyParams& ecology = experiment->ecology();
+  const double steps_a_second = experiment->backend().has_joints() ? 1.0 / experiment->physics().timestep_s : ecology.control_hz;
+  return {experiment->simulations(shadow)(experiment->seed())->describe(ecology.duration_s),
+          static_cast<double>(ecology.robots) * std::ceil(ecology.duration_s * ecology.clock_scale * steps_a_second)};
+}
+
+void run_planned(const AnyExperiment& chosen, const Config& config, bool shadow, std::uint64_t seed,
+                 const std::filesystem::path& folder, const replicates::CommonOptions& common,
+                 observe::JointProgress::Part progress, const observe::StopOnSignal& stop) {
+  const auto experiment = detail::planned_experiment(chosen, config);
+  const std::unique_ptr<Simulation> ecology = experiment->simulations(shadow)(seed);
+  replicates::run_in_folder(*ecology, experiment->ecology().duration_s, folder, common, std::move(progress), stop);
+}
+
+}  // namespace trophic::command

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Definitions of run_live.hpp.
+#include <algorithm>
+#include <cstdint>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <tools/experiment/experiment_of.hpp>
+#include <tools/experiment/run_experiment.hpp>
+#include <tools/experiment/run_live.hpp>
+#include <trophic/io/next_free_folder.hpp>
+#include <trophic/io/run_folder.hpp>
+#include <vector>
+
+namespace trophic::command {
+
+namespace detail {
+
+/// The numbers of rules of an experiment.
+[[nodiscard]] NamedParams rule_numbers(AnyExperiment& experiment) {
+  NamedParams numbers = named_params_of(experiment.params());
+  std::erase_if(numbers, [](const NamedParam& number) { return !number.path.starts_with("rules."); });
+  return numbers;
+}
+
+/// Options and numbers of the run that a page asks for.
+void restart(const Restart& restart, const std::string& old_table, const std::filesystem::path& first_out,
+             ExperimentOptions& options, Config& config) {
+  options.seed = restart.seed;
+  options.resume = false;
+  options.out = io::next_free_folder(first_out).string();
+  if (restart.rule_table == old_table) {
+    for (const changes::ChangeRow& row : restart.made) config.assignments.push_back(row.number + "=" + row.value);
+    return;
+  }
+  options.rules = restart.rule_table;
+  config.numbers.erase("rules");
+  std::erase_if(config.assignments, [](const std::string& assignment) { return assignment.starts_with("rules."); });
+}
+
+/// Throws std::invalid_argument if trophic was built without the page.
+[[nodiscard]] std::unique_ptr<LiveServer> open_live([[maybe_unused]] const std::string& program,
+                                                    [[maybe_unused]] std::uint16_t port) {
+#ifdef TROPHIC_WITH_LIVE
+  return live::open(program, port);
+#else
+  throw std::invalid_argument{
+      "--live: trophic was built without its live page; apt-get install libboost-dev and build trophic again"};
+#endif
+}
+
+}  // namespace detail
+
+int run_live(std::unique_ptr<AnyExperiment> chosen, ExperimentOptions options, Config config, const Offer& offer) {
+  const std::filesystem::path first_out = options.out;
+  {  // Refusals come before a port is opened.
+    if (!options.resume) io::check_new_folder(options.out);
+    const auto experiment = detail::experiment_of(*chosen, options, config);
+    static_cast<void>(detail::simulations(*chosen, options, config, *experiment, false)(experiment->seed()));
+  }
+  const std::unique_ptr<LiveServer> server =
+      detail::open_live(options.program, static_cast<std::uint16_t>(options.live_port.value_or(0)));
+  for (;;) {
+    const auto experiment = detail::experiment_of(*chosen, options, config);
+    server->begin({.folder = options.out,
+                   .rule_table = chosen->rule_table(),
+                   .rule_tables = table_names(offer),
+                   .seed = experiment->seed(),
+                   .until_s = experiment->ecology().duration_s,
+                   .numbers = detail::rule_numbers(*experiment)});
+    const int code = detail::run_once(options, *experiment,
+                                      detail::simulations(*chosen, options, config, *experiment, false, &server->conductor()),
+                                      std::nullopt, server.get());
+    const std::optional<Restart> next = server->next();
+    if (!next) return code;
+    detail::restart(*next, chosen->rule_table(), first_out, options, config);
+    chosen = find_experiment(offer, next->rule_table, chosen->backend().name());
+    if (chosen == nullptr) throw std::invalid_argument{"rule table " + next->rule_table + ": is not one of this program"};
+    options.provenance.emplace_back("restarted", "by the live page of the run in " + first_out.string());
+    std::cout << "live    seed " << next->seed << ", rules " << next->rule_table << ", into " << options.out << std::endl;
+  }
+}
+
+}  // namespace trophic::command

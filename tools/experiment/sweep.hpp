@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// --sweep: a program's rule tables on its backends, over a grid of settings.
+#pragma once
+
+#include <string>
+#include <tools/command/offers.hpp>
+#include <tools/experiment/experiment_options.hpp>
+#include <tools/sweep/plan_file.hpp>
+#include <tools/sweep/sweep_file.hpp>
+#include <tools/sweep/team.hpp>
+#include <vector>
+
+namespace trophic::command {
+
+/// Returns the plan of a sweep: its cells with the rule tables and backends of this program, each checked against the numbers of
+/// its table. Throws std::invalid_argument "FILE: cell 3 (SETTINGS): ..." for the first cell that cannot be run, and for two
+/// cells that are the same experiment.
+[[nodiscard]] std::vector<sweep::PlannedRun> plan_of(const sweep::SweepFile& file, const Offer& offer);
+
+/// Does the work of --sweep, --shard, --jobs and --dry-run and returns the exit code. `team`: the processes that MPI started,
+/// null for one that was started alone.
+[[nodiscard]] int run_sweep(const ExperimentOptions& options, const Offer& offer, sweep::Team* team);
+
+}  // namespace trophic::command

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Definitions of sight.hpp.
+#include <tools/live/sight.hpp>
+
+#include <algorithm>
+#include <limits>
+#include <span>
+#include <trophic/io/agent_log.hpp>
+#include <trophic/io/recording_head.hpp>
+#include <utility>
+
+namespace trophic::live {
+
+void Sight::begin(const command::LiveRun& run) {
+  facts_ = std::make_shared<RunFacts>();
+  facts_->run = run;
+  sight_ = std::make_shared<TickSight>();
+  is_full_ = true;
+  individuals_.clear();
+  bodies_.clear();
+}
+
+void Sight::on_start(const observe::RunDescription& run, const View& view) {
+  facts_->description = run;
+  facts_->robots = view.robots.size();
+  for (Species species = 0; species < view.web.size(); ++species) facts_->species.push_back(view.web.name(species));
+  for (const Feeding& link : view.web.links()) facts_->hunters.push_back(view.web.name(link.hunter));
+  steering_.begin(view.tick_s);
+}
+
+void Sight::on_frame(const observe::Frame& frame) {
+  if (!facts_->robot) {
+    facts_->robot = frame.robot;
+    facts_->arena = frame.arena;
+    facts_->times = frame.times;
+    for (std::size_t robot = 0; robot < frame.roots.size(); ++robot) {
+      facts_->joints = std::max(facts_->joints, frame.joint_angles(robot).size());
+    }
+    server_.begin(facts_message(*facts_));
+    steering_.set_visible();
+  }
+  if (!frame.phenotypes.empty()) see_bodies(frame);
+  TickSight::Moment moment{.time_s = frame.time_s, .roots = {frame.roots.begin(), frame.roots.end()}, .angles_rad = {}};
+  for (std::size_t robot = 0; robot < frame.roots.size(); ++robot) {
+    moment.joints = std::max(moment.joints, frame.joint_angles(robot).size());
+  }
+  for (std::size_t robot = 0; robot < frame.roots.size(); ++robot) {
+    const std::span<const double> angles_rad = frame.joint_angles(robot);
+    moment.angles_rad.insert(moment.angles_rad.end(), angles_rad.begin(), angles_rad.end());
+    moment.angles_rad.resize((robot + 1) * moment.joints);
+  }
+  sight_->frames.push_back(std::move(moment));
+}
+
+void Sight::see_bodies(const observe::Frame& frame) {
+  individuals_.resize(frame.roots.size(), std::numeric_limits<std::uint64_t>::max());
+  for (BodyIndex robot = 0; robot < frame.roots.size(); ++robot) {
+    if (std::exchange(individuals_[robot], frame.phenotypes[robot].individual) == frame.phenotypes[robot].individual) continue;
+    const std::string hash = hash_text(json_text(io::recording::json_of(frame.model(robot))));
+    const auto [body, is_new] = bodies_.try_emplace(hash, bodies_.size());
+    if (is_new) sight_->set_down.bodies.push_back(std::make_shared<RobotModel>(frame.model(robot)));
+    sight_->set_down.time_s = frame.time_s;
+    sight_->set_down.of_robots.emplace_back(robot, body->second);
+  }
+}
+
+void Sight::on_event(const observe::Event& event, const View& view) {
+  const Individual& self = event.individual;
+  const bool is_catch = event.kind == observe::EventKind::capture;
+  sight_->events.push_back({.time_s = view.time_s,
+                            .tick = view.tick,
+                            .kind = event.kind,
+                            .id = self.id,
+                            .species = self.species,
+                            .body = event.body,
+                            .tag = self.tag,
+                            .active = self.active,
+                            .origin = self.origin,
+                            .parent = self.parent,
+                            .genome = self.genome->id,
+                            .cause = event.cause,
+                            .killer = is_catch ? std::nullopt : event.other,
+                            .victim = is_catch ? event.other : std::nullopt,
+                            .x_m = view.poses[event.body].x_m,
+                            .y_m = view.poses[event.body].y_m});
+}
+
+void Sight::on_tick(const View& view) {
+  sight_->time_s = view.time_s;
+  sight_->tick = view.tick;
+  if (is_full_) {
+    sight_->rows.reserve(view.robots.size());
+    for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+      sight_->rows.push_back(io::agent_row(view, body));
+      sight_->are_spare.push_back(!view.robots[body].lives());
+    }
+  }
+  server_.show(std::exchange(sight_, std::make_shared<TickSight>()), facts_);
+  const double now_s = watch_.elapsed_s();
+  if (is_full_) last_full_s_ = now_s;
+  sight_->is_last = view.time_s + 1.5 * view.tick_s > facts_->run.until_s;
+  is_full_ = sight_->is_last || steering_.is_paced() || now_s - last_full_s_ >= least_gap_s;
+}
+
+}  // namespace trophic::live
