@@ -2,7 +2,6 @@
 // Every public header of the core. Programs that compile often should include only the headers that they use.
 #pragma once
 
-#include <tools/command/read_parameters.hpp>
 #include <trophic/backend/any_backend.hpp>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/backend/body_hash.hpp>
