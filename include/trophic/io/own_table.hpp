@@ -53,7 +53,7 @@ class AnyOwnTable {
 /// Makes one table in the folder of a run.
 using MakeOwnTable = std::function<std::unique_ptr<AnyOwnTable>(const std::filesystem::path& folder, Opening opening)>;
 using OwnTables = std::vector<MakeOwnTable>;
-/// The tables that a run of an ecology writes beside its usual ones; null: none.
+/// The tables that a run of an ecology writes in addition to its own; null if there are none.
 using OwnTablesOf = std::function<OwnTables(const Simulation& ecology)>;
 
 namespace detail {
