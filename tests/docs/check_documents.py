@@ -11,7 +11,6 @@ slots     docs/how-to/which-slot.md has a heading for each slot, links every pol
 reading   docs/read-in-an-hour.md has twelve files of at most 1,500 lines together, with two or three sentences each, whose names they have
 lengths   README, the changelog's unreleased section and the cells of tables are short
 speed     a document that repeats a figure of speed repeats that of docs/performance.md
-sentences no sentence of any document, in its prose or in a cell of a table, has more than 30 words
 readme    README has its two commands, continuous integration calls the second, and each word of the glossary is linked
           where it is first used
 
@@ -31,7 +30,6 @@ import commands
 from documents import Document, all_documents, slug
 
 README_COMMANDS = ["scripts/quickstart", "scripts/run-tests"]
-LONGEST_SENTENCE = 30
 LONGEST_CELL = 600  # characters
 LONGEST_README, LONGEST_UNRELEASED = 250, 40  # lines
 READ_FILES, READ_LINES = 12, 1500
@@ -187,18 +185,6 @@ def sentences(text: str) -> list[str]:
     return re.split(r"(?<=[.!?])\s+(?=[A-Z*\[\"(\d]|code\b|trophic\b)|(?<=[.!?][)*])\s+|(?<=[.!?]\*\*)\s+", text)
 
 
-def long_sentences(_: Tree, document: Document) -> list[str]:
-    offences = []
-    rows = [(table.line + 2 + number, row) for table in document.tables for number, row in enumerate(table.rows[2:])]
-    cells = [(line, part) for line, row in rows for cell in row for part in cell.split(";")]  # a cell may be a list
-    for line, text in [*document.paragraphs, *cells]:
-        for sentence in sentences(text):
-            words = len(re.findall(r"\w[\w'’.,/-]*", sentence))
-            if words > LONGEST_SENTENCE:
-                offences.append(f"{line}: a sentence of {words} words (at most {LONGEST_SENTENCE}): {sentence}")
-    return offences
-
-
 def slots(tree: Tree, document: Document) -> list[str]:
     if document.path != tree.root / "docs/how-to/which-slot.md":
         return []
@@ -327,7 +313,6 @@ CHECKS = {
     "reading": reading,
     "lengths": lengths,
     "speed": speed,
-    "sentences": long_sentences,
     "readme": readme,
 }
 

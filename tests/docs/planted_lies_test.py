@@ -52,8 +52,6 @@ LIES = [
     ("lengths", "README.md", "| a |\n|---|\n| " + "long " * 150 + "|", "a cell of 749 characters"),
     ("speed", "README.md", "It is 30 times faster.", "'30 times faster': the figure of docs/performance.md is"),
     ("readme", "README.md", "A vacancy.", "'vacancy' is a word of the glossary"),
-    ("sentences", "README.md", "One " + "and one " * 20 + ".", "a sentence of"),
-    ("sentences", "docs/tables.md", "| a |\n|---|\n| one " + "and one " * 20 + "|", "a sentence of"),
 ]  # fmt: skip
 
 
