@@ -54,7 +54,7 @@ def options_of(command):
     """The options that take a value, as --help lists them."""
     program = command[:2] if command[0] == TROPHIC else command[:1]
     text = subprocess.run([*program, "--help"], capture_output=True, text=True, check=True).stdout
-    return re.findall(r"^  (?:-\w,)?(--[a-z-]+) (?:N|X|TEXT|SHELL)\b", text, re.M)
+    return re.findall(r"^  (?:-\w,)?(--[a-z-]+) (?:N|X|TEXT)\b", text, re.M)
 
 
 def without(command, option):

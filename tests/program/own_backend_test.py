@@ -4,12 +4,14 @@
 
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
 
 from in_folder import InFolder
 
+ROOT = pathlib.Path(__file__).resolve().parents[2]
 PROGRAM = sys.argv.pop(1)
 
 
@@ -46,10 +48,14 @@ class OwnBackend(InFolder):
             self.assertEqual((result.returncode, result.stderr), (2, f"{program}: {message}\n"))
         self.assertEqual(list(self.folder.iterdir()), [])
 
-    def test_an_engine_that_it_lacks_is_an_error_of_one_sentence(self):
-        result = self.call("--backend", "mujoco", "--out", "run")
-        self.assertEqual(result.returncode, 2)
-        self.assertIn("this program was built without it", result.stderr)
+    def test_an_engine_that_it_lacks_is_an_error_of_one_sentence_with_its_packages(self):
+        for engine in ("mujoco", "ode"):
+            text = (ROOT / f"backends/{engine}/CMakeLists.txt").read_text()
+            packages = re.search(r"apt-get install ([\w .-]+)\"", text) or re.search(r"not built, (libode-dev) is missing", text)
+            result = self.call("--backend", engine, "--out", "run")
+            self.assertEqual((result.returncode, result.stderr), (2, f"{pathlib.Path(PROGRAM).name}: --backend {engine}: this program was built without it: "
+                                                                     f"apt-get install {packages[1]}, build trophic again, or use --backend toy\n"))
+        self.assertEqual(list(self.folder.iterdir()), [])
 
 
 if __name__ == "__main__":

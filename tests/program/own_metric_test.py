@@ -121,13 +121,6 @@ class OwnMetric(unittest.TestCase):
         self.assertIn("analyze", self.call_ok("--help").stdout)
         self.assertIn(f"{NAME} analyze runs/paper", self.call_ok("analyze", "--help").stdout)
 
-    def test_zsh_completes_the_options_of_runs_and_of_analyze(self):
-        script = self.call_ok("--completion", "zsh").stdout
-        of_analyze, of_runs = script.split("analyze) shift words")[1].split("esac")
-        for option, part, other in (("--published", of_analyze, of_runs), ("--replicates", of_runs, of_analyze)):
-            self.assertIn(f"'{option}[", part)
-            self.assertNotIn(f"'{option}[", other)
-
     def test_the_page_names_the_program_that_makes_it(self):
         self.call_ok("analyze", "runs", "--html", "page.html")
         page = (self.folder / "page.html").read_text()

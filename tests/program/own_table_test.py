@@ -29,7 +29,7 @@ class OwnTable(InFolder):
         text = self.call_ok("--help")
         self.assertIn(f"rule table: {AGEING} or paper ({AGEING})", text)
         for option in ("rules", "backend", "seed", "duration", "robots", "robot", "threads", "replicates", "jobs", "resume", "shadow",
-                       "config", "set", "out", "replay-hz", "agents-every", "senses", "states", "save-mjcf", "print-config", "print-table", "version", "completion"):
+                       "config", "set", "out", "replay-hz", "agents-every", "senses", "states", "save-mjcf", "print-config", "print-table", "version"):
             self.assertIn(f"--{option} ", text)
 
     def test_the_first_table_is_the_default_and_its_numbers_are_listed(self):
@@ -65,27 +65,11 @@ class OwnTable(InFolder):
             self.assertEqual(manifest["rules"]["senescence"], "old_age")
             self.assertEqual(manifest["rules"]["heredity"], "nothing_inherited" if "shadow" in run else "own_copy")
 
-    def test_the_default_backend_is_mujoco_and_its_absence_is_an_error_of_one_sentence(self):
-        needed = {"mujoco": "", "ode": ""}
-        for engine in needed:
-            text = (ROOT / f"backends/{engine}/CMakeLists.txt").read_text()
-            packages = re.search(r"apt-get install ([\w .-]+)\"", text) or re.search(r"not built, (libode-dev) is missing", text)
-            needed[engine] = packages[1]
-        for arguments, engine in (([], "mujoco"), (["--backend", "mujoco"], "mujoco"), (["--backend", "ode"], "ode")):
-            result = self.call("--duration", 10, *arguments)
-            self.assertEqual(result.returncode, 2, result.stdout)
-            self.assertEqual(
-                result.stderr,
-                f"{pathlib.Path(PROGRAM).name}: --backend {engine}: this program was built without it: apt-get install {needed[engine]}, "
-                f"find_package(trophic COMPONENTS {engine}_compiled) and build again, or use --backend kinematic\n",
-            )
-        self.assertEqual(list(self.folder.iterdir()), [])
-
     def test_version_names_the_backends(self):
         lines = dict(line.split(None, 1) for line in self.call_ok("--version").splitlines())
         self.assertEqual(set(lines), {"trophic", "source", "code", "compiler", "build", "backends"})
         version = re.search(r'version = "([\d.]+)"', (ROOT / "include/trophic/support/version.hpp").read_text())[1]
-        self.assertEqual((lines["trophic"], lines["backends"]), (version, "kinematic 1"))
+        self.assertEqual((lines["trophic"], lines["backends"].split(",")[0]), (version, "kinematic 1"))
         self.assertRegex(lines["compiler"], r"^(g|clang)\+\+ \d+")
         self.call_ok("--backend", "kinematic", "--duration", 10, "--out", "run")
         manifest = json.loads((self.folder / "run/manifest.json").read_text())

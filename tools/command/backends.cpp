@@ -72,8 +72,8 @@ std::string about_missing_backend(const std::string& name, const std::vector<std
   const auto engine = std::ranges::find(known_engines, name, &Engine::name);
   if (engine == known_engines.end()) return must_be_one_of(option, names) + did_you_mean(nearest_word(name, names));
   const std::string instead = names.empty() ? "" : ", or use --backend " + names.front();
-  return option + ": trophic was built without it: apt-get install " + std::string{engine->packages} +
-         " and build trophic again" + instead;
+  return option + ": this program was built without it: apt-get install " + std::string{engine->packages} +
+         ", build trophic again" + instead;
 }
 
 std::string backend_help(const std::vector<std::string>& names, std::string_view otherwise) {

@@ -10,7 +10,6 @@
 #include <stdexcept>
 #include <string>
 #include <tools/command/check_value.hpp>
-#include <tools/command/completion.hpp>
 #include <tools/command/help_text.hpp>
 #include <tools/command/output.hpp>
 #include <tools/command/words.hpp>
@@ -19,6 +18,10 @@
 #include <vector>
 
 namespace trophic::command::detail {
+
+[[nodiscard]] inline bool is_named(const Option& option) {
+  return option.name.starts_with('-');
+}
 
 inline void add_option(CLI::App& app, const Option& option) {
   const std::string name = option.shorthand.empty() ? option.name : option.shorthand + "," + option.name;
@@ -40,7 +43,7 @@ inline void add_option(CLI::App& app, const Option& option) {
     if (type == "UINT") check_whole_number(option.name, text);
     if (type == "FLOAT") check_decimal_number(option.name, text);
     if (type == "TEXT") check_text(option.name, text);
-    if (option.use == Words::demanded) check_word(option, text);
+    if (!option.words.empty()) check_word(option, text);
     return std::string{};
   });
   if (is_named(option))
@@ -57,9 +60,9 @@ inline void add_command(CLI::App& app, const Command& command) {
   }
 }
 
-/// Adds a program's command, --version and --completion. A subcommand that is named is passed to `choose`.
+/// Adds a program's command and --version. A subcommand that is named is passed to `choose`.
 inline void add_program(CLI::App& app, const Command& command, const std::function<void(const Command&)>& choose) {
-  app.formatter(std::make_shared<HelpText>());
+  app.formatter(help_formatter());
   app.require_subcommand(0, 1);
   app.allow_extras();  // check_arguments has a better sentence about them
   add_command(app, command);
@@ -69,18 +72,6 @@ inline void add_program(CLI::App& app, const Command& command, const std::functi
   const std::string program = app.get_name();
   if (!command.version.empty())
     app.set_version_flag("--version", command.version, "print what this program is made of and stop")->group("Help");
-  const auto print_completion = [&command, program](const std::string& shell) {
-    check_text("--completion", shell);
-    if (shell != "bash" && shell != "zsh") throw std::invalid_argument{"--completion " + shell + ": must be bash or zsh"};
-    static_cast<void>(print_text(shell == "bash" ? bash_completion(command, program) : zsh_completion(command, program)));
-    throw CLI::Success{};
-  };
-  app.add_option_function<std::string>(
-         "--completion", print_completion,
-         "print the completion for bash or zsh and stop: source <(" + program + " --completion bash)")
-      ->option_text("SHELL")
-      ->group("Help")
-      ->trigger_on_parse();
 }
 
 /// Returns the sentence about arguments that no option takes.
@@ -89,7 +80,7 @@ inline void add_program(CLI::App& app, const Command& command, const std::functi
   std::vector<std::string> names;
   if (option != extras.end()) {
     const std::string word = option->substr(0, option->find('='));
-    names = {"--help", "--version", "--completion"};
+    names = {"--help", "--version"};
     for (const Option& each : command.options) {
       if (is_named(each)) names.push_back(each.name);
     }
@@ -101,6 +92,27 @@ inline void add_program(CLI::App& app, const Command& command, const std::functi
   return must_be_one_of(word, names) + did_you_mean(nearest_word(word, names));
 }
 
+/// Throws std::invalid_argument for options that are given together and have no effect so.
+inline void check_combinations(const CLI::App& app, const Command& command) {
+  const auto given = [&](const std::string& name) { return app.get_option_no_throw(name) != nullptr && app.count(name) > 0; };
+  for (const Option& option : command.options) {
+    if (!given(option.name)) continue;
+    if (!option.needs.empty() && std::ranges::none_of(option.needs, given)) {
+      throw std::invalid_argument{option.name + ": needs " + one_of(option.needs)};
+    }
+    if (const auto other = std::ranges::find_if(option.not_with, given); other != option.not_with.end()) {
+      throw std::invalid_argument{option.name + ": not with " + *other};
+    }
+    if (option.only_with.empty()) continue;
+    for (const Option& other : command.options) {
+      if (&other == &option || !given(other.name) || std::ranges::find(option.only_with, other.name) != option.only_with.end())
+        continue;
+      throw std::invalid_argument{other.name + ": not with " + option.name + ", which goes with " + one_of(option.only_with) +
+                                  " alone"};
+    }
+  }
+}
+
 /// Throws std::invalid_argument for arguments that no option takes, options of the program that the chosen subcommand lacks, and
 /// a program without work of its own.
 inline void check_arguments(const CLI::App& app, const Command& command, const Command& chosen) {
@@ -109,6 +121,7 @@ inline void check_arguments(const CLI::App& app, const Command& command, const C
     if (&chosen != &command && is_named(option) && app.count(option.name) > 0)
       throw std::invalid_argument{option.name + ": not with " + chosen.name};
   }
+  check_combinations(&chosen == &command ? app : *app.get_subcommand(chosen.name), chosen);
   if (chosen.work) return;
   std::vector<std::string> names;
   for (const Command& subcommand : command.subcommands) names.push_back(subcommand.name);

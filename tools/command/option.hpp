@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A command and its options as data: what is parsed, explained by --help and completed by the shell.
+// A command and its options as data: what is parsed, explained by --help and checked.
 #pragma once
 
 #include <cstddef>
@@ -16,24 +16,20 @@ namespace trophic::command {
 using Target = std::variant<bool*, std::string*, std::optional<std::string>*, std::uint64_t*, std::optional<std::uint64_t>*,
                             double*, std::optional<double>*, std::vector<std::string>*>;
 
-/// How an option uses its words.
-enum class Words {
-  suggested,  ///< offered by completion; the command itself checks the value
-  demanded,   ///< any other word is refused
-  assigned,   ///< names to the left of "=", offered by completion
-};
-
 /// One option, or an argument that is known by its place.
 struct Option {
   std::string name;  ///< "--seed"; an argument known by its place has no dashes
   Target target;
   std::string help;
-  std::vector<std::string> words = {};
-  Words use = Words::suggested;
-  std::size_t values = 0;  ///< of a vector: how many it takes at once; 0: any number
+  std::vector<std::string> words = {};  ///< any other value is refused; empty: the command checks it
+  std::size_t values = 0;               ///< of a vector: how many it takes at once; 0: any number
   bool required = false;
   std::string shorthand = {};  ///< "-o"
   std::string group = {};      ///< heading in --help; empty: "Options"
+  // Options by their names, as combinations that have an effect: checked before any work.
+  std::vector<std::string> needs = {};      ///< one of these must be given too
+  std::vector<std::string> not_with = {};   ///< none of these may be given
+  std::vector<std::string> only_with = {};  ///< no other option may be given; empty: any
 };
 
 /// The same options under one heading of --help.

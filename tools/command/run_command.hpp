@@ -30,9 +30,9 @@ template <class Work>
   }
 }
 
-/// Reads the arguments and returns the exit code of the command's work. `--help`, `--version` and `--completion SHELL` print and
-/// return 0. Wrong arguments, and every std::invalid_argument, give one line on standard error and `usage_error`; every other
-/// exception gives `run_error`.
+/// Reads the arguments and returns the exit code of the command's work. `--help` and `--version` print and return 0. Wrong
+/// arguments, and every std::invalid_argument, give one line on standard error and `usage_error`; every other exception gives
+/// `run_error`.
 [[nodiscard]] int run_command(int argc, const char* const* argv, const Command& command);
 
 }  // namespace trophic::command

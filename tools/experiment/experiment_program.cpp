@@ -27,19 +27,6 @@ namespace trophic::command {
 
 namespace detail {
 
-/// Every path that some table has on some backend, each once.
-std::vector<std::string> paths_of(const Offer& offer) {
-  std::vector<std::string> paths;
-  for (const auto& [name, make] : offer.rule_tables) {
-    for (const BackendChoice& backend : offer.backends) {
-      for (const NamedParam& param : named_params_of(make(backend)->params())) {
-        if (std::ranges::find(paths, param.path) == paths.end()) paths.push_back(param.path);
-      }
-    }
-  }
-  return paths;
-}
-
 std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
   const auto tables = table_names(offer);
   const auto backends = backend_names(offer.backends);
@@ -48,11 +35,10 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
     for (Option& option : in_group(group, std::move(some))) all.push_back(std::move(option));
   };
   add("The experiment",
-      {{"--rules", &options.rules, "rule table: " + one_of(tables) + " (" + tables.front() + ")", tables},
-       {"--backend", &options.backend, backend_help(backends, offer.default_backend), backends},
+      {{"--rules", &options.rules, "rule table: " + one_of(tables) + " (" + tables.front() + ")"},
+       {"--backend", &options.backend, backend_help(backends, offer.default_backend)},
        {"--config", &options.config, "TOML file with numbers, as --print-config writes it"},
-       {"--set", &options.assignments, "PATH=VALUE, e.g. rules.mutation.sd=0.1; may be repeated; wins over --config",
-        paths_of(offer), Words::assigned},
+       {"--set", &options.assignments, "PATH=VALUE, e.g. rules.mutation.sd=0.1; may be repeated; wins over --config"},
        {"--robot", &options.robot, "name or path of a robot file (the table's)"},
        {"--robots", &options.robots, "number of bodies (the table's)"}});
   add("How long and how many",
@@ -60,9 +46,15 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
        {"--seed", &options.seed, "every random number follows from it (1)"},
        {"--replicates", &options.replicates,
         "number of runs, into OUT/replicate-00, ...; their seeds follow from --seed and are written to replicates.json"},
-       {"--shadow", &options.shadow,
-        "run the table's neutral shadow too, into OUT/shadow: the same rules, numbers and seeds, but nothing is inherited"},
-       {"--jobs", &options.jobs, "replicates at a time (one per core); results do not depend on it"},
+       {.name = "--shadow",
+        .target = &options.shadow,
+        .help =
+            "run the table's neutral shadow too, into OUT/shadow: the same rules, numbers and seeds, but nothing is inherited",
+        .needs = {"--replicates"}},
+       {.name = "--jobs",
+        .target = &options.jobs,
+        .help = "replicates, runs of a sweep or contests at a time (one per core); results do not depend on it",
+        .needs = {"--replicates", "--sweep", "--play"}},
        {"--threads", &options.threads, "threads of the physics; results do not depend on it (all cores; 1 with --replicates)"}});
   add("A sweep",
       {{"--sweep", &options.sweep,
@@ -85,71 +77,85 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
        {"--states", &options.states, "write states.csv too: what rules with a State keep for every robot"},
        {"--checkpoint-s", &options.checkpoint_s,
         "seconds of the ecology's clock between two checkpoints (300); 0: only when a run ends or is stopped"},
-       {"--save-mjcf", &options.save_mjcf,
-        "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run"}});
+       {.name = "--save-mjcf",
+        .target = &options.save_mjcf,
+        .help = "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run",
+        .not_with = {"--replicates"}}});
   add("Look",
-      {{"--live", &options.live,
-        "show the run in a browser of this machine and let the page pause it, change numbers of rules and start again; it prints "
-        "the page's address"},
-       {"--live-port", &options.live_port, "port of that address, for ssh -L (any free one)"}});
+      {{.name = "--live",
+        .target = &options.live,
+        .help = "show the run in a browser of this machine and let the page pause it, change rule parameters and start again; it "
+                "prints the page's address",
+        .not_with = {"--replicates", "--from", "--save-mjcf"}},
+       {.name = "--live-port",
+        .target = &options.live_port,
+        .help = "port of that address, for ssh -L (any free one)",
+        .needs = {"--live"}}});
   add("Resume and branch",
-      {{"--resume", &options.resume,
-        "resume in OUT: a run, or those replicates that are missing or were interrupted, from their last checkpoints. It keeps "
-        "what OUT has of --replay-hz, --agents-every, --senses and --states"},
-       {"--accept-other-build", &options.accept_other_build,
-        "resume runs that another build of this program made, whose rules may be other code under the same names; manifests "
-        "record it"},
-       {"--from", &options.from,
-        "begin at the state of the run in this folder at --at, with another --seed, other rules or other numbers of rules, or "
-        "with --replicates of its future"},
-       {"--at", &options.at_s, "seconds of that run's clock (its last checkpoint)"}});
+      {{.name = "--resume",
+        .target = &options.resume,
+        .help = "resume in OUT: a run, or those replicates that are missing or were interrupted, from their last checkpoints. It "
+                "keeps "
+                "what OUT has of --replay-hz, --agents-every, --senses and --states",
+        .needs = {"--out"}},
+       {.name = "--accept-other-build",
+        .target = &options.accept_other_build,
+        .help = "resume runs that another build of this program made, whose rules may be other code under the same names; "
+                "manifests record it",
+        .needs = {"--resume", "--from", "--sweep"}},
+       {.name = "--from",
+        .target = &options.from,
+        .help = "begin at the state of the run in this folder at --at, with another --seed, other rules or other numbers of "
+                "rules, or "
+                "with --replicates of its future",
+        .not_with = {"--save-mjcf", "--changes"}},
+       {.name = "--at",
+        .target = &options.at_s,
+        .help = "seconds of that run's clock (its last checkpoint)",
+        .needs = {"--from"}}});
   add("Changes",
       {{"--changes", &options.changes,
         "CSV file with columns time_s, number and value: numbers of rules that change during the run; a run's changes.csv "
         "makes a live run again to the byte"}});
   add("Contests",
-      {{"--play", &options.play,
-        "play the contests in this file, with --jobs at a time, and write their outcomes next to it; trophic contest --program "
-        "writes the file and calls this"}});
-  add("Print",
-      {{"--print-config", &options.print_config, "print every number as TOML and stop"},
-       {"--print-table",
-        &options.print_table,
-        "print the rules with their numbers and sources, as markdown or latex, and stop",
-        {"markdown", "latex"},
-        Words::demanded},
-       {"--unlike", &options.unlike, "with --print-table: only rules and numbers that differ from this rule table", tables}});
+      {{.name = "--play",
+        .target = &options.play,
+        .help = "play the contests in this file, with --jobs at a time, and write their outcomes next to it; trophic contest "
+                "--program writes the file and calls this",
+        .only_with = {"--jobs"}}});
+  const std::vector<std::string> of_the_experiment{"--rules",  "--backend",  "--config", "--set",     "--robot",
+                                                   "--robots", "--duration", "--seed",   "--threads", "--unlike"};
+  add("Print", {{.name = "--print-config",
+                 .target = &options.print_config,
+                 .help = "print every parameter as TOML and stop",
+                 .only_with = of_the_experiment},
+                {.name = "--print-table",
+                 .target = &options.print_table,
+                 .help = "print the rules with their parameters and sources, as markdown or latex, and stop",
+                 .words = {"markdown", "latex"},
+                 .only_with = of_the_experiment},
+                {.name = "--unlike",
+                 .target = &options.unlike,
+                 .help = "with --print-table: only rules and parameters that differ from this rule table",
+                 .needs = {"--print-table"}}});
   return all;
 }
 
 void check(const ExperimentOptions& options) {
-  if (options.unlike && options.print_table.empty()) throw std::invalid_argument{"--unlike: needs --print-table"};
   if (options.threads == std::uint64_t{0}) throw std::invalid_argument{"--threads 0: must be >= 1"};
-  if (!options.replicates && (options.jobs || options.shadow)) {
-    throw std::invalid_argument{"--jobs and --shadow: need --replicates"};
-  }
   if (!(options.checkpoint_s >= 0.0)) {
     throw std::invalid_argument{"--checkpoint-s " + number_text(options.checkpoint_s) + ": must be >= 0"};
   }
-  if (options.at_s && options.from.empty()) throw std::invalid_argument{"--at: needs --from"};
-  if (!options.from.empty() && !options.save_mjcf.empty()) throw std::invalid_argument{"--from: not with --save-mjcf"};
   if (!options.save_mjcf.empty()) check_new_file("--save-mjcf", options.save_mjcf);
-  if (options.replicates && !options.save_mjcf.empty()) throw std::invalid_argument{"--save-mjcf: not with --replicates"};
   if (const auto hz = options.replay_hz; hz && *hz != 0 && *hz != 5 && *hz != 10 && *hz != 30) {
     throw std::invalid_argument{"--replay-hz " + std::to_string(*hz) + ": must be 0, 5, 10 or 30"};
   }
   if (options.agents_every < 1 || options.agents_every > 1'000'000) {
     throw std::invalid_argument{"--agents-every " + std::to_string(options.agents_every) + ": must be >= 1 and <= 1000000"};
   }
-  if (options.live && (options.replicates || !options.from.empty() || !options.save_mjcf.empty())) {
-    throw std::invalid_argument{"--live: needs a run, and one only; not with --replicates, --from or --save-mjcf"};
-  }
-  if (options.live_port && !options.live) throw std::invalid_argument{"--live-port: needs --live"};
   if (options.live_port && (*options.live_port < 1024 || *options.live_port > 65535)) {
     throw std::invalid_argument{"--live-port " + std::to_string(*options.live_port) + ": must be >= 1024 and <= 65535"};
   }
-  if (!options.changes.empty() && !options.from.empty()) throw std::invalid_argument{"--changes: not with --from"};
-  if (options.resume && options.out.empty()) throw std::invalid_argument{"--resume: needs --out, the folder to resume in"};
 }
 
 void check_rule_table(const std::string& option, const std::string& table, const Offer& offer) {

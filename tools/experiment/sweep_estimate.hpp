@@ -17,7 +17,7 @@
 #include <optional>
 #include <string>
 #include <system_error>
-#include <tools/command/completion.hpp>
+#include <tools/command/shell_text.hpp>
 #include <tools/command/output.hpp>
 #include <tools/experiment/sweep_runner.hpp>
 #include <tools/sweep/work_through.hpp>

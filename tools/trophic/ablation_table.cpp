@@ -158,7 +158,7 @@ Command ablation_table() {
       .about =
           "Reads the sets of an ablation study and writes what each swap changes: ablations.csv (all) and ablations.md (what is "
           "decided).",
-      .options = {{"runs", &options->runs, "the OUT of the study", {}, Words::suggested, 0, true},
+      .options = {{"runs", &options->runs, "the OUT of the study", {}, 0, true},
                   {"--jobs", &options->jobs, "sets measured at a time (1)"},
                   {"--out", &options->out, "new folder for the tables (swaps)"}},
       .work =

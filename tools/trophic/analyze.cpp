@@ -388,7 +388,6 @@ Command analyze(const std::string& program, const Offer& offer) {
             &options->compare,
             "two such folders: the difference of every metric, raw and over their shadows",
             {},
-            Words::suggested,
             2},
            {"--shadow", &options->shadow, "the runs' neutral shadow, if it is not in RUNS/shadow"},
            {"--until", &options->until_s, "measure only the first seconds of every run"},

@@ -156,7 +156,6 @@ Command cross_check_engines() {
                        &options->runs,
                        "two folders of replicates of the same rules, each on one engine: which metrics are equivalent",
                        {},
-                       Words::suggested,
                        2}},
           .work = [options] { return cross_check::run(*options); },
           .subcommands = {},
