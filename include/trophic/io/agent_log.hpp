@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/io/tables.hpp>
 #include <trophic/population/view.hpp>
@@ -37,6 +38,8 @@ namespace trophic::io {
 /// Writes an AgentRow per robot and tick, or only at the ticks whose number is a multiple of `every_ticks`.
 class AgentLog {
  public:
+  static constexpr std::string_view file_name = "agents.csv";
+
   /// Throws std::invalid_argument unless `every_ticks` >= 1. With `Opening::resumed` `persist` comes next: the file continues
   /// with the interval that it began with.
   explicit AgentLog(const std::filesystem::path& path, Opening opening = Opening::created, std::int64_t every_ticks = 1)
@@ -49,7 +52,6 @@ class AgentLog {
     }
     file_.flush();
   }
-  void on_end(const View&) { file_.finish(); }
 
   void persist(Archive& archive) {
     archive(every_ticks_, file_);

@@ -68,7 +68,6 @@ class BodyLog {
     row.back() = '\n';
   }
   void on_tick(const View&) { file_.flush(); }
-  void on_end(const View&) { file_.finish(); }
 
   void persist(Archive& archive) { archive(file_, plans_, plan_of_); }
   [[nodiscard]] TableSum sum() const { return file_.sum(); }

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string_view>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/io/tables.hpp>
 #include <trophic/observe/event.hpp>
@@ -14,6 +15,8 @@ namespace trophic::io {
 /// Writes an EventRow per event.
 class EventLog {
  public:
+  static constexpr std::string_view file_name = "events.csv";
+
   explicit EventLog(const std::filesystem::path& path, Opening opening = Opening::created) : file_{path, opening} {}
 
   void on_event(const observe::Event& event, const View& view) {
@@ -38,7 +41,6 @@ class EventLog {
                 view.web);
   }
   void on_tick(const View&) { file_.flush(); }
-  void on_end(const View&) { file_.finish(); }
 
   void persist(Archive& archive) { archive(file_); }
   [[nodiscard]] TableSum sum() const { return file_.sum(); }

@@ -19,6 +19,8 @@ namespace trophic::io {
 /// Writes a GenomeRow per birth. The file begins with the first one, which sets the number of weights.
 class GenomeLog {
  public:
+  static constexpr std::string_view file_name = "genomes.csv";
+
   explicit GenomeLog(std::filesystem::path path, Opening opening = Opening::created) : path_{std::move(path)} {
     if (opening == Opening::resumed) file_.emplace(path_, opening);
   }
@@ -34,9 +36,6 @@ class GenomeLog {
   }
   void on_tick(const View&) {
     if (file_) file_->flush();
-  }
-  void on_end(const View&) {
-    if (file_) file_->finish();
   }
 
   void persist(Archive& archive) {
@@ -67,7 +66,6 @@ class GeneLog {
     write(event.individual.id, GenomePart::body, genome.body_genes);
   }
   void on_tick(const View&) { file_.flush(); }
-  void on_end(const View&) { file_.finish(); }
 
   void persist(Archive& archive) { archive(file_); }
   [[nodiscard]] TableSum sum() const { return file_.sum(); }

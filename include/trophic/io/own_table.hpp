@@ -13,6 +13,7 @@
 #include <trophic/observe/audience.hpp>
 #include <trophic/observe/hooks.hpp>
 #include <trophic/params/archive.hpp>
+#include <utility>
 #include <vector>
 
 namespace trophic {
@@ -28,6 +29,7 @@ namespace trophic::io {
 ///   void persist(Archive& archive)                                  its state, and its CsvFile
 ///   TableSum sum() const                                            its CsvFile's
 ///
+/// The run puts the file on the disk when it ends.
 /// It observes; it neither asks for frames nor ends a run: such observers are passed to run_until.
 template <class O>
 concept OwnTable = observe::Observer<O> && Persists<O> && std::constructible_from<O, const std::filesystem::path&, Opening> &&
@@ -37,7 +39,7 @@ concept OwnTable = observe::Observer<O> && Persists<O> && std::constructible_fro
 } && !observe::detail::Names_on_frame<O> && !observe::detail::Names_between_ticks<O> && !observe::detail::Names_keep_running<O> &&
     !observe::detail::Names_cancels_tick<O>;
 
-/// An own table, its type erased.
+/// A table of a run, its type erased.
 class AnyOwnTable {
  public:
   AnyOwnTable() = default;
@@ -61,12 +63,13 @@ namespace detail {
 template <class O>
 class OwnTableOf final : public AnyOwnTable {
  public:
-  OwnTableOf(const std::filesystem::path& folder, Opening opening)
-      : table_(folder / std::string{O::file_name}, opening), observer_{table_} {}
+  template <class... Args>
+  explicit OwnTableOf(Args&&... args) : table_(std::forward<Args>(args)...), observer_{table_} {}
   [[nodiscard]] std::string file_name() const override { return std::string{O::file_name}; }
   [[nodiscard]] observe::Audience& observer() override { return observer_; }
   [[nodiscard]] TableSum sum() const override { return table_.sum(); }
   void persist(Archive& archive) override { archive(table_); }
+  [[nodiscard]] O& table() { return table_; }
 
  private:
   O table_;
@@ -83,7 +86,7 @@ template <class... Observers>
                 "persist(Archive&) and TableSum sum() const, and without on_frame, between_ticks, "
                 "keep_running and cancels_tick; see trophic/io/own_table.hpp");
   return {[](const std::filesystem::path& folder, Opening opening) -> std::unique_ptr<AnyOwnTable> {
-    return std::make_unique<detail::OwnTableOf<Observers>>(folder, opening);
+    return std::make_unique<detail::OwnTableOf<Observers>>(folder / std::string{Observers::file_name}, opening);
   }...};
 }
 

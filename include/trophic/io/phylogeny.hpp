@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <trophic/habitat/body/build.hpp>
 #include <trophic/habitat/body/plan.hpp>
 #include <trophic/io/csv.hpp>
@@ -21,6 +22,8 @@ namespace trophic::io {
 /// Writes a TaxonRow per individual; if bodies differ, with one more column: the plan of its body.
 class Phylogeny {
  public:
+  static constexpr std::string_view file_name = "phylogeny.csv";
+
   explicit Phylogeny(const std::filesystem::path& path, Opening opening = Opening::created)
       : file_{path, {}, opening}, has_header_{opening == Opening::resumed} {}
 
@@ -49,7 +52,7 @@ class Phylogeny {
     for (BodyIndex body = 0; body < view.robots.size(); ++body) {
       if (view.robots[body].lives()) write(row_of(view.robots[body], body), view);
     }
-    file_.finish();
+    file_.flush();
   }
 
   void persist(Archive& archive) { archive(file_, tag_at_birth_); }

@@ -30,6 +30,9 @@ void check_new_folder(const std::filesystem::path& path);
 /// Makes a new folder. Throws std::invalid_argument if the path exists, std::runtime_error if it cannot be made.
 [[nodiscard]] std::filesystem::path make_new_folder(const std::filesystem::path& path);
 
+class AgentLog;
+class SenseLog;
+
 /// Optional output of a run.
 struct OutputOptions {
   double replay_hz = default_replay_hz;  ///< frames of the recording in a simulated second; 0: no recording
@@ -41,8 +44,8 @@ struct OutputOptions {
 
 /// events.csv, agents.csv, phylogeny.csv, genomes.csv, manifest.json, the recording replay.trp and, if requested, senses.csv
 /// and states.csv in a new folder, with own tables (own_table.hpp). Tables are flushed at every tick, so that a crash
-/// keeps the past events; the manifest has the run's end and the number of rows of each table. Observes one call of
-/// run_until. No other program can resume in the folder meanwhile.
+/// keeps the past events, and on the disk before the manifest has the run's end and the number of rows of each. Observes one call
+/// of run_until. No other program can resume in the folder meanwhile.
 class RunFolder {
  public:
   static constexpr std::string_view section = "run_folder";  ///< of a checkpoint
@@ -53,38 +56,72 @@ class RunFolder {
   /// which it began; throws std::runtime_error if a file is missing or another program works in it.
   explicit RunFolder(const std::filesystem::path& path, Provenance provenance = {}, const OutputOptions& output = {},
                      Opening opening = Opening::created, StateColumns states = {}, const OwnTables& own_tables = {});
-  RunFolder(RunFolder&&) noexcept;
-  RunFolder& operator=(RunFolder&&) noexcept;
-  ~RunFolder();
 
   void persist(Archive& archive);
 
   void on_start(const observe::RunDescription& run, const View& view);
-  void on_event(const observe::Event& event, const View& view);
-  void on_tick(const View& view);
-  [[nodiscard]] bool wants_decisions();
-  void on_decision(const observe::DecisionRecord& decision, const View& view);
-  void on_exemption(BodyIndex hunter, const View& view);
+  void on_event(const observe::Event& event, const View& view) {
+    each([&](AnyOwnTable& table) { table.observer().event(event, view); });
+    manifest_.on_event(event, view);
+  }
+  void on_tick(const View& view) {
+    each([&](AnyOwnTable& table) { table.observer().tick(view); });
+    manifest_.on_tick(view);
+  }
+  [[nodiscard]] bool wants_decisions() {
+    bool any = false;
+    each([&](AnyOwnTable& table) { any = table.observer().wants_decisions() || any; });
+    return any;
+  }
+  void on_decision(const observe::DecisionRecord& decision, const View& view) {
+    each([&](AnyOwnTable& table) { table.observer().decision(decision, view); });
+  }
+  void on_exemption(BodyIndex hunter, const View& view) {
+    each([&](AnyOwnTable& table) { table.observer().exemption(hunter, view); });
+  }
   void on_frame(const observe::Frame& frame);
   [[nodiscard]] double frame_hz() const;
   void on_end(const View& view);
-  void on_failure(std::string_view what);
+  void on_failure(std::string_view what) {
+    each([&](AnyOwnTable& table) { table.observer().failure(what); });
+    manifest_.set_tables(sums());
+    manifest_.on_failure(what);
+    recording_.on_failure(what);
+  }
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// The names of a run's files in it, without checkpoints.
-  [[nodiscard]] std::vector<std::string> files() const;
+  [[nodiscard]] std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    each([&](const AnyOwnTable& table) { names.push_back(table.file_name()); });
+    names.emplace_back("manifest.json");
+    if (recording_.frame_hz() > 0.0) names.emplace_back("replay.trp");
+    return names;
+  }
   [[nodiscard]] Manifest& manifest() { return manifest_; }
 
  private:
-  struct Tables;
-  [[nodiscard]] std::vector<std::pair<std::string, TableSum>> sums() const;
-  void open_more(bool senses, bool states, Opening opening);
+  struct Shipped;
+
+  void open(std::string_view file_name, Opening opening);
+  void each(auto&& call) const {
+    for (const auto& table : tables_) {
+      if (table) call(*table);
+    }
+  }
+  [[nodiscard]] std::vector<std::pair<std::string, TableSum>> sums() const {
+    std::vector<std::pair<std::string, TableSum>> all;
+    each([&](const AnyOwnTable& table) { all.emplace_back(table.file_name(), table.sum()); });
+    return all;
+  }
 
   std::filesystem::path path_;
   FolderLock lock_;
+  std::int64_t agents_every_ticks_ = 1;
   StateColumns states_;
-  std::vector<std::unique_ptr<AnyOwnTable>> own_tables_;
-  std::unique_ptr<Tables> tables_;
+  std::vector<std::unique_ptr<AnyOwnTable>> tables_;  ///< each shipped one, null in a run without it; then own ones
+  const AgentLog* agents_ = nullptr;
+  SenseLog* senses_ = nullptr;
   Manifest manifest_;
   Recording recording_;
 };

@@ -13,6 +13,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/habitat/touch.hpp>
@@ -34,7 +35,7 @@ namespace trophic::io {
 /// brain are unknown at a tick at which it was not evaluated.
 class SenseLog {
  public:
-  static constexpr const char* file_name = "senses.csv";
+  static constexpr std::string_view file_name = "senses.csv";
 
   /// `every_ticks` >= 1. The file begins with the run, which sets the number of a brain's inputs.
   explicit SenseLog(std::filesystem::path path, Opening opening = Opening::created, std::int64_t every_ticks = 1)

@@ -14,6 +14,9 @@ namespace trophic {
 /// empty; a program that dies may leave only this one.
 void replace_file(const std::filesystem::path& path, std::string_view text, const std::filesystem::path& predecessor = {});
 
+/// Waits until what was written to a file is on the disk. Throws std::runtime_error naming it.
+void sync_file(const std::filesystem::path& path);
+
 }  // namespace trophic
 
 #if TROPHIC_HEADER_ONLY

@@ -70,4 +70,12 @@ TROPHIC_INLINE void replace_file(const std::filesystem::path& path, std::string_
   }
 }
 
+TROPHIC_INLINE void sync_file(const std::filesystem::path& path) {
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+  const bool is_synced = file >= 0 && ::fsync(file) == 0;
+  const int reason = errno;
+  if (file >= 0) ::close(file);
+  if (!is_synced) throw std::runtime_error{"cannot write " + path.string() + ": " + std::strerror(reason)};
+}
+
 }  // namespace trophic

@@ -2,13 +2,8 @@
 // Definitions of rewind.hpp.
 #pragma once
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <limits>
 #include <optional>
@@ -23,6 +18,7 @@
 #include <trophic/support/checksum.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/no_links.hpp>
+#include <trophic/support/replace_file.hpp>
 #include <trophic/support/version.hpp>
 #include <trophic/support/without_slash.hpp>
 #include <utility>
@@ -31,15 +27,6 @@
 namespace trophic::checkpoint {
 
 namespace detail {
-
-/// Waits until a copy is on the disk, before the checkpoint with its length is written.
-inline void sync_copy(const std::filesystem::path& path) {
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
-  const bool is_synced = file >= 0 && ::fsync(file) == 0;
-  const int reason = errno;
-  if (file >= 0) ::close(file);
-  if (!is_synced) throw std::runtime_error{"cannot write " + path.string() + ": " + std::strerror(reason)};
-}
 
 /// Copies within the folder of the past first, so that the target has all of it or does not exist.
 inline void copy_snapshot(const Snapshot& snapshot, const std::filesystem::path& folder) {
@@ -148,7 +135,7 @@ TROPHIC_INLINE void copy_until(const std::filesystem::path& run, double at_s, co
       continue;
     std::filesystem::copy_file(entry.path(), folder / name, error);
     require(entry.path());
-    detail::sync_copy(folder / name);
+    sync_file(folder / name);  // before the checkpoint with its length is written
   }
   // Last, so that an interrupted copy has none.
   write(folder, *early);
