@@ -19,7 +19,7 @@
 #include <trophic/control/brain/hebbian.hpp>
 #include <trophic/control/brain/hebbian_brain.hpp>
 #include <trophic/control/brain/recurrent_brain.hpp>
-#include <trophic/control/brain/tanh_network.hpp>
+#include <trophic/control/tanh_network.hpp>
 #include <trophic/control/gait/contract.hpp>
 #include <trophic/control/gait/detail/cppn.hpp>
 #include <trophic/control/gait/inherited_cpg.hpp>

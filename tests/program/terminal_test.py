@@ -85,8 +85,9 @@ class Help(InFolder):
         for slot, kind, question, policies in slots:
             folder = include / kind / slot
             self.assertTrue((folder / "contract.hpp").exists(), folder)
-            there = {path.stem for path in folder.glob("*.hpp")} | {path.name for path in folder.iterdir() if path.is_dir()}
-            self.assertEqual(set(policies.removeprefix("list of: ").split()), there - {"contract", "detail", "list"}, slot)
+            of_parts = dict(part.split(": ") for part in f"{slot}: {policies.removeprefix('list of: ')}".split("; "))
+            there = {path.parent.name: {other.stem for other in path.parent.glob("*.hpp")} - {"contract", "list"} for path in folder.rglob("contract.hpp")}
+            self.assertEqual({part: set(names.split()) for part, names in of_parts.items()}, there)
         self.assertIn("Who becomes a parent?", self.text(TROPHIC, "help", "slots", "parent"))
         self.assertIn("velocity_stored", self.text(TROPHIC, "help", "metrics"))
 

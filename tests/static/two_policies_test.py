@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""two_policies_test.py ROOT: house.py finds each slot of a copy of the core in which one policy is left."""
+"""two_policies_test.py ROOT: house.py finds each slot of a copy of the core in which one policy is left, and a header that is none."""
 
 import pathlib
 import shutil
@@ -30,6 +30,10 @@ def main() -> int:
         shutil.copytree(ROOT / "include", copy / "include")
         if found := offences(copy):
             missed.append(f"found in the tree as it is: {found}")
+        stray = copy / "include/trophic/control/brain/network.hpp"
+        stray.write_text("// A part of several brains.\n")
+        if "control/brain/network.hpp: is not a policy" not in offences(copy):
+            missed.append(f"{stray}: not found")
         for slot, left in SLOTS.items():
             for path in (copy / "include/trophic" / slot).glob("*.hpp"):
                 if path.stem not in ("contract", left):

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "commands.hpp"
+#include "shipped_policies.hpp"
 
 namespace trophic::command {
 
@@ -36,7 +37,7 @@ struct Options {
     names.emplace_back(text.slot);
     if (word && text.slot != *word) continue;
     any = true;
-    out << text.slot << " (" << rules::slot_kinds[i] << ")\n  " << text.question << "\n  policies: " << text.policies
+    out << text.slot << " (" << rules::slot_kinds[i] << ")\n  " << text.question << "\n  policies: " << shipped_policies[i]
         << "\n  swap: with_" << text.slot << "<Table, Policy>; contract and policies: include/trophic/" << rules::slot_kinds[i]
         << "/" << text.slot << "/\n";
   }

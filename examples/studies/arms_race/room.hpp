@@ -10,7 +10,7 @@
 #include <optional>
 #include <string_view>
 #include <trophic/control/brain/contract.hpp>
-#include <trophic/control/brain/tanh_network.hpp>
+#include <trophic/control/tanh_network.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/perception/sensors/contract.hpp>
 #include <trophic/perception/sensors/list.hpp>
@@ -89,7 +89,7 @@ using RoomySensors = perception::sensors::List<perception::sensors::SideOfAdvers
 struct RoomyBrain {
   static constexpr std::string_view name = "roomy_brain";
   static constexpr std::string_view source = "not in the paper";
-  using Network = control::brain::TanhNetwork<8, control::Decision::outputs, control::brain::Biases::both_layers>;
+  using Network = control::TanhNetwork<8, control::Decision::outputs, control::Biases::both_layers>;
 
   struct Params {
     double turn_angle_rad = 0.7;

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/control/brain/detail/network.hpp>
-#include <trophic/control/brain/tanh_network.hpp>
+#include <trophic/control/tanh_network.hpp>
 #include <trophic/params/params.hpp>
 #include <tuple>
 #include <vector>

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <span>
 
-namespace trophic::control::brain {
+namespace trophic::control {
 
 enum class Biases { none, both_layers };
 
@@ -47,4 +47,4 @@ struct TanhNetwork {
   }
 };
 
-}  // namespace trophic::control::brain
+}  // namespace trophic::control
