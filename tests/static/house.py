@@ -89,7 +89,8 @@ def policies_in_suites():
 
 
 def two_policies_per_slot():
-    """Each folder of a slot, which slots.hpp includes, holds two policies at least: headers that check its contract."""
+    """Each folder of a slot, which slots.hpp includes, holds two policies at least: headers that check its contract. Every header
+    in it is a policy, or a template of policies with a name: `trophic help slots` lists them."""
     offences = []
     for folder in sorted(set(re.findall(r"#include <trophic/(\w+/\w+)/contract\.hpp>", (CORE / "trophic/rules/slots.hpp").read_text()))):
         slot = CORE / "trophic" / folder
@@ -98,6 +99,8 @@ def two_policies_per_slot():
         policies = [path.stem for path in slot.glob("*.hpp") if checked.search(path.read_text())]
         if len(policies) < 2:
             offences.append(f"include/trophic/{folder}: {' '.join(policies) or 'no policy'}: must have at least 2 policies")
+        others = {path.stem: path.read_text() for path in slot.glob("*.hpp") if path.stem not in (*policies, "contract")}
+        offences += [f"include/trophic/{folder}/{name}.hpp: is not a policy" for name, text in others.items() if "string_view name" not in text]
     return offences
 
 
@@ -169,6 +172,26 @@ def analysis_rooms():
         for room, known in seen.items()
         for offence in lines_with(rf"#include <tools/analysis/(?!({'|'.join(known)})/)", sources(f"tools/analysis/{room}"))
     ]
+
+
+def paths_exist():
+    """Every source file that a comment, a message or a compile-time sentence names exists."""
+    folders = ("include", "src", *PARTS, "examples", "tests")
+    there = {part for path in sources(*folders) for part in ends_of(path.relative_to(ROOT))}
+    made = {"trophic/habitat/load/installed_model_dir.hpp"}  # by the installation
+    return [
+        f"{path.relative_to(ROOT)}:{number}: {name} does not exist"
+        for path in sources(*folders)
+        for number, line in enumerate(path.read_text().splitlines(), 1)
+        if not re.match(r"\s*#\s*include", line)
+        for name in re.findall(r"[\w/-]+\.[hi]pp\b", line)
+        if name not in there | made and name == name.lower()  # X.hpp is any
+    ]
+
+
+def ends_of(path: pathlib.PurePath) -> list[str]:
+    """a/b/c -> a/b/c, b/c, c."""
+    return ["/".join(path.parts[first:]) for first in range(len(path.parts))]
 
 
 def nothing_unfinished():

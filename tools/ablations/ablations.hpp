@@ -107,7 +107,7 @@ template <class Base, class Other>
 }  // namespace detail::ablations
 
 /// The command line of a study of two tables, on every backend that the program is linked with. It needs run_swap in both
-/// directions: include trophic/command/run_swap.hpp and instantiate them explicitly, in files of their own, as they take long to
+/// directions: include tools/ablations/run_swap.hpp and instantiate them explicitly, in files of their own, as they take long to
 /// compile.
 template <class Base, class Other>
 [[nodiscard]] int ablations(int argc, const char* const* argv) {

@@ -123,9 +123,9 @@ template <class Table>
 struct Params {
   static_assert(Selection<typename Table::ParentSelection> && Selection<typename Table::SurvivorSelection>,
                 "ParentSelection and SurvivorSelection need std::vector<std::size_t> select(std::span<const double> fitness, "
-                "std::size_t count, Rng&) const; see trophic/gait_evolution/selection.hpp");
+                "std::size_t count, Rng&) const; see tools/gait_evolution/selection.hpp");
   static_assert(gait_evolution::Fitness<typename Table::Fitness>,
-                "Fitness needs double fitness(const TryOut&) const; see trophic/gait_evolution/fitness.hpp");
+                "Fitness needs double fitness(const TryOut&) const; see tools/gait_evolution/fitness.hpp");
   static_assert(detail::made_from_params<typename Table::ParentSelection>() &&
                 detail::made_from_params<typename Table::SurvivorSelection>() &&
                 detail::made_from_params<typename Table::Fitness>() && detail::made_from_params<typename Table::Steering>());
