@@ -19,7 +19,6 @@
 #include <trophic/control/brain/hebbian.hpp>
 #include <trophic/control/brain/hebbian_brain.hpp>
 #include <trophic/control/brain/recurrent_brain.hpp>
-#include <trophic/control/tanh_network.hpp>
 #include <trophic/control/gait/contract.hpp>
 #include <trophic/control/gait/detail/cppn.hpp>
 #include <trophic/control/gait/inherited_cpg.hpp>
@@ -33,6 +32,7 @@
 #include <trophic/control/steering/contract.hpp>
 #include <trophic/control/steering/no_steering.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>
+#include <trophic/control/tanh_network.hpp>
 #include <trophic/death/activation/active_away_from_hunters.hpp>
 #include <trophic/death/activation/ages_once_away_from_hunters.hpp>
 #include <trophic/death/activation/always_active.hpp>

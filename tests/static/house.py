@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """house.py ROOT CHECK: one house rule, checked on the source tree. Prints each offence; exit 0 kept, 1 broken, 77 not checkable."""
 
+import functools
 import pathlib
 import re
 import shutil
@@ -28,14 +29,23 @@ def lines_with(pattern: str, files: list[pathlib.Path]) -> list[str]:
     ]
 
 
-def engine_free_core():
-    """The core includes no engine."""
-    return lines_with(r'#\s*include\s*[<"](mujoco|ode|pugixml)', sources("include"))
+# Made by the installation.
+INSTALLED = "trophic/habitat/load/installed_model_dir.hpp"
 
 
-def tools_above_all():
-    """The library includes nothing of the programs that stand on it."""
-    return lines_with(r'#\s*include\s*[<"]tools/', sources("include", "src", "backends", "tools/mpi", "tools/pictures"))
+def library_alone():
+    """The library includes no tool and no engine, under no condition: a header of trophic is in include/ or in the backend's own
+    folder, and engines and their parsers are for backends alone."""
+    offences, engines = [], sorted(path.name for path in (ROOT / "backends").iterdir())
+    for folder in ("include", "src", *(f"backends/{engine}" for engine in engines)):
+        homes = [CORE, *(ROOT / "backends").glob("*/include")] if folder == "src" else [CORE, ROOT / folder / "include"]
+        for path in sources(folder):
+            for name in re.findall(r'^\s*#\s*include\s*[<"]([^>"]+)', path.read_text(), re.M):
+                is_own = name.startswith(("trophic/", "tools/")) and name != INSTALLED
+                is_engine = re.match(rf"({'|'.join(engines)})/|pugixml", name) and not folder.startswith("backends")
+                if is_engine or is_own and not any((home / name).exists() for home in homes):
+                    offences.append(f"{path.relative_to(ROOT)}: the library cannot include {name}")
+    return offences
 
 
 def rule_free_backends():
@@ -164,6 +174,31 @@ def complete_umbrella():
     return [f"trophic.hpp lacks #include <{path.relative_to(CORE)}>" for path in missing]
 
 
+# Headers whose includes count as their reader's own, beside each folder's contract.hpp and the header of an .ipp.
+VOCABULARY = (
+    "params/params.hpp", "params/archive.hpp", "params/named_params.hpp", "population/food_web.hpp", "population/individual.hpp",
+    "population/state.hpp", "population/view.hpp", "habitat/robot_model.hpp", "ecology/simulation.hpp", "io/csv_file.hpp",
+)  # fmt: skip
+
+
+def exported_includes():
+    """No header of the core includes what a vocabulary header that it includes exports."""
+    included = {path: re.findall(r"^#include <(.+)>", path.read_text(), re.M) for path in sources("include")}
+    exports = {name: CORE / name for path in included for name in [str(path.relative_to(CORE))] if path.name == "contract.hpp" or name.removeprefix("trophic/") in VOCABULARY}
+
+    @functools.cache
+    def reached(name: str) -> frozenset[str]:
+        own = [other for other in included[CORE / name] if not other.endswith(".ipp")]
+        return frozenset(own).union(*(reached(other) for other in own if other in exports))
+
+    offences = []
+    for path, names in included.items():
+        own_header = str(path.relative_to(CORE).with_suffix(".hpp")) if path.suffix == ".ipp" else ""
+        for exporter in [name for name in names if name in exports or name == own_header]:
+            offences += [f"{path.relative_to(ROOT)}: {exporter} exports #include <{name}>" for name in names if name in reached(exporter)]
+    return sorted(set(offences))
+
+
 def analysis_rooms():
     """Arrows in analysis run data -> metrics -> report and statistics -> report, and nowhere else."""
     seen = {"data": {"data"}, "statistics": {"statistics"}, "metrics": {"data", "metrics"}}
@@ -178,14 +213,13 @@ def paths_exist():
     """Every source file that a comment, a message or a compile-time sentence names exists."""
     folders = ("include", "src", *PARTS, "examples", "tests")
     there = {part for path in sources(*folders) for part in ends_of(path.relative_to(ROOT))}
-    made = {"trophic/habitat/load/installed_model_dir.hpp"}  # by the installation
     return [
         f"{path.relative_to(ROOT)}:{number}: {name} does not exist"
         for path in sources(*folders)
         for number, line in enumerate(path.read_text().splitlines(), 1)
         if not re.match(r"\s*#\s*include", line)
         for name in re.findall(r"[\w/-]+\.[hi]pp\b", line)
-        if name not in there | made and name == name.lower()  # X.hpp is any
+        if name not in there | {INSTALLED} and name == name.lower()  # X.hpp is any
     ]
 
 

@@ -3,11 +3,8 @@
 #pragma once
 
 #include <bit>
-#include <cstddef>
-#include <cstdint>
 #include <span>
 #include <stdexcept>
-#include <string>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/support/word_hash.hpp>
 

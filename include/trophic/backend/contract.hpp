@@ -2,19 +2,12 @@
 // The contract between the ecology and a physics engine; the library uses nothing else of an engine.
 #pragma once
 
-#include <concepts>
-#include <cstddef>
 #include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/physics.hpp>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/params/archive.hpp>
-#include <trophic/params/params.hpp>
-#include <vector>
 
 namespace trophic {
 

@@ -2,18 +2,7 @@
 // A backend without physics: robots are oriented points that walk and turn.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <string>
-#include <string_view>
 #include <trophic/backend/contract.hpp>
-#include <trophic/habitat/arena.hpp>
-#include <trophic/habitat/robot_model.hpp>
-#include <trophic/params/params.hpp>
-#include <trophic/support/linkage.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::backend {
 

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/habitat/ground_pose.hpp>
 #include <trophic/support/units.hpp>

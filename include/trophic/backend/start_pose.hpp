@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
-#include <string>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/params/params.hpp>

@@ -2,12 +2,6 @@
 // agents.csv: every robot at every tick or every n-th tick.
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/io/tables.hpp>
 #include <trophic/population/view.hpp>

@@ -2,26 +2,14 @@
 // bodies.csv: the body of every individual, if bodies differ.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <trophic/habitat/body/build.hpp>
 #include <trophic/habitat/body/descriptors.hpp>
 #include <trophic/habitat/body/distance.hpp>
 #include <trophic/habitat/body/plan.hpp>
 #include <trophic/habitat/robot_model.hpp>
-#include <trophic/io/column.hpp>
-#include <trophic/io/csv.hpp>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/observe/event.hpp>
-#include <trophic/params/archive.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/population/view.hpp>
-#include <vector>
 
 namespace trophic::io {
 

@@ -2,22 +2,12 @@
 // CSV: rows as text by their columns.
 #pragma once
 
-#include <array>
-#include <charconv>
 #include <cmath>
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <span>
-#include <string>
-#include <string_view>
 #include <trophic/io/column.hpp>
 #include <trophic/params/params.hpp>
-#include <trophic/population/food_web.hpp>
 #include <trophic/population/individual.hpp>
-#include <type_traits>
-#include <vector>
 
 namespace trophic::io {
 

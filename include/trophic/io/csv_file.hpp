@@ -2,16 +2,12 @@
 // A file of lines and one of rows, which are never overwritten and never fail silently.
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
 #include <filesystem>
-#include <string>
 #include <trophic/io/column.hpp>
 #include <trophic/io/csv.hpp>
 #include <trophic/io/growing_file.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/population/food_web.hpp>
-#include <utility>
 
 namespace trophic::io {
 

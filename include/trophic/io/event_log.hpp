@@ -2,9 +2,6 @@
 // events.csv: all events of individuals.
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string_view>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/io/tables.hpp>
 #include <trophic/observe/event.hpp>

@@ -2,17 +2,11 @@
 // genomes.csv and genes.csv: the genome of every individual at birth.
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <stdexcept>
-#include <string_view>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/io/tables.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::io {
 

@@ -2,12 +2,8 @@
 // A file that grows at its end and can be cut back to a length that it had.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <stdexcept>
-#include <string_view>
 #include <trophic/params/archive.hpp>
-#include <trophic/support/linkage.hpp>
 
 namespace trophic {
 

@@ -7,17 +7,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
-#include <cstdint>
-#include <cstring>
-#include <filesystem>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/io/growing_file.hpp>
 #include <trophic/support/checksum.hpp>
-#include <utility>
 
 namespace trophic {
 

@@ -2,25 +2,15 @@
 // manifest.json: the origin of a run, and how it ended.
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <memory>
-#include <string>
-#include <string_view>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/tally.hpp>
-#include <trophic/params/archive.hpp>
 #include <trophic/population/view.hpp>
-#include <trophic/support/linkage.hpp>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 namespace trophic::io {
 
 /// Facts that only the program has: command line, host, revision of its own source. trophic's programs give them
-/// (trophic/command/provenance.hpp); your own program gives those that it has.
+/// (tools/command/provenance.hpp); your own program gives those that it has.
 using Provenance = std::vector<std::pair<std::string, std::string>>;
 
 /// The compiler that made trophic (if a program links it compiled: the library), with its version: "g++ 12.2.0".

@@ -2,20 +2,12 @@
 // Definitions of manifest.hpp.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <memory>
-#include <string>
-#include <string_view>
 #include <trophic/io/manifest.hpp>
 #include <trophic/io/program_code.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/system_differences.hpp>
 #include <trophic/support/version.hpp>
-#include <utility>
 #include <variant>
 
 namespace trophic::io {

@@ -2,19 +2,10 @@
 // Own tables: observers that a program gives to its experiments, so that every run writes their tables, too.
 #pragma once
 
-#include <concepts>
-#include <filesystem>
 #include <functional>
-#include <memory>
-#include <string>
-#include <string_view>
 #include <trophic/io/csv_file.hpp>
-#include <trophic/io/growing_file.hpp>
 #include <trophic/observe/audience.hpp>
 #include <trophic/observe/hooks.hpp>
-#include <trophic/params/archive.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic {
 class Simulation;

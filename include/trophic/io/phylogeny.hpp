@@ -2,20 +2,13 @@
 // phylogeny.csv: the descent of individuals, in the ALife data standard.
 #pragma once
 
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <trophic/habitat/body/build.hpp>
 #include <trophic/habitat/body/plan.hpp>
-#include <trophic/io/csv.hpp>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/io/tables.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::io {
 

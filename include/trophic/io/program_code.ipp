@@ -6,14 +6,9 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstdint>
-#include <span>
-#include <string>
-#include <string_view>
 #include <trophic/io/program_code.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/support/word_hash.hpp>
-#include <vector>
 
 namespace trophic {
 

@@ -2,19 +2,13 @@
 // replay.trp: poses of all robots and their joints, several times a second, small enough to keep for every run.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <filesystem>
-#include <memory>
-#include <string>
-#include <string_view>
 #include <trophic/io/growing_file.hpp>
 #include <trophic/io/recording_format.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/linkage.hpp>
-#include <vector>
 
 namespace trophic::io {
 

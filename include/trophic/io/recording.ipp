@@ -2,18 +2,12 @@
 // Definitions of recording.hpp.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
-#include <span>
-#include <stdexcept>
-#include <string>
 #include <trophic/io/recording.hpp>
 #include <trophic/io/recording_head.hpp>
 #include <trophic/io/recording_planes.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/json.hpp>
-#include <utility>
 
 namespace trophic::io {
 

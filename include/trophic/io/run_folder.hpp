@@ -2,11 +2,7 @@
 // A folder with all files of a run.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <memory>
-#include <string>
-#include <string_view>
 #include <trophic/io/growing_file.hpp>
 #include <trophic/io/manifest.hpp>
 #include <trophic/io/own_table.hpp>
@@ -19,8 +15,6 @@
 #include <trophic/population/view.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/linkage.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::io {
 

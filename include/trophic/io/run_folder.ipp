@@ -2,15 +2,6 @@
 // Definitions of run_folder.hpp.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <filesystem>
-#include <memory>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <system_error>
 #include <trophic/io/agent_log.hpp>
 #include <trophic/io/body_log.hpp>
@@ -21,8 +12,6 @@
 #include <trophic/io/sense_log.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/without_slash.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::io {
 

@@ -2,18 +2,7 @@
 // senses.csv: contacts of every robot, and inputs and outputs of its brain, at every tick or every n-th tick.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/habitat/touch.hpp>
@@ -22,11 +11,8 @@
 #include <trophic/observe/decision_record.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>
-#include <trophic/params/archive.hpp>
 #include <trophic/population/spatial_grid.hpp>
 #include <trophic/population/view.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::io {
 

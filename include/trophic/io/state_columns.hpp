@@ -2,14 +2,10 @@
 // States of rules as columns of a table.
 #pragma once
 
-#include <concepts>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <trophic/io/csv.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/rules/rule_states.hpp>
-#include <type_traits>
 #include <vector>
 
 namespace trophic::io {

@@ -2,14 +2,8 @@
 // states.csv: the States of rules for every robot.
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <string>
-#include <string_view>
-#include <trophic/io/csv.hpp>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/population/view.hpp>
-#include <utility>
 
 namespace trophic::io {
 

@@ -2,17 +2,9 @@
 // The tables of a run: the rows of each of its CSV files.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <trophic/io/column.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/population/individual.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::io {
 

@@ -2,16 +2,12 @@
 // The observers of a run, as an ecology calls them.
 #pragma once
 
-#include <algorithm>
-#include <cstdint>
-#include <string_view>
 #include <trophic/observe/decision_record.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/hooks.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>
-#include <tuple>
 
 namespace trophic::observe {
 

@@ -2,10 +2,6 @@
 // The events in the life of individuals, as observers get them.
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <string_view>
 #include <trophic/population/individual.hpp>
 
 namespace trophic::observe {

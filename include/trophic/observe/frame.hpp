@@ -4,8 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <span>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/pose.hpp>

@@ -2,14 +2,12 @@
 // The hooks that an observer may have: any subset, each checked for its signature.
 #pragma once
 
-#include <string_view>
 #include <trophic/observe/decision_record.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>
 #include <type_traits>
-#include <utility>
 
 /// Every hook: (name, required signature, arguments of the call).
 #define TROPHIC_OBSERVER_HOOKS(HOOK)                                                                                             \

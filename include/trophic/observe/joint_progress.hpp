@@ -2,20 +2,15 @@
 // One progress line for several runs at once.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdio>
 #include <map>
 #include <mutex>
 #include <ostream>
-#include <string>
-#include <string_view>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/tally.hpp>
 #include <trophic/observe/terminal.hpp>
 #include <trophic/population/view.hpp>
-#include <utility>
 
 namespace trophic::observe {
 

@@ -5,8 +5,6 @@
 
 #include <chrono>
 #include <iosfwd>
-#include <string>
-#include <string_view>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/tally.hpp>

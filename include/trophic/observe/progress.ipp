@@ -2,14 +2,10 @@
 // Definitions of progress.hpp.
 #pragma once
 
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdio>
 #include <ostream>
-#include <string>
 #include <trophic/observe/progress.hpp>
-#include <trophic/observe/terminal.hpp>
 
 namespace trophic::observe {
 

@@ -3,13 +3,7 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <string>
-#include <string_view>
 #include <trophic/params/named_params.hpp>
-#include <trophic/support/linkage.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::observe {
 

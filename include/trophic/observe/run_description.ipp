@@ -2,10 +2,7 @@
 // Definitions of run_description.hpp.
 #pragma once
 
-#include <string>
-#include <string_view>
 #include <trophic/observe/run_description.hpp>
-#include <trophic/params/named_params.hpp>
 
 namespace trophic::observe {
 

@@ -2,8 +2,6 @@
 // Counts of births and deaths.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <numeric>
 #include <trophic/observe/event.hpp>
 #include <trophic/population/view.hpp>

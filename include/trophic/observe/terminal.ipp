@@ -5,10 +5,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
-#include <cstddef>
 #include <cstdlib>
-#include <span>
-#include <string>
 #include <trophic/observe/terminal.hpp>
 
 namespace trophic::observe {

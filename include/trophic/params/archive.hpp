@@ -2,23 +2,14 @@
 // Values as bytes and back. One function writes and reads, so that both formats are the same.
 #pragma once
 
-#include <array>
 #include <bit>
-#include <concepts>
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <optional>
 #include <stdexcept>
-#include <string>
-#include <string_view>
-#include <trophic/params/detail/member_count.hpp>
 #include <trophic/params/params.hpp>
-#include <tuple>
-#include <type_traits>
 #include <unordered_map>
-#include <utility>
 #include <vector>
 
 namespace trophic {

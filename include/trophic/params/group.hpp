@@ -3,10 +3,7 @@
 #pragma once
 
 #include <cstddef>
-#include <string_view>
 #include <trophic/params/params.hpp>
-#include <tuple>
-#include <utility>
 
 namespace trophic {
 

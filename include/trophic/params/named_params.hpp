@@ -2,16 +2,8 @@
 // Parameters by their paths, in place and by value: for configuration files and manifests.
 #pragma once
 
-#include <concepts>
-#include <cstdint>
-#include <limits>
 #include <span>
-#include <string>
-#include <string_view>
 #include <trophic/params/params.hpp>
-#include <trophic/support/linkage.hpp>
-#include <type_traits>
-#include <utility>
 #include <variant>
 #include <vector>
 

@@ -2,15 +2,8 @@
 // Definitions of named_params.hpp.
 #pragma once
 
-#include <concepts>
 #include <cstddef>
-#include <cstdint>
-#include <string>
-#include <string_view>
 #include <trophic/params/named_params.hpp>
-#include <type_traits>
-#include <utility>
-#include <variant>
 
 namespace trophic {
 

@@ -2,13 +2,9 @@
 // Every number of a value of any type, for the fingerprints of models.
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <ranges>
-#include <string>
-#include <string_view>
 #include <trophic/params/params.hpp>
-#include <type_traits>
 
 namespace trophic {
 

@@ -4,8 +4,6 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/params/params.hpp>
 
 namespace trophic {

@@ -3,10 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/params/parse_toml.hpp>
 #include <trophic/support/whole_file.hpp>
 

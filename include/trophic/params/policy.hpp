@@ -2,12 +2,7 @@
 // Construction of policies from their numbers.
 #pragma once
 
-#include <concepts>
-#include <string>
-#include <string_view>
 #include <trophic/params/params.hpp>
-#include <trophic/support/linkage.hpp>
-#include <type_traits>
 
 namespace trophic {
 

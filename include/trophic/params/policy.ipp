@@ -2,8 +2,6 @@
 // Definitions of policy.hpp.
 #pragma once
 
-#include <string>
-#include <string_view>
 #include <trophic/params/policy.hpp>
 #include <trophic/support/rule_error.hpp>
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <sstream>
-#include <string>
 #include <trophic/params/params.hpp>
 #include <trophic/params/parse_toml.hpp>
 

@@ -2,12 +2,7 @@
 // The adversary of an individual: the closest opponent that it perceives.
 #pragma once
 
-#include <concepts>
-#include <optional>
 #include <trophic/perception/visibility/contract.hpp>
-#include <trophic/population/sighting.hpp>
-#include <trophic/population/view.hpp>
-#include <trophic/support/units.hpp>
 
 namespace trophic::perception {
 

@@ -4,8 +4,6 @@
 
 #include <zlib.h>
 
-#include <cstdint>
-#include <string_view>
 #include <trophic/support/checksum.hpp>
 
 namespace trophic {

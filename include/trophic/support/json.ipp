@@ -4,8 +4,6 @@
 
 #include <array>
 #include <cstddef>
-#include <string>
-#include <string_view>
 #include <trophic/support/json.hpp>
 
 namespace trophic {

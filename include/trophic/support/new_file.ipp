@@ -8,10 +8,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/new_file.hpp>
 #include <trophic/support/replace_file.ipp>

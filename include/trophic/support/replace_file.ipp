@@ -9,10 +9,8 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
-#include <filesystem>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <trophic/support/replace_file.hpp>
 
 namespace trophic {

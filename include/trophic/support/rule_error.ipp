@@ -3,11 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/support/rule_error.hpp>
 
 namespace trophic {

@@ -7,12 +7,8 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstddef>
-#include <cstdint>
 #include <cstring>
-#include <filesystem>
 #include <stdexcept>
-#include <string>
 #include <trophic/support/unreadable_file.hpp>
 #include <trophic/support/whole_file.hpp>
 

@@ -2,15 +2,8 @@
 // The paper's network with its open choices: biases, and the turn for an output of zero.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <span>
-#include <string_view>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/control/tanh_network.hpp>
-#include <trophic/params/params.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::control::brain {
 

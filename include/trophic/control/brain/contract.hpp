@@ -2,18 +2,9 @@
 // The contract of a slot: a robot's decision from its inputs.
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <concepts>
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <string>
 #include <trophic/population/state.hpp>
 #include <trophic/support/rng.hpp>
-#include <type_traits>
-#include <vector>
 
 #define TROPHIC_SENTENCE_Brain                                                                                          \
   "std::size_t genome_size(std::size_t inputs, std::size_t outputs) const, std::vector<int> tags() const and Decision " \

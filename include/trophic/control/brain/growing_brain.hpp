@@ -2,19 +2,9 @@
 // A feed-forward network whose neurons and links are inherited and change at births.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <span>
-#include <string_view>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/control/brain/detail/network.hpp>
 #include <trophic/control/brain/detail/network_genes.hpp>
-#include <trophic/params/params.hpp>
-#include <trophic/support/rng.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::control::brain {
 

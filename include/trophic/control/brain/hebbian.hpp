@@ -2,19 +2,10 @@
 // A brain with weights that change within a life.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <span>
-#include <string_view>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/control/brain/detail/network.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/params/policy.hpp>
-#include <trophic/population/state.hpp>
 #include <trophic/support/joined_text.hpp>
-#include <trophic/support/rng.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::control::brain {
 

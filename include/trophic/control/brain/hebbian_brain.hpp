@@ -2,16 +2,9 @@
 // The paper's network with weights that change within a life.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <span>
-#include <string_view>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/control/brain/detail/network.hpp>
 #include <trophic/control/tanh_network.hpp>
-#include <trophic/params/params.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::control::brain {
 

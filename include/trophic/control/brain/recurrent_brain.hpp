@@ -2,17 +2,9 @@
 // A network whose hidden neurons remember the last tick.
 #pragma once
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <span>
-#include <string_view>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/control/brain/detail/network.hpp>
 #include <trophic/control/tanh_network.hpp>
-#include <trophic/params/params.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::control::brain {
 

@@ -2,7 +2,6 @@
 // The contract of a slot: the gait by which an individual walks.
 #pragma once
 
-#include <concepts>
 #include <span>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/habitat/habitat.hpp>
@@ -10,7 +9,6 @@
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/support/rng.hpp>
-#include <vector>
 
 #define TROPHIC_SENTENCE_GaitRule \
   "Gait express(std::span<const double> genes, const RobotModel&, const Habitat&) const; see trophic/control/gait/contract.hpp"

@@ -3,17 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/control/gait/contract.hpp>
-#include <trophic/params/params.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::control::gait {
 

@@ -3,18 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
-#include <cstddef>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/control/gait/contract.hpp>
 #include <trophic/control/gait/detail/cppn.hpp>
 #include <trophic/control/gait/inherited_cpg.hpp>
-#include <trophic/params/params.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::control::gait {
 

@@ -2,20 +2,9 @@
 // Newborns improve an inherited gait by trials in a nursery, before birth.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <limits>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/control/gait/contract.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/params/policy.hpp>
 #include <trophic/support/joined_text.hpp>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 namespace trophic::control::gait {
 

@@ -2,14 +2,7 @@
 // A gait of a file, for each species another one.
 #pragma once
 
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/control/gait/contract.hpp>
-#include <trophic/params/params.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::control::gait {
 

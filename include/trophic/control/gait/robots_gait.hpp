@@ -2,9 +2,6 @@
 // Every robot walks by the gait that was evolved for it beforehand.
 #pragma once
 
-#include <span>
-#include <stdexcept>
-#include <string_view>
 #include <trophic/control/gait/contract.hpp>
 
 namespace trophic::control::gait {

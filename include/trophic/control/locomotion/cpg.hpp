@@ -9,8 +9,6 @@
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/params/params.hpp>
-#include <trophic/support/linkage.hpp>
-#include <tuple>
 
 namespace trophic::locomotion {
 

@@ -2,9 +2,7 @@
 // Definitions of cpg.hpp.
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
 #include <trophic/control/locomotion/cpg.hpp>
 

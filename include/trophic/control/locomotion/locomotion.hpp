@@ -4,19 +4,10 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <stdexcept>
-#include <string>
 #include <trophic/backend/any_backend.hpp>
 #include <trophic/backend/contract.hpp>
 #include <trophic/control/locomotion/cpg.hpp>
 #include <trophic/control/steering/contract.hpp>
-#include <trophic/habitat/sides.hpp>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 namespace trophic::locomotion {
 

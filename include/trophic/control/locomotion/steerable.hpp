@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <string_view>
 #include <trophic/control/steering/contract.hpp>
-#include <trophic/habitat/sides.hpp>
 #include <trophic/support/linkage.hpp>
 #include <vector>
 

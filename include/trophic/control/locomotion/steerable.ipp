@@ -4,13 +4,8 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/control/locomotion/steerable.hpp>
 #include <trophic/habitat/robot_model.hpp>
-#include <trophic/habitat/sides.hpp>
-#include <trophic/params/params.hpp>
-#include <vector>
 
 namespace trophic::locomotion {
 

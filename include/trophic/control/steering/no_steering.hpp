@@ -2,7 +2,6 @@
 // Brains have no effect on the motion of robots.
 #pragma once
 
-#include <span>
 #include <string_view>
 #include <trophic/control/steering/contract.hpp>
 

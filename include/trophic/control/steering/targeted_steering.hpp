@@ -6,11 +6,8 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <span>
-#include <string_view>
 #include <trophic/control/steering/contract.hpp>
 #include <trophic/params/params.hpp>
-#include <tuple>
 
 namespace trophic::control::steering {
 

@@ -2,7 +2,6 @@
 // Newborn prey stay inactive until they are away from every predator, and age only from then on.
 #pragma once
 
-#include <string_view>
 #include <trophic/death/activation/contract.hpp>
 #include <trophic/death/activation/detail/away_from_hunters.hpp>
 

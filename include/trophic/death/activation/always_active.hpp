@@ -2,7 +2,6 @@
 // Newborn can be caught at once.
 #pragma once
 
-#include <string_view>
 #include <trophic/death/activation/contract.hpp>
 
 namespace trophic::death::activation {

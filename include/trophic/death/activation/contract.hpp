@@ -2,9 +2,7 @@
 // The contract of a slot: when a newborn becomes active.
 #pragma once
 
-#include <concepts>
 #include <trophic/population/state.hpp>
-#include <trophic/population/view.hpp>
 
 #define TROPHIC_SENTENCE_Activation                                                              \
   "Activates activates(BodyIndex, const View&) const (with a State also const State& own); see " \

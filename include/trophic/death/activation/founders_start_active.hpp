@@ -2,7 +2,6 @@
 // Founders are active from the start; later newborn prey wait until they are away from every predator.
 #pragma once
 
-#include <string_view>
 #include <trophic/death/activation/contract.hpp>
 #include <trophic/death/activation/detail/away_from_hunters.hpp>
 

@@ -2,14 +2,8 @@
 // The released code's catch: predators in shuffled order, one catch each, on a list that changes meanwhile.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
 #include <numeric>
-#include <string_view>
 #include <trophic/death/capture/contract.hpp>
-#include <trophic/params/params.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::death::capture {
 

@@ -2,12 +2,7 @@
 // The paper's catch: every active prey within reach of a predator.
 #pragma once
 
-#include <algorithm>
-#include <string_view>
 #include <trophic/death/capture/contract.hpp>
-#include <trophic/params/params.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::death::capture {
 

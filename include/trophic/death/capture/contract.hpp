@@ -2,11 +2,8 @@
 // The contract of a slot: which individuals are caught.
 #pragma once
 
-#include <concepts>
 #include <trophic/population/state.hpp>
-#include <trophic/population/view.hpp>
 #include <trophic/support/rng.hpp>
-#include <vector>
 
 #define TROPHIC_SENTENCE_CaptureRule                                                                               \
   "std::vector<Capture> captures(const View&, Rng&) const (with a State also std::span<const State> states); see " \

@@ -2,9 +2,7 @@
 // No individual is caught.
 #pragma once
 
-#include <string_view>
 #include <trophic/death/capture/contract.hpp>
-#include <vector>
 
 namespace trophic::death::capture {
 

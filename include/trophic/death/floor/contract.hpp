@@ -2,9 +2,7 @@
 // The contract of a slot: whether the last of a hunted species may die.
 #pragma once
 
-#include <concepts>
 #include <trophic/population/state.hpp>
-#include <trophic/population/view.hpp>
 
 #define TROPHIC_SENTENCE_Floor "bool may_die(Species, const View&) const; see trophic/death/floor/contract.hpp"
 

@@ -2,7 +2,6 @@
 // A species may die out.
 #pragma once
 
-#include <string_view>
 #include <trophic/death/floor/contract.hpp>
 
 namespace trophic::death::floor {

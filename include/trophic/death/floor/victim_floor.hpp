@@ -2,11 +2,7 @@
 // The last few prey cannot be killed.
 #pragma once
 
-#include <cstddef>
-#include <string_view>
 #include <trophic/death/floor/contract.hpp>
-#include <trophic/params/params.hpp>
-#include <tuple>
 
 namespace trophic::death::floor {
 

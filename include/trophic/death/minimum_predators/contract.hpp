@@ -2,11 +2,8 @@
 // The contract of a slot: which individuals are sacrificed so that a species does not die out.
 #pragma once
 
-#include <concepts>
 #include <trophic/population/state.hpp>
-#include <trophic/population/view.hpp>
 #include <trophic/support/rng.hpp>
-#include <vector>
 
 #define TROPHIC_SENTENCE_MinimumPredators                                                                              \
   "std::vector<Sacrifice> sacrifices(const View&, Rng&) const (with a State also std::span<const State> states); see " \

@@ -2,9 +2,7 @@
 // No individual is sacrificed for a species that dies out.
 #pragma once
 
-#include <string_view>
 #include <trophic/death/minimum_predators/contract.hpp>
-#include <vector>
 
 namespace trophic::death::minimum_predators {
 

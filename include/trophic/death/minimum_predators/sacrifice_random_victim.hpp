@@ -2,13 +2,7 @@
 // A species of few predators gains the body of a prey.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <string_view>
 #include <trophic/death/minimum_predators/contract.hpp>
-#include <trophic/params/params.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::death::minimum_predators {
 

@@ -2,9 +2,7 @@
 // The contract of a slot: death of natural causes.
 #pragma once
 
-#include <concepts>
 #include <trophic/population/state.hpp>
-#include <trophic/population/view.hpp>
 #include <trophic/support/rng.hpp>
 
 #define TROPHIC_SENTENCE_Senescence                                                                  \

@@ -2,11 +2,7 @@
 // Death by exhaustion of an energy store.
 #pragma once
 
-#include <algorithm>
-#include <string_view>
 #include <trophic/death/senescence/contract.hpp>
-#include <trophic/params/params.hpp>
-#include <tuple>
 
 namespace trophic::death::senescence {
 

@@ -2,7 +2,6 @@
 // No individual dies of natural causes.
 #pragma once
 
-#include <string_view>
 #include <trophic/death/senescence/contract.hpp>
 
 namespace trophic::death::senescence {

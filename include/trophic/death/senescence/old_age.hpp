@@ -2,10 +2,7 @@
 // Death at a fixed age.
 #pragma once
 
-#include <string_view>
 #include <trophic/death/senescence/contract.hpp>
-#include <trophic/params/params.hpp>
-#include <tuple>
 
 namespace trophic::death::senescence {
 

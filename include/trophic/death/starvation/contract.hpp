@@ -2,14 +2,7 @@
 // The contract of a slot: which hunters starve.
 #pragma once
 
-#include <concepts>
-#include <span>
-#include <trophic/params/params.hpp>
 #include <trophic/perception/visibility/contract.hpp>
-#include <trophic/population/individual.hpp>
-#include <trophic/population/state.hpp>
-#include <trophic/population/view.hpp>
-#include <vector>
 
 #define TROPHIC_SENTENCE_Starvation                                                                               \
   "Starving starving(const View&, const perception::Perceives&) const (with a State also std::span<const State> " \

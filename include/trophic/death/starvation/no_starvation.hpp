@@ -2,7 +2,6 @@
 // No hunter starves.
 #pragma once
 
-#include <string_view>
 #include <trophic/death/starvation/contract.hpp>
 
 namespace trophic::death::starvation {

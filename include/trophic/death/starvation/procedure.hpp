@@ -2,8 +2,6 @@
 // Starvation by procedures: from time to time the hungriest hunter dies, unless it is exempt.
 #pragma once
 
-#include <array>
-#include <string_view>
 #include <trophic/death/starvation/choice/contract.hpp>
 #include <trophic/death/starvation/choice/hungriest_nonexempt.hpp>
 #include <trophic/death/starvation/contract.hpp>
@@ -11,12 +9,8 @@
 #include <trophic/death/starvation/exemption/no_exemption.hpp>
 #include <trophic/death/starvation/interval/contract.hpp>
 #include <trophic/death/starvation/interval/never_due.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/params/policy.hpp>
-#include <trophic/population/parts.hpp>
-#include <trophic/population/state.hpp>
 #include <trophic/support/joined_text.hpp>
-#include <tuple>
 
 namespace trophic::death::starvation {
 

@@ -3,9 +3,7 @@
 #pragma once
 
 #include <concepts>
-#include <cstddef>
 #include <trophic/population/food_web.hpp>
-#include <vector>
 
 #define TROPHIC_SENTENCE_Community                                                        \
   "FoodWeb web() const and std::vector<Species> founders(std::size_t robots) const; see " \

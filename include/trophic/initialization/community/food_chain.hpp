@@ -2,15 +2,8 @@
 // A food chain of three species.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/initialization/community/contract.hpp>
 #include <trophic/params/params.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::initialization::community {
 

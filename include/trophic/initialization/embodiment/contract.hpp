@@ -2,10 +2,7 @@
 // The contract of a slot: the pose in which a newborn's body replaces the old one.
 #pragma once
 
-#include <array>
-#include <concepts>
 #include <span>
-#include <string_view>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>

@@ -2,9 +2,7 @@
 // A newborn takes over the body of the dead.
 #pragma once
 
-#include <span>
 #include <stdexcept>
-#include <string_view>
 #include <trophic/initialization/embodiment/contract.hpp>
 
 namespace trophic::initialization::embodiment {

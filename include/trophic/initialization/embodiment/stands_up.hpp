@@ -2,18 +2,10 @@
 // A newborn stands up in its own body, where the dead one stood.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
-#include <span>
-#include <string_view>
-#include <trophic/habitat/touch.hpp>
 #include <trophic/initialization/embodiment/contract.hpp>
-#include <trophic/params/params.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::initialization::embodiment {
 

@@ -2,15 +2,11 @@
 // Random positions and headings without overlaps.
 #pragma once
 
-#include <cstddef>
 #include <numbers>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/initialization/placement/contract.hpp>
 #include <trophic/initialization/placement/detail/squares.hpp>
 #include <trophic/params/params.hpp>
-#include <vector>
 
 namespace trophic::initialization::placement {
 

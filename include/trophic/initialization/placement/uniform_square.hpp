@@ -2,14 +2,10 @@
 // The released code's start: uniform positions in a square, equal headings.
 #pragma once
 
-#include <cstddef>
 #include <numbers>
 #include <stdexcept>
-#include <string_view>
 #include <trophic/initialization/placement/contract.hpp>
 #include <trophic/params/params.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::initialization::placement {
 

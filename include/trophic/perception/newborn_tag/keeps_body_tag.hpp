@@ -2,12 +2,8 @@
 // A newborn shows the tag that its body showed.
 #pragma once
 
-#include <optional>
-#include <span>
-#include <string_view>
 #include <trophic/params/params.hpp>
 #include <trophic/perception/newborn_tag/contract.hpp>
-#include <tuple>
 
 namespace trophic::perception::newborn_tag {
 

@@ -2,8 +2,6 @@
 // A newborn's tag is uniformly random.
 #pragma once
 
-#include <optional>
-#include <span>
 #include <string_view>
 #include <trophic/perception/newborn_tag/contract.hpp>
 

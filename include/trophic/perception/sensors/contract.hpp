@@ -2,16 +2,8 @@
 // The contract of a slot: the inputs of the brain.
 #pragma once
 
-#include <array>
-#include <concepts>
-#include <cstddef>
-#include <optional>
-#include <string_view>
-#include <trophic/population/sighting.hpp>
 #include <trophic/population/state.hpp>
-#include <trophic/population/view.hpp>
 #include <trophic/support/rng.hpp>
-#include <type_traits>
 
 #define TROPHIC_SENTENCE_SensorList                                                                                              \
   "to be a perception::sensors::List<...>; each sensor needs a name, static constexpr std::size_t size, and std::array<double, " \

@@ -2,12 +2,7 @@
 // The paper's Distance input, read as a fraction of the arena's diagonal.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <numbers>
-#include <optional>
-#include <string_view>
 #include <trophic/perception/sensors/contract.hpp>
 
 namespace trophic::perception::sensors {

@@ -2,14 +2,7 @@
 // The released code's Distance input: a fraction of a fixed length.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <string_view>
-#include <trophic/params/params.hpp>
 #include <trophic/perception/sensors/contract.hpp>
-#include <tuple>
 
 namespace trophic::perception::sensors {
 

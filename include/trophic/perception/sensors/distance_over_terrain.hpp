@@ -2,11 +2,6 @@
 // The paper's Distance input: a fraction of the terrain.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <string_view>
 #include <trophic/perception/sensors/contract.hpp>
 
 namespace trophic::perception::sensors {

@@ -2,23 +2,10 @@
 // A list of the sensors of a robot.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <trophic/params/group.hpp>
 #include <trophic/params/policy.hpp>
 #include <trophic/perception/sensors/contract.hpp>
-#include <trophic/population/state.hpp>
 #include <trophic/support/joined_text.hpp>
-#include <tuple>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace trophic::detail {
 

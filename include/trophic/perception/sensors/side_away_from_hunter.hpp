@@ -2,10 +2,6 @@
 // The released code's Angle input: for hunted species the side that leads away.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <string_view>
 #include <trophic/perception/sensors/contract.hpp>
 
 namespace trophic::perception::sensors {

@@ -2,10 +2,6 @@
 // The paper's Angle input: the side of the adversary.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <string_view>
 #include <trophic/perception/sensors/contract.hpp>
 
 namespace trophic::perception::sensors {

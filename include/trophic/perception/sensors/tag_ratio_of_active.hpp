@@ -2,9 +2,6 @@
 // The released code's Tag Ratio input, over active robots.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <string_view>
 #include <trophic/perception/sensors/contract.hpp>
 
 namespace trophic::perception::sensors {

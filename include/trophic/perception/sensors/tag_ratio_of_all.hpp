@@ -2,10 +2,6 @@
 // The paper's Tag Ratio input, over the whole population.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <string_view>
 #include <trophic/perception/sensors/contract.hpp>
 
 namespace trophic::perception::sensors {

@@ -2,9 +2,7 @@
 // The contract of a slot: when a tag may change.
 #pragma once
 
-#include <concepts>
 #include <trophic/population/state.hpp>
-#include <trophic/population/view.hpp>
 
 #define TROPHIC_SENTENCE_TagSwitch                                                                        \
   "MaySwitch may_switch(const Individual&, const View&) const (with a State also const State& own); see " \

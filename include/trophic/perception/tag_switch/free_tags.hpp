@@ -2,7 +2,6 @@
 // Unrestricted tag switches.
 #pragma once
 
-#include <string_view>
 #include <trophic/perception/tag_switch/contract.hpp>
 
 namespace trophic::perception::tag_switch {

@@ -2,10 +2,7 @@
 // A pause between two tag switches.
 #pragma once
 
-#include <string_view>
-#include <trophic/params/params.hpp>
 #include <trophic/perception/tag_switch/contract.hpp>
-#include <tuple>
 
 namespace trophic::perception::tag_switch {
 

@@ -2,10 +2,7 @@
 // The released code's tag clock: the brain's tag is sampled periodically.
 #pragma once
 
-#include <string_view>
-#include <trophic/params/params.hpp>
 #include <trophic/perception/tag_switch/contract.hpp>
-#include <tuple>
 
 namespace trophic::perception::tag_switch {
 

@@ -2,7 +2,6 @@
 // The control without tags: every active individual is perceived.
 #pragma once
 
-#include <string_view>
 #include <trophic/perception/visibility/contract.hpp>
 
 namespace trophic::perception::visibility {

@@ -2,12 +2,8 @@
 // The contract of a slot: which individuals perceive each other.
 #pragma once
 
-#include <concepts>
 #include <functional>
-#include <limits>
-#include <optional>
 #include <trophic/population/state.hpp>
-#include <trophic/population/view.hpp>
 #include <trophic/support/rng.hpp>
 
 #define TROPHIC_SENTENCE_Visibility                                                                                     \

@@ -2,7 +2,6 @@
 // Only robots that show the same tag perceive each other.
 #pragma once
 
-#include <string_view>
 #include <trophic/perception/visibility/contract.hpp>
 
 namespace trophic::perception::visibility {

@@ -2,7 +2,6 @@
 // Only active robots perceive, and only robots that show the same tag.
 #pragma once
 
-#include <string_view>
 #include <trophic/perception/visibility/contract.hpp>
 
 namespace trophic::perception::visibility {

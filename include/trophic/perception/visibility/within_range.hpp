@@ -2,10 +2,7 @@
 // Robots perceive robots with their own tag, up to a range.
 #pragma once
 
-#include <string_view>
-#include <trophic/params/params.hpp>
 #include <trophic/perception/visibility/contract.hpp>
-#include <tuple>
 
 namespace trophic::perception::visibility {
 

@@ -8,7 +8,6 @@
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/support/rng.hpp>
-#include <vector>
 
 #define TROPHIC_SENTENCE_BodyPlan                                                                 \
   "body::Design grow(std::span<const double> genes, Species species, const Habitat&) const; see " \

@@ -2,19 +2,10 @@
 // Bodies that are inherited: a tree of modules, changed at births.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/habitat/body/plan.hpp>
 #include <trophic/habitat/body/variation.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/reproduction/body_plan/contract.hpp>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 namespace trophic::reproduction::body_plan {
 

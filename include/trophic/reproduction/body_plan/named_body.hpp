@@ -2,14 +2,8 @@
 // The robot of a file, for each species another one.
 #pragma once
 
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/params/params.hpp>
 #include <trophic/reproduction/body_plan/contract.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::reproduction::body_plan {
 

@@ -2,8 +2,6 @@
 // All robots have one body.
 #pragma once
 
-#include <span>
-#include <string_view>
 #include <trophic/reproduction/body_plan/contract.hpp>
 
 namespace trophic::reproduction::body_plan {

@@ -2,10 +2,6 @@
 // One part of the genome is not inherited: the shadow of that part.
 #pragma once
 
-#include <array>
-#include <memory>
-#include <string_view>
-#include <trophic/population/individual.hpp>
 #include <trophic/reproduction/heredity/contract.hpp>
 
 namespace trophic::reproduction::heredity {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <concepts>
-#include <memory>
 #include <trophic/population/individual.hpp>
 
 #define TROPHIC_SENTENCE_Heredity \

@@ -2,8 +2,6 @@
 // The neutral heredity: parents are chosen and recorded, but no genome is passed on.
 #pragma once
 
-#include <memory>
-#include <string_view>
 #include <trophic/reproduction/heredity/contract.hpp>
 
 namespace trophic::reproduction::heredity {

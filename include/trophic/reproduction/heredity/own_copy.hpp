@@ -2,8 +2,6 @@
 // Offspring have their own genome.
 #pragma once
 
-#include <memory>
-#include <string_view>
 #include <trophic/reproduction/heredity/contract.hpp>
 
 namespace trophic::reproduction::heredity {

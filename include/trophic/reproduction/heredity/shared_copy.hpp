@@ -2,8 +2,6 @@
 // The released code's shallow copy: a lineage shares one genome.
 #pragma once
 
-#include <memory>
-#include <string_view>
 #include <trophic/reproduction/heredity/contract.hpp>
 
 namespace trophic::reproduction::heredity {

@@ -2,9 +2,6 @@
 // The contract of a slot: the genome of an individual without a parent.
 #pragma once
 
-#include <concepts>
-#include <span>
-#include <trophic/population/individual.hpp>
 #include <trophic/population/state.hpp>
 #include <trophic/support/rng.hpp>
 

@@ -2,11 +2,7 @@
 // Random genomes: every weight normal.
 #pragma once
 
-#include <span>
-#include <string_view>
-#include <trophic/params/params.hpp>
 #include <trophic/reproduction/initial_genome/contract.hpp>
-#include <tuple>
 
 namespace trophic::reproduction::initial_genome {
 

@@ -2,8 +2,6 @@
 // The contract of a slot: the mutation of an inherited genome.
 #pragma once
 
-#include <concepts>
-#include <span>
 #include <trophic/population/state.hpp>
 #include <trophic/support/rng.hpp>
 

@@ -2,8 +2,6 @@
 // Genomes are passed on unchanged.
 #pragma once
 
-#include <span>
-#include <string_view>
 #include <trophic/reproduction/mutation/contract.hpp>
 
 namespace trophic::reproduction::mutation {

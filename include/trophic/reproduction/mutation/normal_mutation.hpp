@@ -2,11 +2,7 @@
 // The paper's mutation: a normal perturbation of every weight.
 #pragma once
 
-#include <span>
-#include <string_view>
-#include <trophic/params/params.hpp>
 #include <trophic/reproduction/mutation/contract.hpp>
-#include <tuple>
 
 namespace trophic::reproduction::mutation {
 

@@ -2,12 +2,7 @@
 // The released code's mutation: a small uniform perturbation, clipped.
 #pragma once
 
-#include <algorithm>
-#include <span>
-#include <string_view>
-#include <trophic/params/params.hpp>
 #include <trophic/reproduction/mutation/contract.hpp>
-#include <tuple>
 
 namespace trophic::reproduction::mutation {
 

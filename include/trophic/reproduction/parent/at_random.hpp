@@ -2,18 +2,8 @@
 // A random individual reproduces instead of the one that another rule names: the null of drift.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <string_view>
-#include <trophic/population/parts.hpp>
-#include <trophic/population/state.hpp>
-#include <trophic/population/vacancy.hpp>
-#include <trophic/population/view.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/support/joined_text.hpp>
-#include <vector>
 
 namespace trophic::reproduction::parent {
 

@@ -2,19 +2,10 @@
 // A parent rule for each cause of death.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <string_view>
-#include <trophic/params/params.hpp>
 #include <trophic/params/policy.hpp>
-#include <trophic/population/individual.hpp>
-#include <trophic/population/parts.hpp>
-#include <trophic/population/state.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/reproduction/parent/no_parent.hpp>
 #include <trophic/support/joined_text.hpp>
-#include <tuple>
 
 namespace trophic::reproduction::parent {
 

@@ -2,12 +2,7 @@
 // The contract of a slot: the parent of the next individual in a vacant body.
 #pragma once
 
-#include <concepts>
-#include <optional>
-#include <trophic/population/individual.hpp>
 #include <trophic/population/state.hpp>
-#include <trophic/population/vacancy.hpp>
-#include <trophic/population/view.hpp>
 #include <trophic/support/rng.hpp>
 
 #define TROPHIC_SENTENCE_Parent                                                                                                 \

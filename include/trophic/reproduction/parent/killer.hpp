@@ -2,8 +2,6 @@
 // The hunter that catches reproduces.
 #pragma once
 
-#include <optional>
-#include <string_view>
 #include <trophic/reproduction/parent/contract.hpp>
 
 namespace trophic::reproduction::parent {

@@ -2,18 +2,8 @@
 // The prey that last escaped from the dying predator reproduces.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <trophic/params/params.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/reproduction/parent/detail/pursuit.hpp>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 namespace trophic::reproduction::parent {
 

@@ -2,12 +2,7 @@
 // After a sacrifice the body's last killer reproduces.
 #pragma once
 
-#include <optional>
-#include <span>
-#include <string_view>
-#include <trophic/params/params.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
-#include <tuple>
 
 namespace trophic::reproduction::parent {
 

@@ -2,12 +2,7 @@
 // The prey that the dying predator last perceived as closest reproduces, no matter when.
 #pragma once
 
-#include <optional>
-#include <span>
-#include <string_view>
-#include <trophic/params/params.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
-#include <tuple>
 
 namespace trophic::reproduction::parent {
 

@@ -2,15 +2,8 @@
 // The prey that has escaped most often reproduces.
 #pragma once
 
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string_view>
-#include <trophic/params/params.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/reproduction/parent/detail/pursuit.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::reproduction::parent {
 

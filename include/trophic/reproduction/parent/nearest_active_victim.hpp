@@ -2,12 +2,8 @@
 // The active prey closest to a dying predator reproduces.
 #pragma once
 
-#include <optional>
-#include <string_view>
-#include <trophic/params/params.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/reproduction/parent/detail/nearest_prey.hpp>
-#include <tuple>
 
 namespace trophic::reproduction::parent {
 

@@ -2,8 +2,6 @@
 // The nearest individual of the species that the body goes to reproduces.
 #pragma once
 
-#include <optional>
-#include <string_view>
 #include <trophic/reproduction/parent/contract.hpp>
 
 namespace trophic::reproduction::parent {

@@ -2,8 +2,6 @@
 // No individual reproduces: the newcomer is random.
 #pragma once
 
-#include <optional>
-#include <string_view>
 #include <trophic/reproduction/parent/contract.hpp>
 
 namespace trophic::reproduction::parent {

@@ -2,17 +2,8 @@
 // Prey reproduce by escaping, into bodies that the dead have left.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <span>
-#include <string_view>
-#include <trophic/params/params.hpp>
 #include <trophic/reproduction/parent/detail/pursuit.hpp>
 #include <trophic/reproduction/recruitment/contract.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::reproduction::recruitment {
 

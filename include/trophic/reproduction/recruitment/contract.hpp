@@ -2,15 +2,8 @@
 // The contract of a slot: births without a death, into spare bodies.
 #pragma once
 
-#include <concepts>
-#include <cstddef>
-#include <optional>
-#include <trophic/population/individual.hpp>
 #include <trophic/population/state.hpp>
-#include <trophic/population/vacancy.hpp>
-#include <trophic/population/view.hpp>
 #include <trophic/support/rng.hpp>
-#include <vector>
 
 #define TROPHIC_SENTENCE_Recruitment                                                                                 \
   "std::size_t spare_bodies() const, bool leaves_spare(const Vacancy&, const View&) const and std::vector<Recruit> " \

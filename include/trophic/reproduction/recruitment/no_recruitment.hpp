@@ -2,10 +2,7 @@
 // No spare bodies: every death is followed by a birth in the same body.
 #pragma once
 
-#include <cstddef>
-#include <string_view>
 #include <trophic/reproduction/recruitment/contract.hpp>
-#include <vector>
 
 namespace trophic::reproduction::recruitment {
 

@@ -2,10 +2,6 @@
 // Every body that can be built may be born.
 #pragma once
 
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <trophic/reproduction/viability/contract.hpp>
 
 namespace trophic::reproduction::viability {

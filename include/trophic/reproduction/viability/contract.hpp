@@ -2,10 +2,7 @@
 // The contract of a slot: whether an individual may be born with a body.
 #pragma once
 
-#include <concepts>
-#include <cstddef>
 #include <optional>
-#include <string>
 #include <trophic/habitat/body/build.hpp>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/habitat/nursery.hpp>

@@ -2,14 +2,8 @@
 // Bodies have bounds on their parts, can be steered, and do not overlap with themselves.
 #pragma once
 
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <trophic/habitat/body/limits.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/reproduction/viability/contract.hpp>
-#include <tuple>
 
 namespace trophic::reproduction::viability {
 

@@ -2,16 +2,9 @@
 // Newborns must walk in a nursery without a divergence.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <trophic/params/params.hpp>
 #include <trophic/params/policy.hpp>
 #include <trophic/reproduction/viability/contract.hpp>
 #include <trophic/support/joined_text.hpp>
-#include <tuple>
 
 namespace trophic::reproduction::viability {
 

@@ -2,13 +2,7 @@
 // Bodies that their servos can carry.
 #pragma once
 
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <trophic/params/params.hpp>
 #include <trophic/reproduction/viability/contract.hpp>
-#include <tuple>
 
 namespace trophic::reproduction::viability {
 

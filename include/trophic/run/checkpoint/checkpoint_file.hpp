@@ -2,15 +2,8 @@
 // checkpoint.bin: the state from which a run can be resumed, with its provenance and a checksum.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
-#include <string>
-#include <string_view>
 #include <trophic/params/archive.hpp>
-#include <trophic/support/linkage.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::checkpoint {
 

@@ -3,22 +3,13 @@
 #pragma once
 
 #include <cerrno>
-#include <cstdint>
 #include <cstdio>
-#include <cstring>
-#include <filesystem>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <system_error>
-#include <trophic/params/archive.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/support/checksum.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/unreadable_file.hpp>
 #include <trophic/support/whole_file.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::checkpoint {
 

@@ -2,21 +2,11 @@
 // Keeps checkpoints of a run, and resumes a run from one.
 #pragma once
 
-#include <concepts>
-#include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <string_view>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/observe/progress.hpp>
-#include <trophic/observe/run_description.hpp>
-#include <trophic/params/archive.hpp>
-#include <trophic/population/view.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/run/checkpoint/schedule.hpp>
-#include <trophic/support/linkage.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::checkpoint {
 

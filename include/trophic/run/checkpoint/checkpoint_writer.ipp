@@ -2,13 +2,9 @@
 // Definitions of checkpoint_writer.hpp.
 #pragma once
 
-#include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <trophic/io/program_code.hpp>
 #include <trophic/run/checkpoint/checkpoint_writer.hpp>
 #include <trophic/support/version.hpp>
-#include <utility>
 
 namespace trophic::checkpoint {
 

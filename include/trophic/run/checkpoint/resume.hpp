@@ -2,18 +2,12 @@
 // A run in a folder, from its beginning or from where it was interrupted.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <optional>
-#include <string>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/io/growing_file.hpp>
-#include <trophic/observe/run_description.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/run/checkpoint/checkpoint_writer.hpp>
 #include <trophic/run/checkpoint/schedule.hpp>
-#include <trophic/support/linkage.hpp>
-#include <vector>
 
 namespace trophic::checkpoint {
 

@@ -2,17 +2,9 @@
 // Definitions of resume.hpp.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <filesystem>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <system_error>
 #include <trophic/io/program_code.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
-#include <trophic/support/clock.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/no_links.hpp>
@@ -21,8 +13,6 @@
 #include <trophic/support/version.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <trophic/support/without_slash.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::checkpoint {
 

@@ -2,18 +2,13 @@
 // Rewinding the tape: a new run that begins at a moment of an old one, with another seed or other rules.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
-#include <optional>
-#include <string>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/io/manifest.hpp>
-#include <trophic/observe/run_description.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/run/checkpoint/checkpoint_writer.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/support/folder_lock.hpp>
-#include <trophic/support/linkage.hpp>
 
 namespace trophic::checkpoint {
 

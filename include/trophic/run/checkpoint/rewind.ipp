@@ -2,17 +2,9 @@
 // Definitions of rewind.hpp.
 #pragma once
 
-#include <algorithm>
 #include <cstdlib>
-#include <filesystem>
-#include <limits>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <system_error>
 #include <trophic/params/named_params.hpp>
-#include <trophic/params/params.hpp>
-#include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/run/checkpoint/resume.ipp>
 #include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/support/checksum.hpp>
@@ -21,8 +13,6 @@
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/version.hpp>
 #include <trophic/support/without_slash.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::checkpoint {
 

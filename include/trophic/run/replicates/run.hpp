@@ -2,22 +2,15 @@
 // Runs the replicates of an experiment in parallel, each into its own folder.
 #pragma once
 
-#include <cstddef>
-#include <functional>
 #include <ostream>
-#include <string>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/ecology/simulations_of.hpp>
 #include <trophic/io/manifest.hpp>
 #include <trophic/observe/joint_progress.hpp>
-#include <trophic/observe/run_description.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/run/replicates/common_options.hpp>
 #include <trophic/run/replicates/plan.hpp>
 #include <trophic/run/replicates/run_in_folder.hpp>
-#include <trophic/support/linkage.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::replicates {
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <trophic/run/replicates/folder.hpp>
 #include <trophic/run/replicates/parallel.hpp>
 #include <trophic/run/replicates/run.hpp>

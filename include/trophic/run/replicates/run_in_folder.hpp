@@ -2,20 +2,16 @@
 // One run of several into its own folder.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
-#include <string>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/io/manifest.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/progress.hpp>
-#include <trophic/observe/run_description.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/run/replicates/common_options.hpp>
-#include <vector>
 
 namespace trophic::replicates {
 

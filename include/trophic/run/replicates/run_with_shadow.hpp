@@ -3,14 +3,11 @@
 #pragma once
 
 #include <ostream>
-#include <string>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/ecology/simulations_of.hpp>
 #include <trophic/run/replicates/plan.hpp>
 #include <trophic/run/replicates/run.hpp>
-#include <trophic/support/linkage.hpp>
-#include <vector>
 
 namespace trophic::replicates {
 

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <trophic/run/replicates/run_with_shadow.hpp>
-#include <utility>
 
 namespace trophic::replicates {
 

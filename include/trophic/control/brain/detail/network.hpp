@@ -2,7 +2,6 @@
 // Common to brains that are networks: the decision of two output neurons, and one step of Hebbian learning.
 #pragma once
 
-#include <array>
 #include <trophic/control/brain/contract.hpp>
 
 namespace trophic::control::brain::detail {

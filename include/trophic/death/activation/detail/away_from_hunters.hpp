@@ -4,7 +4,6 @@
 
 #include <trophic/params/params.hpp>
 #include <trophic/population/view.hpp>
-#include <tuple>
 
 namespace trophic::death::activation::detail {
 

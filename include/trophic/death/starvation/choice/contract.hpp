@@ -2,11 +2,8 @@
 // The contract of a part of starvation::Procedure: which hunters a starvation procedure kills.
 #pragma once
 
-#include <concepts>
 #include <functional>
-#include <trophic/population/individual.hpp>
 #include <trophic/population/view.hpp>
-#include <vector>
 
 namespace trophic::death::starvation {
 

@@ -2,11 +2,8 @@
 // The hungriest predator starves; if it is exempt, the oldest that is not.
 #pragma once
 
-#include <algorithm>
-#include <string_view>
 #include <trophic/death/starvation/choice/contract.hpp>
 #include <trophic/death/starvation/choice/detail/by_hunger.hpp>
-#include <vector>
 
 namespace trophic::death::starvation::choice {
 

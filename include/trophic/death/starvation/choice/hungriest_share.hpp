@@ -2,15 +2,10 @@
 // A share of all predators starves in one procedure: for large ecologies.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <string_view>
 #include <trophic/death/starvation/choice/contract.hpp>
 #include <trophic/death/starvation/choice/detail/by_hunger.hpp>
 #include <trophic/params/params.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::death::starvation::choice {
 

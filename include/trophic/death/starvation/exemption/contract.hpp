@@ -2,10 +2,7 @@
 // The contract of a part of starvation::Procedure: which hunters are exempt from starvation.
 #pragma once
 
-#include <concepts>
 #include <trophic/perception/visibility/contract.hpp>
-#include <trophic/population/state.hpp>
-#include <trophic/population/view.hpp>
 
 namespace trophic::death::starvation {
 

@@ -2,10 +2,7 @@
 // The paper's exemption: a predator close to a prey that it perceives does not starve.
 #pragma once
 
-#include <string_view>
 #include <trophic/death/starvation/exemption/contract.hpp>
-#include <trophic/params/params.hpp>
-#include <tuple>
 
 namespace trophic::death::starvation::exemption {
 

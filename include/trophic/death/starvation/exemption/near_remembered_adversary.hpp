@@ -2,11 +2,7 @@
 // The released code's exemption: by the last stored distance, however old.
 #pragma once
 
-#include <optional>
-#include <string_view>
 #include <trophic/death/starvation/exemption/contract.hpp>
-#include <trophic/params/params.hpp>
-#include <tuple>
 
 namespace trophic::death::starvation::exemption {
 

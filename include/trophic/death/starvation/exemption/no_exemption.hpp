@@ -2,7 +2,6 @@
 // No hunter is exempt.
 #pragma once
 
-#include <string_view>
 #include <trophic/death/starvation/exemption/contract.hpp>
 
 namespace trophic::death::starvation::exemption {

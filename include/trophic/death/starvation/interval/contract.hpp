@@ -2,11 +2,8 @@
 // The contract of a part of starvation::Procedure: when a starvation procedure takes place.
 #pragma once
 
-#include <concepts>
-#include <cstdint>
 #include <trophic/params/params.hpp>
 #include <trophic/population/view.hpp>
-#include <tuple>
 
 namespace trophic::death::starvation {
 

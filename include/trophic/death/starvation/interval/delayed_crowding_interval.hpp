@@ -2,8 +2,6 @@
 // The more predators there were at the last starvation, the sooner comes the next.
 #pragma once
 
-#include <cstdint>
-#include <string_view>
 #include <trophic/death/starvation/interval/contract.hpp>
 #include <trophic/death/starvation/interval/detail/crowding.hpp>
 

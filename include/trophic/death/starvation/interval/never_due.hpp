@@ -2,9 +2,6 @@
 // No starvation procedure ever takes place.
 #pragma once
 
-#include <cstdint>
-#include <limits>
-#include <string_view>
 #include <trophic/death/starvation/interval/contract.hpp>
 
 namespace trophic::death::starvation::interval {

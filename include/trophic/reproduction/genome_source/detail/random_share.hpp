@@ -3,7 +3,6 @@
 #pragma once
 
 #include <trophic/params/params.hpp>
-#include <tuple>
 
 namespace trophic::reproduction::genome_source::detail {
 

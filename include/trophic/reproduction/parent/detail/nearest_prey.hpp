@@ -2,8 +2,6 @@
 // The closest prey of a dying predator: shared by two parent rules.
 #pragma once
 
-#include <optional>
-#include <trophic/population/individual.hpp>
 #include <trophic/population/view.hpp>
 
 namespace trophic::reproduction::parent::detail {

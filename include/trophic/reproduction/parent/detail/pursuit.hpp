@@ -2,14 +2,7 @@
 // Escapes of prey from predators, and the prey that may be a parent: shared by the parent rules that rank prey by them.
 #pragma once
 
-#include <algorithm>
-#include <optional>
-#include <trophic/params/params.hpp>
-#include <trophic/population/individual.hpp>
-#include <trophic/population/view.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::reproduction::parent::detail {
 

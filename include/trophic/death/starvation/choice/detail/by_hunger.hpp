@@ -2,9 +2,7 @@
 // Hunters in the order in which they starve.
 #pragma once
 
-#include <algorithm>
 #include <trophic/population/view.hpp>
-#include <vector>
 
 namespace trophic::death::starvation::choice::detail {
 

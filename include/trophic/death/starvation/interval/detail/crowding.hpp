@@ -2,12 +2,8 @@
 // An interval that shrinks with the number of hunters: shared by the crowding intervals.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <trophic/params/params.hpp>
 #include <trophic/population/view.hpp>
-#include <tuple>
 
 namespace trophic::death::starvation::interval::detail {
 
