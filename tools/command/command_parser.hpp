@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A command and its subcommands as a parser of CLI11, for run_command.ipp.
+// A command and its subcommands as a parser of CLI11, for run_command.cpp.
 #pragma once
 
 #include <CLI/CLI.hpp>

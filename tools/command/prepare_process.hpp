@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Preparations of a program before it reads its arguments, for run_command.ipp.
+// Preparations of a program before it reads its arguments, for run_command.cpp.
 #pragma once
 
 #include <fcntl.h>

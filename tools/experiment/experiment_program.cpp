@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The definitions of experiment_program.hpp.
+// The definitions of trophic/experiment.hpp.
 #include <algorithm>
 #include <filesystem>
 #include <iostream>

@@ -83,7 +83,8 @@ TEST_CASE("run folder: end of a run with every table -> each file on the disk be
   observe::RunDescription all = test::short_run();
   all.has_more_genes = true;
   run.on_start(all, robots.view());
-  run.on_event({.kind = EventKind::birth, .body = 0, .individual = robots.individuals[0], .cause = {}, .other = {}}, robots.view());
+  run.on_event({.kind = EventKind::birth, .body = 0, .individual = robots.individuals[0], .cause = {}, .other = {}},
+               robots.view());
   all.bodies_differ = true;
   run.on_start(all, View{robots.view()});
   synced.clear();

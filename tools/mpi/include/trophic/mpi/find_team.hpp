@@ -12,7 +12,7 @@ class Team;
 namespace trophic::mpi {
 
 /// The team of a program that mpirun or srun started as a rank of a job, by the environment variables of Open MPI, MPICH and
-/// PMIx; null if it was started alone. Callers also include trophic/run/sweep/team.hpp.
+/// PMIx; null if it was started alone. Callers also include tools/sweep/team.hpp.
 [[nodiscard]] std::unique_ptr<sweep::Team> find_team();
 
 }  // namespace trophic::mpi

@@ -1,0 +1,59 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""house_test.py ROOT: house.py finds offences that are planted in a copy of the library: headers of slots, includes, paths."""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(sys.argv[1])
+LEFT = {  # folder of a slot -> the only policy that is left
+    "initialization/community": "predator_prey",
+    "control/steering": "targeted_steering",
+    "reproduction/initial_genome": "uniform_weights",
+    "death/activation": "always_active",
+    "perception/sensors": "side_of_adversary",
+}
+PLANTED = (  # check, header, text, offence
+    ("two_policies_per_slot", "control/brain/network.hpp", "// A part of several brains.", "control/brain/network.hpp: is not a policy"),
+    ("library_alone", "run.hpp", "#ifdef TROPHIC_WITH_MPI\n#include <trophic/mpi/find_team.hpp>\n#endif", "the library cannot include trophic/mpi/find_team.hpp"),
+    ("library_alone", "io/manifest.hpp", "#include <tools/command/words.hpp>", "the library cannot include tools/command/words.hpp"),
+    ("library_alone", "run.hpp", "#  include <mujoco/mujoco.h>", "the library cannot include mujoco/mujoco.h"),
+    ("library_alone", "run.hpp", "#include <trophic/backend/mujoco.hpp>", "the library cannot include trophic/backend/mujoco.hpp"),
+    ("paths_exist", "run.hpp", '// "see trophic/rules/lost.hpp"', "trophic/rules/lost.hpp does not exist"),
+    ("complete_umbrella", "support/lost.hpp", "#pragma once", "trophic.hpp lacks #include <trophic/support/lost.hpp>"),
+)
+
+
+def offences(root: pathlib.Path, check: str) -> str:
+    return subprocess.run([sys.executable, ROOT / "tests/static/house.py", root, check], capture_output=True, text=True).stdout
+
+
+def main() -> int:
+    missed = []
+    with tempfile.TemporaryDirectory() as folder:
+        copy = pathlib.Path(folder)
+        shutil.copytree(ROOT / "include", copy / "include")
+        (copy / "backends/mujoco").mkdir(parents=True)
+        missed += [f"{check} finds in the tree as it is: {found}" for check in ("two_policies_per_slot", "library_alone", "complete_umbrella") if (found := offences(copy, check))]
+        for check, header, text, offence in PLANTED:
+            path = copy / "include/trophic" / header
+            before = path.read_text() if path.exists() else None
+            path.write_text(f"{before or ''}{text}\n")
+            if offence not in offences(copy, check):
+                missed.append(f"{check}: not found: {offence}")
+            path.unlink() if before is None else path.write_text(before)
+        for slot, left in LEFT.items():
+            for path in (copy / "include/trophic" / slot).glob("*.hpp"):
+                if path.stem not in ("contract", left):
+                    path.unlink()
+            if f"include/trophic/{slot}: {left}: must have at least 2 policies" not in offences(copy, "two_policies_per_slot"):
+                missed.append(f"{slot}: not found")
+    print("\n".join(missed) or "all were found")
+    return 1 if missed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
