@@ -52,7 +52,7 @@ Differences compare_random_states(const std::string& name, const Physics& physic
   const Arena arena = load_arena("height_field");
   const RobotModel robot = load_robot(name);
   Reference reference{robot, arena, physics};
-  OneTeam lanes{reference.constants};
+  OnePack lanes{reference.constants};
   Rng rng{4, Stream::user};
   Differences found;
   const auto accelerations = [&](const RobotState& from) {
@@ -64,7 +64,7 @@ Differences compare_random_states(const std::string& name, const Physics& physic
     std::vector<RobotState> states;
     for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) {
       states.push_back(random_state(robot, arena, reference, rng));
-      states.back().put(lanes.team, lane);
+      states.back().put(lanes.pack, lane);
     }
     const unsigned stepped = lanes.step(0xfu);
     for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) {
@@ -73,7 +73,7 @@ Differences compare_random_states(const std::string& name, const Physics& physic
         continue;
       }
       RobotState after = states[lane];
-      after.get(lanes.team, lane);
+      after.get(lanes.pack, lane);
       const std::vector<double> expected = accelerations(states[lane]);
       found.contacts += static_cast<std::size_t>(reference.data.ncon);
       found.of_kernel.push_back(relative_difference(after.warm, expected, expected.size()));
@@ -163,13 +163,13 @@ TEST_CASE("kernel height field: touching box along the world's axes -> left to M
   const Arena arena = load_arena("height_field");
   const RobotModel robot = load_robot("gecko");
   Reference reference{robot, arena, {}};
-  OneTeam lanes{reference.constants};
+  OnePack lanes{reference.constants};
   RobotState state = resting(robot);
   state.qpos[2] -= 0.001;
-  state.put(lanes.team, 0);
+  state.put(lanes.pack, 0);
   CHECK(lanes.step(1u) == 0);
   state.qpos[2] += 0.1;
-  state.put(lanes.team, 0);
+  state.put(lanes.pack, 0);
   CHECK(lanes.step(1u) == 1);
 }
 

@@ -50,17 +50,17 @@ void compare_random_states(const RobotModel& robot, const Physics& physics, std:
                            double joint_damping = 0.0, BoxDepth depth = BoxDepth::engine) {
   const Arena arena;
   Reference reference{robot, arena, physics, joint_damping, depth};
-  OneTeam lanes{reference.constants};
+  OnePack lanes{reference.constants};
   for (std::size_t group = 0; group < groups; ++group) {
     std::vector<RobotState> states;
     for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) {
       states.push_back(random_state(robot, arena, reference, rng));
-      states.back().put(lanes.team, lane);
+      states.back().put(lanes.pack, lane);
     }
     const unsigned stepped = lanes.step(0xfu);
     for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) {
       RobotState after = states[lane];
-      after.get(lanes.team, lane);
+      after.get(lanes.pack, lane);
       if ((stepped & (1u << lane)) == 0) {
         ++comparison.declined;
         CHECK(relative_difference(after.qpos, states[lane].qpos, after.qpos.size()) < 1e-15);

@@ -11,7 +11,7 @@
 #include <string>
 #include <trophic/backend/contract.hpp>
 #include <trophic/backend/mujoco/compiled_model.hpp>
-#include <trophic/backend/mujoco/kernel/crew.hpp>
+#include <trophic/backend/mujoco/kernel/batch.hpp>
 #include <trophic/backend/mujoco/kernel/step.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/robot_model.hpp>
@@ -76,15 +76,15 @@ struct RobotState {
     std::copy_n(data.qvel, qvel.size(), qvel.begin());
     std::copy_n(data.qacc_warmstart, warm.size(), warm.begin());
   }
-  void put(kernel::Team& team, std::size_t lane) const {
+  void put(kernel::Pack& pack, std::size_t lane) const {
     std::vector<double> numbers = qpos;
     numbers.insert(numbers.end(), qvel.begin(), qvel.end());
     numbers.insert(numbers.end(), warm.begin(), warm.end());
-    team.state.load(team.model.body(lane), lane, numbers, target);
+    pack.state.load(pack.model.body(lane), lane, numbers, target);
   }
-  void get(const kernel::Team& team, std::size_t lane) {
+  void get(const kernel::Pack& pack, std::size_t lane) {
     std::vector<double> numbers(qpos.size() + qvel.size() + warm.size());
-    team.state.store(lane, numbers);
+    pack.state.store(lane, numbers);
     const auto speeds = numbers.begin() + static_cast<std::ptrdiff_t>(qpos.size());
     const auto accelerations = speeds + static_cast<std::ptrdiff_t>(qvel.size());
     qpos.assign(numbers.begin(), speeds);
@@ -93,20 +93,20 @@ struct RobotState {
   }
 };
 
-/// A crew of one team of robots that cannot touch each other.
-struct OneTeam {
-  kernel::Crew crew;
-  kernel::Team& team;
+/// A batch of one pack of robots that cannot touch each other.
+struct OnePack {
+  kernel::Batch batch;
+  kernel::Pack& pack;
 
-  explicit OneTeam(const std::shared_ptr<const kernel::KernelModel>& body)
-      : crew{body->box_depth}, team{crew.add_team({&body, 1})} {
-    for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) crew.order.push_back({0, lane});
+  explicit OnePack(const std::shared_ptr<const kernel::KernelModel>& body)
+      : batch{body->box_depth}, pack{batch.add_pack({&body, 1})} {
+    for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) batch.order.push_back({0, lane});
   }
   /// Steps the robots in `lanes`; returns those that took the step.
   [[nodiscard]] unsigned step(unsigned lanes, kernel::StepFunction function = kernel::fastest_step()) {
-    team.lanes = lanes;
-    function(crew);
-    return team.going;
+    pack.lanes = lanes;
+    function(batch);
+    return pack.valid;
   }
 };
 

@@ -43,38 +43,38 @@ class Walk {
     for (std::size_t i = 0; i < states.size(); ++i) gaits_[i].set_targets(time_s, states[i]);
     for (std::size_t first = 0; first < order.size(); first += kernel::lane_count) {
       const std::size_t used = std::min(kernel::lane_count, order.size() - first);
-      for (std::size_t lane = 0; lane < used; ++lane) states[order[first + lane]].put(lanes_.team, lane);
+      for (std::size_t lane = 0; lane < used; ++lane) states[order[first + lane]].put(lanes_.pack, lane);
       const unsigned all = (1u << used) - 1;
       for (int s = 0; s < 14; ++s) {
-        if (forgetful) lanes_.team.work.forget_rows();
+        if (forgetful) lanes_.pack.work.forget_rows();
         const unsigned stepped = lanes_.step(all, step);
         for (std::size_t lane = 0; lane < used; ++lane) {
           if ((stepped & (1u << lane)) == 0) step_by_mujoco(lane, states[order[first + lane]]);
         }
       }
       for (std::size_t lane = 0; lane < used; ++lane) {
-        states[order[first + lane]].get(lanes_.team, lane);
+        states[order[first + lane]].get(lanes_.pack, lane);
       }
     }
   }
 
   std::vector<RobotState> states;
   std::size_t declined = 0;
-  bool forgetful = false;  ///< of the rows that pushed in the step before
+  bool forgetful = false;  ///< of the active rows in the step before
 
  private:
   void step_by_mujoco(std::size_t lane, RobotState& state) {
     ++declined;
     mjData& data = reference_.data;
-    state.get(lanes_.team, lane);
+    state.get(lanes_.pack, lane);
     state.put(data);
     reference_.step();
     state.get(data);
-    state.put(lanes_.team, lane);
+    state.put(lanes_.pack, lane);
   }
 
   Reference reference_;
-  OneTeam lanes_;
+  OnePack lanes_;
   std::span<const Gait> gaits_;
 };
 

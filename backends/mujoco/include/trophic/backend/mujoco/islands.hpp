@@ -154,7 +154,7 @@ class Islands {
       discs_.push_back({root[0], root[1], kinds_[states.kind(i)].robot.bounding_radius_m + slack_m_[i]});
     }
     std::vector<std::vector<std::size_t>> groups = connected_sets(discs_);
-    // Robots near walls share lanes, so that the other teams need not look for walls.
+    // Robots near walls share lanes, so that the other packs need not look for walls.
     const auto first_single = std::ranges::find_if(groups, [](const auto& group) { return group.size() == 1; });
     std::stable_partition(first_single, groups.end(), [&](const auto& group) { return near_wall(discs_[group.front()]); });
     const auto is_mujocos = [&](const std::vector<std::size_t>& group) {
@@ -164,20 +164,20 @@ class Islands {
     const std::span by_mujoco{groups.begin(), first_of_kernel};
     models_of_groups_.clear();
     for (const std::vector<std::size_t>& group : by_mujoco) models_of_groups_.push_back(&model_of(group, states));
-    const std::span<const CrewPlan> crews = planner_.plan({first_of_kernel, groups.end()}, discs_,
-                                                          [&](std::size_t robot) { return kinds_[states.kind(robot)].shape; });
+    const std::span<const BatchPlan> batches = planner_.plan({first_of_kernel, groups.end()}, discs_,
+                                                             [&](std::size_t robot) { return kinds_[states.kind(robot)].shape; });
     const LaneStepper::ModelOf model_of_declined = [&](std::span<const std::size_t> robots) -> CompiledModel& {
       return model_of(robots, states);
     };
 
     robot_steps_ += states.robots() * steps;
     for (const std::vector<std::size_t>& group : by_mujoco) group_robot_steps_ += group.size() * steps;
-    results_.assign(by_mujoco.size() + crews.size(), {});
+    results_.assign(by_mujoco.size() + batches.size(), {});
     pool_->run(results_.size(), [&](std::size_t i, std::size_t thread) {
       results_[i] = i < by_mujoco.size()
                         ? step_group(*models_of_groups_[i], by_mujoco[i], targets_rad, slack_m_, steps, states, next)
-                        : lanes_->advance(crews[i - by_mujoco.size()], kinds_, thread, targets_rad, slack_m_, steps, states, next,
-                                          model_of_declined);
+                        : lanes_->advance(batches[i - by_mujoco.size()], kinds_, thread, targets_rad, slack_m_, steps, states,
+                                          next, model_of_declined);
     });
     return repair(fastest_m_s * static_cast<double>(steps) * physics_.timestep_s);
   }
@@ -237,7 +237,7 @@ class Islands {
   std::vector<double> slack_m_;
   std::vector<Disc> discs_;
   std::vector<CompiledModel*> models_of_groups_;
-  CrewPlanner planner_;
+  BatchPlanner planner_;
   std::vector<GroupResult> results_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps crews of robots by the kernel, and by MuJoCo where the kernel declines.
+// Steps batches of robots by the kernel, and by MuJoCo where the kernel declines.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 #include <functional>
 #include <memory>
 #include <span>
-#include <trophic/backend/mujoco/crews.hpp>
+#include <trophic/backend/mujoco/batches.hpp>
 #include <trophic/backend/mujoco/group_step.hpp>
 #include <trophic/backend/mujoco/kernel/step.hpp>
 #include <trophic/backend/mujoco/kinds.hpp>
@@ -34,30 +34,30 @@ class LaneStepper {
     return sum;
   }
 
-  /// Takes `steps` steps of the robots of a crew. Otherwise as `step_group`.
-  [[nodiscard]] GroupResult advance(const CrewPlan& plan, const Kinds& kinds, std::size_t thread, const Rows& targets_rad,
+  /// Takes `steps` steps of the robots of a batch. Otherwise as `step_group`.
+  [[nodiscard]] GroupResult advance(const BatchPlan& plan, const Kinds& kinds, std::size_t thread, const Rows& targets_rad,
                                     std::span<const double> slack_m, std::size_t steps, const RobotStates& from, RobotStates& to,
                                     const ModelOf& model_of) {
-    Scratch& scratch = seat(plan, kinds, thread, targets_rad, slack_m, from);
-    kernel::Crew& crew = scratch.crew;
+    Scratch& scratch = load(plan, kinds, thread, targets_rad, slack_m, from);
+    kernel::Batch& batch = scratch.batch;
     for (std::size_t step = 0; step < steps; ++step) {
-      step_(crew);
-      for (std::size_t t = 0; t < crew.team_count; ++t) {
-        if (crew.teams[t]->going == crew.teams[t]->lanes) continue;
+      step_(batch);
+      for (std::size_t t = 0; t < batch.pack_count; ++t) {
+        if (batch.packs[t]->valid == batch.packs[t]->lanes) continue;
         GroupResult result = step_declined(plan, scratch, targets_rad, to, model_of);
         result.steps = step;
         if (result.end != GroupResult::End::done) return result;
         break;
       }
-      for (std::size_t t = 0; t < crew.team_count; ++t) {
-        const kernel::Team& team = *crew.teams[t];
+      for (std::size_t t = 0; t < batch.pack_count; ++t) {
+        const kernel::Pack& pack = *batch.packs[t];
         const Start& start = scratch.starts[t];
-        const kernel::Real dx = team.state.position[0] - start.x;
-        const kernel::Real dy = team.state.position[1] - start.y;
-        const unsigned outside = team.lanes & kernel::lane_bits(dx * dx + dy * dy > start.slack_square);
+        const kernel::Real dx = pack.state.position[0] - start.x;
+        const kernel::Real dy = pack.state.position[1] - start.y;
+        const unsigned outside = pack.lanes & kernel::lane_bits(dx * dx + dy * dy > start.slack_square);
         for (std::size_t lane = 0; outside != 0 && lane < kernel::lane_count; ++lane) {
           if ((outside & (1u << lane)) == 0) continue;
-          const kernel::LaneArray& velocity = team.state.velocity;
+          const kernel::LaneArray& velocity = pack.state.velocity;
           return {.end = GroupResult::End::left_disc,
                   .steps = step,
                   .robot = plan.robot({t, lane}),
@@ -66,9 +66,9 @@ class LaneStepper {
         }
       }
     }
-    for (const kernel::Seat& seat : plan.order) {
-      const std::size_t robot = plan.robot(seat);
-      crew.team(seat).state.store(seat.lane, to.numbers(robot));
+    for (const kernel::LaneIndex& at : plan.order) {
+      const std::size_t robot = plan.robot(at);
+      batch.pack(at).state.store(at.lane, to.numbers(robot));
       if (!to.sound(robot)) {
         return {.end = GroupResult::End::diverged, .steps = steps, .robot = robot, .what = "a number is NaN or too large"};
       }
@@ -77,62 +77,62 @@ class LaneStepper {
   }
 
  private:
-  /// The starts of the robots of a team.
+  /// The starts of the robots of a pack.
   struct Start {
     kernel::Real x;
     kernel::Real y;
     kernel::Real slack_square;
   };
   struct Scratch {
-    explicit Scratch(BoxDepth box_depth) : crew{box_depth} {}
-    kernel::Crew crew;
+    explicit Scratch(BoxDepth box_depth) : batch{box_depth} {}
+    kernel::Batch batch;
     std::vector<Start> starts;
-    std::vector<kernel::Seat> declined;
+    std::vector<kernel::LaneIndex> declined;
     std::vector<std::size_t> robots;
     std::uint64_t robot_steps = 0;  ///< by MuJoCo
   };
 
-  /// Puts the robots of a plan into their seats.
-  Scratch& seat(const CrewPlan& plan, const Kinds& kinds, std::size_t thread, const Rows& targets_rad,
+  /// Puts the robots of a plan into their lanes.
+  Scratch& load(const BatchPlan& plan, const Kinds& kinds, std::size_t thread, const Rows& targets_rad,
                 std::span<const double> slack_m, const RobotStates& from) {
     const EngineGuard guard;
     if (!scratch_[thread]) scratch_[thread] = std::make_unique<Scratch>(box_depth_);
     Scratch& scratch = *scratch_[thread];
-    kernel::Crew& crew = scratch.crew;
-    crew.clear();
+    kernel::Batch& batch = scratch.batch;
+    batch.clear();
     scratch.starts.clear();
-    for (const CrewPlan::Team& seats : plan.teams) {
+    for (const BatchPlan::Pack& planned : plan.packs) {
       std::array<std::shared_ptr<const kernel::KernelModel>, kernel::lane_count> bodies;
-      for (std::size_t lane = 0; lane < seats.used; ++lane) bodies[lane] = kinds[from.kind(seats.robots[lane])].constants;
-      kernel::Team& team = crew.add_team({bodies.data(), seats.used});
+      for (std::size_t lane = 0; lane < planned.used; ++lane) bodies[lane] = kinds[from.kind(planned.robots[lane])].constants;
+      kernel::Pack& pack = batch.add_pack({bodies.data(), planned.used});
       kernel::Real slack_square{};
-      for (std::size_t lane = 0; lane < seats.used; ++lane) {
-        const std::size_t robot = seats.robots[lane];
-        team.state.load(team.model.body(lane), lane, from.numbers(robot), targets_rad[robot]);
+      for (std::size_t lane = 0; lane < planned.used; ++lane) {
+        const std::size_t robot = planned.robots[lane];
+        pack.state.load(pack.model.body(lane), lane, from.numbers(robot), targets_rad[robot]);
         slack_square[lane] = slack_m[robot] * slack_m[robot];
       }
-      team.lanes = (1u << seats.used) - 1;
-      scratch.starts.push_back({team.state.position[0], team.state.position[1], slack_square});
+      pack.lanes = (1u << planned.used) - 1;
+      scratch.starts.push_back({pack.state.position[0], pack.state.position[1], slack_square});
     }
-    crew.order = plan.order;
-    crew.neighbours = plan.neighbours;
+    batch.order = plan.order;
+    batch.neighbours = plan.neighbours;
     return scratch;
   }
 
-  /// One mj_step of all robots that are not `going`, those together that share a fate.
-  [[nodiscard]] static GroupResult step_declined(const CrewPlan& plan, Scratch& scratch, const Rows& targets_rad, RobotStates& to,
-                                                 const ModelOf& model_of) {
-    kernel::Crew& crew = scratch.crew;
-    for (const kernel::Seat& first : plan.order) {
-      if (crew.team(first).is_going(first.lane)) continue;
+  /// One mj_step of all robots that are not `valid`, those of one step set together.
+  [[nodiscard]] static GroupResult step_declined(const BatchPlan& plan, Scratch& scratch, const Rows& targets_rad,
+                                                 RobotStates& to, const ModelOf& model_of) {
+    kernel::Batch& batch = scratch.batch;
+    for (const kernel::LaneIndex& first : plan.order) {
+      if (batch.pack(first).is_valid(first.lane)) continue;
       scratch.declined.clear();
       scratch.robots.clear();
-      for (const kernel::Seat& seat : plan.order) {
-        if (crew.ties.first(seat.slot()) != crew.ties.first(first.slot())) continue;
-        scratch.declined.push_back(seat);
-        scratch.robots.push_back(plan.robot(seat));
+      for (const kernel::LaneIndex& at : plan.order) {
+        if (batch.step_sets.find(at.slot()) != batch.step_sets.find(first.slot())) continue;
+        scratch.declined.push_back(at);
+        scratch.robots.push_back(plan.robot(at));
         ++scratch.robot_steps;
-        crew.team(seat).going |= 1u << seat.lane;
+        batch.pack(at).valid |= 1u << at.lane;
       }
       GroupResult result = step_by_mujoco(model_of(scratch.robots), scratch, targets_rad, to);
       if (result.end != GroupResult::End::done) return result;
@@ -147,7 +147,7 @@ class LaneStepper {
     const CompiledModel::Turn turn{compiled};
     mjData& data = turn.data();
     const std::vector<std::size_t>& robots = scratch.robots;
-    const auto lanes_of = [&](std::size_t i) -> kernel::LaneState& { return scratch.crew.team(scratch.declined[i]).state; };
+    const auto lanes_of = [&](std::size_t i) -> kernel::LaneState& { return scratch.batch.pack(scratch.declined[i]).state; };
     for (std::size_t i = 0; i < robots.size(); ++i) {
       const Share& share = compiled.shares()[i];
       lanes_of(i).store(scratch.declined[i].lane, to.numbers(robots[i]));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// One step of a crew of robots, as MuJoCo 2.2.2's mj_step computes it.
+// One step of a batch of robots, as MuJoCo 2.2.2's mj_step computes it.
 #pragma once
 
-#include <trophic/backend/mujoco/kernel/knots.hpp>
+#include <trophic/backend/mujoco/kernel/island_search.hpp>
 #include <trophic/backend/mujoco/kernel/motion.hpp>
 #include <trophic/backend/mujoco/kernel/proximity.hpp>
 #include <trophic/backend/mujoco/kernel/search.hpp>
@@ -22,52 +22,52 @@ TROPHIC_LANES_INLINE void take_trial(const Workspace& work, const Mask& taken, L
   }
 }
 
-/// Acceleration of the robots that are `going` at the position and velocity of this stage, written to its acceleration, which is
-/// also the warm start (mj_forward). Robots that the kernel cannot compute stop `going`: a corner or link whose contact
+/// Acceleration of the robots that are `valid` at the position and velocity of this stage, written to its acceleration, which is
+/// also the warm start (mj_forward). Robots that the kernel cannot compute stop being `valid`: a corner or link whose contact
 /// rounding decides, joint angles it cannot take sines of, a search that does not settle, a result above MuJoCo's bound for
-/// accelerations, and robots tied to such a robot.
-TROPHIC_LANES_INLINE void forward(Crew& crew) {
-  for (std::size_t t = 0; t < crew.team_count; ++t) {
-    Team& team = *crew.teams[t];
-    move_links(team.model, team.current(), team.work);
-    place_centres(team.model, team.work);
-    team.work.doubtful = Mask{};
+/// accelerations, and robots in a step set with such a robot.
+TROPHIC_LANES_INLINE void forward(Batch& batch) {
+  for (std::size_t t = 0; t < batch.pack_count; ++t) {
+    Pack& pack = *batch.packs[t];
+    move_links(pack.model, pack.current(), pack.work);
+    place_centres(pack.model, pack.work);
+    pack.work.doubtful = Mask{};
   }
-  find_link_contacts(crew);
+  find_link_contacts(batch);
   unsigned coupled = 0;
-  for (std::size_t t = 0; t < crew.team_count; ++t) {
-    Team& team = *crew.teams[t];
-    find_field_contacts(team, crew.field_collider);
-    limit_joints(team.model, team.current(), team.work);
-    find_contacts(team.model, team.current(), team.work);
-    team.going &= ~lane_bits(team.work.doubtful);
+  for (std::size_t t = 0; t < batch.pack_count; ++t) {
+    Pack& pack = *batch.packs[t];
+    find_field_contacts(pack, batch.field_collider);
+    limit_joints(pack.model, pack.current(), pack.work);
+    find_contacts(pack.model, pack.current(), pack.work);
+    pack.valid &= ~lane_bits(pack.work.doubtful);
   }
-  share_fate(crew);
-  for (std::size_t t = 0; t < crew.team_count; ++t) {
-    Team& team = *crew.teams[t];
-    coupled |= team.going & team.coupled;
-    if (const unsigned apart = team.going & ~team.coupled; apart != 0) {
-      team.going &= ~minimise(team.model, team.current(), team.work, apart);
+  invalidate_step_sets(batch);
+  for (std::size_t t = 0; t < batch.pack_count; ++t) {
+    Pack& pack = *batch.packs[t];
+    coupled |= pack.valid & pack.coupled;
+    if (const unsigned apart = pack.valid & ~pack.coupled; apart != 0) {
+      pack.valid &= ~minimise(pack.model, pack.current(), pack.work, apart);
     }
   }
-  if (coupled != 0) minimise_knots(crew);
-  for (std::size_t t = 0; t < crew.team_count; ++t) {
-    Team& team = *crew.teams[t];
-    team.work.rows_known = true;
-    const LinkWork& root = team.work.links[0];
-    Mask good = mask_of(team.going);
+  if (coupled != 0) minimise_islands(batch);
+  for (std::size_t t = 0; t < batch.pack_count; ++t) {
+    Pack& pack = *batch.packs[t];
+    pack.work.rows_known = true;
+    const LinkWork& root = pack.work.links[0];
+    Mask good = mask_of(pack.valid);
     for (int i = 0; i < 3; ++i) {
       good &= (abs(root.trial.linear[i]) < mjMAXVAL) & (abs(root.trial.angular[i]) < 0.5 * mjMAXVAL);
     }
-    for (std::size_t j = 0; j < team.work.hinges.size(); ++j) {
-      good &= (abs(team.work.hinges[j].trial) < mjMAXVAL) & (abs(team.current().position[7 + j]) < largest_angle_rad);
+    for (std::size_t j = 0; j < pack.work.hinges.size(); ++j) {
+      good &= (abs(pack.work.hinges[j].trial) < mjMAXVAL) & (abs(pack.current().position[7 + j]) < largest_angle_rad);
     }
-    team.going = lane_bits(good);
+    pack.valid = lane_bits(good);
   }
-  share_fate(crew);
-  for (std::size_t t = 0; t < crew.team_count; ++t) {
-    Team& team = *crew.teams[t];
-    take_trial(team.work, mask_of(team.going), team.current().acceleration);
+  invalidate_step_sets(batch);
+  for (std::size_t t = 0; t < batch.pack_count; ++t) {
+    Pack& pack = *batch.packs[t];
+    take_trial(pack.work, mask_of(pack.valid), pack.current().acceleration);
   }
 }
 
@@ -118,56 +118,56 @@ TROPHIC_LANES_INLINE void finish_runge_kutta(const LaneModel& model, LaneState& 
 
 /// The classical Runge-Kutta method of order 4 (mj_RungeKutta) evaluates the acceleration at x, x + h/2 v1, x + h/2 v2, x + h v3,
 /// and sums with weights 1/6, 1/3, 1/3, 1/6.
-TROPHIC_LANES_INLINE void begin_runge_kutta(Team& team) {
-  LaneState& sum = team.work.sum;
-  team.work.stage = team.state;
-  normalize_quaternion(team.state.position);
+TROPHIC_LANES_INLINE void begin_runge_kutta(Pack& pack) {
+  LaneState& sum = pack.work.sum;
+  pack.work.stage = pack.state;
+  normalize_quaternion(pack.state.position);
   for (std::size_t i = 0; i < sum.velocity.size(); ++i) sum.velocity[i] = sum.acceleration[i] = Real{};
 }
 
 /// Adds stage `s` to the sums and goes to the next stage.
-TROPHIC_LANES_INLINE void next_stage(Team& team, std::size_t s) {
+TROPHIC_LANES_INLINE void next_stage(Pack& pack, std::size_t s) {
   constexpr double ahead[4] = {0.5, 0.5, 1.0, 0.0};
   constexpr double weight[4] = {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6};
-  const LaneState& state = team.state;
-  LaneState& stage = team.work.stage;
-  LaneState& sum = team.work.sum;
+  const LaneState& state = pack.state;
+  LaneState& stage = pack.work.stage;
+  LaneState& sum = pack.work.sum;
   const std::size_t speeds = state.velocity.size();
   for (std::size_t i = 0; i < speeds; ++i) {
     sum.velocity[i] += weight[s] * stage.velocity[i];
     sum.acceleration[i] += weight[s] * stage.acceleration[i];
   }
   if (s == 3) return;
-  const double step_s = ahead[s] * team.model.shape().timestep_s;
+  const double step_s = ahead[s] * pack.model.shape().timestep_s;
   stage.position = state.position;
-  move(team.model, mask_of(team.going), step_s, stage.velocity, stage.position);
+  move(pack.model, mask_of(pack.valid), step_s, stage.velocity, stage.position);
   for (std::size_t i = 0; i < speeds; ++i) stage.velocity[i] = state.velocity[i] + step_s * stage.acceleration[i];
 }
 
-/// One step of all robots of a crew. Afterwards those that took it are `going`; the others keep their state.
-TROPHIC_LANES_INLINE void any_step(Crew& crew) {
-  const bool euler = !crew.teams[0]->model.shape().runge_kutta;
-  crew.ties.reset(crew.team_count * lane_count);
-  for (std::size_t t = 0; t < crew.team_count; ++t) {
-    crew.teams[t]->going = crew.teams[t]->lanes;
-    if (!euler) begin_runge_kutta(*crew.teams[t]);
+/// One step of all robots of a batch. Afterwards those that took it are `valid`; the others keep their state.
+TROPHIC_LANES_INLINE void any_step(Batch& batch) {
+  const bool euler = !batch.packs[0]->model.shape().runge_kutta;
+  batch.step_sets.reset(batch.pack_count * lane_count);
+  for (std::size_t t = 0; t < batch.pack_count; ++t) {
+    batch.packs[t]->valid = batch.packs[t]->lanes;
+    if (!euler) begin_runge_kutta(*batch.packs[t]);
   }
   // A robot that fails in one stage is not there in the next, so that its neighbours must fail too.
   if (!euler) {
-    for (const auto& [a, b] : crew.neighbours) crew.ties.join(a, b);
+    for (const auto& [a, b] : batch.neighbours) batch.step_sets.unite(a, b);
   }
   const std::size_t stages = euler ? 1 : 4;
   for (std::size_t s = 0; s < stages; ++s) {
-    crew.knot_ties.reset(crew.team_count * lane_count);
-    forward(crew);
-    for (std::size_t t = 0; !euler && t < crew.team_count; ++t) next_stage(*crew.teams[t], s);
+    batch.island_sets.reset(batch.pack_count * lane_count);
+    forward(batch);
+    for (std::size_t t = 0; !euler && t < batch.pack_count; ++t) next_stage(*batch.packs[t], s);
   }
-  for (std::size_t t = 0; t < crew.team_count; ++t) {
-    Team& team = *crew.teams[t];
+  for (std::size_t t = 0; t < batch.pack_count; ++t) {
+    Pack& pack = *batch.packs[t];
     if (euler) {
-      finish_euler(team.model, team.state, team.work, team.going);
+      finish_euler(pack.model, pack.state, pack.work, pack.valid);
     } else {
-      finish_runge_kutta(team.model, team.state, team.work, team.going);
+      finish_runge_kutta(pack.model, pack.state, pack.work, pack.valid);
     }
   }
 }

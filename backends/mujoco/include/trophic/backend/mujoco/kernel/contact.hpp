@@ -8,7 +8,7 @@
 
 namespace trophic::backend::kernel {
 
-/// A row residual that no acceleration turns negative: the row of a lane without contact never pushes.
+/// A row residual that no acceleration turns negative: the row of a lane without contact is never active.
 inline constexpr double out_of_reach = 1e30;
 
 /// Corners nearer to a plane than this, m, are in contact or not by rounding alone, as those of a robot that is set down flat

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The constants of the bodies of a team, one number per lane.
+// The constants of the bodies of a pack, one number per lane.
 #pragma once
 
 #include <algorithm>
@@ -51,7 +51,7 @@ struct LaneHinge {
   Real highest_target_rad;
 };
 
-/// Whether two bodies in one arena may share a team: the same tree with as many boxes on each link, and equal softness and
+/// Whether two bodies in one arena may share a pack: the same tree with as many boxes on each link, and equal softness and
 /// friction. Lengths, angles, masses and servos may differ.
 [[nodiscard]] inline bool same_shape(const KernelModel& a, const KernelModel& b) {
   const auto same_link = [](const KernelLink& x, const KernelLink& y) { return x.parent == y.parent && x.boxes == y.boxes; };

@@ -23,7 +23,7 @@ namespace trophic::backend::kernel {
 inline constexpr std::size_t lane_count = 4;
 
 /// One double per robot. Each lane is computed by the same IEEE operations in the same order whatever the other lanes hold, so a
-/// robot's result does not depend on its company nor on the instruction set.
+/// robot's result does not depend on the other lanes nor on the instruction set.
 using Real = double __attribute__((vector_size(lane_count * sizeof(double)), aligned(lane_count * sizeof(double))));
 /// All bits of a lane are set where a comparison holds.
 using Mask = long long __attribute__((vector_size(lane_count * sizeof(double)), aligned(lane_count * sizeof(double))));

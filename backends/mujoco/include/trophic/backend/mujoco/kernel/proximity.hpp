@@ -6,7 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <trophic/backend/mujoco/kernel/crew.hpp>
+#include <trophic/backend/mujoco/kernel/batch.hpp>
 
 namespace trophic::backend::kernel {
 
@@ -81,25 +81,25 @@ TROPHIC_LANES_INLINE void place_centres(const LaneModel& model, Workspace& work)
   return lane_bits(dot(between, between) <= radius_m * radius_m);
 }
 
-/// A link of the robot in one seat.
+/// A link of the robot in one lane.
 struct LinkOf {
   std::size_t link;
-  Seat seat;
+  LaneIndex at;
 };
 
 /// Appends the contacts of two boxes, or marks both robots as doubtful.
 [[gnu::noinline]] inline void add_box_contacts(const PlacedBox& box_a, const PlacedBox& box_b, const LinkOf& a, const LinkOf& b,
-                                               const std::array<double, 3>& apart_m, Crew& crew) {
-  const std::size_t known = crew.link_contacts.size();
-  const bool sure = crew.collider.collide(box_a, box_b, apart_m, [&](const BoxContact& contact) {
+                                               const std::array<double, 3>& apart_m, Batch& batch) {
+  const std::size_t known = batch.link_contacts.size();
+  const bool sure = batch.collider.collide(box_a, box_b, apart_m, [&](const BoxContact& contact) {
     std::array<double, 3> from_b = contact.point_m;
     for (std::size_t k = 0; k < 3; ++k) from_b[k] -= apart_m[k];
-    crew.link_contacts.push_back({{a.seat, b.seat}, {a.link, b.link}, {contact.point_m, from_b}, contact.frame, contact.depth_m});
+    batch.link_contacts.push_back({{a.at, b.at}, {a.link, b.link}, {contact.point_m, from_b}, contact.frame, contact.depth_m});
   });
-  if (!sure) crew.team(a.seat).work.doubtful[a.seat.lane] = crew.team(b.seat).work.doubtful[b.seat.lane] = -1;
-  if (a.seat == b.seat || (sure && crew.link_contacts.size() == known)) return;
-  crew.ties.join(a.seat, b.seat);
-  crew.knot_ties.join(a.seat, b.seat);
+  if (!sure) batch.pack(a.at).work.doubtful[a.at.lane] = batch.pack(b.at).work.doubtful[b.at.lane] = -1;
+  if (a.at == b.at || (sure && batch.link_contacts.size() == known)) return;
+  batch.step_sets.unite(a.at, b.at);
+  batch.island_sets.unite(a.at, b.at);
 }
 
 /// Appends the contacts of box `i` of a link and box `j` of another, whose spheres overlap: separating axes, then MuJoCo's test.
@@ -107,41 +107,41 @@ struct LinkOf {
 /// `last_gap`: a guess at the axis that separates them.
 [[gnu::noinline]] inline void collide_boxes(const LinkOf& a, std::size_t i, const LinkOf& b, std::size_t j,
                                             const std::array<double, 3>& apart_m, const double (&between_m)[3],
-                                            std::uint8_t& last_gap, Crew& crew) {
-  Team& team_a = crew.team(a.seat);
-  Team& team_b = crew.team(b.seat);
-  const PlacedBox& box_a = placed_box(team_a.model.body(a.seat.lane), team_a.work.links[a.link], i, a.seat.lane, team_a.work);
-  const PlacedBox& box_b = placed_box(team_b.model.body(b.seat.lane), team_b.work.links[b.link], j, b.seat.lane, team_b.work);
-  if (!separated(box_a, box_b, between_m, last_gap)) add_box_contacts(box_a, box_b, a, b, apart_m, crew);
+                                            std::uint8_t& last_gap, Batch& batch) {
+  Pack& pack_a = batch.pack(a.at);
+  Pack& pack_b = batch.pack(b.at);
+  const PlacedBox& box_a = placed_box(pack_a.model.body(a.at.lane), pack_a.work.links[a.link], i, a.at.lane, pack_a.work);
+  const PlacedBox& box_b = placed_box(pack_b.model.body(b.at.lane), pack_b.work.links[b.link], j, b.at.lane, pack_b.work);
+  if (!separated(box_a, box_b, between_m, last_gap)) add_box_contacts(box_a, box_b, a, b, apart_m, batch);
 }
 
 /// Contacts of the boxes of links of two robots.
-TROPHIC_LANES_INLINE void collide_links(const LinkOf& a, const LinkOf& b, const std::array<double, 3>& apart_m, Crew& crew) {
-  const Team& team_a = crew.team(a.seat);
-  const Team& team_b = crew.team(b.seat);
-  const KernelLink& link_a = team_a.model.body(a.seat.lane).links[a.link];
-  const KernelLink& link_b = team_b.model.body(b.seat.lane).links[b.link];
+TROPHIC_LANES_INLINE void collide_links(const LinkOf& a, const LinkOf& b, const std::array<double, 3>& apart_m, Batch& batch) {
+  const Pack& pack_a = batch.pack(a.at);
+  const Pack& pack_b = batch.pack(b.at);
+  const KernelLink& link_a = pack_a.model.body(a.at.lane).links[a.link];
+  const KernelLink& link_b = pack_b.model.body(b.at.lane).links[b.link];
   for (std::size_t i = link_a.first_box; i < link_a.first_box + link_a.boxes; ++i) {
     for (std::size_t j = link_b.first_box; j < link_b.first_box + link_b.boxes; ++j) {
       double between_m[3];
       double square_m2 = 0.0;
       for (std::size_t k = 0; k < 3; ++k) {
         const int axis = static_cast<int>(k);
-        between_m[k] = team_b.work.box_centres[j][axis][b.seat.lane] + apart_m[k] - team_a.work.box_centres[i][axis][a.seat.lane];
+        between_m[k] = pack_b.work.box_centres[j][axis][b.at.lane] + apart_m[k] - pack_a.work.box_centres[i][axis][a.at.lane];
         square_m2 += between_m[k] * between_m[k];
       }
-      const double reach_m = team_a.model.body(a.seat.lane).boxes[i].radius_m + team_b.model.body(b.seat.lane).boxes[j].radius_m;
+      const double reach_m = pack_a.model.body(a.at.lane).boxes[i].radius_m + pack_b.model.body(b.at.lane).boxes[j].radius_m;
       if (square_m2 > reach_m * reach_m) continue;
-      const std::size_t pair = ((a.seat.slot() * 61 + i) * 31 + b.seat.slot()) * 61 + j;
-      collide_boxes(a, i, b, j, apart_m, between_m, crew.last_gap[pair % Crew::gaps], crew);
+      const std::size_t pair = ((a.at.slot() * 61 + i) * 31 + b.at.slot()) * 61 + j;
+      collide_boxes(a, i, b, j, apart_m, between_m, batch.last_gap[pair % Batch::gaps], batch);
     }
   }
 }
 
 /// Contacts of links of one robot that MuJoCo would collide: spheres around links, then around boxes, of all robots at once.
-TROPHIC_LANES_INLINE void collide_own_links(Crew& crew, std::size_t index, unsigned lanes) {
-  const LaneModel& model = crew.teams[index]->model;
-  Workspace& work = crew.teams[index]->work;
+TROPHIC_LANES_INLINE void collide_own_links(Batch& batch, std::size_t index, unsigned lanes) {
+  const LaneModel& model = batch.packs[index]->model;
+  Workspace& work = batch.packs[index]->work;
   const std::size_t boxes = model.boxes.size();
   for (const LinkPair& pair : model.shape().pairs) {
     const LaneLink& first = model.links[pair.first];
@@ -158,53 +158,53 @@ TROPHIC_LANES_INLINE void collide_own_links(Crew& crew, std::size_t index, unsig
           const auto lane = static_cast<std::size_t>(std::countr_zero(hits));
           double between_m[3];
           for (int k = 0; k < 3; ++k) between_m[k] = work.box_centres[j][k][lane] - centre[k][lane];
-          const Seat seat = {index, lane};
+          const LaneIndex at = {index, lane};
           std::uint8_t& last_gap = work.last_gap[(lane * boxes + i) * boxes + j];
-          collide_boxes({pair.first, seat}, i, {pair.second, seat}, j, {}, between_m, last_gap, crew);
+          collide_boxes({pair.first, at}, i, {pair.second, at}, j, {}, between_m, last_gap, batch);
         }
       }
     }
   }
 }
 
-/// Contacts of the robots in two seats: spheres around robots, around links, then boxes.
-TROPHIC_LANES_INLINE void collide_robots(Crew& crew, const Seat& a, const Seat& b) {
-  const Team& team_a = crew.team(a);
-  const Team& team_b = crew.team(b);
+/// Contacts of the robots in two lanes: spheres around robots, around links, then boxes.
+TROPHIC_LANES_INLINE void collide_robots(Batch& batch, const LaneIndex& a, const LaneIndex& b) {
+  const Pack& pack_a = batch.pack(a);
+  const Pack& pack_b = batch.pack(b);
   std::array<double, 3> apart_m;
-  for (std::size_t k = 0; k < 3; ++k) apart_m[k] = team_b.current().position[k][b.lane] - team_a.current().position[k][a.lane];
+  for (std::size_t k = 0; k < 3; ++k) apart_m[k] = pack_b.current().position[k][b.lane] - pack_a.current().position[k][a.lane];
   const double square_m2 = apart_m[0] * apart_m[0] + apart_m[1] * apart_m[1] + apart_m[2] * apart_m[2];
-  const KernelModel& body_a = team_a.model.body(a.lane);
-  const KernelModel& body_b = team_b.model.body(b.lane);
+  const KernelModel& body_a = pack_a.model.body(a.lane);
+  const KernelModel& body_b = pack_b.model.body(b.lane);
   const double robots_m = body_a.bounding_radius_m + body_b.bounding_radius_m;
   if (!(square_m2 <= robots_m * robots_m)) return;
-  for (std::size_t i = 0; i < team_a.work.links.size(); ++i) {
-    for (std::size_t j = 0; j < team_b.work.links.size(); ++j) {
+  for (std::size_t i = 0; i < pack_a.work.links.size(); ++i) {
+    for (std::size_t j = 0; j < pack_b.work.links.size(); ++j) {
       double between_m2 = 0.0;
       for (int k = 0; k < 3; ++k) {
-        const double between_m = team_b.work.links[j].sphere_centre[k][b.lane] + apart_m[static_cast<std::size_t>(k)] -
-                                 team_a.work.links[i].sphere_centre[k][a.lane];
+        const double between_m = pack_b.work.links[j].sphere_centre[k][b.lane] + apart_m[static_cast<std::size_t>(k)] -
+                                 pack_a.work.links[i].sphere_centre[k][a.lane];
         between_m2 += between_m * between_m;
       }
       const double reach_m = body_a.links[i].sphere_radius_m + body_b.links[j].sphere_radius_m;
-      if (between_m2 <= reach_m * reach_m) collide_links({i, a}, {j, b}, apart_m, crew);
+      if (between_m2 <= reach_m * reach_m) collide_links({i, a}, {j, b}, apart_m, batch);
     }
   }
 }
 
-/// All contacts between links of the robots that are `going`, of one robot or of two; these robots become `coupled`.
-TROPHIC_LANES_INLINE void find_link_contacts(Crew& crew) {
-  crew.link_contacts.clear();
-  for (std::size_t t = 0; t < crew.team_count; ++t) {
-    std::ranges::fill(crew.teams[t]->work.box_placed, std::uint8_t{0});
-    collide_own_links(crew, t, crew.teams[t]->going);
+/// All contacts between links of the robots that are `valid`, of one robot or of two; these robots become `coupled`.
+TROPHIC_LANES_INLINE void find_link_contacts(Batch& batch) {
+  batch.link_contacts.clear();
+  for (std::size_t t = 0; t < batch.pack_count; ++t) {
+    std::ranges::fill(batch.packs[t]->work.box_placed, std::uint8_t{0});
+    collide_own_links(batch, t, batch.packs[t]->valid);
   }
-  for (const auto& [a, b] : crew.neighbours) {
-    if (crew.team(a).is_going(a.lane) && crew.team(b).is_going(b.lane)) collide_robots(crew, a, b);
+  for (const auto& [a, b] : batch.neighbours) {
+    if (batch.pack(a).is_valid(a.lane) && batch.pack(b).is_valid(b.lane)) collide_robots(batch, a, b);
   }
-  for (std::size_t t = 0; t < crew.team_count; ++t) crew.teams[t]->coupled = 0;
-  for (const LinkContact& contact : crew.link_contacts) {
-    for (const Seat& seat : contact.seat) crew.team(seat).coupled |= 1u << seat.lane;
+  for (std::size_t t = 0; t < batch.pack_count; ++t) batch.packs[t]->coupled = 0;
+  for (const LinkContact& contact : batch.link_contacts) {
+    for (const LaneIndex& at : contact.at) batch.pack(at).coupled |= 1u << at.lane;
   }
 }
 
@@ -234,30 +234,31 @@ TROPHIC_LANES_INLINE void collide_field(const KernelModel& model, std::size_t in
   }
 }
 
-/// All contacts of the robots of a team that are `going` with the height field; these robots become `coupled`.
-TROPHIC_LANES_INLINE void find_field_contacts(Team& team, std::optional<FieldCollider>& collider) {
-  team.work.field_contacts.clear();
-  if (!team.model.shape().field) return;
-  const LaneArray& at = team.current().position;
+/// All contacts of the robots of a pack that are `valid` with the height field; these robots become `coupled`.
+TROPHIC_LANES_INLINE void find_field_contacts(Pack& pack, std::optional<FieldCollider>& collider) {
+  pack.work.field_contacts.clear();
+  if (!pack.model.shape().field) return;
+  const LaneArray& at = pack.current().position;
   for (std::size_t lane = 0; lane < lane_count; ++lane) {
-    if (!team.is_going(lane)) continue;
+    if (!pack.is_valid(lane)) continue;
     const std::array<double, 3> origin_m = {at[0][lane], at[1][lane], at[2][lane]};
-    for (std::size_t link = 0; link < team.work.links.size(); ++link) {
-      collide_field(team.model.body(lane), link, lane, origin_m, team.work, *collider);
+    for (std::size_t link = 0; link < pack.work.links.size(); ++link) {
+      collide_field(pack.model.body(lane), link, lane, origin_m, pack.work, *collider);
     }
   }
-  for (const FieldContact& contact : team.work.field_contacts) team.coupled |= 1u << contact.lane;
+  for (const FieldContact& contact : pack.work.field_contacts) pack.coupled |= 1u << contact.lane;
 }
 
-/// Robots that share the fate of one that is not `going` are not `going` either.
-TROPHIC_LANES_INLINE void share_fate(Crew& crew) {
+/// Robots in the step set of one that is not `valid` are not `valid` either.
+TROPHIC_LANES_INLINE void invalidate_step_sets(Batch& batch) {
   unsigned lost = 0;
-  for (std::size_t t = 0; t < crew.team_count; ++t) lost |= crew.teams[t]->lanes & ~crew.teams[t]->going;
-  if (lost == 0 || crew.neighbours.empty()) return;
-  for (const Seat& fallen : crew.order) {
-    if (crew.team(fallen).is_going(fallen.lane)) continue;
-    for (const Seat& other : crew.order) {
-      if (crew.ties.first(other.slot()) == crew.ties.first(fallen.slot())) crew.team(other).going &= ~(1u << other.lane);
+  for (std::size_t t = 0; t < batch.pack_count; ++t) lost |= batch.packs[t]->lanes & ~batch.packs[t]->valid;
+  if (lost == 0 || batch.neighbours.empty()) return;
+  for (const LaneIndex& fallen : batch.order) {
+    if (batch.pack(fallen).is_valid(fallen.lane)) continue;
+    for (const LaneIndex& other : batch.order) {
+      if (batch.step_sets.find(other.slot()) == batch.step_sets.find(fallen.slot()))
+        batch.pack(other).valid &= ~(1u << other.lane);
     }
   }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The search over sets of pushing rows: full Newton steps, then Newton steps with exact line search.
+// The search over sets of active rows: full Newton steps, then Newton steps with exact line search.
 #pragma once
 
 #include <trophic/backend/mujoco/kernel/solver.hpp>
@@ -17,9 +17,9 @@ TROPHIC_LANES_INLINE void add_row(const Real& start, const Real& end, const Real
                                   Real& curvature) {
   const Real step = end - start;
   const Real value = start + along * step;
-  const Real pushed = where(value < 0.0, weight * step);
-  slope += pushed * value;
-  curvature += pushed * step;
+  const Real active_step = where(value < 0.0, weight * step);
+  slope += active_step * value;
+  curvature += active_step * step;
 }
 
 /// Slope of all rows of the contacts at `along`.
@@ -62,7 +62,7 @@ struct MoveContact {
 /// Exact line search from the current to the trial point in the lanes of `changed`, which becomes the trial point.
 ///
 /// With v = trial - current the slope of the cost is, because the trial point is the minimum of the quadratic of the current
-/// point's rows, slope(a) = (a - 1) v'Mv + rows(a) - rows that push at 0, taken at 1; it increases, is piecewise linear and not
+/// point's rows, slope(a) = (a - 1) v'Mv + rows(a) - rows active at 0, taken at 1; it increases, is piecewise linear and not
 /// positive at 0. Newton's method on it, kept inside a bracket, ends at the root of the piece that holds it.
 TROPHIC_LANES_INLINE void search_line(const LaneModel& model, Workspace& work, const Mask& changed) {
   Real quadratic{};
@@ -72,7 +72,7 @@ TROPHIC_LANES_INLINE void search_line(const LaneModel& model, Workspace& work, c
   }
   Real start_slope{}, start_curvature{};
   row_slope(model, work, Real{}, start_slope, start_curvature);
-  // Rows that push at 0, as a quadratic, have the slope start_slope + start_curvature at 1.
+  // Rows active at 0, as a quadratic, have the slope start_slope + start_curvature at 1.
   const Real constant = start_slope + start_curvature;
   Real low{};
   Real high = broadcast(1.0);
@@ -104,14 +104,14 @@ TROPHIC_LANES_INLINE void search_line(const LaneModel& model, Workspace& work, c
   for_each_contact(model, work, MoveContact{model.shape().friction, &changed, &along});
 }
 
-/// The rows that pushed last: of a corner those when it last touched the plane, all where it has not, and all joint limits that
+/// The rows last active: of a corner those when it last touched the plane, all where it has not, and all joint limits that
 /// are passed.
 TROPHIC_LANES_INLINE void recall_rows(Workspace& work) {
   for (std::size_t c = 0; c < work.contact_count; ++c) {
     ContactWork& contact = work.contacts[c];
     const Mask present = contact.depth < 0.0;
     Mask rows{};
-    for (std::size_t lane = 0; lane < lane_count; ++lane) rows[lane] = work.pushing_rows[contact.memory[lane]];
+    for (std::size_t lane = 0; lane < lane_count; ++lane) rows[lane] = work.active_rows[contact.memory[lane]];
     Mask bit = Mask{} + 1;
     for (Mask& active : contact.active) {
       active = ((rows & bit) != 0) & present;
@@ -121,7 +121,7 @@ TROPHIC_LANES_INLINE void recall_rows(Workspace& work) {
   for (HingeWork& hinge : work.hinges) hinge.limit_active = hinge.limit_weight > 0.0;
 }
 
-/// The rows that push at the last acceleration, MuJoCo's guess.
+/// The rows active at the last acceleration, MuJoCo's guess.
 TROPHIC_LANES_INLINE void guess_rows(const LaneModel& model, const LaneState& state, Workspace& work) {
   const LaneArray& warm = state.acceleration;
   LinkWork& root = work.links[0];
@@ -133,15 +133,15 @@ TROPHIC_LANES_INLINE void guess_rows(const LaneModel& model, const LaneState& st
   evaluate_trial(model, work);
 }
 
-/// The first guess of the rows that push: those that pushed last, which is more often right than MuJoCo's guess, or that where
+/// The first guess of the active rows: those active last, which is more often right than MuJoCo's guess, or that where
 /// nothing is known of the last step. It changes nothing but the number of steps: the minimum is one and is computed from the
-/// rows that push there.
+/// rows that are active there.
 TROPHIC_LANES_INLINE void first_rows(const LaneModel& model, const LaneState& state, Workspace& work) {
   recall_rows(work);
   if (!work.rows_known) guess_rows(model, state, work);
 }
 
-/// Keeps which rows push in `lanes`.
+/// Keeps which rows are active in `lanes`.
 TROPHIC_LANES_INLINE void remember_rows(Workspace& work, unsigned lanes) {
   for (std::size_t c = 0; c < work.contact_count; ++c) {
     const ContactWork& contact = work.contacts[c];
@@ -153,7 +153,7 @@ TROPHIC_LANES_INLINE void remember_rows(Workspace& work, unsigned lanes) {
       bit += bit;
     }
     for (std::size_t lane = 0; lane < lane_count; ++lane) {
-      if ((present & (1u << lane)) != 0) work.pushing_rows[contact.memory[lane]] = static_cast<std::uint8_t>(rows[lane]);
+      if ((present & (1u << lane)) != 0) work.active_rows[contact.memory[lane]] = static_cast<std::uint8_t>(rows[lane]);
     }
   }
 }

@@ -9,11 +9,11 @@ namespace trophic::backend::kernel {
 
 // MuJoCo minimises over accelerations x, with x_s the acceleration without constraints,
 //   cost(x) = 1/2 (x - x_s)' M (x - x_s) + sum over rows of 1/2 D min(0, J x - aref)^2,
-// which is strictly convex and piecewise quadratic. For a given set of pushing rows the minimum of the quadratic solves
+// which is strictly convex and piecewise quadratic. For a given set of active rows the minimum of the quadratic solves
 //   (M + J' D J) x = M x_s + J' D aref.
 // J' D J of the contacts of one link is a symmetric 6x6 matrix added to the link's spatial inertia, so the system is solved in
 // O(links) by the articulated-body recursion (Featherstone, "Rigid Body Dynamics Algorithms", ch. 7) with those inertias. If
-// the rows that push at the solution are those of its computation, it is the minimum, to rounding; else the search continues.
+// the rows active at the solution are those of its computation, it is the minimum, to rounding; else the search continues.
 
 /// Weights of a contact's active rows summed: [normal, coupling to t1, to t2, t1, t2] of the 3x3 matrix W = sum D e e',
 /// e = n +- mu t.
@@ -31,7 +31,7 @@ struct RowSum {
   return {first + second, (sign * mu) * (d0 - d1), (sign * mu) * (d2 - d3), (mu * mu) * first, (mu * mu) * second};
 }
 
-/// Adds the pushing rows of a contact to its link: inertia += X' W X and bias force += X' W offset, where X = [-[p]x, 1] maps the
+/// Adds the active rows of a contact to its link: inertia += X' W X and bias force += X' W offset, where X = [-[p]x, 1] maps the
 /// link's motion to the contact point's.
 template <int Axis>
 TROPHIC_LANES_INLINE void add_contact(const ContactWork& contact, double mu, double sign, LinkWork& link) {
@@ -196,7 +196,7 @@ TROPHIC_LANES_INLINE void solve_tree(const LaneModel& model, Workspace& work) {
   solve_outwards(model, work);
 }
 
-/// Inertia and force of a link without contacts, torque of its hinge with the limit if that pushes now.
+/// Inertia and force of a link without contacts, torque of its hinge with the limit if that is active.
 TROPHIC_LANES_INLINE void gather_link(Workspace& work, std::size_t i) {
   LinkWork& link = work.links[i];
   expand(link.inertia, link.articulated);
@@ -207,13 +207,13 @@ TROPHIC_LANES_INLINE void gather_link(Workspace& work, std::size_t i) {
   link.torque = hinge.torque + where(hinge.limit_active, hinge.limit_side * hinge.limit_weight * hinge.limit_offset);
 }
 
-/// Inertias, forces and torques of all links with the rows that push now.
+/// Inertias, forces and torques of all links with the active rows.
 TROPHIC_LANES_INLINE void gather_active(const LaneModel& model, Workspace& work) {
   for (std::size_t i = 0; i < model.links.size(); ++i) gather_link(work, i);
   for_each_contact(model, work, AddContact{model.shape().friction});
 }
 
-/// The minimum of the quadratic of the rows that push now.
+/// The minimum of the quadratic of the active rows.
 TROPHIC_LANES_INLINE void solve_active(const LaneModel& model, Workspace& work) {
   gather_active(model, work);
   solve_tree(model, work);
@@ -255,7 +255,7 @@ TROPHIC_LANES_INLINE void damp_joints(const LaneModel& model, Workspace& work) {
   solve_tree(model, work);
 }
 
-/// Finds the rows that push at `residual`; returns the lanes in which they differ from `active`, which is updated.
+/// Finds the rows active at `residual`; returns the lanes in which they differ from `active`, which is updated.
 TROPHIC_LANES_INLINE Mask update_rows(const Vec3& residual, double mu, double sign, Mask* active) {
   const Real normal = sign * residual[0];
   const Real first = mu * residual[1];
@@ -269,7 +269,7 @@ TROPHIC_LANES_INLINE Mask update_rows(const Vec3& residual, double mu, double si
   return changed;
 }
 
-/// Residuals at the trial point; the rows that push there become the active ones.
+/// Residuals at the trial point; the rows that are active there become the active ones.
 struct TryContact {
   double mu;
   template <int Axis>

@@ -6,19 +6,19 @@
 
 namespace trophic::backend::kernel {
 
-struct Crew;
+struct Batch;
 
-/// Steps all robots of a crew once; afterwards those that it stepped are `going`. The others keep their state and are MuJoCo's to
-/// step.
-using StepFunction = void (*)(Crew&);
+/// Steps all robots of a batch once; afterwards those that it stepped are `valid`. The others keep their state and are MuJoCo's
+/// to step.
+using StepFunction = void (*)(Batch&);
 
-void step_portable(Crew& crew);
+void step_portable(Batch& batch);
 #if defined(__x86_64__)
 /// The same operations on 256-bit registers; no fused multiply-add, so that the result is the same to the last bit (where
 /// `step_portable` is compiled for a processor that has them: with -ffp-contract=off).
-[[gnu::target("avx2")]] void step_avx2(Crew& crew);
+[[gnu::target("avx2")]] void step_avx2(Batch& batch);
 /// The same operations with the registers and masks of AVX-512. Programs that compile the kernel themselves do without it.
-[[gnu::target("avx2,avx512f,avx512dq,avx512vl")]] void step_avx512(Crew& crew);
+[[gnu::target("avx2,avx512f,avx512dq,avx512vl")]] void step_avx512(Batch& batch);
 #endif
 
 /// The fastest that this processor has.

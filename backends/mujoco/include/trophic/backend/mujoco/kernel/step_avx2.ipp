@@ -9,8 +9,8 @@
 #if defined(__x86_64__) && !defined(__AVX2__)
 namespace trophic::backend::kernel {
 
-[[gnu::flatten, gnu::target("avx2")]] TROPHIC_INLINE void step_avx2(Crew& crew) {
-  any_step(crew);
+[[gnu::flatten, gnu::target("avx2")]] TROPHIC_INLINE void step_avx2(Batch& batch) {
+  any_step(batch);
 }
 
 }  // namespace trophic::backend::kernel

@@ -10,8 +10,8 @@
 #if defined(__x86_64__) && !defined(__AVX2__)
 namespace trophic::backend::kernel {
 
-[[gnu::flatten, gnu::target("avx2,avx512f,avx512dq,avx512vl")]] TROPHIC_INLINE void step_avx512(Crew& crew) {
-  any_step(crew);
+[[gnu::flatten, gnu::target("avx2,avx512f,avx512dq,avx512vl")]] TROPHIC_INLINE void step_avx512(Batch& batch) {
+  any_step(batch);
 }
 
 }  // namespace trophic::backend::kernel

@@ -13,8 +13,8 @@ namespace trophic::backend::kernel {
 [[gnu::optimize(1)]]
 #endif
 [[gnu::flatten]] TROPHIC_INLINE void
-step_portable(Crew& crew) {
-  any_step(crew);
+step_portable(Batch& batch) {
+  any_step(batch);
 }
 
 }  // namespace trophic::backend::kernel

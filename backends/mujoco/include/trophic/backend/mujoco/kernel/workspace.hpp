@@ -79,7 +79,7 @@ struct LinkWork {
   Real torque;           ///< joint torque minus S' force
   Spatial acceleration;  ///< of the current point of the search, without drift
   Spatial trial;         ///< of the point that the search tries
-  Mask changed;          ///< where other rows of its contacts and its hinge push there than before
+  Mask changed;          ///< where the active rows of its contacts and its hinge changed
   bool is_stale;         ///< whether its articulated inertia must be computed anew
 };
 
@@ -100,8 +100,8 @@ struct ContactWork {
   Real depth;      ///< signed distance, m, negative in contact
   Real weight;     ///< D of the four rows, 0 in a lane without this contact
   Vec3 offset;     ///< what is added to the point's acceleration so that the rows' residuals are projections of the sum
-  Mask active[4];  ///< rows n + mu t1, n - mu t1, n + mu t2, n - mu t2 that push
-  std::array<std::size_t, lane_count> memory;  ///< indices in the workspace's `pushing_rows`
+  Mask active[4];  ///< rows n + mu t1, n - mu t1, n + mu t2, n - mu t2 that are active
+  std::array<std::size_t, lane_count> memory;  ///< indices in the workspace's `active_rows`
   Vec3 residual;                               ///< at the current point of the search
   Vec3 trial;
 };
@@ -125,8 +125,8 @@ struct FieldContact {
 };
 
 /// A link of robots that touch each other or a height field.
-struct KnotLink {
-  Mask kept;     ///< lanes in which its hinge is an unknown of a knot (knot.hpp)
+struct IslandLink {
+  Mask kept;     ///< lanes in which its hinge is an unknown of an island (island.hpp)
   Spatial link;  ///< trial motion of lanes that are solved, while others are not
   Real hinge;    ///< and acceleration of its hinge
 };
@@ -139,15 +139,15 @@ struct Workspace {
   std::vector<ContactGroup> groups;
   std::size_t group_count = 0;
   std::size_t contact_count = 0;
-  /// Bits of the rows that pushed when a corner of a box last touched a plane, by plane, box, corner and lane.
-  std::vector<std::uint8_t> pushing_rows;
+  /// Bits of the rows active when a corner of a box last touched a plane, by plane, box, corner and lane.
+  std::vector<std::uint8_t> active_rows;
   bool rows_known = false;               ///< whether these robots took a step since `forget_rows`
   std::vector<PlacedBox> placed_boxes;   ///< lane by lane, from the origin of each robot's root
   std::vector<std::uint8_t> box_placed;  ///< whether it is computed in this stage
   std::vector<Vec3> box_centres;         ///< of all robots, from the origins of their roots
   std::vector<std::uint8_t> last_gap;    ///< which axis last separated two boxes of a robot, by lane and boxes
   std::vector<FieldContact> field_contacts;
-  std::vector<KnotLink> knot_links;
+  std::vector<IslandLink> island_links;
   Mask doubtful{};  ///< lanes in which rounding decides what touches
   LaneState stage;  ///< start and sums of a Runge-Kutta step
   LaneState sum;
@@ -165,19 +165,19 @@ struct Workspace {
     hinges.resize(model.hinges.size());
     contacts.resize(model.planes.size() * boxes * 4);
     groups.resize(model.planes.size() * model.links.size());
-    pushing_rows.resize(model.planes.size() * boxes * 8 * lane_count);
+    active_rows.resize(model.planes.size() * boxes * 8 * lane_count);
     placed_boxes.resize(lane_count * boxes);
     box_placed.resize(placed_boxes.size());
     box_centres.resize(boxes);
     last_gap.resize(lane_count * boxes * boxes);
-    knot_links.resize(links.size());
+    island_links.resize(links.size());
     stage.fit(model);
     sum.fit(model);
   }
 
   /// To be called when other robots come into the lanes.
   void forget_rows() {
-    std::ranges::fill(pushing_rows, all_rows);
+    std::ranges::fill(active_rows, all_rows);
     rows_known = false;
   }
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Robots that are stepped together: teams of four robots of one shape, and contacts between robots of any of them.
+// Robots that are stepped together: packs of four robots of one shape, and contacts between robots of any of them.
 #pragma once
 
 #include <array>
@@ -18,38 +18,38 @@
 namespace trophic::backend::kernel {
 
 /// Up to four robots whose bodies have one shape, one per lane.
-struct Team {
+struct Pack {
   LaneModel model;
   LaneState state;
   Workspace work;
   unsigned lanes = 0;  ///< bit i: a robot is in lane i
   /// Robots that the step could compute so far, and after it: those that took it. The others keep their state, and are MuJoCo's
   /// to step.
-  unsigned going = 0;
+  unsigned valid = 0;
   unsigned coupled = 0;   ///< robots whose links touch other links or a height field in this stage
-  unsigned unsolved = 0;  ///< those of them whose knot is not settled
-  unsigned solved = 0;    ///< and those whose knot has just settled
-  unsigned changed = 0;   ///< robots of which other rows of planes or limits push than before
+  unsigned unsolved = 0;  ///< those of them whose island is not settled
+  unsigned solved = 0;    ///< and those whose island has just settled
+  unsigned changed = 0;   ///< robots whose active rows of planes or limits changed
   bool is_stale = false;  ///< whether its trees must be eliminated anew
 
   /// The states of this stage.
   [[nodiscard]] LaneState& current() { return model.shape().runge_kutta ? work.stage : state; }
   [[nodiscard]] const LaneState& current() const { return model.shape().runge_kutta ? work.stage : state; }
-  [[nodiscard]] bool is_going(std::size_t lane) const { return (going & (1u << lane)) != 0; }
+  [[nodiscard]] bool is_valid(std::size_t lane) const { return (valid & (1u << lane)) != 0; }
 };
 
-/// The place of a robot in a crew.
-struct Seat {
-  std::size_t team;
+/// The place of a robot in a batch.
+struct LaneIndex {
+  std::size_t pack;
   std::size_t lane;
-  friend bool operator==(const Seat&, const Seat&) = default;
-  /// All seats of a crew in one sequence.
-  [[nodiscard]] std::size_t slot() const { return team * lane_count + lane; }
+  friend bool operator==(const LaneIndex&, const LaneIndex&) = default;
+  /// All lanes of a batch in one sequence.
+  [[nodiscard]] std::size_t slot() const { return pack * lane_count + lane; }
 };
 
 /// One contact of two links, of one robot or of two.
 struct LinkContact {
-  std::array<Seat, 2> seat;
+  std::array<LaneIndex, 2> at;
   std::array<std::size_t, 2> link;
   std::array<std::array<double, 3>, 2> point_m;  ///< from the origin of each robot's root
   std::array<std::array<double, 3>, 3> frame;    ///< normal from the first link to the second, and two tangents
@@ -57,7 +57,7 @@ struct LinkContact {
 };
 
 /// A contact between links, or with the height field: rows y_n +- mu y_t1, y_n +- mu y_t2 of y = J x + offset.
-struct KnotContact {
+struct IslandContact {
   std::size_t first = 0;  ///< of the coordinates in x that move it, which ascend
   std::size_t coordinates = 0;
   std::size_t jacobian = 0;  ///< where its J begins
@@ -66,26 +66,26 @@ struct KnotContact {
   std::array<double, 3> offset{};
   std::array<bool, 4> active{};
 
-  [[nodiscard]] std::array<double, 4> pushing_weights() const {
+  [[nodiscard]] std::array<double, 4> active_weights() const {
     return {active[0] ? weight : 0.0, active[1] ? weight : 0.0, active[2] ? weight : 0.0, active[3] ? weight : 0.0};
   }
 };
 
-/// Sets of robots that share a fate, by slot; they grow by being joined.
-class Ties {
+/// Disjoint sets of lanes, by slot.
+class UnionFind {
  public:
   void reset(std::size_t slots) {
     root_.resize(slots);
     std::iota(root_.begin(), root_.end(), std::size_t{0});
   }
   /// The first slot of the set of `slot`.
-  [[nodiscard]] std::size_t first(std::size_t slot) const {
+  [[nodiscard]] std::size_t find(std::size_t slot) const {
     while (root_[slot] != slot) slot = root_[slot];
     return slot;
   }
-  void join(const Seat& a, const Seat& b) {
-    const std::size_t i = first(a.slot());
-    const std::size_t j = first(b.slot());
+  void unite(const LaneIndex& a, const LaneIndex& b) {
+    const std::size_t i = find(a.slot());
+    const std::size_t j = find(b.slot());
     root_[i < j ? j : i] = i < j ? i : j;
   }
 
@@ -93,12 +93,12 @@ class Ties {
   std::vector<std::size_t> root_;
 };
 
-/// Robots tied to each other by contacts between links, or one whose own links touch each other or a height field: the memory of
-/// their search.
-struct KnotWork {
-  std::vector<Seat> seats;  ///< of its robots, in the order of the crew's `order`
+/// An island: robots coupled by contacts between links, or one whose own links touch each other or a height field. The memory of
+/// its search.
+struct IslandWork {
+  std::vector<LaneIndex> lanes;  ///< of its robots, in the order of the batch's `order`
   std::vector<const LinkContact*> link_contacts;
-  std::vector<KnotContact> contacts;
+  std::vector<IslandContact> contacts;
   std::vector<std::size_t> coordinates;
   std::vector<double> jacobians;           ///< J of each contact: normal and tangents, as long as columns of `system`
   std::vector<std::size_t> hinge_indices;  ///< index in x of each link's hinge, robot by robot; none: `eliminated`
@@ -108,15 +108,15 @@ struct KnotWork {
   SymmetricSystem system;
   SymmetricSystem trees;  ///< A and b before contacts add to them
   std::vector<double> trees_x;
-  bool trees_known = false;  ///< whether `trees` are those of the rows of planes and limits that push now
+  bool trees_known = false;  ///< whether `trees` are those of the active rows of planes and limits
   bool settled = false;
 
   static constexpr std::size_t eliminated = static_cast<std::size_t>(-1);
 
-  [[nodiscard]] std::span<const std::size_t> coordinates_of(const KnotContact& contact) const {
+  [[nodiscard]] std::span<const std::size_t> coordinates_of(const IslandContact& contact) const {
     return {coordinates.data() + contact.first, contact.coordinates};
   }
-  [[nodiscard]] std::array<const double*, 3> rows(const KnotContact& contact) const {
+  [[nodiscard]] std::array<const double*, 3> rows(const IslandContact& contact) const {
     const double* const first = jacobians.data() + contact.jacobian;
     return {first, first + system.column_size(), first + 2 * system.column_size()};
   }
@@ -124,48 +124,48 @@ struct KnotWork {
 
 /// Robots that one thread steps together, and its scratch memory. Any robots may be in it; those that may touch each other must
 /// be.
-struct Crew {
-  std::vector<std::unique_ptr<Team>> teams;
-  std::size_t team_count = 0;                   ///< teams in use; the others only keep their memory
-  std::vector<std::array<Seat, 2>> neighbours;  ///< robots that may touch, the earlier one of each pair first
-  std::vector<Seat> order;                      ///< all robots; a robot's motion depends on this order, not on its seat
+struct Batch {
+  std::vector<std::unique_ptr<Pack>> packs;
+  std::size_t pack_count = 0;                        ///< packs in use; the others only keep their memory
+  std::vector<std::array<LaneIndex, 2>> neighbours;  ///< robots that may touch, the earlier one of each pair first
+  std::vector<LaneIndex> order;                      ///< all robots; a robot's motion depends on this order, not on its lane
   std::vector<LinkContact> link_contacts;
-  Ties ties;                         ///< robots that MuJoCo must step together, if it must step one of them
-  Ties knot_ties;                    ///< robots tied by contacts in this stage
-  std::vector<std::size_t> knot_of;  ///< of each slot
-  std::vector<std::size_t> rank_of;  ///< of each slot among the seats of its knot
-  std::vector<KnotWork> knots;
-  std::size_t knot_count = 0;
+  UnionFind step_sets;                 ///< robots that MuJoCo must step together, if it must step one of them
+  UnionFind island_sets;               ///< robots coupled by contacts in this stage
+  std::vector<std::size_t> island_of;  ///< of each slot
+  std::vector<std::size_t> rank_of;    ///< of each slot among the lanes of its island
+  std::vector<IslandWork> islands;
+  std::size_t island_count = 0;
   std::vector<std::uint8_t> last_gap;  ///< which axis last separated two boxes of two robots; a guess, as many share an entry
   BoxCollider collider;
   std::optional<FieldCollider> field_collider;
 
-  explicit Crew(mujoco::BoxDepth box_depth) : last_gap(gaps), collider{box_depth} {}
+  explicit Batch(mujoco::BoxDepth box_depth) : last_gap(gaps), collider{box_depth} {}
 
   static constexpr std::size_t gaps = 1u << 13;
 
-  [[nodiscard]] Team& team(const Seat& seat) { return *teams[seat.team]; }
-  [[nodiscard]] const Team& team(const Seat& seat) const { return *teams[seat.team]; }
+  [[nodiscard]] Pack& pack(const LaneIndex& at) { return *packs[at.pack]; }
+  [[nodiscard]] const Pack& pack(const LaneIndex& at) const { return *packs[at.pack]; }
 
-  /// Empties all seats.
+  /// Empties all lanes.
   void clear() {
-    team_count = 0;
+    pack_count = 0;
     neighbours.clear();
     order.clear();
   }
 
-  /// A further team, without robots. `bodies`: of its lanes, of one shape; lanes beyond them get the first.
-  Team& add_team(std::span<const std::shared_ptr<const KernelModel>> bodies) {
-    if (team_count == teams.size()) teams.push_back(std::make_unique<Team>());
-    Team& team = *teams[team_count++];
-    team.model.set_bodies(bodies);
-    const KernelModel& model = team.model.shape();
-    team.state.fit(model);
-    team.work.fit(model);
-    team.work.forget_rows();
-    team.lanes = 0;
+  /// A further pack, without robots. `bodies`: of its lanes, of one shape; lanes beyond them get the first.
+  Pack& add_pack(std::span<const std::shared_ptr<const KernelModel>> bodies) {
+    if (pack_count == packs.size()) packs.push_back(std::make_unique<Pack>());
+    Pack& pack = *packs[pack_count++];
+    pack.model.set_bodies(bodies);
+    const KernelModel& model = pack.model.shape();
+    pack.state.fit(model);
+    pack.work.fit(model);
+    pack.work.forget_rows();
+    pack.lanes = 0;
     if (model.field && !field_collider) field_collider.emplace(*model.field);
-    return team;
+    return pack;
   }
 };
 

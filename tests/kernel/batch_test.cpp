@@ -12,9 +12,9 @@
 using namespace trophic;
 using namespace trophic::test;
 using backend::Disc;
+using backend::mujoco::BatchPlan;
+using backend::mujoco::BatchPlanner;
 using backend::mujoco::CompiledModel;
-using backend::mujoco::CrewPlan;
-using backend::mujoco::CrewPlanner;
 using backend::mujoco::Share;
 
 namespace {
@@ -41,7 +41,7 @@ bool robots_in_contact(const mjModel& model, const mjData& data) {
 struct Tally {
   std::size_t stepped = 0;  ///< robots
   std::size_t declined = 0;
-  std::size_t touching = 0;  ///< companies stepped as a whole in which robots touched
+  std::size_t touching = 0;  ///< groups stepped as a whole in which robots touched
   double acceleration = 0.0;
 
   [[nodiscard]] bool agrees(std::size_t least_touching = 20) const {
@@ -49,9 +49,9 @@ struct Tally {
   }
 };
 
-/// Companies of robots of these bodies, the last with a robot of another company in the lane next to its own.
-Tally compare_companies(const std::string& name, const std::vector<RobotModel>& bodies, const Physics& physics,
-                        std::size_t companies, BoxDepth depth = BoxDepth::engine) {
+/// Groups of robots of these bodies, the last with a robot of another group in the lane next to its own.
+Tally compare_batches(const std::string& name, const std::vector<RobotModel>& bodies, const Physics& physics, std::size_t trials,
+                      BoxDepth depth = BoxDepth::engine) {
   const Arena arena;
   const std::size_t robots = bodies.size();
   std::vector<std::unique_ptr<Reference>> alone;
@@ -69,22 +69,22 @@ Tally compare_companies(const std::string& name, const std::vector<RobotModel>& 
   };
   std::vector<std::vector<std::size_t>> groups{std::vector<std::size_t>(robots), {2 * robots - 1}};
   std::iota(groups[0].begin(), groups[0].end(), std::size_t{0});
-  CrewPlanner planner;
+  BatchPlanner planner;
   const std::vector<Disc> discs(2 * robots, Disc{0.0, 0.0, 1.0});
-  const CrewPlan plan = planner.plan(groups, discs, shape_of).front();
-  kernel::Crew crew{depth};
-  for (const CrewPlan::Team& seats : plan.teams) {
+  const BatchPlan plan = planner.plan(groups, discs, shape_of).front();
+  kernel::Batch batch{depth};
+  for (const BatchPlan::Pack& planned : plan.packs) {
     std::vector<std::shared_ptr<const kernel::KernelModel>> lanes;
-    for (std::size_t lane = 0; lane < seats.used; ++lane) lanes.push_back(alone[seats.robots[lane] % robots]->constants);
-    crew.add_team(lanes).lanes = (1u << seats.used) - 1;
+    for (std::size_t lane = 0; lane < planned.used; ++lane) lanes.push_back(alone[planned.robots[lane] % robots]->constants);
+    batch.add_pack(lanes).lanes = (1u << planned.used) - 1;
   }
-  crew.order = plan.order;
-  crew.neighbours = plan.neighbours;
+  batch.order = plan.order;
+  batch.neighbours = plan.neighbours;
 
   const auto step = kernel::fastest_step();
   Rng rng{31, Stream::user};
   Tally tally;
-  for (std::size_t i = 0; i < companies; ++i) {
+  for (std::size_t i = 0; i < trials; ++i) {
     std::vector<RobotState> states;
     double from_centre_m = 0.0;
     for (std::size_t robot = 0; robot < robots; ++robot) {
@@ -99,18 +99,18 @@ Tally compare_companies(const std::string& name, const std::vector<RobotModel>& 
       std::ranges::copy(state.warm, data.qacc_warmstart + share.velocity);
       std::ranges::copy(state.target, data.ctrl + share.control);
     }
-    // The robot of another company stands in the last one, which does not look at it.
-    for (const kernel::Seat& seat : crew.order) states[plan.robot(seat) % robots].put(crew.team(seat), seat.lane);
-    for (std::size_t t = 0; t < crew.team_count; ++t) crew.teams[t]->work.forget_rows();
-    step(crew);
+    // The robot of another group stands in the last one, which does not look at it.
+    for (const kernel::LaneIndex& at : batch.order) states[plan.robot(at) % robots].put(batch.pack(at), at.lane);
+    for (std::size_t t = 0; t < batch.pack_count; ++t) batch.packs[t]->work.forget_rows();
+    step(batch);
     mj_step(&compiled.model(), &data);
     bool whole = true;
-    for (const kernel::Seat& seat : crew.order) {
-      const std::size_t robot = plan.robot(seat);
+    for (const kernel::LaneIndex& at : batch.order) {
+      const std::size_t robot = plan.robot(at);
       if (robot >= robots) continue;
       RobotState after = states[robot];
-      after.get(crew.team(seat), seat.lane);
-      if (!crew.team(seat).is_going(seat.lane)) {
+      after.get(batch.pack(at), at.lane);
+      if (!batch.pack(at).is_valid(at.lane)) {
         whole = false;
         ++tally.declined;
         CHECK(after.qvel == states[robot].qvel);
@@ -124,7 +124,7 @@ Tally compare_companies(const std::string& name, const std::vector<RobotModel>& 
     tally.touching += whole && robots_in_contact(compiled.model(), data) ? 1U : 0U;
   }
   MESSAGE(name << ": " << tally.stepped << " robots stepped, " << tally.declined << " left to MuJoCo, " << tally.touching
-               << " companies touching; acceleration " << tally.acceleration);
+               << " groups touching; acceleration " << tally.acceleration);
   return tally;
 }
 
@@ -151,24 +151,24 @@ std::vector<RobotModel> several(const std::string& name, std::size_t robots) {
 
 }  // namespace
 
-TEST_CASE("kernel companies: robots near each other, touching or not -> the step of one model") {
+TEST_CASE("kernel batches: robots near each other, touching or not -> the step of one model") {
   for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::rk4}) {
     for (const std::size_t robots : {2U, 3U}) {
-      CHECK(compare_companies("spiders", several("spider", robots), {.integrator = integrator}, 400).agrees());
+      CHECK(compare_batches("spiders", several("spider", robots), {.integrator = integrator}, 400).agrees());
     }
-    CHECK(compare_companies("seven spiders", several("spider", 7), {.integrator = integrator}, 60).agrees());
+    CHECK(compare_batches("seven spiders", several("spider", 7), {.integrator = integrator}, 60).agrees());
   }
-  CHECK(compare_companies("geckos", several("gecko", 2), {}, 200).agrees(0));
+  CHECK(compare_batches("geckos", several("gecko", 2), {}, 200).agrees(0));
 }
 
-TEST_CASE("kernel companies: robots near each other, whole depth between boxes -> the step of one model") {
+TEST_CASE("kernel batches: robots near each other, whole depth between boxes -> the step of one model") {
   for (const std::size_t robots : {2U, 3U}) {
-    CHECK(compare_companies("spiders", several("spider", robots), {}, 400, BoxDepth::whole).agrees());
+    CHECK(compare_batches("spiders", several("spider", robots), {}, 400, BoxDepth::whole).agrees());
   }
-  CHECK(compare_companies("geckos", several("gecko", 2), {}, 200, BoxDepth::whole).agrees(0));
+  CHECK(compare_batches("geckos", several("gecko", 2), {}, 200, BoxDepth::whole).agrees(0));
 }
 
-TEST_CASE("kernel companies: robots of several bodies near each other -> the step of one model") {
+TEST_CASE("kernel batches: robots of several bodies near each other -> the step of one model") {
   Rng rng{33, Stream::user};
   const RobotModel spider = load_robot("spider");
   const RobotModel gecko = load_robot("gecko");
@@ -176,25 +176,25 @@ TEST_CASE("kernel companies: robots of several bodies near each other -> the ste
   slippery.friction = 0.2;
   for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::rk4}) {
     const Physics physics{.integrator = integrator};
-    CHECK(compare_companies("spider, gecko", {spider, gecko}, physics, 300).agrees());
-    CHECK(compare_companies("geckos of two frictions, spiders", {gecko, spider, slippery, spider, gecko, spider}, physics, 60)
+    CHECK(compare_batches("spider, gecko", {spider, gecko}, physics, 300).agrees());
+    CHECK(compare_batches("geckos of two frictions, spiders", {gecko, spider, slippery, spider, gecko, spider}, physics, 60)
               .agrees());
   }
   const std::vector<RobotModel> any = {random_module_robot(rng, 9), random_module_robot(rng, 14), random_module_robot(rng, 14)};
-  CHECK(compare_companies("random modules", any, {}, 300).agrees());
+  CHECK(compare_batches("random modules", any, {}, 300).agrees());
 }
 
-TEST_CASE("kernel companies: bodies of one tree with other numbers in one team -> the step of one model") {
+TEST_CASE("kernel batches: bodies of one tree with other numbers in one pack -> the step of one model") {
   Rng rng{35, Stream::user};
   for (const std::string name : {"spider", "gecko"}) {
     std::vector<RobotModel> bodies;
     for (int i = 0; i < 4; ++i) bodies.push_back(varied(load_robot(name), rng));
-    CHECK(compare_companies("varied " + name, bodies, {}, 150).agrees(name == "spider" ? 20 : 0));
-    CHECK(compare_companies("varied " + name, bodies, {.integrator = Integrator::rk4}, 50).agrees(name == "spider" ? 5 : 0));
+    CHECK(compare_batches("varied " + name, bodies, {}, 150).agrees(name == "spider" ? 20 : 0));
+    CHECK(compare_batches("varied " + name, bodies, {.integrator = Integrator::rk4}, 50).agrees(name == "spider" ? 5 : 0));
   }
 }
 
-TEST_CASE("kernel companies: robots of one body or of four in a team -> the same bytes") {
+TEST_CASE("kernel batches: robots of one body or of four in a pack -> the same bytes") {
   Rng rng{36, Stream::user};
   std::vector<std::unique_ptr<Reference>> alone;
   std::vector<std::shared_ptr<const kernel::KernelModel>> constants;
@@ -205,27 +205,27 @@ TEST_CASE("kernel companies: robots of one body or of four in a team -> the same
     constants.push_back(alone.back()->constants);
     CHECK(kernel::same_shape(*constants.front(), *constants.back()));
   }
-  kernel::Crew mixed{BoxDepth::engine};
+  kernel::Batch mixed{BoxDepth::engine};
   for (int trial = 0; trial < 50; ++trial) {
     mixed.clear();
-    kernel::Team& team = mixed.add_team(constants);
-    team.lanes = kernel::all_lanes;
+    kernel::Pack& pack = mixed.add_pack(constants);
+    pack.lanes = kernel::all_lanes;
     std::vector<RobotState> states;
     for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) {
       states.push_back(random_state(bodies[lane], Arena{}, *alone[lane], rng));
-      states.back().put(team, lane);
+      states.back().put(pack, lane);
       mixed.order.push_back({0, lane});
     }
     kernel::fastest_step()(mixed);
     for (std::size_t lane = 0; lane < kernel::lane_count; ++lane) {
-      OneTeam own{constants[lane]};
-      states[lane].put(own.team, lane);
-      const unsigned going = own.step(1u << lane);
-      CHECK(going == (team.going & (1u << lane)));
+      OnePack own{constants[lane]};
+      states[lane].put(own.pack, lane);
+      const unsigned valid = own.step(1u << lane);
+      CHECK(valid == (pack.valid & (1u << lane)));
       RobotState apart = states[lane];
       RobotState together = states[lane];
-      apart.get(own.team, lane);
-      together.get(team, lane);
+      apart.get(own.pack, lane);
+      together.get(pack, lane);
       CHECK(apart.qpos == together.qpos);
       CHECK(apart.warm == together.warm);
     }
@@ -237,7 +237,7 @@ TEST_CASE("kernel companies: robots of one body or of four in a team -> the same
   CHECK(!kernel::same_shape(*other.constants, *constants.front()));
 }
 
-TEST_CASE("kernel companies: crowd in another order of seats -> the same bytes") {
+TEST_CASE("kernel batches: crowd in another order of lanes -> the same bytes") {
   const RobotModel robot = load_robot("spider");
   Reference reference{robot, Arena{}, {}};
   Rng rng{34, Stream::user};
@@ -248,31 +248,31 @@ TEST_CASE("kernel companies: crowd in another order of seats -> the same bytes")
       states.push_back(random_state(robot, Arena{}, reference, rng));
       for (std::size_t k = 0; k < 2; ++k) states.back().qpos[k] = 0.5 * rng.uniform(-1.0, 1.0);
     }
-    std::vector<std::size_t> seats(robots);
-    std::iota(seats.begin(), seats.end(), std::size_t{0});
+    std::vector<std::size_t> slots(robots);
+    std::iota(slots.begin(), slots.end(), std::size_t{0});
     std::vector<std::vector<RobotState>> results;
-    std::vector<unsigned> going;
+    std::vector<unsigned> valid;
     for (int order = 0; order < 2; ++order) {
-      kernel::Crew crew{BoxDepth::engine};
-      for (std::size_t t = 0; t < 3; ++t) crew.add_team({&reference.constants, 1});
+      kernel::Batch batch{BoxDepth::engine};
+      for (std::size_t t = 0; t < 3; ++t) batch.add_pack({&reference.constants, 1});
       for (std::size_t i = 0; i < robots; ++i) {
-        const kernel::Seat seat{seats[i] / kernel::lane_count, seats[i] % kernel::lane_count};
-        for (const kernel::Seat& other : crew.order) crew.neighbours.push_back({other, seat});
-        crew.order.push_back(seat);
-        crew.team(seat).lanes |= 1u << seat.lane;
-        states[i].put(crew.team(seat), seat.lane);
+        const kernel::LaneIndex at{slots[i] / kernel::lane_count, slots[i] % kernel::lane_count};
+        for (const kernel::LaneIndex& other : batch.order) batch.neighbours.push_back({other, at});
+        batch.order.push_back(at);
+        batch.pack(at).lanes |= 1u << at.lane;
+        states[i].put(batch.pack(at), at.lane);
       }
-      kernel::fastest_step()(crew);
+      kernel::fastest_step()(batch);
       results.push_back(states);
-      going.push_back(0);
+      valid.push_back(0);
       for (std::size_t i = 0; i < robots; ++i) {
-        const kernel::Seat& seat = crew.order[i];
-        results.back()[i].get(crew.team(seat), seat.lane);
-        going.back() |= crew.team(seat).is_going(seat.lane) ? 1u << i : 0u;
+        const kernel::LaneIndex& at = batch.order[i];
+        results.back()[i].get(batch.pack(at), at.lane);
+        valid.back() |= batch.pack(at).is_valid(at.lane) ? 1u << i : 0u;
       }
-      rng.shuffle(std::span{seats});
+      rng.shuffle(std::span{slots});
     }
-    CHECK(going[0] == going[1]);
+    CHECK(valid[0] == valid[1]);
     for (std::size_t i = 0; i < robots; ++i) {
       CHECK(results[0][i].qpos == results[1][i].qpos);
       CHECK(results[0][i].warm == results[1][i].warm);
@@ -280,9 +280,9 @@ TEST_CASE("kernel companies: crowd in another order of seats -> the same bytes")
   }
 }
 
-TEST_CASE("kernel companies: groups -> crews with whole groups, each robot once in a team of its shape") {
+TEST_CASE("kernel batches: groups -> batches with whole groups, each robot once in a pack of its shape") {
   Rng rng{32, Stream::user};
-  CrewPlanner planner;
+  BatchPlanner planner;
   for (int trial = 0; trial < 100; ++trial) {
     std::vector<std::vector<std::size_t>> groups;
     std::size_t robots = 0;
@@ -295,25 +295,25 @@ TEST_CASE("kernel companies: groups -> crews with whole groups, each robot once 
     const std::size_t shapes = 1 + rng.index(3);
     const auto shape_of = [&](std::size_t robot) { return (robot * 7 + robot / 5) % shapes; };
     const std::vector<Disc> discs(robots, Disc{0.0, 0.0, 1.0});
-    std::vector<std::size_t> crew_of(robots);
+    std::vector<std::size_t> batch_of(robots);
     std::vector<int> seen(robots);
-    std::size_t crews = 0;
-    std::size_t half_empty = 0;  // teams of robots that cannot touch others
-    for (const CrewPlan& plan : planner.plan(groups, discs, shape_of)) {
-      ++crews;
+    std::size_t batches = 0;
+    std::size_t half_empty = 0;  // packs of robots that cannot touch others
+    for (const BatchPlan& plan : planner.plan(groups, discs, shape_of)) {
+      ++batches;
       const bool only_lone = plan.neighbours.empty();
-      half_empty += only_lone ? static_cast<std::size_t>(std::ranges::count_if(plan.teams, &CrewPlan::Team::room)) : 0;
-      for (const kernel::Seat& seat : plan.order) {
-        ++seen[plan.robot(seat)];
-        crew_of[plan.robot(seat)] = crews;
-        CHECK(seat.lane < plan.teams[seat.team].used);
-        CHECK(shape_of(plan.robot(seat)) == plan.teams[seat.team].shape);
+      half_empty += only_lone ? static_cast<std::size_t>(std::ranges::count_if(plan.packs, &BatchPlan::Pack::room)) : 0;
+      for (const kernel::LaneIndex& at : plan.order) {
+        ++seen[plan.robot(at)];
+        batch_of[plan.robot(at)] = batches;
+        CHECK(at.lane < plan.packs[at.pack].used);
+        CHECK(shape_of(plan.robot(at)) == plan.packs[at.pack].shape);
       }
       for (const auto& [a, b] : plan.neighbours) CHECK(plan.robot(a) < plan.robot(b));
     }
     CHECK(std::ranges::all_of(seen, [](int times) { return times == 1; }));
     for (const auto& group : groups) {
-      CHECK(std::ranges::all_of(group, [&](std::size_t robot) { return crew_of[robot] == crew_of[group.front()]; }));
+      CHECK(std::ranges::all_of(group, [&](std::size_t robot) { return batch_of[robot] == batch_of[group.front()]; }));
     }
     CHECK(half_empty <= shapes);
   }
