@@ -165,14 +165,22 @@ def accepted(executable: str, arguments: list[str], folder: str) -> subprocess.C
     return subprocess.run([executable, *arguments], cwd=folder, capture_output=True, text=True, timeout=60)
 
 
-def without_origin(arguments: list[str]) -> list[str]:
-    """Without --from and --at, which need an existing run; --help is checked for them."""
-    kept = list(arguments)
-    for flag in ("--from", "--at"):
-        if flag in kept:
-            at = kept.index(flag)
-            del kept[at : at + 2]
+def only_options(arguments: list[str], names: list[str]) -> list[str]:
+    """These options and their values."""
+    kept, keeps = [], False
+    for word in arguments:
+        keeps = word.split("=")[0] in names if word.startswith("--") else keeps
+        kept += [word] if keeps else []
     return kept
+
+
+def parsed(executable: str, arguments: list[str], ask: str, folder: str) -> subprocess.CompletedProcess:
+    """Parses the arguments, running nothing: `ask` prints and stops. A second call leaves out the options that it does not go with."""
+    if "--print-table" in arguments:
+        return accepted(executable, arguments, folder)
+    done = accepted(executable, [*arguments, ask], folder)
+    alone = re.search(rf"not with {ask}, which goes with (.*) alone", done.stderr)
+    return accepted(executable, [*only_options(arguments, re.findall(r"--[\w-]+", alone[1])), ask], folder) if alone else done
 
 
 def check_ours(tree, programs: Programs, name: str, words: list[str]) -> list[str]:
@@ -205,9 +213,9 @@ def check_ours(tree, programs: Programs, name: str, words: list[str]) -> list[st
         return []
     with tempfile.TemporaryDirectory() as folder:  # the arguments are parsed, nothing is run
         (pathlib.Path(folder) / "models").symlink_to(tree.root / "models")
-        done = accepted(executable, [*without_origin(arguments), ask], folder)
+        done = parsed(executable, arguments, ask, folder)
         if "was built without it" in done.stderr:  # the engine is not an argument of the reader's
-            done = accepted(executable, [*without_origin(arguments), "--backend", "kinematic", ask], folder)
+            done = parsed(executable, [*arguments, "--backend", "kinematic"], ask, folder)
     return [] if done.returncode == 0 else [f"refused: {done.stderr.strip()}"]
 
 
