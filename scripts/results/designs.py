@@ -179,7 +179,7 @@ def sweep_rows(effects):
 
 
 def orphans(runs):
-    """Of the births after a starvation, the share with a parent, divided by the share that should inherit."""
+    """The share of births after a starvation with a parent, divided by the share that should inherit."""
     births = inherited = 0
     for events in sorted(pathlib.Path(runs).glob("replicate-*/events.csv")):
         starved = set()

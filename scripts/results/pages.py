@@ -287,7 +287,7 @@ def race(rows):
 
 
 def historical(rows):
-    """Progress against opponents of the own run."""
+    """Progress against opponents from the same run."""
     lines = []
     for cell in dict.fromkeys(row["cell"] for row in rows if row["measure"].startswith("historical")):
         of_cell = {(row["measure"], row["species"]): row for row in rows if row["cell"] == cell}

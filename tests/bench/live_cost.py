@@ -38,7 +38,7 @@ def play(page):
 
 
 def live_s(command, folder):
-    """Of the run's thread, and of all others."""
+    """Processor time of the run's thread, and of all others."""
     with LiveRun(command, folder) as run, run.page() as page:
         play(page)
         pid = run.process.pid
@@ -54,7 +54,7 @@ def counted(folder, name):
 
 
 def instructions(command, folder):
-    """Of the run alone, of the run's thread with a page, and of its other threads, in millions."""
+    """Millions of the run alone, of the run's thread with a page, and of its other threads."""
     tool = ["valgrind", "-q", "--tool=callgrind", "--separate-threads=yes"]
     alone_s([*tool, f"--callgrind-out-file={folder}/alone.callgrind", *command, "alone"], folder)
     with LiveRun([*tool, f"--callgrind-out-file={folder}/live.callgrind", *command, "live"], folder) as run:

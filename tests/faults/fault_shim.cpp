@@ -106,7 +106,7 @@ int ftruncate(int file, off_t length) noexcept {
   return -1;
 }
 
-/// Of files that are opened to be read: too many are open.
+/// Fails for files that are opened to be read: too many are open.
 int open(const char* path, int flags, ...) {
   using Open = int (*)(const char*, int, ...);
   static const auto real = next<Open>("open");
@@ -119,7 +119,7 @@ int open(const char* path, int flags, ...) {
   return -1;
 }
 
-/// Of files: a disk that fails. Pipes are read as ever.
+/// Fails for files, as a disk that fails. Pipes are read as ever.
 ssize_t read(int file, void* bytes, std::size_t size) {
   static const auto real = next<ssize_t (*)(int, void*, std::size_t)>("read");
   struct stat status {};

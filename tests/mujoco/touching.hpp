@@ -58,7 +58,7 @@ class TouchWatch {
     return data;
   }
 
-  /// Of geometry that belongs to no robot: a fixed plane.
+  /// Whether geometry that belongs to no robot is a fixed plane.
   [[nodiscard]] static bool is_wall(const mjData& data, int geom) { return std::abs(data.geom_xmat[9 * geom + 8]) < 0.5; }
 
   /// -1 for floor and walls.

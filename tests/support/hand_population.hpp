@@ -81,7 +81,7 @@ class HandPopulation {
     return {.time_s = time_s, .tick = tick, .web = web, .arena = arena, .robots = individuals, .poses = poses};
   }
 
-  /// Who perceives whom unless a test says otherwise: active individuals of the own tag. Refers to this object.
+  /// Who perceives whom unless a test says otherwise: active individuals of its own tag. Refers to this object.
   [[nodiscard]] perception::Perceives perceives() const {
     return [this](BodyIndex self, BodyIndex other) {
       return individuals[self].tag == individuals[other].tag && individuals[other].active;

@@ -79,7 +79,7 @@ class ChangingSimulation final : public Simulation {
   observe::RunDescription first_;  ///< of the first numbers
 };
 
-/// Adds changes.csv to the own tables of each ecology whose numbers may change.
+/// Adds changes.csv to the tables of each ecology whose numbers may change.
 [[nodiscard]] io::OwnTablesOf with_changes(const io::OwnTables& own_tables);
 
 }  // namespace trophic::changes

@@ -17,8 +17,8 @@
 #include <optional>
 #include <string>
 #include <system_error>
-#include <tools/command/shell_text.hpp>
 #include <tools/command/output.hpp>
+#include <tools/command/shell_text.hpp>
 #include <tools/experiment/sweep_runner.hpp>
 #include <tools/sweep/work_through.hpp>
 #include <trophic/io/next_free_folder.hpp>
@@ -33,7 +33,7 @@ namespace trophic::command::detail::sweeps {
 /// A new folder that goes when this does.
 struct PassingFolder {
   std::filesystem::path path;
-  /// Of two programs that want the same name one makes it, and the other takes the next.
+  /// If two programs want the same name, one makes it and the other takes the next.
   explicit PassingFolder(const std::filesystem::path& name) {
     do path = io::next_free_folder(name);
     while (!std::filesystem::create_directory(path));

@@ -41,7 +41,7 @@ class Steering final : public changes::Conductor {
   void begin(double tick_s);
   void set_visible();
 
-  // Of pages.
+  // For pages.
   void set_pages(std::size_t pages);
   void pause();
   void play();
@@ -52,7 +52,7 @@ class Steering final : public changes::Conductor {
   void restart(std::uint64_t seed, std::string rule_table);
   [[nodiscard]] Pace pace() const;
 
-  // Of the run.
+  // For the run.
   [[nodiscard]] std::vector<changes::Change> due(double time_s) override;
   [[nodiscard]] bool ends() const override;
   void made(const changes::ChangeRow& row) override;

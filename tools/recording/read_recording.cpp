@@ -156,7 +156,7 @@ void RecordingReader::scan() {
     const bool nothing = file.gcount() == 0;
     const std::size_t size = recording::u32_at({front.data(), front.size()}, 0);
     const std::string_view kind{front.data() + 4, 4};
-    // Of frames only their numbers are kept here; a head is short.
+    // Only the numbers of frames are kept here; a head is short.
     const bool is_kept = kind == recording::head_kind || kind == recording::body_kind || kind == recording::who_kind;
     const std::size_t most_kept = is_kept ? recording::largest_head : 16;
     std::uint32_t sum = checksum(kind);

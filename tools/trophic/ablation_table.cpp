@@ -140,7 +140,7 @@ void write(const Options& options) {
     text << "## Together\n\nFirst: " << table_of(*first) << ". Second: " << table_of(*second)
          << ". Each group of rules alone put into the first, and taken out of the second.\n\n";
     analysis::print_shares(text, whole, first->effects, second->effects, groups);
-    text << "\n*: decided in its direction. Sums that miss the whole difference show that the groups act on each other.\n";
+    text << "\n*: significant in its direction. Sums that miss the whole difference show that the groups act on each other.\n";
   }
   csv.finish();
   write_new_file(out / "ablations.md", text.str());
@@ -153,22 +153,21 @@ void write(const Options& options) {
 /// One table over all swaps of an ablation study.
 Command ablation_table() {
   const auto options = std::make_shared<detail::ablation_table::Options>();
-  return {
-      .name = "ablation-table",
-      .about =
-          "Reads the sets of an ablation study and writes what each swap changes: ablations.csv (all) and ablations.md (what is "
-          "decided).",
-      .options = {{"runs", &options->runs, "the OUT of the study", {}, 0, true},
-                  {"--jobs", &options->jobs, "sets measured at a time (1)"},
-                  {"--out", &options->out, "new folder for the tables (swaps)"}},
-      .work =
-          [options] {
-            if (options->jobs == 0) throw std::invalid_argument{"--jobs 0: must be >= 1"};
-            detail::ablation_table::write(*options);
-            return 0;
-          },
-      .subcommands = {},
-      .version = {}};
+  return {.name = "ablation-table",
+          .about =
+              "Reads the sets of an ablation study and writes what each swap changes: ablations.csv (all) and ablations.md (the "
+              "significant ones).",
+          .options = {{"runs", &options->runs, "the OUT of the study", {}, 0, true},
+                      {"--jobs", &options->jobs, "sets measured at a time (1)"},
+                      {"--out", &options->out, "new folder for the tables (swaps)"}},
+          .work =
+              [options] {
+                if (options->jobs == 0) throw std::invalid_argument{"--jobs 0: must be >= 1"};
+                detail::ablation_table::write(*options);
+                return 0;
+              },
+          .subcommands = {},
+          .version = {}};
 }
 
 }  // namespace trophic::command

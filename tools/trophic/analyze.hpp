@@ -9,7 +9,7 @@
 
 namespace trophic::command {
 
-/// Metrics of runs, claims about them, and differences between two sets of them, with the own metrics of the offer of `program`.
+/// Metrics of runs, claims about them, and differences between two sets of them, with the metrics that `program` offers.
 /// Throws std::invalid_argument for a metric whose name is taken or is not a word.
 [[nodiscard]] Command analyze(const std::string& program, const Offer& offer);
 

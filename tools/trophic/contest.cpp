@@ -192,7 +192,7 @@ Command contest_command() {
       .about =
           "Lets hunters of one epoch of the runs meet victims of another, in the runs' arena without catches, births and deaths. "
           "Progress of a species is how much sooner its later hunters reach the victims of all epochs, or how much later its "
-          "later victims are reached; against opponents of other replicates it is global, against those of the own run "
+          "later victims are reached; against opponents of other replicates it is global, against those from the same run "
           "historical. It is compared with the neutral shadow, which is found in RUNS/shadow.",
       .options = {{.name = "runs", .target = &options->runs, .help = "folders of runs, or of replicates", .required = true},
                   {"--shadow", &options->shadow, "folder of the shadow (RUNS/shadow, if there is one)"},

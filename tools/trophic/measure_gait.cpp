@@ -34,7 +34,7 @@ struct Options {
   bool walk = false;
 };
 
-/// Of the paper and of its released code.
+/// The physics of the paper and of its released code.
 inline constexpr std::array physics{Physics{.timestep_s = 0.0012, .integrator = Integrator::semi_implicit_euler},
                                     Physics{.timestep_s = 0.012, .integrator = Integrator::rk4}};
 

@@ -9,7 +9,7 @@
 
 namespace trophic {
 
-/// Of a floor or a body: with more, engines let robots sink.
+/// The bound for a floor or a body: with more, engines let robots sink.
 inline constexpr double most_friction = 10.0;
 
 enum class Integrator { semi_implicit_euler, rk4 };

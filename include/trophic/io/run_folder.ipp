@@ -36,7 +36,7 @@ TROPHIC_INLINE std::filesystem::path make_new_folder(const std::filesystem::path
   const std::filesystem::path name = without_slash(path);
   if (name.has_parent_path()) std::filesystem::create_directories(name.parent_path(), error);
   require(error);
-  // Of two programs that want the same folder one makes it.
+  // If two programs want the same folder, one makes it.
   const bool made = std::filesystem::create_directory(name, error);
   require(error);
   if (!made) detail::refuse_folder(path);

@@ -72,7 +72,7 @@ TEST_CASE("measure_bodies: plans, shapes, genes and ways -> means over the livin
     double early;
     double late;
   } expected[]{
-      // Of ten early windows of 2 s, four end before the death.
+      // Four of ten early windows of 2 s end before the death.
       {"body_modules", 2.3, 2.5}, {"body_symmetry", 0.3, 0.5}, {"body_plans", 1.6, 2.0}, {"body_plans_shannon", 1.6, 2.0},
       {"body_change", 0.3, 0.5},  {"brain_genes", 2.6, 3.0},   {"gait_genes", 0.5, 0.5},
   };

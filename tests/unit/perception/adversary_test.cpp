@@ -36,7 +36,7 @@ TEST_CASE("adversary: closest opponent has another tag -> closest with the same 
   CHECK(seen(2, robots)->adversary == 0);  // exactly 4 m away, body 4 is sqrt(16.01) m away
 }
 
-TEST_CASE("adversary: bearing -> relative to the own heading, positive to the right") {
+TEST_CASE("adversary: bearing -> relative to its own heading, positive to the right") {
   HandPopulation robots{{{.species = prey, .heading_rad = std::numbers::pi / 2.0}, {.species = predator, .x_m = 3.0}}};
   CHECK(seen(0, robots)->bearing_rad == doctest::Approx(std::numbers::pi / 2.0));
   CHECK(seen(1, robots)->bearing_rad == doctest::Approx(-std::numbers::pi));

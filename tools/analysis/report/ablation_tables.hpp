@@ -58,7 +58,7 @@ struct SwapRow {
 
 [[nodiscard]] SwapRow row_of(const SwapEffect& effect, const std::string& direction);
 
-/// A Markdown table of the effects that are decided, in the units that people read.
+/// A Markdown table of the significant effects, in the units that people read.
 void print_significant(std::ostream& out, std::span<const SwapEffect> effects);
 
 /// How much of the difference between two tables the swaps of some names make: one line per metric, each swap's effect with its

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// sweep_effects.csv, and the effects that are decided for people.
+// sweep_effects.csv, and the significant effects for people.
 #pragma once
 
 #include <cstddef>
@@ -64,7 +64,7 @@ struct AxisEffectRow {
 /// Writes sweep_effects.csv. Throws std::runtime_error if it exists or cannot be written.
 void write_axis_effects(const std::filesystem::path& path, std::span<const AxisEffect> effects);
 
-/// One line for each axis and metric of which a value is decided, the value with the largest effect.
+/// One line for each axis and metric with a significant value, the value with the largest effect.
 void print_axis_effects(std::ostream& out, std::span<const AxisEffect> effects);
 
 }  // namespace trophic::analysis

@@ -43,7 +43,7 @@ struct CellDifference {
 struct CellDifferences {
   std::vector<CellDifference> all;  ///< by cells, then metrics
   std::size_t comparisons = 0;      ///< those in which anything varies or differs: what is corrected for
-  /// Of one comparison, so that all together err in at most 5 % of analyses [dunn1961].
+  /// The level of one comparison, so that all together err in at most 5 % of analyses [dunn1961].
   [[nodiscard]] double level() const { return 0.05 / static_cast<double>(std::max<std::size_t>(1, comparisons)); }
 };
 

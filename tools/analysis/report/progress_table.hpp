@@ -39,7 +39,8 @@ struct ProgressRow {
     using io::column;
     using Row = ProgressRow;
     return std::tuple{
-        column("against", &Row::against, "", "own: opponents of the own run (historical); others: of another replicate (global)"),
+        column("against", &Row::against, "",
+               "own: opponents from the same run (historical); others: of another replicate (global)"),
         column("species", &Row::species, "", "whose progress it is"),
         column("role", &Row::role, "", "hunter or victim"),
         column("opponent", &Row::opponent, "", "the species that it meets"),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results of a sweep for people: what is decided, what is not, and how many runs would decide.
+// Results of a sweep for people: what is significant, what is not, and how many runs would decide.
 #pragma once
 
 #include <cstddef>
@@ -33,16 +33,16 @@ namespace detail {
 /// The name of a metric as far as it fits a line, with what was compared.
 [[nodiscard]] std::string compared_title(const CellDifference& d);
 
-/// A metric that is decided in some cells.
+/// A metric that is significant in some cells.
 struct SignificantMetric {
   const CellDifference* largest = nullptr;
   std::size_t cells = 0;
 };
 
-/// Those that are decided in most cells first.
+/// Those that are significant in most cells first.
 [[nodiscard]] std::vector<SignificantMetric> significant_metrics(const CellDifferences& differences);
 
-/// One line a metric: in how many cells it is decided, and where it differs most.
+/// One line a metric: in how many cells it is significant, and where it differs most.
 void print_significant_metrics(std::ostream& out, const SweepGrid& grid, const CellDifferences& differences);
 
 }  // namespace detail
@@ -51,7 +51,7 @@ void print_significant_metrics(std::ostream& out, const SweepGrid& grid, const C
 void print_sweep(std::ostream& out, const SweepRuns& sweep, const CellDifferences& differences, std::size_t reference,
                  std::optional<double> until_s = {});
 
-/// One line a metric that is decided anywhere, then what is not, in words.
+/// One line a metric that is significant anywhere, then what is not, in words.
 void print_cell_differences(std::ostream& out, const SweepGrid& grid, const CellDifferences& differences);
 
 /// One line for each metric of each cell: means, difference, p and the runs that would be needed. For few metrics.

@@ -21,8 +21,8 @@ struct Difference {
   std::optional<Scatter> scatter = {};  ///< run by run; empty if it was not asked for
   std::optional<double> level = {};     ///< that Bonferroni leaves to this one of so many comparisons; Holm finds a little more
   [[nodiscard]] bool differs() const { return adjusted && *adjusted <= 0.05; }
-  /// Of a difference that is not significant: the runs in each set with which one of this size is found in 80 % of studies, at
-  /// `level`. Empty if it is significant, if it cannot be known, or if `most_runs` are too few.
+  /// The runs in each set with which a difference of this size is found in 80 % of studies, at `level`. Empty if it is
+  /// significant, if it cannot be known, or if `most_runs` are too few.
   [[nodiscard]] std::optional<std::size_t> runs_needed() const;
 };
 

@@ -11,7 +11,7 @@
 namespace trophic::analysis {
 
 /// `equivalent`: the difference is smaller than the margin. `different`: it is larger than zero, and not shown to be smaller than
-/// the margin. `undecided`: too scattered runs for either. `unknown`: fewer than `min_runs_for_test` values in a set.
+/// the margin. `inconclusive`: too scattered runs for either. `unknown`: fewer than `min_runs_for_test` values in a set.
 enum class Equivalence { unknown, equivalent, different, inconclusive };
 [[nodiscard]] constexpr std::array<std::string_view, 4> enum_names(Equivalence) {
   return {"unknown", "equivalent", "different", "inconclusive"};
@@ -29,7 +29,7 @@ struct EquivalenceTest {
 /// Throws std::invalid_argument unless margin > 0 and alpha lies between 0 and 0.5.
 [[nodiscard]] EquivalenceTest test_equivalence(const std::optional<Contrast>& difference, double margin, double alpha = 0.05);
 
-/// Of mean(b) - mean(a).
+/// Tests mean(b) - mean(a).
 [[nodiscard]] EquivalenceTest test_equivalence(std::span<const double> a, std::span<const double> b, double margin,
                                                double alpha = 0.05);
 

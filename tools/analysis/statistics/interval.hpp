@@ -24,7 +24,7 @@ struct Interval {
 /// The plain mean; none of nothing.
 [[nodiscard]] std::optional<double> mean_of(std::span<const double> values);
 
-/// The standard deviation between runs, with n - 1; none of fewer than two values.
+/// The standard deviation between runs, with n - 1; empty if there are fewer than two values.
 [[nodiscard]] std::optional<double> deviation_of(std::span<const double> values);
 
 /// A spread that is only the rounding of a value counts as none.
@@ -43,7 +43,7 @@ struct Contrast {
   double freedom = 0.0;
 };
 
-/// Of one set: Student's t (n - 1 degrees of freedom). Of several: Welch's approximation [welch1947], which lets every set have
+/// For one set Student's t (n - 1 degrees of freedom). For several Welch's approximation [welch1947], which lets every set have
 /// its own spread. None if a set has fewer than `min_runs_for_test` values.
 [[nodiscard]] std::optional<Contrast> contrast(std::initializer_list<Term> terms);
 
@@ -70,7 +70,7 @@ struct Contrast {
 
 [[nodiscard]] std::optional<Interval> interval_of_mean(std::span<const double> values, double level = 0.95);
 
-/// Of mean(b) - mean(a).
+/// The interval of mean(b) - mean(a).
 [[nodiscard]] std::optional<Interval> interval_of_difference(std::span<const double> a, std::span<const double> b,
                                                              double level = 0.95);
 

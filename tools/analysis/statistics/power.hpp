@@ -23,11 +23,11 @@ struct Scatter {
   double freedom = 1.0;
 };
 
-/// Of the mean of these values, one a pair; none of fewer than two.
+/// The scatter of the mean of these values, one a pair; empty if there are fewer than two.
 [[nodiscard]] std::optional<Scatter> scatter_of(std::span<const double> values);
 
-/// Of a sum or difference of the means of independent sets, to be repeated with equally many runs in each [welch1947]; none if a
-/// set has fewer than two. Sets without any spread have the freedom of one.
+/// The scatter of a sum or difference of the means of independent sets, to be repeated with equally many runs in each
+/// [welch1947]; empty if a set has fewer than two. Sets without any spread have the freedom of one.
 [[nodiscard]] std::optional<Scatter> scatter_of(std::initializer_list<std::span<const double>> sets);
 [[nodiscard]] std::optional<Scatter> scatter_of(std::span<const double> a, std::span<const double> b);
 

@@ -51,7 +51,7 @@ class GltfScene {
   [[nodiscard]] Eigen::Quaterniond turned(std::size_t link, std::size_t frame, std::size_t body) const;
 
   void add_motion(std::size_t body, const std::vector<std::size_t>& links, std::size_t from, std::size_t to);
-  /// Of the two quaternions of an orientation the one that is nearer to the one before.
+  /// Adds the one of an orientation's two quaternions that is nearer to the one before.
   static void add_turn(std::vector<float>& turns, const Eigen::Quaterniond& turn, Eigen::Quaterniond& before);
 
   void add_lifetime(std::size_t node, std::size_t from, std::size_t next);

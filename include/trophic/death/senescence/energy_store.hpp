@@ -35,7 +35,7 @@ struct EnergyStore {
   };
   Params params;
 
-  /// Of each individual.
+  /// Per individual.
   struct State {
     double energy_J = 0.0;
     static constexpr auto fields() { return std::tuple{field("energy_J", &State::energy_J)}; }

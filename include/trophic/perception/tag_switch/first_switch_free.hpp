@@ -23,7 +23,7 @@ struct FirstSwitchFree {
   };
   Params params;
 
-  /// Of each individual.
+  /// Per individual.
   struct State {
     int newborn_tag = 0;
     bool has_switched = false;

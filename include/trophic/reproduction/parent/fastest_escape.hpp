@@ -24,7 +24,7 @@ struct FastestEscape {
   };
   Params params;
 
-  /// Of each individual: its places at the last ticks, the latest last, this tick's included. Both lists have the same length.
+  /// Per individual: its places at the last ticks, the latest last, this tick's included. Both lists have the same length.
   struct State {
     std::vector<double> x_m;
     std::vector<double> y_m;

@@ -17,7 +17,7 @@ struct LastEscapee {
   using Params = detail::EscapeDistances;
   Params params;
 
-  /// Of each individual. `hunters` and `ticks` are of the same length.
+  /// Per individual. `hunters` and `ticks` have the same length.
   struct State {
     std::vector<IndividualId> pursuers;  ///< predators that have been near and are not far
     std::vector<IndividualId> hunters;   ///< that it has escaped from, each once

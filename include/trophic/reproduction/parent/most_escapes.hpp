@@ -18,7 +18,7 @@ struct MostEscapes {
   using Params = detail::EscapeDistances;
   Params params;
 
-  /// Of each individual.
+  /// Per individual.
   struct State {
     std::vector<IndividualId> pursuers;  ///< predators that have been near and are not far
     std::int64_t escapes = 0;

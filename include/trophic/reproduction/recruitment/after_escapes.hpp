@@ -30,7 +30,7 @@ struct AfterEscapes {
   };
   Params params;
 
-  /// Of each individual.
+  /// Per individual.
   struct State {
     std::vector<IndividualId> pursuers;  ///< predators that have been near and are not far
     std::int64_t escapes = 0;            ///< since birth or the last offspring

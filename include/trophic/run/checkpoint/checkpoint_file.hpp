@@ -7,7 +7,7 @@
 
 namespace trophic::checkpoint {
 
-/// Of what a checkpoint file holds and how. Another number: another format.
+/// The version of a checkpoint file's format.
 inline constexpr std::uint32_t format_version = 5;
 
 inline constexpr std::string_view file_name = "checkpoint.bin";

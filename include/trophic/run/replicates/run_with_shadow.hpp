@@ -17,7 +17,7 @@ namespace trophic::replicates {
 std::vector<std::string> run_with_shadow(const MakeSimulation& make, const MakeSimulation& shadow, double until_s,
                                          const Plan& plan, const io::Provenance& provenance, std::ostream& out);
 
-/// Of an experiment on a backend, for its `ecology.duration_s`.
+/// Runs an experiment on a backend for its `ecology.duration_s`.
 template <class Rules>
 std::vector<std::string> run_with_shadow(const Experiment<Rules>& experiment, const BackendChoice& backend, const Plan& plan,
                                          bool with_shadow, const io::Provenance& provenance, std::ostream& out) {

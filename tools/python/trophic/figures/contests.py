@@ -11,7 +11,7 @@ import pandas as pd
 
 from .style import Missing, caption, width_in
 
-OPPONENTS = {"own": "opponents of the own run", "others": "opponents of other replicates"}
+OPPONENTS = {"own": "opponents from the same run", "others": "opponents of other replicates"}
 
 
 def matrix(rows):

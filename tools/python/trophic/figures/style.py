@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 
 # Okabe and Ito's colours, distinguishable with every common colour blindness and, with the line styles, in grey.
 COLOURS = {"prey": "#0072B2", "predator": "#D55E00"}
-# Of others: those that stay farthest apart in CIELAB under protanopia, deuteranopia and tritanopia, alone and next to those two.
+# Colours of others: those that stay farthest apart in CIELAB under protanopia, deuteranopia and tritanopia, alone and next to those two.
 OTHER_COLOURS = ["#E69F00", "#332288", "#56B4E9", "#882255"]
 BESIDE_COLOURS = ["#882255", "#56B4E9", "#E69F00", "#332288"]
 LINES = ["-", (0, (4, 1.5)), (0, (1, 1)), (0, (5, 1, 1, 1, 1, 1)), (0, (7, 2, 1, 2))]

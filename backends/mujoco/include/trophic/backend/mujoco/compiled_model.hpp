@@ -87,7 +87,7 @@ class CompiledModel {
   [[nodiscard]] std::size_t robots() const { return robots_; }
   [[nodiscard]] std::size_t memories() const { return data_.size(); }  ///< the maximum number
   [[nodiscard]] const mjModel& model() const { return *model_; }
-  /// Of the first robot.
+  /// The first robot's layout.
   [[nodiscard]] const Layout& layout() const { return layout_; }
   [[nodiscard]] std::span<const Share> shares() const { return shares_; }
   /// The robot, among those listed, that a number in MuJoCo's arrays belongs to.

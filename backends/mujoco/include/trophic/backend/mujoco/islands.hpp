@@ -34,7 +34,7 @@ class Islands {
     static_cast<void>(find_kind(robot));
   }
 
-  /// Of the body that all robots have at first.
+  /// The layout of the body that all robots have at first.
   [[nodiscard]] Layout layout() const { return layout_of(kinds_[0].robot, Servos::combined); }
 
   /// The kind of robots with this body, for `RobotStates::set_body`.

@@ -212,7 +212,7 @@ class Island {
     own_.contacts.push_back(contact);
   }
 
-  /// Of the second link's motion seen from the first.
+  /// The contact constrains the second link's motion seen from the first.
   void add(const LinkContact& from) {
     const Pack& first = batch_.pack(from.at[0]);
     const Pack& second = batch_.pack(from.at[1]);
