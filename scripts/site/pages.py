@@ -20,6 +20,7 @@ ORDER = [  # what a reader meets in the site's tree, with their parents
     ("docs/robustness.md", None),
     ("docs/history/robustness.md", "docs/robustness.md"),
     ("docs/ARCHITECTURE.md", None),
+    ("docs/read-in-an-hour.md", "docs/ARCHITECTURE.md"),
     ("docs/decisions/README.md", None),
     ("docs/files.md", None),
     ("docs/tables.md", "docs/files.md"),
@@ -29,6 +30,7 @@ ORDER = [  # what a reader meets in the site's tree, with their parents
     ("CONTRIBUTING.md", None),
     ("docs/style.md", "CONTRIBUTING.md"),
     ("docs/api-stability.md", "CONTRIBUTING.md"),
+    ("docs/size.md", "CONTRIBUTING.md"),
     ("tests/README.md", "CONTRIBUTING.md"),
     ("CHANGELOG.md", None),
 ]
