@@ -2,11 +2,13 @@
 # SPDX-License-Identifier: MIT
 """words.py ROOT [--only PREFIX | --spelling | --self-test]: the sentences that users read are plain English.
 
-Reads Markdown documents, comments of headers, sources, examples and scripts, messages (string literals of several words) and names of tests.
+Reads Markdown documents, comments and docstrings of C++, Python and TypeScript, messages (string literals of several words), texts of
+help and names of tests.
 --spelling runs codespell on the tree. --self-test checks each pattern on an example that it must catch and one that it must not, and
 codespell on a planted error. Prints each finding; exit 0 none, 1 some, 77 if codespell is not installed."""
 
 import argparse
+import ast
 import dataclasses
 import pathlib
 import re
@@ -14,7 +16,6 @@ import shutil
 import subprocess
 import sys
 import tempfile
-import tokenize
 from collections.abc import Iterator
 
 from documents import all_documents
@@ -22,7 +23,7 @@ from documents import all_documents
 LONGEST_SENTENCE = 30  # words, in documents
 COMMENTS = ("include", "backends", "examples", "src", "tools")
 MESSAGES = ("include", "backends", "examples", "tools")
-SCRIPTS = ("scripts", "tools/python")  # in Python
+SCRIPTS = ("docs", "examples", "packaging", "scripts", "tools")  # in Python
 TESTS = ("tests", "tools/viewer/tests")
 
 
@@ -43,6 +44,7 @@ class Pattern:
 PATTERNS = [
     Pattern("headless", "begin with the subject, a noun", r"^(Who|Whom|Whose|What|Which|Whoever|Whatever)\b[^?]*$",
             "What is no template is declared in the header.", "What is a template?", re.NOFLAG),
+    Pattern("of", "begin with the subject, a noun", r"^Of (?!course\b|\d)", "Of each individual: its age.", "The age of each individual.", re.NOFLAG),
     Pattern("where", "'if' for a condition, else begin with the subject; 'where' is for places", r"^Where\b[^?]*$",
             "Where it is not linked, the program exits.", "Where does it stand?", re.NOFLAG),
     Pattern("is no", "'is not a' or 'has no'", r"(?<!there )\b(is|are|was|were) no (?!(more|longer|fewer|less|greater|later|smaller|larger|higher|lower)\b)",
@@ -57,8 +59,12 @@ PATTERNS = [
     Pattern("held against", "compared with", r"\b(held|hold|holds|holding)( \w+){0,3} (against|beside)\b|\b(tells?|told|telling) apart\b",
             "The runs are held against the null.", "The hinge is held by a servo."),
     Pattern("tell", "things return, print, report or contain", r"\b(tells?|told)\b", "The table tells who died.", "The table contains the dead."),
-    Pattern("home-made", "the field's word (docs/GLOSSARY.md)", r"\b(verdicts?|reprieve[sd]?|heirs?|undecided|hand(s|ed)? on)\b",
+    Pattern("home-made", "the field's word (docs/GLOSSARY.md)", r"\b(verdicts?|reprieve[sd]?|heirs?|undecided|hand(s|ed)? on|crews?|knots?)\b",
             "The verdict is above.", "The conclusion is above."),
+    Pattern("decided", "an effect is significant, a comparison inconclusive", r"\b(is|are|was|were|not) decided\b(?! (by|in)\b)",
+            "The effects that are decided.", "The agents that decided first."),
+    Pattern("own", "its owner's, or 'the same'", r"\bthe own\b", "Opponents of the own run.", "Opponents of its own run."),
+    Pattern("none of", "empty or null, if", r"\b(none|nothing) of (fewer|less|no|none|nothing)\b", "The mean; none of fewer than two.", "None of them."),
     Pattern("history", "the present alone", r"\b(no longer|earlier versions?|formerly)\b|^Before, |(?<!\bis )(?<!\bare )(?<!\bbe )(?<!\bwas )(?<!\bwere )\bused to\b",
             "It used to draw two numbers.", "It is used to draw two numbers."),
 ]  # fmt: skip
@@ -79,7 +85,7 @@ SKIPPED = 77
 class Text:
     path: pathlib.Path
     line: int
-    kind: str  # document, comment, message, test
+    kind: str  # document, comment, message, help, test
     text: str
 
 
@@ -112,27 +118,42 @@ def sources(root: pathlib.Path, folders: tuple[str, ...], *suffixes: str) -> Ite
                 yield path.relative_to(root), path.read_text()
 
 
-TYPESCRIPT = re.compile(r"(?<![:\"'])//[ \t]?(.*)|/?\*\*?[ \t](.*?)(?:\*/|$)")
-COMMENT = re.compile(r"//[/!]?<?[ \t]?(.*)")
+COMMENT = re.compile(r"(?<![:\"'])//[/!]?<?[ \t]?(.*)")
+TYPESCRIPT = re.compile(r"(?<![:\"'])//[ \t]?(.*)|/\*\*?[ \t](.*?)(?:\*/|$)|^[ \t]*\*(?!/)[ \t]?(.*)")
+PYTHON = re.compile(r"#!?[ \t]*(.*)")
 LITERAL = r'"(?:\\.|[^"\\\n])*"'
+TEMPLATE = r"`[^`]*`|'[^'\n]*'"
+HELP = re.compile(r'"-{0,2}[\w-]+",\s*&[\w:.>-]+,[^"{}]*$|\.(?:help|about)\s*=\s*$')
+
+
+def comment_blocks(path: pathlib.Path, lines: list[str], comment: re.Pattern[str]) -> Iterator[Text]:
+    """Comments on lines of their own, those of adjacent lines as one, and comments after code."""
+    block, start = [], 0
+    for number, line in enumerate([*lines, ""], 1):
+        bare = re.sub(LITERAL, '""', line)
+        match = comment.search(bare)
+        text = next((group for group in match.groups() if group), "").strip() if match else ""
+        alone = match and not bare[: match.start()].strip()
+        if alone and text and not re.match(r"SPDX|/usr/bin", text):
+            start = start if block else number
+            block.append(text)
+            continue
+        if block:
+            yield Text(path, start, "comment", " ".join(block))
+            block = []
+        if text and not alone:
+            yield Text(path, number, "comment", text)
 
 
 def comments(root: pathlib.Path) -> Iterator[Text]:
     for path, text in sources(root, COMMENTS, ".hpp", ".ipp", ".cpp"):
-        block, start = [], 0
-        for number, line in enumerate([*text.splitlines(), ""], 1):
-            bare = re.sub(LITERAL, '""', line)
-            match = COMMENT.search(bare)
-            alone = match and not bare[: match.start()].strip()
-            if alone and not match[1].startswith("SPDX") and match[1].strip():
-                start = start if block else number
-                block.append(match[1].strip())
-                continue
-            if block:
-                yield Text(path, start, "comment", " ".join(block))
-                block = []
-            if match and not alone:
-                yield Text(path, number, "comment", match[1])
+        yield from comment_blocks(path, text.splitlines(), COMMENT)
+    for path, text in sources(root, ("tools",), ".ts", ".mjs"):
+        yield from comment_blocks(path, text.splitlines(), TYPESCRIPT)
+
+
+def is_sentence(text: str) -> bool:
+    return bool(re.search(r"[a-z]+ [a-z]+ [a-z]+", text))
 
 
 def messages(root: pathlib.Path) -> Iterator[Text]:
@@ -140,8 +161,15 @@ def messages(root: pathlib.Path) -> Iterator[Text]:
         code = re.sub(rf"({LITERAL})|//[^\n]*", lambda m: m[1] or "", text)
         for match in re.finditer(rf"{LITERAL}(?:\s*{LITERAL})*", code):
             joined = "".join(part[1:-1] for part in re.findall(LITERAL, match[0]))
-            if re.search(r"[a-z]+ [a-z]+ [a-z]+", joined):
-                yield Text(path, code[: match.start()].count("\n") + 1, "message", re.sub(r"\\[nt]", " ", joined))
+            kind = "help" if HELP.search(code[max(0, match.start() - 200) : match.start()]) else "message"
+            if kind == "help" or is_sentence(joined):
+                yield Text(path, code[: match.start()].count("\n") + 1, kind, re.sub(r"\\[nt]", " ", joined))
+    for path, text in sources(root, ("tools",), ".ts", ".mjs"):
+        if "tests" not in path.parts:
+            code = re.sub(rf"({LITERAL}|{TEMPLATE})|//[^\n]*|/\*.*?\*/", lambda m: m[1] or "", text)
+            for match in re.finditer(rf"{LITERAL}|{TEMPLATE}", code):
+                if is_sentence(match[0]):
+                    yield Text(path, code[: match.start()].count("\n") + 1, "message", match[0][1:-1])
 
 
 def is_python(path: pathlib.Path) -> bool:
@@ -151,27 +179,30 @@ def is_python(path: pathlib.Path) -> bool:
         return b"python" in file.readline()
 
 
-def scripts(root: pathlib.Path) -> Iterator[Text]:
-    for path in sorted(path for folder in SCRIPTS for path in (root / folder).rglob("*") if path.is_file() and is_python(path)):
-        with path.open("rb") as file:
-            for token in tokenize.tokenize(file.readline):
-                if token.type == tokenize.COMMENT and not re.search(r"SPDX|#!", token.string):
-                    yield Text(path.relative_to(root), token.start[0], "comment", token.string.lstrip("# "))
-                if token.type == tokenize.STRING and re.search(r"[a-z]+ [a-z]+ [a-z]+", token.string):
-                    yield Text(path.relative_to(root), token.start[0], "message", token.string.strip("rbf\"'").replace("\n", " "))
-
-
-def viewer(root: pathlib.Path) -> Iterator[Text]:
-    for path, text in sources(root, ("tools/viewer",), ".ts", ".mjs"):
-        if "tests" in path.parts:
+def python_strings(path: pathlib.Path, text: str) -> Iterator[Text]:
+    """Docstrings, texts of argparse's help, and messages; a value in an f-string is read as "value"."""
+    tree = ast.parse(text)
+    kinds = {keyword.value: "help" for node in ast.walk(tree) if isinstance(node, ast.Call) for keyword in node.keywords
+             if keyword.arg in ("help", "description", "epilog")}
+    kinds |= {node.value: "comment" for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    inner = {part for node in ast.walk(tree) if isinstance(node, ast.JoinedStr) for part in node.values}
+    for node in ast.walk(tree):
+        if isinstance(node, ast.JoinedStr):
+            string = "".join(part.value if isinstance(part, ast.Constant) else "value" for part in node.values)
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str) and node not in inner:
+            string = node.value
+        else:
             continue
-        for number, line in enumerate(text.splitlines(), 1):
-            match = TYPESCRIPT.search(re.sub(LITERAL, '""', line))
-            if match and "SPDX" not in line:
-                yield Text(path, number, "comment", (match[1] or match[2] or "").strip())
-            for literal in re.findall(rf"{LITERAL}|`[^`]*`", line):
-                if re.search(r"[a-z]+ [a-z]+ [a-z]+", literal):
-                    yield Text(path, number, "message", literal[1:-1])
+        if node in kinds or is_sentence(string):
+            yield Text(path, node.lineno, kinds.get(node, "message"), " ".join(string.split()))
+
+
+def scripts(root: pathlib.Path) -> Iterator[Text]:
+    for path in sorted(path for folder in SCRIPTS for path in (root / folder).rglob("*") if path.is_file() and "node_modules" not in path.parts):
+        if is_python(path):
+            text = path.read_text()
+            yield from comment_blocks(path.relative_to(root), text.splitlines(), PYTHON)
+            yield from python_strings(path.relative_to(root), text)
 
 
 def tests(root: pathlib.Path) -> Iterator[Text]:
@@ -217,6 +248,15 @@ def self_test() -> list[str]:
     planted = Text(pathlib.Path("x.hpp"), 1, "comment", "Reads `a`. Whoever comes first goes on. (Who comes second waits.) It is short.")
     offences += [] if len(list(findings(planted))) == 3 else ["sentences of a comment are not read one by one"]
     with tempfile.TemporaryDirectory() as folder:
+        tools = pathlib.Path(folder) / "tools"
+        tools.mkdir()
+        (tools / "x.py").write_text('"""Of a run."""\n# It goes\n# on.\nadd("--x", help="two heirs")\nfail(f"the heir of {x} is " "the next")\n')
+        (tools / "x.ts").write_text("/** Of a run. */\nconst x = `the heirs of ${y}`; // It goes on.\n")
+        (tools / "x.cpp").write_text('{"--heirs", &heirs, "heirs (1)"}\n')
+        found = [(text.path.suffix, text.kind) for read in (comments, messages, scripts) for text in read(pathlib.Path(folder)) if list(findings(text))]
+        expected = [(".py", kind) for kind in ("comment", "comment", "help", "message")] + [(".ts", kind) for kind in ("comment", "comment", "message")]
+        offences += [] if sorted(found) == sorted([*expected, (".cpp", "help")]) else [f"planted findings: {found}"]
+    with tempfile.TemporaryDirectory() as folder:
         (pathlib.Path(folder) / "x.md").write_text("The reci" + "eved runs.\n")
         offences += [] if len(spelling(pathlib.Path(folder))) == 1 else ["codespell does not find a planted error"]
     return offences
@@ -235,10 +275,10 @@ def main() -> int:
         offences = spelling(chosen.root.resolve())
     else:
         root = chosen.root.resolve()
-        texts = [text for read in (documents, comments, messages, scripts, viewer, tests) for text in read(root)]
+        texts = [text for read in (documents, comments, messages, scripts, tests) for text in read(root)]
         kinds = {text.kind for text in texts}
         offences = [found for text in texts if str(text.path).startswith(chosen.only) for found in findings(text)]
-        offences += [f"no {kind} was read" for kind in ("document", "comment", "message", "test") if kind not in kinds]
+        offences += [f"no {kind} was read" for kind in ("document", "comment", "message", "help", "test") if kind not in kinds]
     for offence in offences:
         print(offence)
     print(f"{len(offences)} findings")

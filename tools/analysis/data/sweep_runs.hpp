@@ -12,7 +12,7 @@
 
 namespace trophic::analysis {
 
-/// A sweep on the disk. Of manifests it keeps the food webs alone: there may be tens of thousands.
+/// A sweep on the disk. It keeps only the food webs of manifests: there may be tens of thousands.
 struct SweepRuns {
   std::filesystem::path folder;
   std::vector<sweep::PlannedRun> plan;

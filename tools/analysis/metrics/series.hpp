@@ -15,7 +15,7 @@ struct Point {
 };
 using Series = std::vector<Point>;
 
-/// The plain mean; none of nothing.
+/// The arithmetic mean; empty without values.
 class Mean {
  public:
   void add(double value);

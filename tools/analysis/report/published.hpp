@@ -167,7 +167,7 @@ inline constexpr std::array<ClaimReading, 1> predator_deaths{{
 /// the logs gives the text's 0.65. A sacrifice is a prey's death in the tick of a starvation that leaves 7 predators.
 ///
 /// The text does not say whether inactive prey count. Leaving them out is an inference from the authors' code, whose log of
-/// positions marks them. Of the published runs those logs (countriesN.csv) are too large for the copy at hand. One of a run from
+/// positions marks them. Those logs of the published runs (countriesN.csv) are too large for the copy at hand. One of a run from
 /// four days before is there (8954935, examples/sanity3P/countries.csv: 30 robots, 2505 s, of rules that may differ): its prey
 /// move at -0.28 cm/s, the active alone at -0.57, its predators at 1.87. One run has no spread between runs. Nor does it say
 /// whose velocity the predators' 1.95 cm/s is, all or the inherited, nor whether a point is a mean over 200 s. The published

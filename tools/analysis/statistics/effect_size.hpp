@@ -13,8 +13,8 @@ namespace trophic::analysis {
 
 /// Hedges' g [hedges1981]: mean(b) - mean(a) over the pooled spread between runs of both sets, corrected for the number of runs.
 /// Sets that are compared run by run are taken as if they were independent, so that paired and unpaired sweeps have the same
-/// measure: it says how far apart runs are, not how sure the difference is. None of fewer than two runs in a set, or without any
-/// spread.
+/// measure: it says how far apart runs are, not how sure the difference is. Empty with fewer than two runs in a set, or without
+/// any spread.
 [[nodiscard]] std::optional<double> hedges_g(std::span<const double> a, std::span<const double> b);
 
 }  // namespace trophic::analysis

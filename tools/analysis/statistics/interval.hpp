@@ -21,7 +21,7 @@ struct Interval {
 [[nodiscard]] std::optional<double> lower_of(const std::optional<Interval>& interval);
 [[nodiscard]] std::optional<double> upper_of(const std::optional<Interval>& interval);
 
-/// The plain mean; none of nothing.
+/// The arithmetic mean; empty without values.
 [[nodiscard]] std::optional<double> mean_of(std::span<const double> values);
 
 /// The standard deviation between runs, with n - 1; empty if there are fewer than two values.

@@ -20,7 +20,7 @@ namespace trophic::command::replay {
 
 namespace {
 
-/// Holds the rows of a run's tables to its recording. Of a run that was killed the recording may lack the last moments.
+/// Holds the rows of a run's tables to its recording. The recording of a killed run may lack the last moments.
 class OwnTables {
  public:
   OwnTables(std::filesystem::path folder, const io::RecordingReader& recording)

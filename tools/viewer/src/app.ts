@@ -54,7 +54,7 @@ export class App {
   readonly help = new Help();
   private readonly controls: Controls;
   private readonly stopping = new AbortController();
-  /** Of a live run: whether it is shown as it is now, and whether it has grown since the page was drawn. */
+  /** For a live run: whether it is shown as it is now, and whether it has grown since the page was drawn. */
   private isNow = false;
   private hasGrown = false;
   private grownAt = -Infinity;

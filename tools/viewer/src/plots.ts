@@ -9,7 +9,7 @@ import { isDark, theme } from "./theme";
 export interface Curves {
   time: number[];
   bySpecies: (number | null)[][]; // null: nothing is known
-  /** Of each species the bounds of its band, where there is one. */
+  /** The bounds of each species' band, if there is one. */
   bands?: { low: (number | null)[]; high: (number | null)[] }[];
 }
 
@@ -76,7 +76,7 @@ function speedOf(run: Run, count: number): Curves {
   return curves;
 }
 
-/** Of sorted values, interpolated; null of none. */
+/** A quantile of sorted values, interpolated; null for none. */
 function quantile(sorted: number[], part: number): number | null {
   if (sorted.length === 0) return null;
   const at = part * (sorted.length - 1);

@@ -69,7 +69,7 @@ export class Recording {
   private before = new Float32Array(7);
   private after = new Float32Array(7);
 
-  /** Of a live run: `append` adds its frames. */
+  /** For a live run: `append` adds its frames. */
   constructor(readonly head: Head) {
     this.bodies = this.bodiesDiffer ? [] : [head.robot];
     for (let robot = 0; this.bodiesDiffer && robot < head.robots; ++robot) this.setDowns.push([]);

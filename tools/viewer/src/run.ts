@@ -92,7 +92,7 @@ export class Agents {
     this.hunger = new Float32Array(rows);
   }
 
-  /** Of a live run. */
+  /** For a live run. */
   static growing(robots: number): Agents {
     return new Agents(robots, 0, 0);
   }

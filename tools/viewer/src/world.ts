@@ -31,7 +31,7 @@ export interface Look {
 }
 
 const trailTicks = 30;
-/** Of more robots than that, those that are smaller than so many pixels are drawn without their limbs. */
+/** With more robots than that, those smaller than so many pixels are drawn without their limbs. */
 const manyRobots = 60;
 const farPixels = 16;
 /** A robot of that many pixels has a name tag. */
@@ -45,7 +45,7 @@ export class World {
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(38, 1, 0.05, 400);
   private readonly controls: OrbitControls;
-  /** Of each body that was drawn, and of each robot as it is drawn now. */
+  /** Per body that was drawn, and of each robot as it is drawn now. */
   private readonly shapes: RobotShape[] = [];
   private shapeOf: RobotShape[] = [];
   private readonly ground: Ground;

@@ -19,7 +19,7 @@ struct AtRandomWords {
 
 /// Rule: if `Rule` names a parent, the parent is a living individual of the same species, each as likely; without another than
 /// the dying one it is the parent that `Rule` names. Deaths, species and the share of inherited genomes stay those of `Rule`, but
-/// nothing is selected: what changes, changes by mutation and chance alone. Of a ByCause give each part:
+/// nothing is selected: what changes, changes by mutation and chance alone. Give each part of a ByCause:
 /// `with_parent_after<Paper, Cause::caught, AtRandom<Killer>>`.   Reads: species, what Rule reads.   Random draws: 1 if Rule
 /// names a parent, after Rule's.
 template <class Rule>

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Figures of what `trophic analyze --bodies` wrote: measures over time, bodies in the space of their descriptors, and the tree of plans of a run.
-Of a comparison, the set whose name has "drift" is the null."""
+The set of a comparison whose name has "drift" is the null."""
 from __future__ import annotations
 
 import pathlib
