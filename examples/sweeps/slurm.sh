@@ -1,7 +1,7 @@
 #!/bin/bash
 # One array task for each shard of a sweep: sbatch --array=1-8 slurm.sh trophic-predator-prey sweep.toml OUT
 # Any first index and step will do: --array=0-7, --array=10-80:10. Indices with gaps are refused, as a task cannot know which shard is
-# its own. Without --array one task makes all runs. The same command again finishes what was cut off.
+# its own. Without --array one task makes all runs. The same command again finishes interrupted runs.
 #SBATCH --array=1-8
 #SBATCH --cpus-per-task=1
 #SBATCH --signal=B:TERM@60

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every backend must do, as one doctest case: TEST_CASE_TEMPLATE_INVOKE(trophic_backend_suite, MyBackend);
+// The contract of every backend, as one doctest case: TEST_CASE_TEMPLATE_INVOKE(trophic_backend_suite, MyBackend);
 #pragma once
 
 #include <doctest/doctest.h>
@@ -164,7 +164,7 @@ void check_time() {
   CHECK(backend.time_s() == doctest::Approx(500.0 * step_s).epsilon(1e-12));
 }
 
-/// Where one calls from does not matter: many short advances or one long one.
+/// Many short advances and one long one agree.
 template <Backend B>
 void check_pieces() {
   B pieces = World<B>{2}.make();
@@ -214,7 +214,7 @@ void check_restore(const Walker& walker) {
   CHECK(observe(backend) == later);
 }
 
-/// What was commanded before the save still holds after the restore.
+/// Commands before the save still hold after the restore.
 template <Backend B>
 void check_restored_commands() {
   const World<B> world{2};

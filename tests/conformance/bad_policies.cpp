@@ -55,7 +55,7 @@ struct LikesOneHand {
   }
 };
 
-/// Who lives in an odd body is favoured: changes when robots change places.
+/// Favours individuals in odd bodies: changes when robots change places.
 struct FavoursOddBodies {
   static constexpr std::string_view name = "favours_odd_bodies";
   [[nodiscard]] death::Activates activates(BodyIndex body, const View&) const {
@@ -69,7 +69,7 @@ struct FavoursOddIds {
   [[nodiscard]] bool dies(const Individual& individual, const View&, Rng&) const { return individual.id % 2 == 1; }
 };
 
-/// Tells left from right by the world, not by the robot.
+/// Distinguishes left from right by the world, not by the robot.
 struct SensesTheWorld {
   static constexpr std::string_view name = "senses_the_world";
   static constexpr std::size_t size = 1;
@@ -78,7 +78,7 @@ struct SensesTheWorld {
   }
 };
 
-/// The parent is whoever lives in the first body.
+/// The parent is the individual in the first body.
 struct FirstBodyIsParent {
   static constexpr std::string_view name = "first_body_is_parent";
   [[nodiscard]] std::optional<Ancestor> parent(const reproduction::Vacancy&, const View& view, Rng&) const {
@@ -88,7 +88,7 @@ struct FirstBodyIsParent {
   }
 };
 
-/// Catches whoever lives in the first body that can be caught.
+/// Catches the individual in the first body that can be caught.
 struct CatchesTheFirstBody {
   static constexpr std::string_view name = "catches_the_first_body";
   [[nodiscard]] std::vector<death::Capture> captures(const View& view, Rng&) const {
@@ -115,7 +115,7 @@ struct SacrificesTheFirstHalf {
   }
 };
 
-/// Lets somebody starve twice.
+/// Lets one individual starve twice.
 struct StarvesTwice {
   static constexpr std::string_view name = "starves_twice";
   [[nodiscard]] death::Starving starving(const View& view, const perception::Perceives&) const {

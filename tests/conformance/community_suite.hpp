@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every community must do, as one doctest case: TEST_CASE_TEMPLATE_INVOKE(trophic_community_suite, MyCommunity);
+// The contract of every community, as one doctest case: TEST_CASE_TEMPLATE_INVOKE(trophic_community_suite, MyCommunity);
 #pragma once
 
 #include <conformance/policy_suite.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every brain and every steering must do, as one doctest case for each:
+// The contract of every brain and every steering, as one doctest case for each:
 // TEST_CASE_TEMPLATE_INVOKE(trophic_brain_suite, MyBrain);
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every rule of life and death must do, as one doctest case for each kind:
+// The contract of every rule of life and death, as one doctest case for each kind:
 // TEST_CASE_TEMPLATE_INVOKE(trophic_capture_suite, MyCaptures);
 #pragma once
 

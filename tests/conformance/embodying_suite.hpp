@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every backend that exchanges bodies must do: TEST_CASE_TEMPLATE_INVOKE(trophic_embodying_suite, MyBackend);
+// The contract of every backend that exchanges bodies: TEST_CASE_TEMPLATE_INVOKE(trophic_embodying_suite, MyBackend);
 #pragma once
 
 #include <conformance/backend_suite.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every gait, body plan, viability and embodiment must do, as one doctest case for each:
+// The contract of every gait, body plan, viability and embodiment, as one doctest case for each:
 // TEST_CASE_TEMPLATE_INVOKE(trophic_gait_suite, MyGait);
 #pragma once
 
@@ -63,7 +63,7 @@ struct SummingNursery final : Nursery {
   }
 };
 
-/// What InheritedGait and InheritedBody have in common: equal draws give equal genes, at least one, and finite ones.
+/// The common part of InheritedGait and InheritedBody: equal draws give equal genes, at least one, and finite ones.
 template <class Draw, class Mutate>
 std::vector<double> check_genes(std::uint64_t seed, std::size_t generations, Draw&& draw, Mutate&& mutate) {
   const auto lineage = [&] {

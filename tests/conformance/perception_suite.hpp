@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every rule of perception must do, as one doctest case for each kind:
+// The contract of every rule of perception, as one doctest case for each kind:
 // TEST_CASE_TEMPLATE_INVOKE(trophic_visibility_suite, MyVisibility);
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every placement must do, as one doctest case: TEST_CASE_TEMPLATE_INVOKE(trophic_placement_suite, MyPlacement);
+// The contract of every placement, as one doctest case: TEST_CASE_TEMPLATE_INVOKE(trophic_placement_suite, MyPlacement);
 #pragma once
 
 #include <conformance/policy_suite.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a policy with a State might keep for a population, and that such a State can be kept.
+// States that a policy might keep for a population, and that they can be kept.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -40,7 +40,7 @@ void draw(T& value, Rng& rng) {
 
 }  // namespace detail
 
-/// What a policy with a State might keep for an individual: drawn anew from the seed, the same in every world in which this
+/// A State that a policy might keep for an individual: drawn anew from the seed, the same in every world in which this
 /// individual lives, whatever its body and id. Vectors stay as they are at birth.
 template <class Policy>
 [[nodiscard]] StateOf<Policy> own_state(const Policy& policy, const Individual& individual, std::uint64_t seed) {
@@ -53,7 +53,7 @@ template <class Policy>
   return own;
 }
 
-/// The same for everybody, by body; nothing for a policy without State.
+/// The same for all individuals, by body; nothing for a policy without State.
 template <class Policy>
 [[nodiscard]] std::vector<StateOf<Policy>> own_states(const Policy& policy, const test::HandPopulation& robots,
                                                       std::uint64_t seed) {

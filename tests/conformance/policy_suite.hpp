@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every rule must be, whatever its kind: named, without state, its numbers listed and checked.
+// The contract of every rule of any kind: named, without state, its parameters listed and checked.
 #pragma once
 
 #include <doctest/doctest.h>
@@ -71,7 +71,7 @@ void on_populations(Check&& check) {
 
 /// The same robots with other ids, in the same order of birth.
 [[nodiscard]] inline test::HandPopulation renamed(test::HandPopulation robots) {
-  constexpr IndividualId shift = 5001;  // odd, so that nothing hangs on an even id
+  constexpr IndividualId shift = 5001;  // odd, so that nothing depends on an even id
   for (Individual& one : robots.individuals) {
     one.id += shift;
   }
@@ -86,7 +86,7 @@ void on_same_worlds(const test::HandPopulation& robots, Check&& check) {
   check(renamed(robots));
 }
 
-/// What `ask(population, body)` says of each robot is the same in every such world, and in whichever body it lives.
+/// `ask(population, body)` returns the same for each robot in every such world and every body.
 template <class Ask>
 void check_each_robot(const test::HandPopulation& robots, std::uint64_t seed, Ask&& ask) {
   const std::size_t size = robots.individuals.size();
@@ -98,7 +98,7 @@ void check_each_robot(const test::HandPopulation& robots, std::uint64_t seed, As
   }
 }
 
-/// What `ask(population)` says of all robots together is the same in every such world, and whoever lives in which body.
+/// `ask(population)` returns the same for all robots in every such world, however they share the bodies.
 template <class Ask>
 void check_all_robots(const test::HandPopulation& robots, std::uint64_t seed, Ask&& ask) {
   const auto answer = ask(robots);
@@ -106,8 +106,9 @@ void check_all_robots(const test::HandPopulation& robots, std::uint64_t seed, As
   on_same_worlds(robots, [&](const test::HandPopulation& same) { CHECK(ask(same) == answer); });
 }
 
-/// Which bodies `choose(population, rng)` names hangs on who lives there, not on which body it is: a rule that draws nothing
-/// names the same individuals when they have changed places, one that draws names each as often, within 5.5 standard errors.
+/// The bodies that `choose(population, rng)` names depend on the individuals in them, not on the bodies: a rule that draws
+/// nothing names the same individuals when they have changed places, one that draws names each as often, within 5.5 standard
+/// errors.
 template <class Choose>
 void check_whom(const test::HandPopulation& robots, std::uint64_t seed, Choose&& choose) {
   const std::size_t size = robots.individuals.size();
@@ -195,7 +196,7 @@ void check_kept() {
   }
 }
 
-/// All that a policy says, number by number, so that two policies can be told apart.
+/// All that a policy says, number by number, so that two policies can be distinguished.
 class Answers {
  public:
   template <class T>
@@ -223,7 +224,7 @@ class Answers {
   std::vector<double> numbers_;
 };
 
-/// What a policy with a State keeps for individuals that are born, walk, catch, are caught and see somebody.
+/// States that a policy keeps for individuals that are born, walk, catch, are caught and see others.
 template <class Policy>
 void add_states(Answers& answers, const Policy& policy, const test::HandPopulation& robots) {
   if constexpr (Stateful<Policy>) {

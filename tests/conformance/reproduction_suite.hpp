@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What every rule of reproduction must do, as one doctest case for each kind:
+// The contract of every rule of reproduction, as one doctest case for each kind:
 // TEST_CASE_TEMPLATE_INVOKE(trophic_mutation_suite, MyMutation);
 #pragma once
 

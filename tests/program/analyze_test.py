@@ -285,7 +285,7 @@ class Analyze(InFolderWithSets):
         result = self.analyze("paper")
         self.assertEqual(result.returncode, 0, result.stderr)
         self.assertEqual(len(result.stderr.strip().splitlines()), 5, result.stderr)
-        for text in ("replicate-00/agents.csv:15032: cut off", "replicate-02: missing"):
+        for text in ("replicate-00/agents.csv:15032: truncated", "replicate-02: missing"):
             self.assertIn(text, result.stderr)
         (self.folder / "paper/replicate-01/events.csv").write_text("generation,fitness\n1,2\n")
         refused = self.call(TROPHIC, "analyze", "paper", "--out", "other")

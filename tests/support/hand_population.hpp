@@ -81,7 +81,7 @@ class HandPopulation {
     return {.time_s = time_s, .tick = tick, .web = web, .arena = arena, .robots = individuals, .poses = poses};
   }
 
-  /// Who perceives whom unless a test says otherwise: active individuals of its own tag. Refers to this object.
+  /// Perception unless a test sets another: active individuals of its own tag. Refers to this object.
   [[nodiscard]] perception::Perceives perceives() const {
     return [this](BodyIndex self, BodyIndex other) {
       return individuals[self].tag == individuals[other].tag && individuals[other].active;
@@ -113,7 +113,7 @@ class HandPopulation {
   return HandPopulation{list};
 }
 
-/// Somebody who is dead by now. The genome is made as that of a HandPopulation's individuals.
+/// A dead individual. The genome is made as that of a HandPopulation's individuals.
 [[nodiscard]] inline Ancestor ancestor(IndividualId id, Species species) {
   return {
       .id = id, .species = species, .genome = std::make_shared<Genome>(Genome{.id = id, .weights = {static_cast<double>(id)}})};

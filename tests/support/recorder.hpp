@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An observer that writes down all it is told, so that two runs can be compared to the last bit.
+// An observer that writes down all calls, so that two runs can be compared to the last bit.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@
 
 namespace trophic::test {
 
-/// One line for each event, and for each tick one line with everybody's pose, tag and adversary.
+/// One line for each event, and for each tick one line with all poses, tags and adversaries.
 class Recorder {
  public:
   void on_event(const observe::Event& event, const View& view) {

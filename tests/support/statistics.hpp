@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moments and counts of samples, to hold a random rule against its formula.
+// Moments and counts of samples, to compare a random rule with its formula.
 #pragma once
 
 #include <algorithm>

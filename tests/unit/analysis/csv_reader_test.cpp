@@ -30,7 +30,7 @@ TEST_CASE("columns are found by name, in the order asked for") {
   CHECK_FALSE(csv.truncated());
 }
 
-TEST_CASE("a last line without its newline is cut off, however whole it looks") {
+TEST_CASE("a last line without its newline is truncated, however whole it looks") {
   const TemporaryFolder folder;
   CsvReader csv{folder.file("t.csv", "a,b\n1,2\n3,4"), {"a"}};
   CHECK(csv.next());

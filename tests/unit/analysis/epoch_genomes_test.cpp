@@ -68,7 +68,7 @@ TEST_CASE("epoch genomes: what a run cannot give -> error that names file and re
   std::ofstream{folder.path() / "genomes.csv"} << "id,genome_id,time_s,w0,w1\n0,0,0,0.25,0.5\n";
   CHECK(error() == (folder.path() / "genomes.csv").string() + ": has no genome of individual 1");
   std::ofstream{folder.path() / "genomes.csv"} << "id,genome_id,time_s,w0,w1\n0,0,0,0.25,0.5\n1,1,0,1,2\n2,1,10,3,";
-  CHECK(error() == (folder.path() / "genomes.csv").string() + ": the last line was cut off; resume the run");
+  CHECK(error() == (folder.path() / "genomes.csv").string() + ": the last line is truncated; resume the run");
   std::filesystem::remove(folder.path() / "genomes.csv");
   CHECK(error().find("genomes.csv") != std::string::npos);
   std::ofstream{folder.path() / "phylogeny.csv", std::ios::app} << "3,[2],1,10,inf,predator,inherited,2,1,0.5,1,,,\n";

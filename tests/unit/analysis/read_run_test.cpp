@@ -101,8 +101,8 @@ TEST_CASE("read run: last line incomplete -> reported and dropped, with the whol
   CHECK(run.events->size() == 1);
   CHECK(run.agents->size() == 2);
   REQUIRE(run.remarks.size() == 2);
-  CHECK(run.remarks[0].find("events.csv:3: cut off in the middle of a line") != std::string::npos);
-  CHECK(run.remarks[1].find("agents.csv:5: cut off in the middle of a line") != std::string::npos);
+  CHECK(run.remarks[0].find("events.csv:3: truncated in the middle of a line") != std::string::npos);
+  CHECK(run.remarks[1].find("agents.csv:5: truncated in the middle of a line") != std::string::npos);
 }
 
 TEST_CASE("read run: missing table, missing or foreign manifest -> error") {

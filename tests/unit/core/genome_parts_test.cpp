@@ -256,7 +256,7 @@ TEST_CASE("genome parts: brain that grows -> sizes differ, misfits are refused, 
   CHECK(birth.population.misfit(&broken) == "a genome that fits the brain growing");
 }
 
-TEST_CASE("genome parts: runs that are cut off -> resumed to the same bytes, genes.csv too") {
+TEST_CASE("genome parts: interrupted runs -> resumed to the same bytes, genes.csv too") {
   SUBCASE("weights of a CPG") {
     check_resumed<Gaits>(200.0);
   }

@@ -34,7 +34,7 @@ void add_met(const RunManifest& run, Met& met) {
       if (run.web.name(species) == table.text(0)) met[species].insert(inputs);
     }
   }
-  if (table.truncated()) throw std::invalid_argument{path.string() + ": the last line was cut off; resume the run"};
+  if (table.truncated()) throw std::invalid_argument{path.string() + ": the last line is truncated; resume the run"};
 }
 
 }  // namespace

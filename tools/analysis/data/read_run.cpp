@@ -17,7 +17,7 @@ namespace trophic::analysis::detail {
 void remark_truncated(const CsvReader& csv, const std::filesystem::path& path, std::vector<std::string>& remarks) {
   if (!csv.truncated()) return;
   remarks.push_back(path.string() + ":" + std::to_string(csv.line() + 1) +
-                    ": cut off in the middle of a line (killed run?); everything before it is used");
+                    ": truncated in the middle of a line (killed run?); everything before it is used");
 }
 
 /// A run's last tick may end after its duration, by less than the longest tick.

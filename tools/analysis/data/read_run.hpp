@@ -45,7 +45,7 @@ void check_sum(const CsvReader& csv, const std::filesystem::path& path, const st
                                                 std::vector<std::string>& remarks,
                                                 const std::map<std::string, io::TableSum>& sums = {});
 
-/// Reads an agents.csv. Throws std::runtime_error "FILE:LINE: ..."; of a file that was cut off the last tick is left out, and
+/// Reads an agents.csv. Throws std::runtime_error "FILE:LINE: ..."; the last tick of a truncated file is left out, and
 /// `remarks` say so. `sums`: as in read_events. `every_ticks`: what the manifest says of the ticks that it has.
 [[nodiscard]] std::vector<AgentRow> read_agents(const std::filesystem::path& path, const FoodWeb& web,
                                                 std::vector<std::string>& remarks,
@@ -63,7 +63,7 @@ void check_files(const RunManifest& manifest);
 [[nodiscard]] RunData read_run(const std::filesystem::path& folder);
 
 /// Calls `visit(row)` for each row of the table `name` in the run's folder. Throws std::invalid_argument, a sentence that names
-/// the file, if it cannot be read, was cut off, or was changed after the run.
+/// the file, if it cannot be read, was truncated, or was changed after the run.
 template <io::TableRow Row, class Visit>
 void for_each_row(const RunManifest& run, const char* name, Visit&& visit) {
   const std::filesystem::path path = run.folder / name;
@@ -71,7 +71,7 @@ void for_each_row(const RunManifest& run, const char* name, Visit&& visit) {
     TableReader<Row> table{path, run.web};
     detail::check_sum(table.csv(), path, run.tables);
     for (Row row; table.next(row);) visit(row);
-    if (table.csv().truncated()) throw std::invalid_argument{path.string() + ": the last line was cut off; resume the run"};
+    if (table.csv().truncated()) throw std::invalid_argument{path.string() + ": the last line is truncated; resume the run"};
   } catch (const std::runtime_error& error) {
     throw std::invalid_argument{error.what()};
   }

@@ -60,7 +60,7 @@ void append_short(std::string& text, std::string_view cell) {
 }
 
 /// The columns of a file but for those named, in the rows that `keep` says yes to; it is asked with the reader at the row, whose
-/// first columns are `looked_at`. A last line that was cut off is left out. With `is_short` long numbers are shortened.
+/// first columns are `looked_at`. A truncated last line is left out. With `is_short` long numbers are shortened.
 template <class Keep>
 std::string table_without(const std::filesystem::path& path, std::initializer_list<std::string_view> left_out,
                           std::initializer_list<std::string_view> looked_at, Keep&& keep, bool is_short = false) {
@@ -131,7 +131,7 @@ std::string recording_blocks(const RecordedRun& run, const Window& window) {
     const std::size_t before = kept.size();
     kept.resize(before + size);
     if (!file.read(kept.data() + before, static_cast<std::streamsize>(size))) {
-      kept.resize(before);  // cut off in the middle of a block
+      kept.resize(before);  // truncated in the middle of a block
       break;
     }
   }
