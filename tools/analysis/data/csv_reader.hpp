@@ -22,8 +22,8 @@
 namespace trophic::analysis {
 
 /// Reads the files that io::CsvFile writes: one header row, commas, no quotes, every row as many cells as the header and
-/// ended by a newline. Only the columns asked for are looked at; they may stand anywhere. A last line without its newline was cut
-/// off when the writer was killed: it is not a row, and truncated() says so.
+/// ended by a newline. Only the columns asked for are looked at; they may stand anywhere. A last line without its
+/// newline, of a writer that was killed, is not a row: truncated() returns true.
 class CsvReader {
  public:
   /// Throws std::runtime_error "FILE: ..." if it cannot be read, has no header or lacks one of `columns`.
