@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paper's experiment with its open choices as numbers: `--set rules.parent.starved.reading=second`. scripts/reproduce runs
+// The paper's experiment with its open choices as parameters: `--set rules.parent.starved.reading=second`. scripts/reproduce runs
 // its screening design.
 #include <trophic/experiment.hpp>
 

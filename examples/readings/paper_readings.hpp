@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paper's table with its open choices as numbers.
+// The paper's table with its open choices as parameters.
 #pragma once
 
 #include <cstddef>

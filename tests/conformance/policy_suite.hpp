@@ -145,7 +145,7 @@ auto asked_twice(std::uint64_t seed, Ask&& ask) {
   return answer;
 }
 
-/// A policy with its default numbers.
+/// A policy with its default parameters.
 template <class Policy>
 [[nodiscard]] const Policy defaulted() {
   return make_policy<Policy>({});

@@ -49,7 +49,7 @@ class AnyBackend {
   /// Throws std::logic_error if the backend cannot exchange bodies.
   void embody(std::size_t robot, const RobotModel& model, const Pose& pose) { bodies_->embody(robot, model, pose); }
 
-  /// A sentence if the backend has been much slower than its numbers promise (its own speed_remark()); else empty.
+  /// A sentence if the backend has been much slower than its parameters promise (its own speed_remark()); else empty.
   [[nodiscard]] std::string speed_remark() const { return bodies_->speed_remark(); }
 
   /// The share of steps that the engine itself took (its own engine_share()); 0 without such a function.

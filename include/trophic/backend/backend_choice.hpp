@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The type-erased choice of a backend, with its numbers.
+// The type-erased choice of a backend, with its parameters.
 #pragma once
 
 #include <concepts>
@@ -17,12 +17,12 @@
 
 namespace trophic {
 
-/// A backend and its numbers, before it has bodies. Constructed from the numbers: `backend::Mujoco::Params{.threads = 2}`.
+/// A backend and its parameters, before it has bodies. Constructed from them: `backend::Mujoco::Params{.threads = 2}`.
 class BackendChoice {
  public:
   template <class Params>
   requires(Backend<typename Params::Backend>&& std::same_as<typename Params::Backend::Params, Params>)
-      BackendChoice(Params params)  // NOLINT(google-explicit-constructor): the numbers are the choice
+      BackendChoice(Params params)  // NOLINT(google-explicit-constructor): the parameters are the choice
       : choice_{std::make_unique<Of<typename Params::Backend>>(std::move(params))} {}
 
   BackendChoice(const BackendChoice& other) : choice_{other.choice_->copy()} {}
@@ -36,7 +36,7 @@ class BackendChoice {
 
   [[nodiscard]] std::string name() const { return std::string{choice_->name()}; }
   [[nodiscard]] std::string version() const { return choice_->version(); }
-  /// One sentence for each number of `physics` without effect.
+  /// One sentence for each parameter of `physics` without effect.
   [[nodiscard]] std::vector<std::string> remarks(const Physics& physics) const { return choice_->remarks(physics); }
   [[nodiscard]] bool has_joints() const { return choice_->has_joints(); }
   /// Whether bodies can be exchanged (Embodying).
@@ -49,7 +49,7 @@ class BackendChoice {
   /// Throws std::invalid_argument naming the first number outside its bounds, as "PATH.NAME".
   void validate(std::string_view path) const { choice_->validate(path); }
 
-  /// The numbers of backend B; null if another one was chosen.
+  /// The parameters of backend B; null if another one was chosen.
   template <Backend B>
   [[nodiscard]] typename B::Params* as() {
     auto* choice = dynamic_cast<Of<B>*>(choice_.get());

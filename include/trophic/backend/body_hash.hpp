@@ -10,7 +10,7 @@
 
 namespace trophic::backend {
 
-/// Returns a hash of the numbers that decide how a body moves. Names, gaits and the order of module parts are not among them.
+/// Returns a hash of the parameters that decide how a body moves. Names, gaits and the order of module parts are not among them.
 [[nodiscard]] inline std::uint64_t body_hash(const RobotModel& robot) {
   WordHash hash;
   const auto add = [&](double number) { hash.add(std::bit_cast<std::uint64_t>(number + 0.0)); };

@@ -38,9 +38,9 @@ class Diverged : public std::runtime_error {
 /// - `save`/`restore`: the full state, including warm starts, targets and time: a restored backend continues bitwise as the
 ///   saved one. State lists its members in saved(), so that checkpoints hold it (trophic/params/archive.hpp)
 /// - results must not depend on the number of threads
-/// - `remarks(physics)`: returns one sentence for every number of `physics` that has no effect on this backend, naming it;
+/// - `remarks(physics)`: returns one sentence for every parameter of `physics` that has no effect on this backend, naming it;
 ///   manifests record them
-/// - Params name their backend, `using Backend = Mine;`, so that an ecology is constructed from the numbers of a backend alone
+/// - Params name their backend, `using Backend = Mine;`, so that an ecology is constructed from the parameters of a backend alone
 template <class B>
 concept Backend = requires(B backend, const B& observed, std::size_t robot, double time_s, const typename B::State& state) {
   { B::name } -> std::convertible_to<std::string_view>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An experiment's numbers with the habitat that they name, checked before the simulation.
+// An experiment's parameters with the habitat that they name, checked before the simulation.
 #pragma once
 
 #include <concepts>
@@ -21,7 +21,7 @@
 
 namespace trophic {
 
-/// Checks that numbers are within their bounds, that the gait fits the robot, and that the rules can steer the robot.
+/// Checks that parameters are within their bounds, that the gait fits the robot, and that the rules can steer the robot.
 template <class Rules>
 struct CheckedExperiment {
   Experiment<Rules> params;

@@ -20,7 +20,7 @@
 
 namespace trophic {
 
-/// All numbers of an experiment on a backend, in order.
+/// All parameters of an experiment on a backend, in order.
 template <class Rules>
 [[nodiscard]] NamedParams named_params_of(Experiment<Rules> experiment, BackendChoice backend) {
   ParamRefs all = param_refs(experiment);

@@ -46,7 +46,7 @@ namespace trophic {
 ///
 /// A tick is `EcologyParams::tick_s` of the ecology's clock. Within a tick, after the bodies have moved: activation of newborn,
 /// catches, senescence, starvation, the minimum-predators rule, births in spare bodies, perception and brains, log. Tick 0 is the
-/// start. Equal numbers and seeds give equal runs, for any number of threads and any observers. A policy that returns a value
+/// start. Equal parameters and seeds give equal runs, for any number of threads and any observers. A policy that returns a value
 /// that does not exist or violates its contract causes a RuleError.
 template <class Rules, bool is_table>
 class Ecology final : public Simulation {

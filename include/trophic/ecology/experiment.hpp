@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All numbers of an experiment but its backend's, in one aggregate.
+// All parameters of an experiment but its backend's, in one aggregate.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace trophic {
 
-/// All numbers of an experiment but those of its backend (BackendChoice). Defaults to the numbers of its rule table.
+/// All parameters of an experiment but those of its backend (BackendChoice). Defaults to the parameters of its rule table.
 template <class Rules>
 struct Experiment {
   std::uint64_t seed = 1;
@@ -36,8 +36,8 @@ struct Experiment {
   }
 };
 
-/// The neutral shadow of an experiment: the same seed and numbers, without inheritance. Labels, places and times of birth arise
-/// as in the experiment itself, so a metric that differs between the two shows the effect of inheritance.
+/// The neutral shadow of an experiment: the same seed and parameters, without inheritance. Labels, places and times of birth
+/// arise as in the experiment itself, so a metric that differs between the two shows the effect of inheritance.
 template <class Rules>
 [[nodiscard]] Experiment<Rules> shadow_of(Experiment<Rules> experiment) {
   experiment.shadow = true;

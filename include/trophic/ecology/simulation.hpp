@@ -36,7 +36,7 @@ class Simulation {
   /// The same with observers that were gathered before.
   void run_before(observe::Audience& audience, double until_s) { run(until_s, audience); }
 
-  /// Writes the whole state of the run to an archive, or reads it: an ecology of the same numbers then continues from that
+  /// Writes the whole state of the run to an archive, or reads it: an ecology of the same parameters then continues from that
   /// moment to the same bytes. Between ticks only. Reading throws std::invalid_argument for bytes that are not such a state,
   /// and leaves the ecology in an unspecified state.
   virtual void persist(Archive& archive) = 0;

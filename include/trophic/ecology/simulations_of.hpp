@@ -21,7 +21,7 @@
 
 namespace trophic {
 
-/// Makes ecologies of these numbers that differ only in their seed. The result throws as the ecology's constructor does.
+/// Makes ecologies of these parameters that differ only in their seed. The result throws as the ecology's constructor does.
 template <class Rules>
 [[nodiscard]] MakeSimulation simulations_of(const Experiment<Rules>& experiment, const BackendChoice& backend) {
   return [experiment, backend](std::uint64_t seed) {
@@ -31,7 +31,7 @@ template <class Rules>
   };
 }
 
-/// Makes contests in the arena of these numbers, which is loaded once. Throws as the ecology's constructor does.
+/// Makes contests in the arena of these parameters, which is loaded once. Throws as the ecology's constructor does.
 template <class Rules>
 [[nodiscard]] MakeContest contests_of(const Experiment<Rules>& experiment, const BackendChoice& backend,
                                       std::string_view installed = TROPHIC_MODEL_DIR) {
@@ -45,7 +45,7 @@ template <class Rules>
   };
 }
 
-/// The brain of these numbers. The result throws std::invalid_argument for inputs or weights that the brain does not take.
+/// The brain of these parameters. The result throws std::invalid_argument for inputs or weights that the brain does not take.
 template <class Rules>
 [[nodiscard]] AskBrain ask_brain(const Experiment<Rules>& experiment) {
   using Brain = PolicyIn<Rules, RuleSlot::brain>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers of an experiment that do not belong to a rule: bodies, time scales, models, decisions.
+// The parameters of an experiment that do not belong to a rule: bodies, time scales, models, decisions.
 #pragma once
 
 #include <array>

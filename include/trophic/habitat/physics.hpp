@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers of the physics that an experiment states for any engine.
+// The parameters of the physics that an experiment states for any engine.
 #pragma once
 
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Several structs of numbers in one, each under a name: the numbers of a policy that is made of policies.
+// Several structs of parameters in one, each under a name: the parameters of a policy that is made of policies.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@ struct GroupMember {
 }  // namespace detail
 
 /// `Ps...` in order. `Names::names[i]`, a std::string_view, is the name of the i-th, as in "rules.sensors.NAME.full_scale_m".
-/// An aggregate: its numbers are listed, checked and set as those of any Params.
+/// An aggregate: its parameters are listed, checked and set as those of any Params.
 template <class Names, class Indices, class... Ps>
 struct Group;
 

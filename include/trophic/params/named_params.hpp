@@ -98,10 +98,10 @@ struct AppendParamRef {
 
 template <class P>
 void append_param_refs(P& params, std::string_view path, ParamRefs& refs) {
-  static_assert(OpenParams<P>, "Params must be an aggregate: public numbers, no constructor");
+  static_assert(OpenParams<P>, "Params must be an aggregate: public parameters, no constructor");
   static_assert(AllListed<members_of<P>, fields_of<P>>,
-                "Params must list every number in fields(); see trophic/params/params.hpp");
-  static_assert(listed_once<P>(), "Params must list no number and no name twice in fields()");
+                "Params must list every parameter in fields(); see trophic/params/params.hpp");
+  static_assert(listed_once<P>(), "Params must list no parameter and no name twice in fields()");
   if constexpr (std::is_empty_v<P>) {
     refs.push_back({std::string{path}, {}, {}, {}});
   } else {

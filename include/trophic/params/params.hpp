@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers of a rule. Each Params struct lists its fields once, with bounds; validation, configuration files and manifests read
+// Parameters of a rule. Each Params struct lists its fields once, with bounds; validation, configuration files and manifests read
 // that list.
 #pragma once
 
@@ -96,7 +96,7 @@ concept VisitsFields = requires(P& params, detail::AnyVisitor visit) {
 template <class P>
 concept HasFields = ListsFields<P> || VisitsFields<P>;
 
-/// Requirements on the Params of a policy: empty, or with every number listed, so that no number can be missing from a
+/// Requirements on the Params of a policy: empty, or with every parameter listed, so that none can be missing from a
 /// manifest.
 template <class P>
 concept Parameters = std::is_empty_v<P> || HasFields<P>;
@@ -156,7 +156,7 @@ template <NamedEnum E>
 template <class P, class Visitor>
 constexpr void for_each_field(P& params, Visitor&& visit) {
   using Plain = std::remove_const_t<P>;
-  static_assert(Parameters<Plain>, "Params must be empty or list every number in fields(); see trophic/params/params.hpp");
+  static_assert(Parameters<Plain>, "Params must be empty or list every parameter in fields(); see trophic/params/params.hpp");
   if constexpr (VisitsFields<Plain>) {
     Plain::visit_fields(params, visit);
   } else if constexpr (ListsFields<Plain>) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Construction of policies from their numbers.
+// Construction of policies from their parameters.
 #pragma once
 
 #include <trophic/params/params.hpp>
 
 namespace trophic {
 
-/// The Params of a policy without numbers.
+/// The Params of a policy without parameters.
 struct NoParams {
   friend bool operator==(const NoParams&, const NoParams&) = default;
 };
@@ -27,13 +27,13 @@ struct params_of<Policy> {
 
 }  // namespace detail
 
-/// The numbers of a policy: its nested Params, or NoParams.
+/// The parameters of a policy: its nested Params, or NoParams.
 template <class Policy>
 using ParamsOf = typename detail::params_of<Policy>::type;
 
 namespace detail {
 
-/// A policy without numbers needs a default constructor; one with numbers must be constructible from them.
+/// A policy without parameters needs a default constructor; one with parameters must be constructible from them.
 template <class Policy>
 concept HasNumbers = !std::is_empty_v<ParamsOf<Policy>>;
 template <class Policy>
@@ -69,8 +69,8 @@ template <class Policy>
   return {};
 }
 
-/// Returns a policy with these numbers. Throws RuleError if its public member `params` then holds other numbers, because the
-/// manifest would not match the run.
+/// Returns a policy with these parameters. Throws RuleError if its public member `params` then holds other parameters, because
+/// the manifest would not match the run.
 template <class Policy>
 [[nodiscard]] Policy make_policy([[maybe_unused]] const ParamsOf<Policy>& params, [[maybe_unused]] std::string_view slot = {}) {
   if constexpr (detail::HasNumbers<Policy>) {

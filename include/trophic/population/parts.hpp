@@ -30,7 +30,7 @@ class Parts {
   }
 
  protected:
-  /// Constructs the parts from their numbers in `Params`.
+  /// Constructs the parts from their parameters in `Params`.
   template <class Params>
   explicit Parts(const Params& numbers) : Parts{numbers, std::index_sequence_for<Ps...>{}} {}
 

@@ -178,11 +178,11 @@ struct CheckStateHooks {
 template <class P>
 using StateOf = typename detail::state_of<P>::type;
 
-/// The policy type that applies to a species: the policy itself, unless its numbers differ by species.
+/// The policy type that applies to a species: the policy itself, unless its parameters differ by species.
 template <class P>
 using AnswersForSpecies = typename detail::answers_for_species<P>::type;
 
-/// The policy that applies to a species: the policy itself, unless its numbers differ by species (rules/by_species.hpp).
+/// The policy that applies to a species: the policy itself, unless its parameters differ by species (rules/by_species.hpp).
 template <class P>
 [[nodiscard]] const AnswersForSpecies<P>& for_species(const P& policy, [[maybe_unused]] Species species) {
   if constexpr (std::same_as<AnswersForSpecies<P>, P>) {

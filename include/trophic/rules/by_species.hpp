@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A rule whose numbers differ by species.
+// A rule whose parameters differ by species.
 #pragma once
 
 #include <array>
@@ -63,10 +63,10 @@ concept NamesSpecies = requires {
 
 }  // namespace detail
 
-/// A policy with numbers for each species: `with_mutation<Paper, by_species<NormalMutation>>` has `rules.mutation.prey.sd` and
+/// A policy with parameters for each species: `with_mutation<Paper, by_species<NormalMutation>>` has `rules.mutation.prey.sd` and
 /// `rules.mutation.predator.sd`. In a rule table it takes the species of the table's community, which lists their names:
 /// `static constexpr std::array<std::string_view, N> species_names`. For slots that rules/slots.hpp marks as being about one
-/// individual or species, and for parts of their policies: each individual has the numbers of its species. Reads and random
+/// individual or species, and for parts of their policies: each individual has the parameters of its species. Reads and random
 /// draws: the policy's.
 template <class Policy>
 class by_species<Policy, void> : public detail::BySpecies<Policy> {};
@@ -84,7 +84,7 @@ class by_species : public detail::BySpecies<Policy> {
 
   explicit by_species(const Params& numbers = {}) : by_species{numbers, std::make_index_sequence<count>{}} {}
 
-  /// The policy with the numbers of a species.
+  /// The policy with the parameters of a species.
   [[nodiscard]] const Policy& of(Species species) const { return policies_.at(species); }
 
  private:

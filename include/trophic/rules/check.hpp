@@ -41,7 +41,7 @@ namespace detail {
 TROPHIC_RULE_SLOTS(TROPHIC_STATED)
 #undef TROPHIC_STATED
 
-/// A policy in a table: if its numbers differ by species, it has the species of the table's community.
+/// A policy in a table: if its parameters differ by species, it has the species of the table's community.
 template <class Policy, class Rules>
 struct in_table {
   using type = Policy;
@@ -114,7 +114,7 @@ TROPHIC_RULE_SLOTS(TROPHIC_SLOT)
 template <class Rules>
 concept Final = std::is_final_v<Rules>;
 
-/// Whether a table states its numbers, as a function of its own type.
+/// Whether a table states its parameters, as a function of its own type.
 template <class Rules>
 concept StatesParams = requires {
   requires std::same_as<decltype(Rules::params()), TableParams<Rules>>;
@@ -128,19 +128,20 @@ template <class Rules>
   return none;
 }
 
-/// Fails to compile, with one sentence, unless Rules is final, has a name and numbers, and has a policy that satisfies the
+/// Fails to compile, with one sentence, unless Rules is final, has a name and parameters, and has a policy that satisfies the
 /// contract in every slot, except in those with a neutral policy, which it may leave out. A misspelt name of such a slot in a
 /// table written out is the one mistake that cannot be detected here: C++ does not list the members of a class. with_<slot> and
-/// numbers for the slot detect it.
+/// parameters for the slot detect it.
 template <class Rules>
 struct CheckRules {
   static_assert(Final<Rules>,
                 "the rule table must be final, `struct NAME final`: in a table derived from it a misspelt slot would run the "
-                "base's rule; to swap a rule use with_<slot>, for other numbers with_params");
+                "base's rule; to swap a rule use with_<slot>, for other parameters with_params");
   static_assert(Named<Rules>, "the rule table needs static constexpr std::string_view name, for manifests");
-  static_assert(StatesParams<Rules>,
-                "the rule table must state its numbers: static TableParams<TABLE> params() { return TableParams<TABLE>{.slot = "
-                "{.number = 1.0}}; }, with its own type for TABLE");
+  static_assert(
+      StatesParams<Rules>,
+      "the rule table must state its parameters: static TableParams<TABLE> params() { return TableParams<TABLE>{.slot = "
+      "{.number = 1.0}}; }, with its own type for TABLE");
 
 #define TROPHIC_CHECK_SLOT(Slot, member, kind, Contract, ...)                                                                \
   using Slot = typename slot_##member<Rules>::type;                                                                          \
@@ -149,7 +150,7 @@ struct CheckRules {
                                                   " = ...;` or make it from a complete table with with_" #member);           \
   static_assert(member##_fault != Fault::by_species, "Rules::" #Slot                                                         \
                                                      " is not about a single individual or species, so its policy's "        \
-                                                     "numbers cannot differ by_species");                                    \
+                                                     "parameters cannot differ by_species");                                 \
   static_assert(member##_fault != Fault::part,                                                                               \
                 "a part of the policy in Rules::" #Slot " does not fit the contract of that part; see the policy's header"); \
   static_assert(member##_fault != Fault::contract || kind::Contract<AnswersForSpecies<Slot>>,                                \
@@ -158,14 +159,14 @@ struct CheckRules {
                 "the policy in Rules::" #Slot " needs static constexpr std::string_view name, for manifests");               \
   static_assert(member##_fault != Fault::fields,                                                                             \
                 "the Params of the policy in Rules::" #Slot                                                                  \
-                " need static constexpr auto fields(), listing every number; see trophic/params/params.hpp");                \
+                " need static constexpr auto fields(), listing every parameter; see trophic/params/params.hpp");             \
   static_assert(member##_fault != Fault::open,                                                                               \
-                "the Params of the policy in Rules::" #Slot " must be an aggregate: public numbers, no constructor");        \
+                "the Params of the policy in Rules::" #Slot " must be an aggregate: public parameters, no constructor");     \
   static_assert(member##_fault != Fault::listed || AllListed<members_of<ParamsOf<Slot>>, fields_of<ParamsOf<Slot>>>,         \
                 "the Params of the policy in Rules::" #Slot                                                                  \
-                " must list every number in fields(); see trophic/params/params.hpp");                                       \
+                " must list every parameter in fields(); see trophic/params/params.hpp");                                    \
   static_assert(member##_fault != Fault::twice,                                                                              \
-                "the Params of the policy in Rules::" #Slot " must list no number and no name twice in fields()");           \
+                "the Params of the policy in Rules::" #Slot " must list no parameter and no name twice in fields()");        \
   static_assert(member##_fault != Fault::made,                                                                               \
                 "the policy in Rules::" #Slot                                                                                \
                 " has Params but cannot be made from them: it needs `Params params;` as its first "                          \
@@ -186,7 +187,7 @@ using PolicyIn = typename detail::policy_in<Rules, slot>::type;
 template <class Rules, RuleSlot slot>
 inline constexpr bool is_neutral = detail::policy_in<Rules, slot>::is_neutral;
 
-/// Whether a type is a rule table: final, with a name and its numbers, and a valid policy in each slot that it states.
+/// Whether a type is a rule table: final, with a name and its parameters, and a valid policy in each slot that it states.
 /// RuleParams, and therefore every experiment, rejects other types with a sentence about the error.
 template <class Rules>
 inline constexpr bool is_rule_table = detail::has_no_fault<Rules>();

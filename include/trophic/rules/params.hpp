@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers of a rule table: those that it states, and those that an experiment runs with.
+// The parameters of a rule table: those that it states, and those that an experiment runs with.
 #pragma once
 
 #include <trophic/params/params.hpp>
@@ -9,7 +9,7 @@
 
 namespace trophic {
 
-/// The numbers that a table states: one member per slot, each a policy's Params with the policy's own defaults. A table
+/// The parameters that a table states: one member per slot, each a policy's Params with the policy's own defaults. A table
 /// initialises it by designated initialisers, so that a misspelt slot or number does not compile: `static TableParams<Mine>
 /// params() { return TableParams<Mine>{.tag_switch = {.cool_down_s = 20.0}}; }`.
 template <class Rules>
@@ -21,7 +21,7 @@ struct TableParams {
 
 namespace detail {
 
-/// The numbers of a table; the policies' defaults for a table that states none, which `CheckRules` rejects.
+/// The parameters of a table; the policies' defaults for a table that states none, which `CheckRules` rejects.
 template <class Rules>
 [[nodiscard]] TableParams<Rules> stated_params() {
   if constexpr (StatesParams<Rules>) return Rules::params();
@@ -30,7 +30,7 @@ template <class Rules>
 
 }  // namespace detail
 
-/// The numbers of an experiment's rules, one member per slot. Each defaults to the table's number.
+/// The parameters of an experiment's rules, one member per slot. Each defaults to the table's parameter.
 template <class Rules>
 struct RuleParams {
   static_assert(sizeof(detail::CheckRules<Rules>) > 0);  // reports the error in the table

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Prints a rule table for readers: the policy in each slot, with its numbers and source.
+// Prints a rule table for readers: the policy in each slot, with its parameters and source.
 #pragma once
 
 #include <array>
@@ -38,7 +38,7 @@ template <class Params>
 }  // namespace detail
 
 /// One line for each slot of a table with a policy other than its neutral one, then one for ecology and one for physics, with
-/// the given numbers or the table's own.
+/// the given parameters or the table's own.
 template <class Rules>
 [[nodiscard]] std::vector<PrintedRule> printed_rules(const RuleParams<Rules>& params = {},
                                                      const EcologyParams& ecology = Rules::ecology(),

@@ -11,7 +11,7 @@
 
 namespace trophic::rules {
 
-/// Names of numbers and their values, floating-point numbers to six digits; manifests have them exactly.
+/// Names of parameters and their values, floating-point numbers to six digits; manifests have them exactly.
 using PrintedNumbers = std::vector<std::pair<std::string, std::string>>;
 
 /// A line of a printed table.
@@ -30,8 +30,8 @@ struct PrintedRule {
   return text;
 }
 
-/// The lines in which a table differs from another one: those with another policy, and of those with the same policy the numbers
-/// that differ. A rule that only the other table has stands there without numbers, with the policy "none".
+/// The lines in which a table differs from another one: those with another policy, and of those with the same policy the
+/// parameters that differ. A rule that only the other table has stands there without parameters, with the policy "none".
 [[nodiscard]] inline std::vector<PrintedRule> unlike(std::span<const PrintedRule> rules, std::span<const PrintedRule> other) {
   std::vector<PrintedRule> lines;
   const auto same_slot = [](const PrintedRule& rule) {
@@ -110,7 +110,7 @@ using detail::latex_text;
 
 /// Text as Markdown and LaTeX tables have it.
 [[nodiscard]] inline std::string markdown_table(std::span<const PrintedRule> rules) {
-  std::string text = "| kind | slot | policy | numbers | source |\n|---|---|---|---|---|\n";
+  std::string text = "| kind | slot | policy | parameters | source |\n|---|---|---|---|---|\n";
   for (const PrintedRule& rule : rules) {
     std::string line = "|";
     for (const std::string& cell : {rule.kind, rule.slot, rule.policy, numbers_text(rule.numbers), rule.source}) {
@@ -127,7 +127,7 @@ using detail::latex_text;
       "% \\usepackage{booktabs,tabularx}; \\input{} this file in a table, or in a table* of two columns.\n"
       "{\\scriptsize\\setlength{\\tabcolsep}{3pt}\\newcolumntype{L}[1]{>{\\hsize=#1\\hsize\\raggedright\\arraybackslash\\hspace{"
       "0pt}}X}%\n"
-      "\\begin{tabularx}{\\linewidth}{@{}L{0.75}L{0.95}L{1.2}L{1.1}@{}}\n\\toprule\nslot & policy & numbers & source \\\\\n";
+      "\\begin{tabularx}{\\linewidth}{@{}L{0.75}L{0.95}L{1.2}L{1.1}@{}}\n\\toprule\nslot & policy & parameters & source \\\\\n";
   std::string kind;
   for (const PrintedRule& rule : rules) {
     if (rule.kind != kind) text += "\\midrule\n\\multicolumn{4}{@{}l}{\\itshape " + latex_text(rule.kind) + "} \\\\\n";

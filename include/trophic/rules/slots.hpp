@@ -48,7 +48,7 @@
 #include <trophic/reproduction/viability/contract.hpp>
 #include <utility>
 
-/// Every slot of a rule table: (Slot, member, kind, contract, neutral policy, may differ by species). Tables, numbers,
+/// Every slot of a rule table: (Slot, member, kind, contract, neutral policy, may differ by species). Tables, parameters,
 /// with_<slot>, checks and manifests are generated from this list. A contract's concept and sentence are in
 /// trophic/KIND/SLOT/contract.hpp.
 ///

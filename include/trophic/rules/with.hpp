@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tables derived from another one: with one rule or sensor swapped, other numbers, another ecology, or another name.
+// Tables derived from another one: with one rule or sensor swapped, other parameters, another ecology, or another name.
 #pragma once
 
 #include <algorithm>
@@ -45,7 +45,7 @@ struct OfTable : SlotAliases<Stated<Rules>::template in> {
   static auto physics() { return Rules::physics(); }
 };
 
-/// The numbers of one table for another one with the same policies.
+/// The parameters of one table for another one with the same policies.
 template <class Table, class Rules>
 [[nodiscard]] TableParams<Table> same_params(const TableParams<Rules>& from) {
   TableParams<Table> own;
@@ -55,7 +55,7 @@ template <class Table, class Rules>
 
 }  // namespace detail
 
-/// A table with the rule of one slot swapped, with the policy's own numbers. Written with_<slot><Rules, Policy>.
+/// A table with the rule of one slot swapped, with the policy's own parameters. Written with_<slot><Rules, Policy>.
 template <class Rules, RuleSlot swapped, class Policy>
 struct with_rule final : detail::SlotAliases<detail::Swapped<Rules, swapped, Policy>::template in> {
   /// "paper with mutation = uniform_mutation".
@@ -107,8 +107,8 @@ TROPHIC_NO_SLOT(
 TROPHIC_NO_SLOT(death, "with_activation, with_capture, with_floor, with_starvation, with_minimum_predators and with_senescence")
 #undef TROPHIC_NO_SLOT
 
-/// A table with other numbers: `with_params<Paper, [](auto& params) { params.floor.floor = 5; }>`. It keeps its name, as does a
-/// table whose numbers are set at run time; a manifest lists them.
+/// A table with other parameters: `with_params<Paper, [](auto& params) { params.floor.floor = 5; }>`. It keeps its name, as does
+/// a table whose parameters are set at run time; a manifest lists them.
 template <class Rules, auto change>
 struct with_params final : detail::OfTable<Rules> {
   static constexpr std::string_view name = detail::policy_name<Rules>();
@@ -157,7 +157,7 @@ struct swap_sensor {
 
 }  // namespace detail
 
-/// A table with the sensor New in place of Old, and the numbers of its sensors at their own defaults.
+/// A table with the sensor New in place of Old, and the parameters of its sensors at their own defaults.
 template <class Table, class Old, class New>
 using with_sensor = with_sensors<Table, typename detail::swap_sensor<typename Table::Sensors, Old, New>::type>;
 

@@ -27,7 +27,7 @@ struct whole_with_part<Whole<Ps...>, swapped, Policy, std::index_sequence<place.
   using type = Whole<std::conditional_t<place == swapped, Policy, Ps>...>;
 };
 
-/// `part_of(params)`: the numbers of one part.
+/// `part_of(params)`: the parameters of one part.
 template <std::size_t place, class Params>
 [[nodiscard]] constexpr auto& part_of(Params& params) {
   return params.*(std::get<place>(std::remove_const_t<Params>::fields()).member);
@@ -77,7 +77,7 @@ struct swap_part<Rules, slot, place, Policy> {
 
 }  // namespace detail
 
-/// A table with one part of a policy swapped, with the new part's own numbers; the other parts keep the table's numbers.
+/// A table with one part of a policy swapped, with the new part's own parameters; the other parts keep the table's parameters.
 template <class Rules, RuleSlot slot, std::size_t place, class Policy>
 using with_part = typename detail::swap_part<Rules, slot, place, Policy>::type;
 

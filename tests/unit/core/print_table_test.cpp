@@ -70,7 +70,7 @@ TEST_CASE("print table: rule table -> a line per rule in the order of slots, the
 TEST_CASE("print table: special characters -> escaped in Markdown and LaTeX") {
   const std::string markdown = rules::markdown_table<Swapped>();
   CHECK(markdown.starts_with(
-      "| kind | slot | policy | numbers | source |\n|---|---|---|---|---|\n"
+      "| kind | slot | policy | parameters | source |\n|---|---|---|---|---|\n"
       "| initialization | community | predator\\_prey | predators = 14 | paper, Sec. \"Initialization\" |\n"));
   CHECK(line_of(markdown, "| death | senescence |") ==
         R"(| death | senescence | odd\_rule | share = 0.333333, strict\_one = true | )"
@@ -79,7 +79,7 @@ TEST_CASE("print table: special characters -> escaped in Markdown and LaTeX") {
 
   const std::string latex = rules::latex_table<Swapped>();
   CHECK(has(latex,
-            "\nslot & policy & numbers & source \\\\\n\\midrule\n\\multicolumn{4}{@{}l}{\\itshape initialization} \\\\\n"
+            "\nslot & policy & parameters & source \\\\\n\\midrule\n\\multicolumn{4}{@{}l}{\\itshape initialization} \\\\\n"
             "community & predator\\_\\allowbreak{}prey & predators = 14 & paper, Sec. ``Initialization'' \\\\\n"));
   CHECK(line_of(latex, "senescence & odd") ==
         R"(senescence & odd\_\allowbreak{}rule & share = 0.333333, strict\_\allowbreak{}one = true & )"
@@ -88,7 +88,7 @@ TEST_CASE("print table: special characters -> escaped in Markdown and LaTeX") {
   CHECK(latex.ends_with("\\bottomrule\n\\end{tabularx}}\n"));
 }
 
-TEST_CASE("unlike: two tables -> rules and numbers that differ, and rules that only the other one has") {
+TEST_CASE("unlike: two tables -> rules and parameters that differ, and rules that only the other one has") {
   using rules::PrintedRule;
   const std::vector<PrintedRule> ours{{"death", "capture", "touch", {{"reach_m", "0.5"}, {"every", "1"}}, "a"},
                                       {"death", "floor", "plain", {}, "b"},

@@ -118,7 +118,7 @@ TEST_CASE("list: numbers -> under the name of each sensor") {
   CHECK_THROWS_WITH_AS(validate(Sensors::with<DistanceOverScale>({.full_scale_m = -1.0}), "rules.sensors"),
                        "rules.sensors.distance_over_scale.full_scale_m = -1: must be > 0", std::invalid_argument);
   CHECK_THROWS_WITH_AS(command::read_parameters(params, command::read_assignment("place.x=1")),
-                       "place.x: unknown key; this rule has no numbers", std::invalid_argument);
+                       "place.x: unknown key; this rule has no parameters", std::invalid_argument);
 }
 
 TEST_CASE("list: swap -> sensor replaced in its place") {

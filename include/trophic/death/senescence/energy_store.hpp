@@ -12,7 +12,7 @@ namespace trophic::death::senescence {
 /// hunt.
 /// A newborn starts with `start`, independent of its parent and its body. An alternative to the paper's hunger, which counts
 /// ticks equally for robots that walk and robots that wait (Sec. "Predator Death"); energy balance as in Polyworld
-/// [yaeger1994]. All its numbers are free. Reads: its own state, the distance walked, catches.   Random draws: 0.
+/// [yaeger1994]. All its parameters are free. Reads: its own state, the distance walked, catches.   Random draws: 0.
 struct EnergyStore {
   static constexpr std::string_view name = "energy_store";
   static constexpr std::string_view source = "not in the paper; after [yaeger1994]";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Writes TOML: all TOML files and listings of numbers of trophic's programs.
+// Writes TOML: all TOML files and listings of parameters of trophic's programs.
 #pragma once
 
 #include <concepts>
@@ -34,7 +34,7 @@ class TomlWriter {
     text_ += '\n';
   }
 
-  /// Writes every number in the table of its path, with its help as a comment; `root` is prepended to the paths.
+  /// Writes every parameter in the table of its path, with its help as a comment; `root` is prepended to the paths.
   void put_all(const NamedParams& named_params, std::string_view root = {}) {
     std::string open{root};
     if (!root.empty()) table(root);
@@ -88,7 +88,7 @@ class TomlWriter {
   std::string text_;
 };
 
-/// NamedParams as a TOML text that reads back as the same numbers, with each field's help as a comment.
+/// NamedParams as a TOML text that reads back as the same parameters, with each field's help as a comment.
 [[nodiscard]] inline std::string toml_text(const NamedParams& named_params) {
   TomlWriter writer;
   writer.put_all(named_params);

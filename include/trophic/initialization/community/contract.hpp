@@ -12,7 +12,7 @@
 namespace trophic::initialization {
 
 /// `web()`: returns the species and their feeding links. `founders(robots)`: returns the species of the first individual in
-/// each of `robots` bodies; throws std::invalid_argument naming field, value and bound if its numbers do not fit.
+/// each of `robots` bodies; throws std::invalid_argument naming field, value and bound if its parameters do not fit.
 template <class P>
 concept Community = requires(const P policy, std::size_t robots) {
   { policy.web() } -> std::same_as<FoodWeb>;

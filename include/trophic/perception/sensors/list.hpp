@@ -119,7 +119,7 @@ using HeldSensors = std::conditional_t<(Stateful<Sensors> || ...), HeldWithState
 
 }  // namespace detail
 
-/// The inputs of a brain: the values of each sensor in the order of the list. A sensor's numbers are set under its name:
+/// The inputs of a brain: the values of each sensor in the order of the list. A sensor's parameters are set under its name:
 /// `rules.sensors.distance_over_scale.full_scale_m`, or in a table by `with`. If a sensor has a State (population/state.hpp),
 /// the list has one for each body, with that sensor's under its name.
 template <class... Sensors>
@@ -143,7 +143,7 @@ class List : public detail::HeldSensors<Sensors...> {
   using Params = GroupOf<detail::Names<Sensors...>, ParamsOf<Sensors>...>;
   Params params;
 
-  /// The numbers with these for one sensor, for a table's params(): `.sensors = Sensors::with<DistanceOverScale>({...})`.
+  /// The parameters with these for one sensor, for a table's params(): `.sensors = Sensors::with<DistanceOverScale>({...})`.
   template <class One>
   [[nodiscard]] static constexpr Params with(const ParamsOf<One>& numbers, Params others = {}) {
     static_assert(contains<One>, "the list has no such sensor");

@@ -11,8 +11,8 @@ namespace trophic::reproduction::recruitment {
 /// closest to it; if spare bodies are few, the prey with most escapes first, of equal ones the oldest. After starvation or
 /// senescence a body stays spare unless `spare_bodies` already are; after a catch or a sacrifice it is filled at once. An escape:
 /// a living predator that was within distances.near_m of the active prey is farther than distances.far_m. So escapes add prey
-/// and starvation takes predators away, by at most `spare_bodies` in all. All its numbers are free.   Reads: positions, species,
-/// activity, its own state.   Random draws: 0.
+/// and starvation takes predators away, by at most `spare_bodies` in all. All its parameters are free.   Reads: positions,
+/// species, activity, its own state.   Random draws: 0.
 struct AfterEscapes {
   static constexpr std::string_view name = "after_escapes";
   static constexpr std::string_view source = "not in the paper; its conclusion asks for an explicit criterion";

@@ -23,7 +23,7 @@ struct Section {
 
 /// A moment of a run.
 struct Checkpoint {
-  std::string fingerprint;      ///< observe::fingerprint of the run: rules, numbers, models, backend
+  std::string fingerprint;      ///< observe::fingerprint of the run: rules, parameters, models, backend
   std::string program_version;  ///< trophic's; only the same version continues to the same bytes
   std::string code = {};        ///< of the program that wrote it, as program_code()
   std::uint64_t seed = 0;

@@ -52,7 +52,7 @@ void check_same_run(const Checkpoint& checkpoint, const observe::RunDescription&
 /// or other states of rules, else as `restore`.
 void restore_any(const Checkpoint& checkpoint, Simulation& ecology, const Parts& parts = {});
 
-/// Restores an ecology that was made from the same numbers, and its participating observers, from a checkpoint.
+/// Restores an ecology that was made from the same parameters, and its participating observers, from a checkpoint.
 /// Files are cut to their length at that moment. Throws std::invalid_argument if the checkpoint is not of this run or of other
 /// observers; std::runtime_error for a file that is missing or shorter than it was.
 void restore(const Checkpoint& checkpoint, Simulation& ecology, const Parts& parts = {});

@@ -55,7 +55,7 @@ TROPHIC_INLINE void check_same_rules(const Checkpoint& checkpoint, const observe
   detail::same("version of trophic", checkpoint.program_version, std::string{version});
   if (checkpoint.fingerprint == run.fingerprint) return;
   throw std::invalid_argument{"the checkpoint's fingerprint = " + checkpoint.fingerprint + ": must be " + run.fingerprint +
-                              ", as of the run that is to be resumed; its rules, numbers, models or engine differ"};
+                              ", as of the run that is to be resumed; its rules, parameters, models or engine differ"};
 }
 
 TROPHIC_INLINE void check_same_run(const Checkpoint& checkpoint, const observe::RunDescription& run) {

@@ -43,8 +43,8 @@ void check_build(const std::filesystem::path& folder);
 
 /// Looks at the folder of a run that is to be resumed. A folder without a whole checkpoint, or with one of another version of
 /// trophic, is set aside, as nothing can be resumed there. Throws std::invalid_argument if the folder is of a run with other
-/// rules, numbers or another seed, if another build of the program wrote its checkpoint and `other_build` does not accept that,
-/// if it lacks a table of a complete run, or has links in it; std::runtime_error if another program works in it.
+/// rules, parameters or another seed, if another build of the program wrote its checkpoint and `other_build` does not accept
+/// that, if it lacks a table of a complete run, or has links in it; std::runtime_error if another program works in it.
 [[nodiscard]] RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run,
                                     OtherBuild other_build = OtherBuild::refused);
 

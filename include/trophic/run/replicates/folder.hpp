@@ -60,8 +60,8 @@ class Folder {
   /// Makes the folder or, with `plan.resume`, resumes in it. Complete replicates stay; interrupted ones resume from their
   /// checkpoint or, without one, are moved to "replicate-NN.incomplete-K" and are to be run anew. `run` is any run of the plan,
   /// seed aside. Throws std::invalid_argument if the folder exists and the plan does not resume, if what is there has other
-  /// rules, numbers, seeds or duration, if there are links in it, or if another build of the program made a part of the set and
-  /// the plan does not accept that; std::runtime_error if another program works in it or the system refuses.
+  /// rules, parameters, seeds or duration, if there are links in it, or if another build of the program made a part of the set
+  /// and the plan does not accept that; std::runtime_error if another program works in it or the system refuses.
   Folder(const Plan& plan, const observe::RunDescription& run, const io::Provenance& provenance) {
     plan.check();
     if (!plan.resume || !std::filesystem::exists(plan.out)) {

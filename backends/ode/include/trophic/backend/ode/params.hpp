@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers of the ODE backend.
+// The parameters of the ODE backend.
 #pragma once
 
 #include <array>
