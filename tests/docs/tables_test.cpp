@@ -119,7 +119,7 @@ on.)");
                                R"(One row per gene of every newborn. Written only if individuals inherit gaits or bodies, or if
 brains grow.)");
   text += section<changes::ChangeRow>("changes.csv",
-                                      "The numbers of rules that changed during a run, in the order of their changes. Written "
+                                      "The rule parameters that changed during a run, in the order of their changes. Written "
                                       "only with --changes and --live; --changes reads it.");
   text += bodies;
   text += section<analysis::MetricRow>("metrics.csv",

@@ -38,14 +38,14 @@ class Cite(InFolder):
         sentence, entries = self.cited("run")
         self.assertEqual(sentence, f"A run of 20 s with the rule table `paper` on kinematic 1 in trophic {manifest['trophic']} "
                                    f"(revision {manifest['source_revision']}, fingerprint {manifest['fingerprint']}, seed 7), "
-                                   "with these numbers changed (the table's in brackets): rules.mutation.sd = 0.125 (0.05).")
+                                   "with these parameters changed (the table's in brackets): rules.mutation.sd = 0.125 (0.05).")
         self.assertIn(f"note = {{Software, version {manifest['trophic']}, revision {manifest['source_revision']}}}", entries)
 
     def test_replicates_are_counted_and_have_a_master_seed(self):
         self.make("--replicates", 3, "--shadow", "--out", "set")
         sentence, _ = self.cited("set")
         self.assertTrue(sentence.startswith("3 runs of 20 s with the rule table `paper`"), sentence)
-        self.assertTrue(sentence.endswith("with the numbers of the table."), sentence)
+        self.assertTrue(sentence.endswith("with the parameters of the table."), sentence)
 
     def test_a_sweep_is_refused(self):
         (self.folder / "sweep").mkdir()

@@ -162,7 +162,7 @@ class Contest(InFolder):
         self.refused(first, says="--against others: needs at least two replicates")
         self.refused("study", "--program", "no-such-program", says="--program no-such-program")
         self.runs("other", "--set", "rules.mutation.sd=0.1")
-        self.refused("study", "other", says="runs of different rules or numbers are not pooled")
+        self.refused("study", "other", says="runs of different rules or parameters are not pooled")
         self.refused("study", "--shadow", "other", says="other")
         shutil.move(first / "genomes.csv", self.folder / "genomes.csv")
         self.refused("study", says="genomes.csv")

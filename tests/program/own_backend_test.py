@@ -43,7 +43,7 @@ class OwnBackend(InFolder):
         for assignment, message in (("backend.breaks_beyond_rad=-1", "backend.breaks_beyond_rad = -1: must be > 0"),
                                     ("backend.breaks_beyond_rd=1", "--set backend.breaks_beyond_rd: unknown key; did you mean backend.breaks_beyond_rad?"),
                                     ("backend.colour=1", "backend.colour: unknown key; known here: breaks_beyond_rad"),
-                                    ("backend=1", "backend = 1: must be a table of numbers")):
+                                    ("backend=1", "backend = 1: must be a table of parameters")):
             result = self.call("--set", assignment, "--out", "run")
             self.assertEqual((result.returncode, result.stderr), (2, f"{program}: {message}\n"))
         self.assertEqual(list(self.folder.iterdir()), [])

@@ -463,7 +463,7 @@ class Refusals(Sweeps):
                                     "physics.timestep_s = 0.02\necology.control_hz = 50\n[grid]\nrules.capture.reach_m = [1.0]\n")
         done = self.sweep(file="diverges.toml")
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
-        self.assertIn("1 diverged, as they will again with the same numbers\n", done.stderr)
+        self.assertIn("1 diverged, as they will again with the same parameters\n", done.stderr)
         self.assertNotIn("resume", done.stderr)
 
     def test_status_of_another_folder(self):

@@ -31,7 +31,7 @@ std::vector<std::string> run_table(const std::string& name, Experiment<Table> ex
   return unfinished;
 }
 
-/// Base with one number as Other has it.
+/// Base with one parameter as Other has it.
 template <class Base, class Other>
 Experiment<Base> with_number_of(const std::string& name) {
   for (const rules::RuleDifference& difference : rules::differences<Base, Other>()) {

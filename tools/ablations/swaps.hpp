@@ -18,7 +18,7 @@
 namespace trophic::command {
 
 /// Slots that are flipped together. The first group takes decision_order and without_target of EcologyParams, too, the last all
-/// other numbers of EcologyParams and Physics.
+/// other parameters of EcologyParams and Physics.
 struct SlotGroup {
   std::string_view name;
   rules::SlotSet slots;
@@ -84,7 +84,7 @@ template <class Base, class Other>
   }
   append_sensor_swaps<Base, Other>(all, std::make_index_sequence<Base::Sensors::count>{});
   all.push_back({std::string{biases_name}, "a bias in every neuron, as in neither table"});
-  for (const SlotGroup& group : slot_groups) all.push_back({std::string{group.name}, "all of its slots and numbers together"});
+  for (const SlotGroup& group : slot_groups) all.push_back({std::string{group.name}, "all of its slots and parameters together"});
   return all;
 }
 

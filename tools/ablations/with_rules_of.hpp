@@ -58,10 +58,10 @@ struct SlotsOf {
 
 }  // namespace detail
 
-/// Base with the policies and numbers of Other in the slots of a set; ecology and physics are those of Base.
+/// Base with the policies and parameters of Other in the slots of a set; ecology and physics are those of Base.
 template <class Base, class Other, SlotSet set>
 struct with_rules_of final : trophic::detail::SlotAliases<detail::SlotsOf<Base, Other, set>::template in> {
-  /// "paper with heredity = shared_copy, mutation = uniform_mutation": policies that differ; numbers are in the manifest.
+  /// "paper with heredity = shared_copy, mutation = uniform_mutation": policies that differ; parameters are in the manifest.
   struct Words {
     static constexpr auto words = [] {
       std::array<std::string_view, 1 + 4 * slot_names.size()> all;
@@ -99,7 +99,7 @@ struct with_rules_of final : trophic::detail::SlotAliases<detail::SlotsOf<Base, 
   static auto physics() { return Base::physics(); }
 };
 
-/// Base with one part of a policy, and its numbers, from Other.
+/// Base with one part of a policy, and its parameters, from Other.
 template <class Base, class Other, RuleSlot slot, std::size_t place>
 struct with_part_of final
     : trophic::detail::OfTable<with_part<Base, slot, place, typename PolicyIn<Other, slot>::template Part<place>>> {
@@ -160,8 +160,8 @@ void append_policy_differences(const std::string& path, const ParamsHere& here, 
 
 }  // namespace detail
 
-/// All slots, parts and numbers in which two tables differ, in order. Numbers of policies that differ are omitted, as is the
-/// duration, which is not a rule.
+/// All slots, parts and parameters in which two tables differ, in order. Parameters of policies that differ are omitted, as is
+/// the duration, which is not a rule.
 template <class Base, class Other>
 [[nodiscard]] std::vector<RuleDifference> differences() {
   const RuleParams<Base> here;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Changes of a run's numbers while it runs, and their table.
+// Changes of a run's parameters while it runs, and their table.
 #pragma once
 
 #include <cstddef>
@@ -43,7 +43,7 @@ struct ChangeRow {
   }
 };
 
-/// In the folder of a run whose numbers may change.
+/// In the folder of a run whose parameters may change.
 inline constexpr std::string_view file_name = "changes.csv";
 
 /// Largest number of changes in a list.

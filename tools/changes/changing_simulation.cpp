@@ -105,7 +105,7 @@ ChangingSimulation::ChangingSimulation(MakeChanged make, std::vector<Change> sch
       journal_{std::make_shared<Journal>()},
       current_{make_({})},
       first_{current_->describe(0.0)} {
-  // Each state of the numbers, so that nothing is refused halfway.
+  // Each state of the parameters, so that nothing is refused halfway.
   for (std::size_t many = 1; many <= schedule_.size(); ++many) {
     if (many < schedule_.size() && schedule_[many].time_s == schedule_[many - 1].time_s) continue;
     static_cast<void>(changed({}, {schedule_.begin(), schedule_.begin() + static_cast<std::ptrdiff_t>(many)}));
@@ -212,7 +212,7 @@ bool ChangingSimulation::are_scheduled(const std::vector<ChangeRow>& made, const
   return true;
 }
 
-/// The ecology of the numbers after changes, at its start.
+/// The ecology of the parameters after changes, at its start.
 std::unique_ptr<Simulation> ChangingSimulation::changed(const std::vector<ChangeRow>& rows,
                                                         const std::vector<Change>& more) const {
   std::vector<Change> all;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An ecology whose numbers change while it runs.
+// An ecology whose parameters change while it runs.
 #pragma once
 
 #include <cstdint>
@@ -39,13 +39,13 @@ class Conductor {
 /// number that is unknown or out of its bounds.
 using MakeChanged = std::function<std::unique_ptr<Simulation>(const std::vector<Change>& made)>;
 
-/// Runs the ecology of an experiment and replaces it, between two ticks, by one with other numbers of rules in the same state. So
+/// Runs the ecology of an experiment and replaces it, between two ticks, by one with other rule parameters in the same state. So
 /// a run with changes is the same to the byte whether they are scheduled or made by a conductor. Its description is that of the
-/// first numbers; changes.csv has the rest. A checkpoint contains the changes that were made and those that are still to come.
+/// first parameters; changes.csv has the rest. A checkpoint contains the changes that were made and those that are still to come.
 class ChangingSimulation final : public Simulation {
  public:
   /// `schedule` is in the order of time. Throws std::invalid_argument for a change that the experiment does not accept, as it
-  /// does for numbers that no run can change: all but those of rules. `conductor` may be null.
+  /// does for parameters that no run can change: all but those of rules. `conductor` may be null.
   ChangingSimulation(MakeChanged make, std::vector<Change> schedule, Conductor* conductor = nullptr);
   ~ChangingSimulation() override;
 
@@ -76,10 +76,10 @@ class ChangingSimulation final : public Simulation {
   std::vector<ChangeRow> made_;
   std::shared_ptr<Journal> journal_;
   std::unique_ptr<Simulation> current_;
-  observe::RunDescription first_;  ///< of the first numbers
+  observe::RunDescription first_;  ///< of the first parameters
 };
 
-/// Adds changes.csv to the tables of each ecology whose numbers may change.
+/// Adds changes.csv to the tables of each ecology whose parameters may change.
 [[nodiscard]] io::OwnTablesOf with_changes(const io::OwnTables& own_tables);
 
 }  // namespace trophic::changes

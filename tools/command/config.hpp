@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers from a configuration file and from --set, which may have been written for another table or backend.
+// Parameters from a configuration file and from --set, which may have been written for another table or backend.
 #pragma once
 
 #include <algorithm>
@@ -16,9 +16,9 @@
 
 namespace trophic::command {
 
-/// Numbers of --config and --set, and those of the run that --from names.
+/// Parameters of --config and --set, and those of the run that --from names.
 struct Config {
-  toml::table origin;  ///< read before the file: all numbers of the run that --from names
+  toml::table origin;  ///< read before the file: all parameters of the run that --from names
   std::string file;    ///< empty if none was named; errors begin with it
   toml::table numbers;
   std::optional<std::string> rule_table;
@@ -36,13 +36,13 @@ struct Config {
   return config;
 }
 
-/// Throws std::invalid_argument if the file has numbers of a backend or of a rule table that is not the chosen one.
+/// Throws std::invalid_argument if the file has parameters of a backend or of a rule table that is not the chosen one.
 inline void check_made_for(const Config& config, const std::string& rule_table, const std::string& engine) {
   const auto check = [&](const std::optional<std::string>& there, const std::string& here, const std::string& key,
                          const std::string& option, const std::string& section) {
     const toml::table* numbers = config.numbers[section].as_table();
     if (!there || *there == here || numbers == nullptr || numbers->empty()) return;
-    throw std::invalid_argument{config.file + ": was written for " + key + " = \"" + *there + "\" and has its numbers in [" +
+    throw std::invalid_argument{config.file + ": was written for " + key + " = \"" + *there + "\" and has its parameters in [" +
                                 section + "], which are none of " + here + "; take " + option + " " + *there +
                                 ", or a file without " + key + " and [" + section + "]"};
   };
@@ -91,7 +91,7 @@ inline void check_keys(const toml::table& table, const std::string& prefix, cons
 }  // namespace detail
 
 /// Throws std::invalid_argument "WHERE PATH: unknown key; did you mean ...?" for the first unknown key of a table that is near to
-/// one of these numbers. read_parameters refuses the other unknown keys.
+/// one of these parameters. read_parameters refuses the other unknown keys.
 inline void check_keys(const toml::table& table, const ParamRefs& params, const std::string& where) {
   detail::check_keys(table, "", params, where);
 }

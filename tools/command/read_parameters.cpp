@@ -75,7 +75,7 @@ struct ReadValue {
     keys += (keys.empty() ? "" : ", ") + key;
     last = std::move(key);
   }
-  return keys.empty() ? "this rule has no numbers" : "known here: " + keys;
+  return keys.empty() ? "this rule has no parameters" : "known here: " + keys;
 }
 
 void read_below(const ParamRefs& params, const toml::table& table, const std::string& prefix) {
@@ -88,7 +88,7 @@ void read_below(const ParamRefs& params, const toml::table& table, const std::st
     }
     const auto below = std::ranges::any_of(params, [&](const ParamRef& param) { return param.path.starts_with(path + "."); });
     if (exact == params.end() && !below) throw std::invalid_argument{path + ": unknown key; " + known_below(params, prefix)};
-    if (!node.is_table()) reject_value(path, node, "a table of numbers");
+    if (!node.is_table()) reject_value(path, node, "a table of parameters");
     read_below(params, *node.as_table(), path + ".");
   }
 }

@@ -27,8 +27,8 @@ void insert_value(toml::table& table, std::string_view key, const Json& value) {
   }
 }
 
-/// The numbers of a manifest as those of a configuration file. Throws Json::exception for a value that is not a number, text or
-/// switch.
+/// The parameters of a manifest as those of a configuration file. Throws Json::exception for a value that is not a number, text
+/// or switch.
 template <class Json>
 [[nodiscard]] toml::table toml_of(const Json& json) {
   toml::table table;

@@ -32,7 +32,7 @@ std::string why_not_played(const contest::Plan& plan, const Offer& offer, const 
   const auto description = experiment_of(plan, offer)->simulations(false)(1)->describe(0.0);
   if (plan.fingerprint.empty() || description.fingerprint == plan.fingerprint) return "";
   return "fingerprint " + plan.fingerprint + ": must be " + description.fingerprint +
-         ", what this program makes of the runs' numbers; rules, models or engine changed";
+         ", what this program makes of the runs' parameters; rules, models or engine changed";
 }
 
 std::vector<contest::Outcome> play(const contest::Plan& plan, const Offer& offer, std::size_t jobs,

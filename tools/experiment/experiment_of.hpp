@@ -33,7 +33,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   if (options.robot) experiment.ecology().robot = *options.robot;
 }
 
-/// The experiment with the numbers of configuration and options.
+/// The experiment with the parameters of configuration and options.
 [[nodiscard]] inline std::unique_ptr<AnyExperiment> experiment_of(const AnyExperiment& chosen, const ExperimentOptions& options,
                                                                   const Config& config) {
   auto experiment = chosen.fresh();
@@ -61,7 +61,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return experiment_of(chosen, one_thread, config);
 }
 
-/// Whether the numbers of a run, or of replicates, may change while it runs: that of a resumed one, if they could before.
+/// Whether the parameters of a run, or of replicates, may change while it runs: that of a resumed one, if they could before.
 [[nodiscard]] inline bool may_change(const ExperimentOptions& options) {
   if (options.live || !options.changes.empty()) return true;
   return options.resume && std::filesystem::exists(std::filesystem::path{options.out} / changes::file_name);

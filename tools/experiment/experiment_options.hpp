@@ -42,7 +42,7 @@ struct ExperimentOptions {
   std::string save_mjcf;
   bool live = false;                       ///< in a browser, which may steer it
   std::optional<std::uint64_t> live_port;  ///< of this machine; any free one otherwise
-  std::string changes;                     ///< file of changes of numbers
+  std::string changes;                     ///< file of changes of parameters
   std::optional<std::uint64_t> replay_hz;
   std::uint64_t agents_every = 1;
   bool senses = false;
@@ -77,7 +77,7 @@ struct OriginRun {
   std::string engine;
   io::OutputOptions output;  ///< how much of it is written
   toml::table params;
-  observe::RunDescription description;  ///< as this program makes it from these numbers
+  observe::RunDescription description;  ///< as this program makes it from these parameters
   /// Makes its state at the moment in a folder, as `replay`.
   std::function<bool(const std::filesystem::path& folder)> make;
 };

@@ -37,7 +37,7 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
   add("The experiment",
       {{"--rules", &options.rules, "rule table: " + one_of(tables) + " (" + tables.front() + ")"},
        {"--backend", &options.backend, backend_help(backends, offer.default_backend)},
-       {"--config", &options.config, "TOML file with numbers, as --print-config writes it"},
+       {"--config", &options.config, "TOML file with parameters, as --print-config writes it"},
        {"--set", &options.assignments, "PATH=VALUE, e.g. rules.mutation.sd=0.1; may be repeated; wins over --config"},
        {"--robot", &options.robot, "name or path of a robot file (the table's)"},
        {"--robots", &options.robots, "number of bodies (the table's)"}});
@@ -49,7 +49,7 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
        {.name = "--shadow",
         .target = &options.shadow,
         .help =
-            "run the table's neutral shadow too, into OUT/shadow: the same rules, numbers and seeds, but nothing is inherited",
+            "run the table's neutral shadow too, into OUT/shadow: the same rules, parameters and seeds, but nothing is inherited",
         .needs = {"--replicates"}},
        {.name = "--jobs",
         .target = &options.jobs,
@@ -105,7 +105,7 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
         .needs = {"--resume", "--from", "--sweep"}},
        {.name = "--from",
         .target = &options.from,
-        .help = "begin at the state of the run in this folder at --at, with another --seed, other rules or other numbers of "
+        .help = "begin at the state of the run in this folder at --at, with another --seed, other rules or other parameters of "
                 "rules, or "
                 "with --replicates of its future",
         .not_with = {"--save-mjcf", "--changes"}},
@@ -115,7 +115,7 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
         .needs = {"--from"}}});
   add("Changes",
       {{"--changes", &options.changes,
-        "CSV file with columns time_s, number and value: numbers of rules that change during the run; a run's changes.csv "
+        "CSV file with columns time_s, number and value: rule parameters that change during the run; a run's changes.csv "
         "makes a live run again to the byte"}});
   add("Contests",
       {{.name = "--play",
@@ -170,7 +170,7 @@ void check_unchanged(const OriginRun& origin) {
   if (origin.description.fingerprint == moment.fingerprint) return;
   throw std::invalid_argument{"--from " + moment.run.string() + ": fingerprint = " + moment.fingerprint + ": must be " +
                               origin.description.fingerprint +
-                              ", what this program makes of its numbers; rules, models or engine changed"};
+                              ", what this program makes of its parameters; rules, models or engine changed"};
 }
 
 /// The experiment of a table and a backend that the options name. Throws std::invalid_argument if the offer lacks one.

@@ -72,7 +72,7 @@ namespace detail {
           .own_tables = changes::with_changes(options.own_tables)};
 }
 
-/// The numbers of a table on a backend as a configuration file.
+/// The parameters of a table on a backend as a configuration file.
 [[nodiscard]] inline int print_config(const std::string& table, const std::string& backend, const NamedParams& named_params) {
   TomlWriter writer;
   writer.put("rule_table", table);
@@ -284,7 +284,7 @@ OriginRun read_origin(const ExperimentOptions& options) {
   }
   if (std::filesystem::exists(origin.moment.run / changes::file_name)) {
     throw std::invalid_argument{"--from " + options.from +
-                                ": its numbers changed while it ran (changes.csv); make it again with " +
+                                ": its parameters changed while it ran (changes.csv); make it again with " +
                                 "--changes, or begin from a run without changes"};
   }
   const auto last_s = checkpoint::last_moment_s(origin.moment.run);

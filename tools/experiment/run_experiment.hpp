@@ -20,7 +20,7 @@ namespace trophic::command {
 /// Reads the manifest of the run that --from names. Throws std::invalid_argument if the folder has no run, or no such moment.
 [[nodiscard]] OriginRun read_origin(const ExperimentOptions& options);
 
-/// That run as this program makes it from its numbers.
+/// That run as this program makes it from its parameters.
 [[nodiscard]] observe::RunDescription describe(const AnyExperiment& chosen, const OriginRun& origin);
 
 /// Makes in a folder that run up to its moment, byte for byte, with one's own tables. Returns false if a signal came first.
@@ -45,7 +45,7 @@ struct PlannedFacts {
   double work = 0.0;  ///< robots times steps of the engine
 };
 
-/// Facts of a run with the numbers of a configuration file, or of its neutral shadow.
+/// Facts of a run with the parameters of a configuration file, or of its neutral shadow.
 [[nodiscard]] PlannedFacts facts(const AnyExperiment& chosen, const Config& config, bool shadow);
 
 /// Runs or resumes that run in a folder.

@@ -19,14 +19,14 @@ namespace trophic::command {
 
 namespace detail {
 
-/// The numbers of rules of an experiment.
+/// The rule parameters of an experiment.
 [[nodiscard]] NamedParams rule_numbers(AnyExperiment& experiment) {
   NamedParams numbers = named_params_of(experiment.params());
   std::erase_if(numbers, [](const NamedParam& number) { return !number.path.starts_with("rules."); });
   return numbers;
 }
 
-/// Options and numbers of the run that a page asks for.
+/// Options and parameters of the run that a page asks for.
 void restart(const Restart& restart, const std::string& old_table, const std::filesystem::path& first_out,
              ExperimentOptions& options, Config& config) {
   options.seed = restart.seed;

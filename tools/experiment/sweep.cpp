@@ -45,7 +45,7 @@ namespace detail::sweeps {
   return file.numbers.paired ? file.numbers.seed : replicates::seed_of(file.numbers.seed, cell);
 }
 
-/// The runs of a cell, or of its shadow, without their numbers.
+/// The runs of a cell, or of its shadow, without their parameters.
 inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, std::vector<PlannedRun>& plan) {
   const std::uint64_t master_seed = master_seed_of(file, like.cell);
   for (std::size_t replicate = 0; replicate < file.numbers.replicates; ++replicate) {
@@ -110,7 +110,7 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
   if (tally.unfinished.size() > most_sentences) {
     std::cerr << "and " << tally.unfinished.size() - most_sentences << " more\n";
   }
-  if (diverged > 0) std::cerr << diverged << " diverged, as they will again with the same numbers\n";
+  if (diverged > 0) std::cerr << diverged << " diverged, as they will again with the same parameters\n";
   if (diverged < tally.unfinished.size()) std::cerr << "the same command resumes these and no others\n";
   return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
 }

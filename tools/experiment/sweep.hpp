@@ -12,8 +12,8 @@
 
 namespace trophic::command {
 
-/// Returns the plan of a sweep: its cells with the rule tables and backends of this program, each checked against the numbers of
-/// its table. Throws std::invalid_argument "FILE: cell 3 (SETTINGS): ..." for the first cell that cannot be run, and for two
+/// Returns the plan of a sweep: its cells with the rule tables and backends of this program, each checked against the parameters
+/// of its table. Throws std::invalid_argument "FILE: cell 3 (SETTINGS): ..." for the first cell that cannot be run, and for two
 /// cells that are the same experiment.
 [[nodiscard]] std::vector<sweep::PlannedRun> plan_of(const sweep::SweepFile& file, const Offer& offer);
 

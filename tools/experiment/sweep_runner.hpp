@@ -91,7 +91,7 @@ class Runner {
     }
   }
 
-  /// The number of runs that diverged, which they do again with the same numbers.
+  /// The number of runs that diverged, which they do again with the same parameters.
   [[nodiscard]] std::size_t diverged() const { return diverged_; }
 
  private:

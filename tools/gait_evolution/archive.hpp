@@ -23,7 +23,7 @@
 
 namespace trophic::gait_evolution {
 
-/// The parts of a pre-experiment in addition to its numbers: table, policies, seed, engine, versions.
+/// The parts of a pre-experiment in addition to its parameters: table, policies, seed, engine, versions.
 template <class Table>
 [[nodiscard]] NamedParams provenance(const PreExperiment<Table>& experiment) {
   const auto text = [](std::string_view value) { return std::string{value}; };
@@ -41,8 +41,8 @@ template <class Table>
   return provenance;
 }
 
-/// 16 hexadecimal digits of everything that determines a pre-experiment's results: provenance, robot and numbers but the engine's
-/// threads.
+/// 16 hexadecimal digits of everything that determines a pre-experiment's results: provenance, robot and parameters but the
+/// engine's threads.
 template <class Table>
 [[nodiscard]] std::string fingerprint(const PreExperiment<Table>& experiment) {
   std::string text;

@@ -58,7 +58,7 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> read_pairs(const TomlTable&
 Lineage read_lineage(const trophic::detail::TomlTable& file, std::string_view fingerprint) {
   if (const std::string found = file.text("fingerprint"); found != fingerprint) {
     file.fail("fingerprint", " = \"" + found + "\": must be \"" + std::string{fingerprint} +
-                                 "\"; robot, numbers or engine are not those that the checkpoint was made with");
+                                 "\"; robot, parameters or engine are not those that the checkpoint was made with");
   }
   std::vector<Innovations::Split> splits;
   for (const auto& [link, node] : read_pairs(file, "innovation_splits")) splits.push_back({link, node});

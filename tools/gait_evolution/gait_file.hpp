@@ -11,7 +11,7 @@
 namespace trophic::gait_evolution {
 
 /// The text of a gait file (format: models/README.md) with the tables [cppn], the genome, and [evolution], the provenance with
-/// all numbers below it. `load_gait` reads the gait, `load_cppn` the genome.
+/// all parameters below it. `load_gait` reads the gait, `load_cppn` the genome.
 [[nodiscard]] std::string gait_file(const Gait& gait, const Genome& genome, const NamedParams& provenance,
                                     const NamedParams& numbers);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Named pre-experiments: one policy per slot, and their numbers.
+// Named pre-experiments: one policy per slot, and their parameters.
 #pragma once
 
 #include <cstddef>
@@ -35,7 +35,7 @@ struct Plan {
   }
 };
 
-/// Numbers of a table, by designated initialisers; a policy's own numbers if it states none.
+/// Parameters of a table, by designated initialisers; a policy's own parameters if it states none.
 template <class Table>
 struct TableParams {
   std::string robot = "spider";
@@ -81,7 +81,7 @@ struct Released final {
   }
 };
 
-/// The table with another fitness, at that policy's own numbers. It keeps its name. A fitness that says how far the robot is
+/// The table with another fitness, at that policy's own parameters. It keeps its name. A fitness that says how far the robot is
 /// turned at the start means its forward axis.
 template <class Table, gait_evolution::Fitness Policy>
 struct with_fitness final {
@@ -107,7 +107,7 @@ struct with_fitness final {
 
 namespace detail {
 
-/// Fails to compile, with one sentence, if a policy of a pre-experiment cannot be made from its numbers.
+/// Fails to compile, with one sentence, if a policy of a pre-experiment cannot be made from its parameters.
 template <class Policy>
 consteval bool made_from_params() {
   static_assert(!trophic::detail::HasNumbers<Policy> || trophic::detail::MadeFromParams<Policy>,
@@ -118,7 +118,7 @@ consteval bool made_from_params() {
 
 }  // namespace detail
 
-/// All parameters of a pre-experiment but its backend's. Starts at the numbers of its table.
+/// All parameters of a pre-experiment but its backend's. Starts at the parameters of its table.
 template <class Table>
 struct Params {
   static_assert(Selection<typename Table::ParentSelection> && Selection<typename Table::SurvivorSelection>,

@@ -146,7 +146,7 @@ class Session final : public command::LiveServer, private Listener {
   std::mutex mutex_;
   std::condition_variable begun_;
   command::LiveRun run_;                        ///< its rule table is empty before it begins
-  std::map<std::string, std::string> changed_;  ///< numbers of the run that have another value now
+  std::map<std::string, std::string> changed_;  ///< parameters of the run that have another value now
   bool is_over_ = false;
   Steering steering_;
   Server server_;

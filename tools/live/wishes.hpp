@@ -29,7 +29,7 @@ struct Wish {
 
 /// Reads a message: {"do": "play"}, "pause" or "tick"; {"do": "speed", "value": 10}; {"do": "set", "number": PATH, "value":
 /// "0.5"}; {"do": "restart", "seed": 7, "rules": NAME}. Throws std::invalid_argument, in one sentence, for anything else, as for
-/// numbers and rule tables that the run does not have.
+/// parameters and rule tables that the run does not have.
 [[nodiscard]] Wish read_wish(std::string_view message, const command::LiveRun& run);
 
 }  // namespace trophic::live

@@ -38,7 +38,7 @@ inline void check_same_plan(const std::filesystem::path& folder, const std::stri
   const auto differs = std::ranges::mismatch(there, plan).in1;
   const auto line = 1 + std::count(there.begin(), differs, '\n');
   throw std::invalid_argument{path.string() + ":" + std::to_string(line) +
-                              ": the folder holds another plan from this run on; rules, numbers, models or the sweep changed: "
+                              ": the folder holds another plan from this run on; rules, parameters, models or the sweep changed: "
                               "take another --out"};
 }
 

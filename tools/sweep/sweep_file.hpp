@@ -15,7 +15,8 @@
 
 namespace trophic::sweep {
 
-/// Paths of numbers ("rules.capture.reach_m"), "rule_table" and "engine", with their values, in the order of the file. An object.
+/// Paths of parameters ("rules.capture.reach_m"), "rule_table" and "engine", with their values, in the order of the file. An
+/// object.
 using Settings = Json;
 
 /// One key with the values that are tried.
@@ -85,7 +86,7 @@ struct SweepFile {
 
 /// Reads a sweep. Throws std::invalid_argument "FILE: ..." for a bad file: an unknown key, an axis without values,
 /// lists of [zip] of different lengths, a key in two places, no setting that varies, more than `most_runs`. The program checks
-/// whether the keys are numbers of a rule table.
+/// whether the keys are parameters of a rule table.
 [[nodiscard]] SweepFile read_sweep(const std::filesystem::path& path);
 
 /// The settings of each cell: [[runs]] x [zip] x [grid], the last key of [grid] fastest, each with those of [set].

@@ -27,7 +27,7 @@ namespace trophic::command {
 
 namespace detail::cite {
 
-/// The numbers of a shipped rule table; none for another table.
+/// The parameters of a shipped rule table; none for another table.
 [[nodiscard]] std::optional<NamedParams> defaults_of(const std::string& table) {
   if (table == table_name<rules::Paper>()) return named_params_of(Experiment<rules::Paper>{});
   if (table == table_name<rules::Released>()) return named_params_of(Experiment<rules::Released>{});
@@ -42,7 +42,7 @@ namespace detail::cite {
   return dot == std::string_view::npos ? params[key] : value_at(params[key], path.substr(dot + 1));
 }
 
-/// "rules.mutation.sd = 0.1 (0.05)" for each number that is not the table's; how long a run is and its seed are said apart.
+/// "rules.mutation.sd = 0.1 (0.05)" for each parameter that is not the table's; how long a run is and its seed are said apart.
 [[nodiscard]] std::vector<std::string> changes(const Json& params, const NamedParams& defaults) {
   std::vector<std::string> texts;
   for (const NamedParam& param : defaults) {
@@ -94,10 +94,11 @@ namespace detail::cite {
   sentence += ")";
   const auto defaults = defaults_of(manifest.rules);
   if (!defaults) {
-    sentence += "; the rule table and its numbers are in manifest.json";
+    sentence += "; the rule table and its parameters are in manifest.json";
   } else {
     const auto changed = changes(manifest.params, *defaults);
-    sentence += changed.empty() ? ", with the numbers of the table" : ", with these numbers changed (the table's in brackets): ";
+    sentence +=
+        changed.empty() ? ", with the parameters of the table" : ", with these parameters changed (the table's in brackets): ";
     for (std::size_t i = 0; i < changed.size(); ++i) sentence += (i > 0 ? "; " : "") + changed[i];
   }
   sentence += ".";
@@ -126,16 +127,16 @@ namespace detail::cite {
 /// Prints how to cite a run.
 Command cite() {
   const auto folder = std::make_shared<std::string>();
-  return {.name = "cite",
-          .about =
-              "Prints how to cite a run or a set of replicates: a sentence with rule table, changed numbers, engine, version and "
-              "seed "
-              "from its manifest, and BibTeX entries.",
-          .options = {{.name = "run", .target = folder.get(), .help = "folder of a run or of replicates", .required = true}},
-          .work = [folder] { return detail::cite::run(*folder); },
-          .subcommands = {},
-          .version = {},
-          .examples = {"trophic cite runs/paper"}};
+  return {
+      .name = "cite",
+      .about =
+          "Prints how to cite a run or a set of replicates: a sentence with rule table, changed parameters, engine, version and "
+          "seed from its manifest, and BibTeX entries.",
+      .options = {{.name = "run", .target = folder.get(), .help = "folder of a run or of replicates", .required = true}},
+      .work = [folder] { return detail::cite::run(*folder); },
+      .subcommands = {},
+      .version = {},
+      .examples = {"trophic cite runs/paper"}};
 }
 
 }  // namespace trophic::command

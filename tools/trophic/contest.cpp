@@ -208,7 +208,7 @@ Command contest_command() {
                   {"--duration", &options->duration_s, "length of a contest, seconds of the ecology's clock (300)"},
                   {"--reach", &options->reach_m, "distance in metres at which a hunter reaches a victim (1)"},
                   {"--seed", &options->seed, "of teams, partners and places (1)"},
-                  {"--backend", &options->backend, "play on this backend, with its default numbers (the runs')"},
+                  {"--backend", &options->backend, "play on this backend, with its default parameters (the runs')"},
                   {"--program", &options->program, "the program that made the runs, if their rule table is your own"},
                   {"--jobs", &options->jobs, "contests at a time (one per core); results do not depend on it"},
                   {"--accept-other-build", &options->accept_other_build, "take runs that several builds of a program made"},

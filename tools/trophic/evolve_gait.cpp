@@ -176,11 +176,11 @@ Command evolve_gait() {
                   {"--seed", &options->seed, "every random number follows from it (1)"},
                   {"--generations", &options->generations, "after the founders (20)"},
                   {"--threads", &options->threads, "evaluations at a time; results do not depend on it (all cores)"},
-                  {"--config", &options->config, "TOML file with numbers, as --print-config writes it"},
+                  {"--config", &options->config, "TOML file with parameters, as --print-config writes it"},
                   {"--set", &options->assignments, "PATH=VALUE, e.g. trial.duration_s=20; may be repeated; wins over --config"},
                   {"--out", &options->out, "new folder for the files; a checkpoint is written there after every generation"},
                   {"--resume", &options->resume, "folder of a run that was stopped or killed: continues it"},
-                  {"--print-config", &options->print_config, "print every number as TOML and stop"}},
+                  {"--print-config", &options->print_config, "print every parameter as TOML and stop"}},
       .work = [options] { return detail::evolve_gait::run_program(*options); },
       .subcommands = {},
       .version = {}};

@@ -176,7 +176,7 @@ TEST_CASE("pre-experiment: broken or foreign checkpoint -> refused") {
   auto other = experiment(numbers);
   const std::string refusal = message_of<std::invalid_argument>([&] { gait_evolution::resume(other, folder.path()); });
   CHECK(refusal.find("checkpoint.toml: fingerprint = ") != std::string::npos);
-  CHECK(refusal.find("robot, numbers or engine are not those") != std::string::npos);
+  CHECK(refusal.find("robot, parameters or engine are not those") != std::string::npos);
 
   std::string text = content(folder.path() / "checkpoint.toml");
   const auto resume_from = [&](const std::string& changed) {

@@ -61,7 +61,7 @@ std::string why_not_pooled(const RunManifest& manifest, const RunManifest& other
   if (manifest.fingerprint != other.fingerprint) {
     return here + "fingerprint " + manifest.fingerprint + " (" + manifest.rules + " on " + manifest.backend + "), but " + there +
            " has " + other.fingerprint + " (" + other.rules + " on " + other.backend +
-           "); runs of different rules or numbers are not pooled: use --compare";
+           "); runs of different rules or parameters are not pooled: use --compare";
   }
   if (manifest.builds != other.builds && !any_build) {
     return here + "made by " + builds_text(manifest.builds) + ", but " + there + " by " + builds_text(other.builds) +
@@ -78,7 +78,7 @@ std::string why_not_pooled(const RunManifest& manifest, const RunManifest& other
            "; futures of one moment are not pooled with other runs";
   }
   if (changes_of(other) != changes_of(manifest)) {
-    return here + std::to_string(changes_of(manifest).first) + " changes of numbers (changes.csv), but " + there + " has " +
+    return here + std::to_string(changes_of(manifest).first) + " changes of parameters (changes.csv), but " + there + " has " +
            std::to_string(changes_of(other).first) + ", or others; runs with different changes are not pooled";
   }
   if (other.agents_every_ticks != manifest.agents_every_ticks) {

@@ -17,9 +17,9 @@ inline constexpr std::string_view shadow_policy = "nothing_inherited";
 /// The folders PATH/shadow that exist, into which --shadow put the shadows of these runs.
 [[nodiscard]] std::vector<std::filesystem::path> shadow_folders(std::span<const std::filesystem::path> paths);
 
-/// Throws std::invalid_argument, naming both runs and what differs, unless `shadow` is a run of the same rules, numbers, engine
-/// and duration as `ours` with nothing inherited. Seeds may differ. With `any_parent` the rule in slot Parent may differ too: if
-/// nothing is inherited, it changes parents and labels, and no genome and no motion.
+/// Throws std::invalid_argument, naming both runs and what differs, unless `shadow` is a run of the same rules, parameters,
+/// engine and duration as `ours` with nothing inherited. Seeds may differ. With `any_parent` the rule in slot Parent may differ
+/// too: if nothing is inherited, it changes parents and labels, and no genome and no motion.
 void check_shadow(const RunManifest& ours, const RunManifest& shadow, bool any_parent = false);
 
 }  // namespace trophic::analysis

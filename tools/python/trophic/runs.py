@@ -44,7 +44,7 @@ class Run:
 
     path: pathlib.Path
     manifest: dict = dataclasses.field(repr=False)
-    """manifest.json: rules, numbers, seed, versions, and the status of the run."""
+    """manifest.json: rules, parameters, seed, versions, and the status of the run."""
 
     @property
     def complete(self) -> bool:
@@ -62,7 +62,7 @@ class Run:
 
     @property
     def fingerprint(self) -> str:
-        """Identifies rules, numbers, models and backend: equal for runs in which these are equal."""
+        """Identifies rules, parameters, models and backend: equal for runs in which these are equal."""
         return self.manifest["fingerprint"]
 
     def table(self, name: str, columns: list[str] | None = None, *, categories: bool = False) -> pandas.DataFrame:

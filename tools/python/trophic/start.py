@@ -18,7 +18,7 @@ def run(experiment: str | os.PathLike = "paper", *, out: str | os.PathLike, back
     """Runs an experiment into the new folder `out` and reads it: a Run or, of `replicates`, Runs.
 
     `experiment` is a rule table of trophic-predator-prey (paper, released) or the path of any experiment program, whose table `rules`
-    names. `set` has numbers by their paths, {"rules.mutation.sd": 0.1}. `options` are further arguments of the program. Raises
+    names. `set` has parameters by their paths, {"rules.mutation.sd": 0.1}. `options` are further arguments of the program. Raises
     ProgramError with the program's sentence if it refuses or fails, and before it starts if `out` exists.
     """
     is_path = os.sep in str(experiment) or pathlib.Path(experiment).is_file()

@@ -31,7 +31,7 @@ struct Ecologies {
   analysis::RunSet second;
 };
 
-/// Reads two folders of replicates. Throws std::invalid_argument if their rules, their numbers but for the engine's, or their
+/// Reads two folders of replicates. Throws std::invalid_argument if their rules, their parameters but for the engine's, or their
 /// durations differ, and as analysis::read_set does.
 [[nodiscard]] Ecologies read_ecologies(const std::filesystem::path& first, const std::filesystem::path& second);
 

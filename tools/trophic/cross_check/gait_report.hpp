@@ -43,7 +43,7 @@ struct TrajectoryRow {
   static constexpr auto columns() {
     using trophic::io::column;
     return std::tuple{column("engine", &TrajectoryRow::engine, "", "name of the physics engine"),
-                      column("settings", &TrajectoryRow::settings, "", "which numbers of the engine"),
+                      column("settings", &TrajectoryRow::settings, "", "which parameters of the engine"),
                       column("timestep_s", &TrajectoryRow::timestep_s, "s", "of the engine"),
                       column("target_angle_rad", &TrajectoryRow::target_angle_rad, "rad", "that the robots were steered by"),
                       column("robot", &TrajectoryRow::robot, "", "its number"),

@@ -55,7 +55,7 @@ struct CheckRow {
     return std::tuple{
         column("part", &CheckRow::part, "", "gait or ecology"),
         column("engine", &CheckRow::engine, "", "name of the physics engine"),
-        column("settings", &CheckRow::settings, "", "which numbers of the engine; of gaits"),
+        column("settings", &CheckRow::settings, "", "which parameters of the engine; of gaits"),
         column("timestep_s", &CheckRow::timestep_s, "s", "of the engine; of gaits"),
         column("target_angle_rad", &CheckRow::target_angle_rad, "rad", "that the robots were steered by; of gaits"),
         column("quantity", &CheckRow::quantity, "", "what was measured"),
