@@ -115,8 +115,8 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
         .needs = {"--from"}}});
   add("Changes",
       {{"--changes", &options.changes,
-        "CSV file with columns time_s, number and value: rule parameters that change during the run; a run's changes.csv "
-        "makes a live run again to the byte"}});
+        "CSV file with columns time_s, number and value: rule parameters that change during the run; replaying a run's "
+        "changes.csv reproduces the live run exactly"}});
   add("Contests",
       {{.name = "--play",
         .target = &options.play,
