@@ -63,7 +63,7 @@ def read_alias(path: pathlib.Path, include: pathlib.Path) -> Card | None:
 
 
 def read_made_of_parts(path: pathlib.Path, include: pathlib.Path) -> Card | None:
-    """A policy made of policies, which has no name, source and numbers but those of its parts."""
+    """A policy made of policies, which has no name, source and parameters but those of its parts."""
     header = path.relative_to(include)
     whole = re.search(r"((?:^///.*\n)+)template <[^\n]*>\nstruct (\w+) : Parts<", path.read_text(), re.MULTILINE)
     return Card(str(header), header.parts[2], header.parts[1], whole[2], snake(whole[2]), "", doc_lines(whole[1]), [], False, True) if whole else None
@@ -131,7 +131,7 @@ def first_sentence(card: Card) -> str:
 
 
 def use_of(card: Card, used: dict, slots: set[str]) -> list[str]:
-    """How one swaps it into a table, and sets its numbers."""
+    """How one swaps it into a table, and sets its parameters."""
     lines = []
     if card.slot in slots and not card.is_template:
         space = f"trophic::{card.kind}" + (f"::{card.slot}" if card.slot != card.kind else "")
@@ -140,7 +140,7 @@ def use_of(card: Card, used: dict, slots: set[str]) -> list[str]:
     if card.params and len(tables) > 0 and tables[0][1] == card.slot and card.params[0][1]:
         table, slot = tables[0]
         rules = "" if table == "paper" else f"--rules {table} "
-        lines += ["**To set its numbers:**", "", "```{.unparsed}", f"trophic-predator-prey {rules}--set rules.{slot}.{card.params[0][0]}={card.params[0][1]}", "```", ""]
+        lines += ["**To set its parameters:**", "", "```{.unparsed}", f"trophic-predator-prey {rules}--set rules.{slot}.{card.params[0][0]}={card.params[0][1]}", "```", ""]
     return lines
 
 
@@ -177,7 +177,7 @@ def page(card: Card, used: dict, swapped: list[list[str]], keys: set[str], slots
         lines += ["| number | default | bounds | meaning |", "|---|---|---|---|"]
         lines += [f"| `{field}` | `{default}` | `{bounds}` | {escaped(meaning)} |" for field, default, bounds, meaning in card.params] + [""]
     else:
-        lines += ["It has no numbers.", ""]
+        lines += ["It has no parameters.", ""]
     if card.state:
         lines += ["It keeps a `State` for each body.", ""]
     lines += use_of(card, used, slots_swapped)

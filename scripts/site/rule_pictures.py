@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Pictures of rules: who sees, catches or activates, and curves of formulas, drawn from the numbers in the headers.
+"""Pictures of rules: who sees, catches or activates, and curves of formulas, drawn from the parameters in the headers.
 
 A robot is a ring with a pointer in its heading, as in pages and films: blue is prey, vermilion a predator, grey not yet active; a filled
 ring is one tag, a hollow one another."""
@@ -67,8 +67,8 @@ def plot(points: list[tuple[float, float]], x_label: str, y_label: str, more: st
     return parts
 
 
-def numbers(card) -> dict[str, float]:
-    """The defaults of a policy's numbers that are plain."""
+def parameters(card) -> dict[str, float]:
+    """The defaults of a policy's parameters that are plain."""
     found = {}
     for name, default, _, _ in card.params:
         try:
@@ -80,7 +80,7 @@ def numbers(card) -> dict[str, float]:
 
 def capture(closest_only: bool):
     def draw(card) -> list[str]:
-        reach = f"reach {numbers(card)['reach_m']:g} m"
+        reach = f"reach {parameters(card)['reach_m']:g} m"
         parts = [circle(150, 105, 72, reach), robot(150, 105, PREDATOR, name="hunter"), robot(196, 120, PREY, heading_deg=20), robot(110, 70, PREY, heading_deg=120)]
         parts += [robot(330, 60, PREY, heading_deg=200, name="out of reach"), arrow(150, 105, 196, 120, CATCH), arrow(150, 105, 110, 70, CATCH, crossed=closest_only)]
         return [*parts, text(330, 150, "the closest alone is caught" if closest_only else "all within reach are caught")]
@@ -90,7 +90,7 @@ def capture(closest_only: bool):
 
 def visibility(sees_other_tag: bool, sees_far: bool, inactive_sees: bool):
     def draw(card) -> list[str]:
-        far = numbers(card).get("range_m")
+        far = parameters(card).get("range_m")
         parts = [robot(70, 95, PREDATOR, name="self"), robot(220, 40, PREY, heading_deg=180, name="same tag")]
         parts += [robot(220, 130, PREY, filled=False, heading_deg=180, name="other tag"), robot(390, 95, PREY, heading_deg=180, name="same tag, far")]
         parts += [arrow(70, 95, 220, 40), arrow(70, 95, 220, 130, crossed=not sees_other_tag), arrow(70, 95, 390, 95, crossed=not sees_far)]
@@ -104,7 +104,7 @@ def visibility(sees_other_tag: bool, sees_far: bool, inactive_sees: bool):
 
 
 def activation(card) -> list[str]:
-    values = numbers(card)
+    values = parameters(card)
     label = f"{values['distance_m']:g} m"
     parts = [circle(150, 108, 70, label), robot(150, 108, PREDATOR, heading_deg=30), robot(190, 86, GREY, heading_deg=45, name="inactive")]
     return [*parts, robot(320, 70, PREY, heading_deg=30, name="becomes active"), arrow(190, 86, 320, 70)]
@@ -121,7 +121,7 @@ def scattered(card) -> list[str]:
 
 def uniform_square(card) -> list[str]:
     draws = random.Random(4)
-    half = numbers(card)["half_extent_m"]
+    half = parameters(card)["half_extent_m"]
     parts = [f'<rect x="145" y="10" width="170" height="170" fill="#fff" stroke="{INK}"/>', f'<rect x="153" y="18" width="154" height="154" fill="none" stroke="{FAINT}" stroke-dasharray="4 3"/>']
     parts += [small(draws.uniform(155, 305), draws.uniform(20, 170), 45) for _ in range(26)]
     return [*parts, text(325, 30, f"h = {half:g} m", "start")]
@@ -133,30 +133,30 @@ def small(x: float, y: float, heading_deg: float) -> str:
 
 
 def normal(card) -> list[str]:
-    sd = numbers(card)["sd"]
+    sd = parameters(card)["sd"]
     points = [(x * sd / 20, math.exp(-0.5 * (x / 20) ** 2) / (sd * math.sqrt(2 * math.pi))) for x in range(-70, 71)]
     return plot(points, "change of a weight", "density")
 
 
 def uniform(card) -> list[str]:
-    half = numbers(card)["half_width"]
+    half = parameters(card)["half_width"]
     height = 1 / (2 * half)
     return plot([(-1.6 * half, 0), (-half, 0), (-half, height), (half, height), (half, 0), (1.6 * half, 0)], "change of a weight", "density")
 
 
 def crowding(card) -> list[str]:
-    values = numbers(card)
+    values = parameters(card)
     base, least = values["base_ticks"], values["min_interval_ticks"]
     return plot([(p, max(least, base - p)) for p in range(0, 31)], "number of hunters", "ticks between two procedures")
 
 
 def old_age(card) -> list[str]:
-    age = numbers(card)["max_age_s"]
+    age = parameters(card)["max_age_s"]
     return plot([(0, 1), (age, 1), (age, 0), (1.4 * age, 0)], "age, s", "share that lives, without other deaths")
 
 
 def steering(card) -> list[str]:
-    exponent = numbers(card)["exponent"]
+    exponent = parameters(card)["exponent"]
     return plot([(a / 50, max(0.0, (math.pi - abs(a / 50)) / math.pi) ** exponent) for a in range(-157, 158)], "target angle, rad", "delta, scale of one side's targets")
 
 

@@ -307,7 +307,7 @@ void check_numbers_used(ParamsOf<Policy>& params, Part& part, const Answers& usu
 template <class Policy, class AnswersOf>
 void check_params_used(AnswersOf&& answers_of) {
   const Answers usual = answers_of(defaulted<Policy>());
-  CHECK((answers_of(defaulted<Policy>()) == usual));  // and another one of the same numbers says the same
+  CHECK((answers_of(defaulted<Policy>()) == usual));  // and another one of the same parameters says the same
   ParamsOf<Policy> params{};
   detail::check_numbers_used<Policy>(params, params, usual, answers_of);
 }

@@ -44,7 +44,7 @@ TEST_CASE("pooled runs: runs of two builds -> refused, or pooled with a remark")
   CHECK(pooled_runs(Paths{a, b, mixed, unknown}, false, true).remarks.at(0).starts_with("2 builds of a program made these runs"));
 }
 
-TEST_CASE("pooled runs: different changes of numbers -> refused, the same, or none -> pooled") {
+TEST_CASE("pooled runs: different changes of parameters -> refused, the same, or none -> pooled") {
   const TemporaryFolder folder;
   const auto run_with = [&](const char* name, int seed, const std::string& changes) {
     const std::string text = test::manifest("aa", seed);

@@ -143,7 +143,7 @@ TEST_CASE("rules: nested swaps -> all in the table's name") {
   static_assert(std::same_as<Back::Mutation, rules::Paper::Mutation>);
 }
 
-TEST_CASE("rules: one part swapped -> others keep the table's numbers") {
+TEST_CASE("rules: one part swapped -> others keep the table's parameters") {
   using Shorter = with_params<rules::Released, [](auto& params) { params.starvation.interval.base_ticks = 15; }>;
   using Harsh = with_starvation_exemption<Shorter, death::starvation::exemption::NoExemption>;
   static_assert(is_rule_table<Harsh>);

@@ -13,7 +13,7 @@
 
 using namespace trophic;
 
-TEST_CASE("slots: rules or numbers differ -> other fingerprint, seed, duration or name -> same") {
+TEST_CASE("slots: rules or parameters differ -> other fingerprint, seed, duration or name -> same") {
   using Paper = Ecology<rules::Paper>;
   const auto fingerprint = [](auto params) {
     return Paper{std::move(params), backend::Kinematic::Params{}}.describe(1.0).fingerprint;

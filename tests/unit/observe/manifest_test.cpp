@@ -15,7 +15,7 @@ Json read(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("manifest: run -> rules, numbers and status") {
+TEST_CASE("manifest: run -> rules, parameters and status") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "manifest.json";
   test::HandPopulation robots = test::three_robots();
