@@ -202,7 +202,7 @@ class Runs(PredatorPrey):
             self.assertLess(max(distances[replicate]), 0.01 * 15**0.5)
             self.assertGreater(min(distances[f"shadow/{replicate}"]), 1.0)  # two genomes of 15 uniform weights: 3.2 on average
         again = self.call("--backend", "kinematic", "--shadow", "--duration", 100, "--out", "alone")
-        self.assert_refused(again, 2, "--shadow", "need --replicates")
+        self.assert_refused(again, 2, "--shadow", "needs --replicates")
 
     def test_printed_configuration_makes_the_same_run(self):
         printed = self.call("--backend", "kinematic", "--rules", "released", "--set", "rules.mutation.half_width=0.1", "--print-config")
