@@ -12,9 +12,6 @@
 #include <trophic/run/checkpoint/checkpoint_file.ipp>
 #include <trophic/run/checkpoint/checkpoint_writer.ipp>
 #include <trophic/run/checkpoint/resume.ipp>
-#include <trophic/run/checkpoint/rewind.ipp>
-#include <trophic/run/replicates/run.ipp>
-#include <trophic/run/replicates/run_with_shadow.ipp>
 #include <trophic/support/checksum.ipp>
 #include <trophic/support/json.ipp>
 #include <trophic/support/new_file.ipp>

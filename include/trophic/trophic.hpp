@@ -158,7 +158,6 @@
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/hooks.hpp>
-#include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
@@ -206,7 +205,6 @@
 #include <trophic/population/search_tree.hpp>
 #include <trophic/population/sighting.hpp>
 #include <trophic/population/spatial_grid.hpp>
-#include <trophic/population/species_colour.hpp>
 #include <trophic/population/state.hpp>
 #include <trophic/population/vacancy.hpp>
 #include <trophic/population/view.hpp>
@@ -268,22 +266,12 @@
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/run/checkpoint/checkpoint_writer.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
-#include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/run/checkpoint/schedule.hpp>
-#include <trophic/run/replicates/common_options.hpp>
-#include <trophic/run/replicates/folder.hpp>
-#include <trophic/run/replicates/parallel.hpp>
-#include <trophic/run/replicates/plan.hpp>
-#include <trophic/run/replicates/run.hpp>
-#include <trophic/run/replicates/run_in_folder.hpp>
-#include <trophic/run/replicates/run_with_shadow.hpp>
-#include <trophic/support/check_folder.hpp>
 #include <trophic/support/checksum.hpp>
 #include <trophic/support/clock.hpp>
 #include <trophic/support/colour.hpp>
 #include <trophic/support/faster_mode.hpp>
 #include <trophic/support/folder_lock.hpp>
-#include <trophic/support/host_name.hpp>
 #include <trophic/support/joined_text.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/linkage.hpp>
@@ -294,7 +282,6 @@
 #include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>
 #include <trophic/support/system_differences.hpp>
-#include <trophic/support/this_program.hpp>
 #include <trophic/support/thread_pool.hpp>
 #include <trophic/support/units.hpp>
 #include <trophic/support/unreadable_file.hpp>

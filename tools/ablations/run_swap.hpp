@@ -10,9 +10,9 @@
 #include <string>
 #include <tools/ablations/swaps.hpp>
 #include <tools/command/read_parameters.hpp>
+#include <tools/replicates/run_with_shadow.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/rules/with.hpp>
-#include <trophic/run/replicates/run_with_shadow.hpp>
 #include <utility>
 #include <vector>
 

@@ -9,9 +9,9 @@
 #include <string>
 #include <string_view>
 #include <tools/ablations/with_rules_of.hpp>
+#include <tools/replicates/plan.hpp>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/io/run_folder.hpp>
-#include <trophic/run/replicates/plan.hpp>
 #include <utility>
 #include <vector>
 

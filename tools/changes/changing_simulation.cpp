@@ -6,10 +6,10 @@
 #include <stdexcept>
 #include <string_view>
 #include <tools/changes/changing_simulation.hpp>
+#include <tools/replicates/rewind.hpp>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/observe/audience.hpp>
 #include <trophic/params/named_params.hpp>
-#include <trophic/run/checkpoint/rewind.hpp>
 #include <utility>
 
 namespace trophic::changes {

@@ -11,7 +11,7 @@
 #include <new>
 #include <system_error>
 #include <tools/command/run_command.hpp>
-#include <trophic/support/this_program.hpp>
+#include <tools/command/this_program.hpp>
 
 namespace trophic::command::detail {
 

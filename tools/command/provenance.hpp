@@ -3,10 +3,10 @@
 #pragma once
 
 #include <string>
+#include <tools/command/host_name.hpp>
 #include <tools/command/run_command.hpp>
 #include <trophic/io/manifest.hpp>
 #include <trophic/io/program_code.hpp>
-#include <trophic/support/host_name.hpp>
 #include <trophic/support/version.hpp>
 
 /// `git describe` of the program's sources at the last build, and its build type and flags. The CMake function

@@ -10,7 +10,7 @@
 #include <tools/command/toml_of_json.hpp>
 #include <tools/command/words.hpp>
 #include <tools/contest/play_contests.hpp>
-#include <trophic/run/replicates/parallel.hpp>
+#include <tools/replicates/parallel.hpp>
 #include <trophic/support/new_file.hpp>
 
 namespace trophic::command {

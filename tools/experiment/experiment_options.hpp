@@ -8,12 +8,12 @@
 #include <optional>
 #include <string>
 #include <tools/command/read_parameters.hpp>
+#include <tools/replicates/rewind.hpp>
 #include <trophic/io/manifest.hpp>
 #include <trophic/io/own_table.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/rules/printed_rules.hpp>
-#include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/run/checkpoint/schedule.hpp>
 #include <vector>
 

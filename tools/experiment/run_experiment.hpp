@@ -9,11 +9,11 @@
 #include <tools/command/config.hpp>
 #include <tools/experiment/experiment_options.hpp>
 #include <tools/live/live_server.hpp>
+#include <tools/replicates/common_options.hpp>
+#include <tools/replicates/joint_progress.hpp>
 #include <trophic/experiment/any_experiment.hpp>
-#include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
-#include <trophic/run/replicates/common_options.hpp>
 
 namespace trophic::command {
 

@@ -16,14 +16,14 @@
 #include <tools/experiment/run_experiment.hpp>
 #include <tools/experiment/sweep.hpp>
 #include <tools/experiment/sweep_estimate.hpp>
+#include <tools/replicates/folder.hpp>
+#include <tools/replicates/joint_progress.hpp>
 #include <tools/sweep/attempt.hpp>
 #include <tools/sweep/claim.hpp>
 #include <tools/sweep/folder.hpp>
 #include <tools/sweep/work_through.hpp>
 #include <trophic/backend/contract.hpp>
-#include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
-#include <trophic/run/replicates/folder.hpp>
 #include <utility>
 
 namespace trophic::command {

@@ -19,12 +19,12 @@
 #include <system_error>
 #include <tools/command/output.hpp>
 #include <tools/command/shell_text.hpp>
+#include <tools/command/this_program.hpp>
 #include <tools/experiment/sweep_runner.hpp>
 #include <tools/sweep/work_through.hpp>
 #include <trophic/io/next_free_folder.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/params/params.hpp>
-#include <trophic/support/this_program.hpp>
 #include <utility>
 #include <vector>
 

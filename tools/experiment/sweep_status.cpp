@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <tools/command/check_folder.hpp>
 #include <tools/command/output.hpp>
 #include <tools/experiment/sweep_status.hpp>
 #include <tools/sweep/attempt.hpp>
@@ -18,7 +19,6 @@
 #include <tools/sweep/plan_file.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/params/params.hpp>
-#include <trophic/support/check_folder.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>

@@ -8,11 +8,11 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <tools/replicates/rewind.hpp>
 #include <tools/sweep/attempt.hpp>
 #include <tools/sweep/claim.hpp>
 #include <trophic/io/growing_file.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
-#include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/support/no_links.hpp>
 #include <trophic/support/unreadable_file.hpp>
 #include <utility>

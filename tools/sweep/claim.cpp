@@ -15,8 +15,8 @@
 #include <string>
 #include <system_error>
 #include <thread>
+#include <tools/command/host_name.hpp>
 #include <tools/sweep/claim.hpp>
-#include <trophic/support/host_name.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/no_links.hpp>
 #include <trophic/support/plain_text.hpp>

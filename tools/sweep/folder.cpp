@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <string_view>
 #include <system_error>
+#include <tools/command/host_name.hpp>
 #include <tools/sweep/folder.hpp>
-#include <trophic/support/host_name.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <trophic/support/without_slash.hpp>

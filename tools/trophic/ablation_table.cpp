@@ -23,8 +23,8 @@
 #include <tools/analysis/report/table_file.hpp>
 #include <tools/command/option.hpp>
 #include <tools/command/output.hpp>
+#include <tools/replicates/parallel.hpp>
 #include <trophic/io/run_folder.hpp>
-#include <trophic/run/replicates/parallel.hpp>
 #include <trophic/support/new_file.hpp>
 #include <utility>
 #include <vector>

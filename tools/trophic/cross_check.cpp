@@ -23,6 +23,7 @@
 #endif
 #include <tools/command/option.hpp>
 #include <tools/command/output.hpp>
+#include <tools/replicates/parallel.hpp>
 #include <tools/trophic/cross_check/ecologies.hpp>
 #include <tools/trophic/cross_check/gait_report.hpp>
 #include <tools/trophic/cross_check/report.hpp>
@@ -31,7 +32,6 @@
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/io/run_folder.hpp>
-#include <trophic/run/replicates/parallel.hpp>
 #include <utility>
 #include <vector>
 

@@ -12,9 +12,9 @@
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <tools/command/check_folder.hpp>
 #include <tools/command/output.hpp>
-#include <trophic/support/check_folder.hpp>
-#include <trophic/support/this_program.hpp>
+#include <tools/command/this_program.hpp>
 #include <vector>
 
 #include "commands.hpp"

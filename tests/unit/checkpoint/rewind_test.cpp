@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 #include <support/temporary_folder.hpp>
-#include <trophic/run/checkpoint/rewind.hpp>
+#include <tools/replicates/rewind.hpp>
 #include <trophic/support/version.hpp>
 
 namespace {

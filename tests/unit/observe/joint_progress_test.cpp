@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string>
 #include <thread>
-#include <trophic/observe/joint_progress.hpp>
+#include <tools/replicates/joint_progress.hpp>
 #include <unit/observe/scene.hpp>
 #include <vector>
 

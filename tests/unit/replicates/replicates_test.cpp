@@ -11,13 +11,13 @@
 #include <stdexcept>
 #include <string>
 #include <support/temporary_folder.hpp>
+#include <tools/replicates/folder.hpp>
+#include <tools/replicates/parallel.hpp>
+#include <tools/replicates/run.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
-#include <trophic/run/replicates/folder.hpp>
-#include <trophic/run/replicates/parallel.hpp>
-#include <trophic/run/replicates/run.hpp>
 #include <trophic/support/json.hpp>
 
 namespace {

@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 #include <tools/changes/change.hpp>
-#include <trophic/support/check_folder.hpp>
+#include <tools/command/check_folder.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/plain_text.hpp>
 #include <trophic/support/whole_file.hpp>

@@ -11,7 +11,7 @@
 #include <tools/analysis/data/shadow.hpp>
 #include <tools/analysis/metrics/body_metrics.hpp>
 #include <tools/analysis/metrics/run_metrics.hpp>
-#include <trophic/run/replicates/parallel.hpp>
+#include <tools/replicates/parallel.hpp>
 #include <utility>
 
 namespace trophic::analysis {

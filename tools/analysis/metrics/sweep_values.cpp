@@ -10,7 +10,7 @@
 #include <tools/analysis/data/read_run.hpp>
 #include <tools/analysis/metrics/body_metrics.hpp>
 #include <tools/analysis/metrics/metric_choice.hpp>
-#include <trophic/run/replicates/parallel.hpp>
+#include <tools/replicates/parallel.hpp>
 #include <utility>
 
 namespace trophic::analysis {

@@ -8,8 +8,8 @@
 #include <cstring>
 #include <span>
 #include <string>
+#include <tools/pictures/species_colour.hpp>
 #include <tools/trophic/replay/base64.hpp>
-#include <trophic/population/species_colour.hpp>
 #include <trophic/support/json.hpp>
 #include <utility>
 #include <vector>

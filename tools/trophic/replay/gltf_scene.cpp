@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
-#include <trophic/population/species_colour.hpp>
+#include <tools/pictures/species_colour.hpp>
 
 namespace trophic::command::replay {
 

@@ -3,9 +3,9 @@
 #include <tools/trophic/replay/recorded_run.hpp>
 
 #include <stdexcept>
+#include <tools/command/check_folder.hpp>
 #include <tools/trophic/replay/own_tables.hpp>
 #include <trophic/params/params.hpp>
-#include <trophic/support/check_folder.hpp>
 #include <trophic/support/whole_file.hpp>
 #include <utility>
 

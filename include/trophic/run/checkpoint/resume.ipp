@@ -4,6 +4,7 @@
 
 #include <system_error>
 #include <trophic/io/program_code.hpp>
+#include <trophic/run/checkpoint/manifest_in.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/json.hpp>
@@ -17,36 +18,6 @@
 namespace trophic::checkpoint {
 
 namespace detail {
-
-/// manifest.json; null if it is missing or damaged. Throws UnreadableFile.
-[[nodiscard]] inline Json manifest_in(const std::filesystem::path& folder) {
-  try {
-    auto manifest = parse_json_or_null(read_whole_file(folder / "manifest.json", largest_manifest));
-    return manifest.is_object() ? manifest : Json{};
-  } catch (const UnreadableFile&) {  // it may be that of a complete run
-    throw;
-  } catch (const std::invalid_argument&) {
-    return {};
-  }
-}
-
-[[nodiscard]] inline std::string status_in(const Json& manifest) {
-  const auto status = manifest.find("status");
-  const bool is_text = status != manifest.end() && status->is_string() && is_plain(status->get_ref<const std::string&>());
-  return is_text ? status->get<std::string>() : "unreadable";
-}
-
-/// Planned end of the run of a complete manifest; 0 if it has none.
-[[nodiscard]] inline double until_in(const Json& manifest) {
-  const auto clock = manifest.find("clock");
-  if (clock == manifest.end() || !clock->is_object() || !clock->contains("until_s")) return 0.0;
-  return (*clock)["until_s"].is_number() ? (*clock)["until_s"].get<double>() : 0.0;
-}
-
-/// Whether a manifest's run is complete, to this duration or longer.
-[[nodiscard]] inline bool is_complete(const Json& manifest, double until_s) {
-  return status_in(manifest) == "complete" && until_in(manifest) >= until_s;
-}
 
 /// Returns the files that a manifest lists and its folder lacks; empty if it has all of them.
 [[nodiscard]] inline std::string missing_in(const std::filesystem::path& folder, const Json& manifest) {

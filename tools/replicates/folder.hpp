@@ -8,11 +8,11 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tools/replicates/plan.hpp>
+#include <tools/replicates/rewind.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
-#include <trophic/run/checkpoint/rewind.hpp>
-#include <trophic/run/replicates/plan.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/no_links.hpp>

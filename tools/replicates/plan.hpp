@@ -8,9 +8,9 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <tools/replicates/rewind.hpp>
 #include <trophic/io/own_table.hpp>
 #include <trophic/io/run_folder.hpp>
-#include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/run/checkpoint/schedule.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Definitions of rewind.hpp.
-#pragma once
-
 #include <cstdlib>
 #include <system_error>
+#include <tools/replicates/rewind.hpp>
 #include <trophic/params/named_params.hpp>
-#include <trophic/run/checkpoint/resume.ipp>
-#include <trophic/run/checkpoint/rewind.hpp>
+#include <trophic/run/checkpoint/manifest_in.hpp>
 #include <trophic/support/checksum.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/no_links.hpp>
@@ -64,12 +62,12 @@ inline void check_began_at(const Moment& moment, const std::filesystem::path& fo
 
 }  // namespace detail
 
-TROPHIC_INLINE std::optional<double> last_moment_s(const std::filesystem::path& run) {
+std::optional<double> last_moment_s(const std::filesystem::path& run) {
   const std::vector<Checkpoint> all = read_all(run);
   return all.empty() ? std::nullopt : std::optional{all.front().time_s};
 }
 
-TROPHIC_INLINE std::filesystem::path snapshot_folder(const std::filesystem::path& out, const Moment& moment) {
+std::filesystem::path snapshot_folder(const std::filesystem::path& out, const Moment& moment) {
   return without_slash(out).string() + ".snapshot-" + moment.fingerprint + "-seed-" + std::to_string(moment.seed) + "-" +
          number_text(moment.at_s) + "-s/run";
 }
@@ -84,28 +82,28 @@ namespace detail {
 
 }  // namespace detail
 
-TROPHIC_INLINE SnapshotFolder::SnapshotFolder(const Snapshot& snapshot)
+SnapshotFolder::SnapshotFolder(const Snapshot& snapshot)
     : folder_{snapshot.folder.parent_path()}, lock_{detail::make_and_lock(folder_)} {}
 
-TROPHIC_INLINE SnapshotFolder::~SnapshotFolder() {
+SnapshotFolder::~SnapshotFolder() {
   std::error_code not_empty;
   std::filesystem::remove(folder_, not_empty);
 }
 
-TROPHIC_INLINE bool SnapshotFolder::exists(const Snapshot& snapshot) {
+bool SnapshotFolder::exists(const Snapshot& snapshot) {
   return std::filesystem::exists(snapshot.folder.parent_path());
 }
 
-TROPHIC_INLINE void SnapshotFolder::clear() {
+void SnapshotFolder::clear() {
   for (const auto& entry : std::filesystem::directory_iterator{folder_}) std::filesystem::remove_all(entry.path());
 }
 
-TROPHIC_INLINE bool needs_snapshot(const std::filesystem::path& folder, double until_s) {
+bool needs_snapshot(const std::filesystem::path& folder, double until_s) {
   if (!std::filesystem::exists(folder)) return true;
   return !detail::is_complete(detail::manifest_in(folder), until_s) && !detail::last_resumable(folder);
 }
 
-TROPHIC_INLINE void copy_until(const std::filesystem::path& run, double at_s, const std::filesystem::path& folder) {
+void copy_until(const std::filesystem::path& run, double at_s, const std::filesystem::path& folder) {
   if (std::filesystem::exists(std::filesystem::symlink_status(folder))) {
     throw std::invalid_argument{folder.string() + ": exists already"};
   }
@@ -131,7 +129,7 @@ TROPHIC_INLINE void copy_until(const std::filesystem::path& run, double at_s, co
   write(folder, *early);
 }
 
-TROPHIC_INLINE io::Provenance provenance_of(const Moment& moment) {
+io::Provenance provenance_of(const Moment& moment) {
   io::Provenance provenance{{"run", moment.run.string()},
                             {"at_s", number_text(moment.at_s)},
                             {"seed", std::to_string(moment.seed)},
@@ -140,8 +138,8 @@ TROPHIC_INLINE io::Provenance provenance_of(const Moment& moment) {
   return provenance;
 }
 
-TROPHIC_INLINE RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run,
-                                     const std::optional<Snapshot>& snapshot, OtherBuild other_build) {
+RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run,
+                      const std::optional<Snapshot>& snapshot, OtherBuild other_build) {
   if (!snapshot) return run_state_in(folder, run, other_build);
   std::string remark;
   if (std::filesystem::exists(folder) && !detail::stands_at(snapshot->moment, folder, run.tick_s)) {
@@ -156,8 +154,7 @@ TROPHIC_INLINE RunState run_state_in(const std::filesystem::path& folder, const 
   return {.complete = false, .from = std::move(moment), .remark = std::move(remark), .begins = true};
 }
 
-TROPHIC_INLINE void begin_at(RunState& run_state, const Moment& moment, Simulation& ecology, io::Manifest& manifest,
-                             const Parts& parts) {
+void begin_at(RunState& run_state, const Moment& moment, Simulation& ecology, io::Manifest& manifest, const Parts& parts) {
   restore_any(*run_state.from, ecology, parts);
   Moment reached = moment;
   reached.at_s = run_state.from->time_s;
@@ -165,7 +162,7 @@ TROPHIC_INLINE void begin_at(RunState& run_state, const Moment& moment, Simulati
   run_state.from.reset();
 }
 
-TROPHIC_INLINE void check_may_follow(const observe::RunDescription& origin, const observe::RunDescription& run) {
+void check_may_follow(const observe::RunDescription& origin, const observe::RunDescription& run) {
   const auto may_change = [](const std::string& path) {
     return path == "seed" || path.starts_with("rules.") || path == "ecology.duration_s" || path == "backend.threads";
   };

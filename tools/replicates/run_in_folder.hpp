@@ -3,15 +3,15 @@
 #pragma once
 
 #include <filesystem>
+#include <tools/replicates/common_options.hpp>
+#include <tools/replicates/joint_progress.hpp>
+#include <tools/replicates/rewind.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/io/manifest.hpp>
 #include <trophic/io/run_folder.hpp>
-#include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
-#include <trophic/run/checkpoint/rewind.hpp>
-#include <trophic/run/replicates/common_options.hpp>
 
 namespace trophic::replicates {
 

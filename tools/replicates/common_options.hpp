@@ -4,10 +4,10 @@
 
 #include <cstdint>
 #include <optional>
+#include <tools/replicates/rewind.hpp>
 #include <trophic/io/manifest.hpp>
 #include <trophic/io/own_table.hpp>
 #include <trophic/io/run_folder.hpp>
-#include <trophic/run/checkpoint/rewind.hpp>
 #include <trophic/run/checkpoint/schedule.hpp>
 
 namespace trophic::replicates {

@@ -80,7 +80,3 @@ void begin_at(RunState& run_state, const Moment& moment, Simulation& ecology, io
 void check_may_follow(const observe::RunDescription& origin, const observe::RunDescription& run);
 
 }  // namespace trophic::checkpoint
-
-#if TROPHIC_HEADER_ONLY
-#include <trophic/run/checkpoint/rewind.ipp>
-#endif

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <ostream>
+#include <tools/replicates/plan.hpp>
+#include <tools/replicates/run.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/ecology/simulations_of.hpp>
-#include <trophic/run/replicates/plan.hpp>
-#include <trophic/run/replicates/run.hpp>
 
 namespace trophic::replicates {
 
@@ -27,7 +27,3 @@ std::vector<std::string> run_with_shadow(const Experiment<Rules>& experiment, co
 }
 
 }  // namespace trophic::replicates
-
-#if TROPHIC_HEADER_ONLY
-#include <trophic/run/replicates/run_with_shadow.ipp>
-#endif

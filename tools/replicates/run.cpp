@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Definitions of run.hpp.
-#pragma once
-
 #include <filesystem>
-#include <trophic/run/replicates/folder.hpp>
-#include <trophic/run/replicates/parallel.hpp>
-#include <trophic/run/replicates/run.hpp>
+#include <tools/replicates/folder.hpp>
+#include <tools/replicates/parallel.hpp>
+#include <tools/replicates/run.hpp>
 #include <trophic/support/unreadable_file.hpp>
 
 namespace trophic::replicates {
@@ -23,8 +21,8 @@ namespace detail {
 
 }  // namespace detail
 
-TROPHIC_INLINE Outcome run_pending(const Plan& plan, const observe::RunDescription& run, const io::Provenance& provenance,
-                                   std::ostream& out, const RunOne& run_one) {
+Outcome run_pending(const Plan& plan, const observe::RunDescription& run, const io::Provenance& provenance, std::ostream& out,
+                    const RunOne& run_one) {
   const Folder folder{plan, run, provenance};
   for (const std::string& remark : run.remarks) out << remark << "\n";
   for (const std::string& remark : folder.remarks()) out << remark << "\n";

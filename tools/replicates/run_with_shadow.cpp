@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Definitions of run_with_shadow.hpp.
-#pragma once
-
-#include <trophic/run/replicates/run_with_shadow.hpp>
+#include <tools/replicates/run_with_shadow.hpp>
 
 namespace trophic::replicates {
 
@@ -17,8 +15,8 @@ namespace detail {
 
 }  // namespace detail
 
-TROPHIC_INLINE std::vector<std::string> run_with_shadow(const MakeSimulation& make, const MakeSimulation& shadow, double until_s,
-                                                        const Plan& plan, const io::Provenance& provenance, std::ostream& out) {
+std::vector<std::string> run_with_shadow(const MakeSimulation& make, const MakeSimulation& shadow, double until_s,
+                                         const Plan& plan, const io::Provenance& provenance, std::ostream& out) {
   auto unfinished = detail::run_and_report(make, until_s, plan, provenance, out);
   if (!shadow || !unfinished.empty()) return unfinished;
   Plan beside = plan;

@@ -3,14 +3,14 @@
 #pragma once
 
 #include <ostream>
+#include <tools/replicates/common_options.hpp>
+#include <tools/replicates/joint_progress.hpp>
+#include <tools/replicates/plan.hpp>
+#include <tools/replicates/run_in_folder.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/ecology/simulations_of.hpp>
 #include <trophic/io/manifest.hpp>
-#include <trophic/observe/joint_progress.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
-#include <trophic/run/replicates/common_options.hpp>
-#include <trophic/run/replicates/plan.hpp>
-#include <trophic/run/replicates/run_in_folder.hpp>
 
 namespace trophic::replicates {
 
@@ -55,7 +55,3 @@ Outcome run(const Experiment<Rules>& experiment, const BackendChoice& backend, c
 }
 
 }  // namespace trophic::replicates
-
-#if TROPHIC_HEADER_ONLY
-#include <trophic/run/replicates/run.ipp>
-#endif
