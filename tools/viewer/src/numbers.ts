@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The numbers of a live run's rules on sliders, and how it begins again.
+// The rule parameters of a live run on sliders, and how it begins again.
 import { make, makeButton } from "./element";
 import type { Live, LiveNumber } from "./live";
 
@@ -41,7 +41,7 @@ export class NumbersPanel {
     this.seed.title = "seed of the next run";
     this.tables.title = "rule table of the next run";
     const again = make("div", "again");
-    again.append(make("label", "", "seed"), this.seed, this.tables, makeButton("Start again", "a new run in a folder of its own, with the numbers as they are now", () => this.live?.restart(Number(this.seed.value), this.tables.value)));
+    again.append(make("label", "", "seed"), this.seed, this.tables, makeButton("Start again", "a new run in a folder of its own, with the parameters as they are now", () => this.live?.restart(Number(this.seed.value), this.tables.value)));
     this.search.type = "search";
     this.search.placeholder = "search: reach, mutation …";
     this.search.addEventListener("input", () => this.filter());
@@ -98,7 +98,7 @@ export class NumbersPanel {
     );
   }
 
-  /** Says why a wish was refused; the numbers go back to what the run has. */
+  /** Says why a wish was refused; the parameters go back to what the run has. */
   complain(sentence: string): void {
     this.problem.textContent = sentence;
     (document.activeElement as HTMLElement | null)?.blur?.();

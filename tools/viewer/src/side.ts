@@ -13,7 +13,7 @@ const tabs: [Tab, string, string][] = [
   ["overview", "Overview", "curves and phylogeny"],
   ["phylogeny", "Phylogeny", "the phylogeny alone"],
   ["events", "Events", "what happened, as a list (e)"],
-  ["numbers", "Numbers", "the numbers of the rules, which can change while the run continues"],
+  ["numbers", "Parameters", "the rule parameters, which can change while the run continues"],
 ];
 
 export interface SideActions {

@@ -71,7 +71,7 @@ test("live: run of 600 s with two changes -> shown as it is recorded, and made a
   await opened.until((before) => window.trophic.live.newest > before, begun);
   await page.keyboard.press("Space");
   await opened.until(() => window.trophic.live.state.paused);
-  await page.getByRole("button", { name: "Numbers" }).click();
+  await page.getByRole("button", { name: "Parameters" }).click();
   const row = page.locator(".number", { hasText: "capture.reach_m" });
   assert.match(await row.locator(".hint").innerText(), /> 0$/);
   await row.locator("input[type=number]").fill("0.5");
@@ -118,7 +118,7 @@ test("live: number out of bounds, a second page, another run -> one sentence eac
   const run = await start("hostile");
   const opened = await open(run.address);
   const { page } = opened;
-  await page.getByRole("button", { name: "Numbers" }).click();
+  await page.getByRole("button", { name: "Parameters" }).click();
   const box = page.locator(".number", { hasText: "capture.reach_m" }).locator("input[type=number]");
   await box.fill("-1");
   await box.press("Enter");
@@ -132,7 +132,7 @@ test("live: number out of bounds, a second page, another run -> one sentence eac
   await opened.until(() => document.querySelector("[aria-label='rules.capture.reach_m']").value === "1");
 
   const second = await open(run.address);
-  await second.page.getByRole("button", { name: "Numbers" }).click();
+  await second.page.getByRole("button", { name: "Parameters" }).click();
   assert.equal(await second.page.locator(".numbers .hint").first().innerText(), "Another page steers this run; this one only shows it.");
   assert.equal(await second.page.locator("button.play").isDisabled(), true);
   assert.equal(await second.page.locator(".number input[type=range]").first().isDisabled(), true);
@@ -168,14 +168,14 @@ test("live: individuals with bodies of their own -> each is drawn in its own", a
   assert.deepEqual(settled, settled.map(([id]) => [id, Number(born.get(id)[header.indexOf("hinges")])]));
 });
 
-test("live: on a phone and in the dark -> numbers in a sheet from below", async () => {
+test("live: on a phone and in the dark -> parameters in a sheet from below", async () => {
   const run = await start("phone");
   const phone = await browser.with({ viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true, colorScheme: "dark" });
   const opened = await open(run.address, phone);
   assert.equal(await opened.page.evaluate(() => document.documentElement.scrollWidth), 390);
   assert.equal(await opened.rowsOfControls(), 2);
   await opened.page.getByRole("button", { name: "Details" }).click();
-  await opened.page.getByRole("button", { name: "Numbers" }).click();
+  await opened.page.getByRole("button", { name: "Parameters" }).click();
   assert.equal(await opened.page.locator(".number").first().isVisible(), true);
   await opened.page.close();
 });
