@@ -20,7 +20,7 @@ namespace trophic::command {
 struct Config {
   toml::table origin;  ///< read before the file: all parameters of the run that --from names
   std::string file;    ///< empty if none was named; errors begin with it
-  toml::table numbers;
+  toml::table parameters;
   std::optional<std::string> rule_table;
   std::optional<std::string> engine;
   std::vector<std::string> assignments;
@@ -28,11 +28,12 @@ struct Config {
 
 /// Reads the configuration file, if one is named. Throws as parse_toml_file does.
 [[nodiscard]] inline Config read_config(const std::string& file, std::vector<std::string> assignments) {
-  Config config{.origin = {}, .file = file, .numbers = {}, .rule_table = {}, .engine = {}, .assignments = std::move(assignments)};
+  Config config{
+      .origin = {}, .file = file, .parameters = {}, .rule_table = {}, .engine = {}, .assignments = std::move(assignments)};
   if (file.empty()) return config;
-  config.numbers = parse_toml_file(file);
-  config.rule_table = take_choice(config.numbers, "rule_table");
-  config.engine = take_choice(config.numbers, "engine");
+  config.parameters = parse_toml_file(file);
+  config.rule_table = take_choice(config.parameters, "rule_table");
+  config.engine = take_choice(config.parameters, "engine");
   return config;
 }
 
@@ -40,8 +41,8 @@ struct Config {
 inline void check_made_for(const Config& config, const std::string& rule_table, const std::string& engine) {
   const auto check = [&](const std::optional<std::string>& there, const std::string& here, const std::string& key,
                          const std::string& option, const std::string& section) {
-    const toml::table* numbers = config.numbers[section].as_table();
-    if (!there || *there == here || numbers == nullptr || numbers->empty()) return;
+    const toml::table* parameters = config.parameters[section].as_table();
+    if (!there || *there == here || parameters == nullptr || parameters->empty()) return;
     throw std::invalid_argument{config.file + ": was written for " + key + " = \"" + *there + "\" and has its parameters in [" +
                                 section + "], which are none of " + here + "; take " + option + " " + *there +
                                 ", or a file without " + key + " and [" + section + "]"};
@@ -100,11 +101,11 @@ inline void check_keys(const toml::table& table, const ParamRefs& params, const 
 /// name for a fault in it.
 inline void apply_config(const ParamRefs& params, const Config& config) {
   read_parameters(params, config.origin);
-  if (!config.numbers.empty()) {
+  if (!config.parameters.empty()) {
     const std::string where = config.file.empty() ? "" : config.file + ": ";
-    check_keys(config.numbers, params, where);
+    check_keys(config.parameters, params, where);
     try {
-      read_parameters(params, config.numbers);
+      read_parameters(params, config.parameters);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument{where + error.what()};
     }

@@ -20,10 +20,10 @@ namespace trophic::command {
 namespace detail {
 
 /// The rule parameters of an experiment.
-[[nodiscard]] NamedParams rule_numbers(AnyExperiment& experiment) {
-  NamedParams numbers = named_params_of(experiment.params());
-  std::erase_if(numbers, [](const NamedParam& number) { return !number.path.starts_with("rules."); });
-  return numbers;
+[[nodiscard]] NamedParams rule_parameters(AnyExperiment& experiment) {
+  NamedParams parameters = named_params_of(experiment.params());
+  std::erase_if(parameters, [](const NamedParam& one) { return !one.path.starts_with("rules."); });
+  return parameters;
 }
 
 /// Options and parameters of the run that a page asks for.
@@ -37,7 +37,7 @@ void restart(const Restart& restart, const std::string& old_table, const std::fi
     return;
   }
   options.rules = restart.rule_table;
-  config.numbers.erase("rules");
+  config.parameters.erase("rules");
   std::erase_if(config.assignments, [](const std::string& assignment) { return assignment.starts_with("rules."); });
 }
 
@@ -70,7 +70,7 @@ int run_live(std::unique_ptr<AnyExperiment> chosen, ExperimentOptions options, C
                    .rule_tables = table_names(offer),
                    .seed = experiment->seed(),
                    .until_s = experiment->ecology().duration_s,
-                   .numbers = detail::rule_numbers(*experiment)});
+                   .numbers = detail::rule_parameters(*experiment)});
     const int code = detail::run_once(options, *experiment,
                                       detail::simulations(*chosen, options, config, *experiment, false, &server->conductor()),
                                       std::nullopt, server.get());

@@ -52,8 +52,8 @@ inline void insert(toml::table& table, std::string_view path, const Json& value)
 
 /// Settings as a configuration file has them.
 [[nodiscard]] inline Config config_of(const sweep::Settings& settings) {
-  Config config{.origin = {}, .file = {}, .numbers = {}, .rule_table = {}, .engine = {}, .assignments = {}};
-  for (const auto& [path, value] : settings.items()) insert(config.numbers, path, value);
+  Config config{.origin = {}, .file = {}, .parameters = {}, .rule_table = {}, .engine = {}, .assignments = {}};
+  for (const auto& [path, value] : settings.items()) insert(config.parameters, path, value);
   return config;
 }
 
@@ -78,7 +78,7 @@ class Runner {
   void run(const PlannedRun& run, const std::filesystem::path& folder, observe::JointProgress& progress,
            std::optional<double> until_s = {}) const {
     Config config = config_of(run.settings);
-    if (until_s) insert_duration(config.numbers, *until_s);
+    if (until_s) insert_duration(config.parameters, *until_s);
     replicates::CommonOptions common{
         options_.provenance, schedule_of(options_), run.output, {}, changes::with_changes(options_.own_tables)};
     common.provenance.emplace_back("planned_run", std::to_string(run.index));
@@ -95,9 +95,9 @@ class Runner {
   [[nodiscard]] std::size_t diverged() const { return diverged_; }
 
  private:
-  static void insert_duration(toml::table& numbers, double until_s) {
-    numbers.insert("ecology", toml::table{});
-    numbers["ecology"].as_table()->insert_or_assign("duration_s", until_s);
+  static void insert_duration(toml::table& parameters, double until_s) {
+    parameters.insert("ecology", toml::table{});
+    parameters["ecology"].as_table()->insert_or_assign("duration_s", until_s);
   }
 
   const ExperimentOptions& options_;

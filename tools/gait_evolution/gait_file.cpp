@@ -9,13 +9,13 @@
 
 namespace trophic::gait_evolution {
 
-std::string gait_file(const Gait& gait, const Genome& genome, const NamedParams& provenance, const NamedParams& numbers) {
+std::string gait_file(const Gait& gait, const Genome& genome, const NamedParams& provenance, const NamedParams& parameters) {
   TomlWriter writer;
   put_gait(writer, gait);
   writer.table("cppn");
   put_genome(writer, genome);
   writer.put_all(provenance, "evolution");
-  NamedParams plain = numbers;
+  NamedParams plain = parameters;
   for (NamedParam& param : plain) param.help.clear();
   writer.put_all(plain, "evolution.params");
   return writer.text();

@@ -13,7 +13,7 @@ namespace trophic::gait_evolution {
 /// The text of a gait file (format: models/README.md) with the tables [cppn], the genome, and [evolution], the provenance with
 /// all parameters below it. `load_gait` reads the gait, `load_cppn` the genome.
 [[nodiscard]] std::string gait_file(const Gait& gait, const Genome& genome, const NamedParams& provenance,
-                                    const NamedParams& numbers);
+                                    const NamedParams& parameters);
 
 /// The genome in a gait file, by name or path. Errors as `load_gait`.
 [[nodiscard]] Genome load_cppn(std::string_view name_or_path);

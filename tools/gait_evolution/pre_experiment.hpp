@@ -38,8 +38,8 @@ template <class Table>
 class PreExperiment {
  public:
   /// Throws std::invalid_argument naming field, value and bound.
-  PreExperiment(Params<Table> numbers, BackendChoice backend, RobotModel robot)
-      : params_{std::move(numbers)}, backend_{std::move(backend)}, robot_{std::move(robot)} {
+  PreExperiment(Params<Table> params, BackendChoice backend, RobotModel robot)
+      : params_{std::move(params)}, backend_{std::move(backend)}, robot_{std::move(robot)} {
     trophic::validate(params_, "");
     backend_.validate("backend");
     trophic::validate(robot_);

@@ -110,7 +110,7 @@ namespace detail {
 /// Fails to compile, with one sentence, if a policy of a pre-experiment cannot be made from its parameters.
 template <class Policy>
 consteval bool made_from_params() {
-  static_assert(!trophic::detail::HasNumbers<Policy> || trophic::detail::MadeFromParams<Policy>,
+  static_assert(!trophic::detail::HasParams<Policy> || trophic::detail::MadeFromParams<Policy>,
                 "a policy of the pre-experiment has Params but cannot be made from them: it needs `Params params;` as its first "
                 "member or a constructor from Params");
   return true;

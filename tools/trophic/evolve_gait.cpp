@@ -49,12 +49,12 @@ struct Options {
 };
 
 template <class Table>
-std::string settings_text(const gait_evolution::Params<Table>& numbers, const BackendChoice& backend) {
+std::string settings_text(const gait_evolution::Params<Table>& parameters, const BackendChoice& backend) {
   TomlWriter writer;
   writer.put("rule_table", Table::name);
   writer.put("fitness_rule", Table::Fitness::name);
   writer.put("engine", backend.name());
-  writer.put_all(gait_evolution::named_params_of(numbers, backend));
+  writer.put_all(gait_evolution::named_params_of(parameters, backend));
   return writer.text();
 }
 
@@ -73,22 +73,22 @@ void report(const gait_evolution::PreExperiment<Table>& experiment, std::size_t 
 
 template <class Table>
 int run(BackendChoice backend, const Options& options, const Config& config) {
-  gait_evolution::Params<Table> numbers;
-  apply_config(gait_evolution::param_refs_of(numbers, backend), config);
-  if (options.robot) numbers.robot = *options.robot;
-  if (options.seed) numbers.seed = *options.seed;
-  if (options.generations) numbers.plan.generations = *options.generations;
-  validate(gait_evolution::param_refs_of(numbers, backend));
+  gait_evolution::Params<Table> parameters;
+  apply_config(gait_evolution::param_refs_of(parameters, backend), config);
+  if (options.robot) parameters.robot = *options.robot;
+  if (options.seed) parameters.seed = *options.seed;
+  if (options.generations) parameters.plan.generations = *options.generations;
+  validate(gait_evolution::param_refs_of(parameters, backend));
   if (options.print_config) {
-    return print_text(settings_text(numbers, backend));
+    return print_text(settings_text(parameters, backend));
   }
-  gait_evolution::PreExperiment<Table> experiment{numbers, backend, load_robot(numbers.robot)};
+  gait_evolution::PreExperiment<Table> experiment{parameters, backend, load_robot(parameters.robot)};
   const bool is_new = options.resume.empty();
   if (is_new && options.out.empty()) throw std::invalid_argument{"--out: must name a new folder"};
   const std::filesystem::path folder = is_new ? io::make_new_folder(options.out) : std::filesystem::path{options.resume};
   const FolderLock alone{folder};
   if (is_new) {
-    replace_file(folder / "settings.toml", settings_text(numbers, backend));
+    replace_file(folder / "settings.toml", settings_text(parameters, backend));
   } else if (std::filesystem::exists(folder / "checkpoint.toml")) {
     gait_evolution::resume(experiment, folder);
   }
@@ -110,7 +110,7 @@ int run(BackendChoice backend, const Options& options, const Config& config) {
   if (!gait_evolution::has_champion(experiment)) {
     throw std::runtime_error{"every trial of " + std::to_string(experiment.lineage().individuals.size()) +
                              " candidates diverged, so there is no gait: physics.timestep_s = " +
-                             number_text(numbers.physics.timestep_s) + " may be too long for " + experiment.robot().name};
+                             number_text(parameters.physics.timestep_s) + " may be too long for " + experiment.robot().name};
   }
   const std::size_t champion = experiment.lineage().champion();
   std::cout << experiment.robot().name << ": fitness " << experiment.lineage().individuals[champion].fitness << " (individual "
@@ -143,7 +143,7 @@ template <class Table>
     if (other) throw std::invalid_argument{"--resume: only --threads goes with it, everything else is in the folder"};
   }
   Config config = read_config(options.resume.empty() ? options.config : options.resume + "/settings.toml", options.assignments);
-  const auto configured_fitness = take_choice(config.numbers, "fitness_rule");
+  const auto configured_fitness = take_choice(config.parameters, "fitness_rule");
   const std::string table = options.table.value_or(config.rule_table.value_or("paper"));
   const std::string fitness = options.fitness.value_or(configured_fitness.value_or("displacement_minus_x"));
   const std::string backend = options.backend.value_or(config.engine.value_or(std::string{default_backend}));

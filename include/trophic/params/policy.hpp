@@ -35,7 +35,7 @@ namespace detail {
 
 /// A policy without parameters needs a default constructor; one with parameters must be constructible from them.
 template <class Policy>
-concept HasNumbers = !std::is_empty_v<ParamsOf<Policy>>;
+concept HasParams = !std::is_empty_v<ParamsOf<Policy>>;
 template <class Policy>
 concept MadeFromParams = requires(const ParamsOf<Policy>& params) {
   Policy{params};
@@ -73,7 +73,7 @@ template <class Policy>
 /// the manifest would not match the run.
 template <class Policy>
 [[nodiscard]] Policy make_policy([[maybe_unused]] const ParamsOf<Policy>& params, [[maybe_unused]] std::string_view slot = {}) {
-  if constexpr (detail::HasNumbers<Policy>) {
+  if constexpr (detail::HasParams<Policy>) {
     Policy policy{params};
     if constexpr (requires { requires std::same_as<std::remove_cv_t<decltype(Policy::params)>, ParamsOf<Policy>>; }) {
       const std::string lost = first_difference(params, policy.params);

@@ -87,7 +87,7 @@ template <class Policy, bool fits_contract, bool may_differ_by_species>
     return Fault::listed;
   } else if constexpr (!listed_once<Params>()) {
     return Fault::twice;
-  } else if constexpr (HasNumbers<Policy>) {
+  } else if constexpr (HasParams<Policy>) {
     return MadeFromParams<Policy> ? Fault::none : Fault::made;
   } else {
     return std::default_initializable<Policy> ? Fault::none : Fault::made_from_nothing;

@@ -45,7 +45,7 @@ struct Procedure : Parts<IntervalPart, ExemptionPart, ChoicePart> {
   using Clock = StarvationClock;
   using States = std::tuple<AllStates<IntervalPart>, AllStates<ExemptionPart>, AllStates<ChoicePart>>;
 
-  explicit Procedure(const Params& numbers = {}) : Procedure::Parts{numbers}, params{numbers} {}
+  explicit Procedure(const Params& given = {}) : Procedure::Parts{given}, params{given} {}
 
   [[nodiscard]] Clock start(const View& view) const {
     return {.last_tick = view.tick, .interval_ticks = this->template part<0>().interval_ticks(view)};
