@@ -63,6 +63,9 @@ PATTERNS = [
             "The verdict is above.", "The conclusion is above."),
     Pattern("decided", "an effect is significant, a comparison inconclusive", r"\b(is|are|was|were|not) decided\b(?! (by|in)\b)",
             "The effects that are decided.", "The agents that decided first."),
+    Pattern("numbers", "parameters", r"\b(rules?|tables?|policy|policies|backend|engine|experiment)('s|s')? numbers\b|"
+            r"\b(rules|rule tables?), numbers\b|\bnumbers of (the |a |these )?(rules?|rule tables?|policy|policies|backend|engine|experiment)\b",
+            "The rule's numbers.", "The number of rules."),
     Pattern("own", "its owner's, or 'the same'", r"\bthe own\b", "Opponents of the own run.", "Opponents of its own run."),
     Pattern("none of", "empty or null, if", r"\b(none|nothing) of (fewer|less|no|none|nothing)\b", "The mean; none of fewer than two.", "None of them."),
     Pattern("history", "the present alone", r"\b(no longer|earlier versions?|formerly)\b|^Before, |(?<!\bis )(?<!\bare )(?<!\bbe )(?<!\bwas )(?<!\bwere )\bused to\b",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the manifest in a run's folder says of its end.
+// The end of a run according to the manifest in its folder.
 #pragma once
 
 #include <filesystem>
