@@ -1,5 +1,5 @@
 # Installs headers, libraries, models, programs and conformance suites with a CMake package: find_package(trophic COMPONENTS mujoco
-# ode mpi command compiled mujoco_compiled ode_compiled mpi_compiled conformance).
+# ode command compiled mujoco_compiled ode_compiled conformance).
 include(CMakePackageConfigHelpers)
 set(trophic_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/trophic)
 
@@ -22,7 +22,7 @@ trophic_install_component(trophic trophic HEADERS ${CMAKE_INSTALL_INCLUDEDIR})
 if(TARGET trophic_conformance)
   trophic_install_component(conformance trophic_conformance HEADERS ${CMAKE_INSTALL_DATADIR}/trophic/tests)
 endif()
-foreach(component command mpi mujoco ode compiled mujoco_compiled ode_compiled mpi_compiled)
+foreach(component command mujoco ode compiled mujoco_compiled ode_compiled)
   if(TARGET trophic::${component})
     trophic_install_component(${component} trophic_${component} HEADERS ${CMAKE_INSTALL_INCLUDEDIR})
   endif()

@@ -78,7 +78,7 @@ class Damage(Hostile):
         said = self.refused(1, PREDATOR_PREY, *KINEMATIC, "--duration", 80, "--out", "new", "--from", "run", "--at", 40, "--seed", 5)
         self.assertIn("events.csv: its first", said)
 
-    def test_a_damaged_attempt_of_a_sweep_is_not_copied(self):
+    def test_a_damaged_run_of_a_sweep_is_not_resumed(self):
         (self.folder / "sweep.toml").write_text(
             'engine = "kinematic"\nreplicates = 1\nreplay_hz = 5.0\n[set]\necology.robots = 16\necology.duration_s = 40.0\n'
             "[grid]\nrules.mutation.sd = [0.05, 0.1]\n")
@@ -86,15 +86,14 @@ class Damage(Hostile):
         self.done(*sweep)
         whole = self.contents("out")
         run = next((self.folder / "out").glob("cell-*0/replicate-00"))
-        attempt = run.with_name("replicate-00.attempt-0")
-        run.rename(attempt)
-        manifest = json.loads((attempt / "manifest.json").read_text())
-        (attempt / "manifest.json").write_text(json.dumps(manifest | {"status": "running"}))
-        self.change(attempt / "agents.csv", zero_a_page)
+        making = run.rename(run.with_name("replicate-00.making"))
+        manifest = json.loads((making / "manifest.json").read_text())
+        (making / "manifest.json").write_text(json.dumps(manifest | {"status": "running"}))
+        self.change(making / "agents.csv", zero_a_page)
         failed = self.call(*sweep)
         self.assertEqual(failed.returncode, 1, failed.stderr)
         self.assertIn("agents.csv: its first", failed.stderr)
-        self.assertIn("replicate-00.attempt-0.incomplete-1, the next attempt begins without it", failed.stderr)
+        self.assertIn("replicate-00.making.incomplete-1, the next attempt begins without it", failed.stderr)
         self.done(*sweep)
         tables = {path: content for path, content in whole.items() if path.endswith((".csv", ".trp"))}
         again = self.contents("out")
@@ -174,14 +173,14 @@ class Links(Hostile):
         self.done(*sweep)
         run = next((self.folder / "out").glob("cell-*/replicate-00"))
         shutil.rmtree(run)
-        for name in ("claims", f"{run.parent.name}/replicate-00", f"{run.parent.name}/replicate-00.attempt-0"):
+        for name in ("replicate-00", "replicate-00.making", "replicate-00.lock"):
             with self.subTest(name=name):
-                link = self.folder / "out" / name
+                link = run.with_name(name)
                 link.symlink_to(self.elsewhere)
                 done = self.call(*sweep)
                 link.unlink(missing_ok=True)
                 self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
-                self.assertIn(f"out/{name}: is a symbolic link", done.stderr)
+                self.assertIn(f"{name}: is a symbolic link", done.stderr)
         self.done(*sweep)
 
     def test_the_past_of_a_run_is_made_in_no_link(self):

@@ -62,7 +62,8 @@ class BadInput(InFolder):
             ("--checkpoint-s=0x10", "decimal digits"),
             ("--checkpoint-s=-1", ">= 0"),
             ("--checkpoint-s=nan", ">= 0"),
-            ("--lease-s=-1", "need --sweep"),
+            ("--run=-1", ">= 0"),
+            ("--run=0", "needs --sweep"),
         ]:
             with self.subTest(argument=argument):
                 self.assertIn(must, self.run_refused(argument))
@@ -72,7 +73,7 @@ class BadInput(InFolder):
                 self.assertIn(must, said)
 
     def test_empty_texts(self):
-        texts = ["--config", "--from", "--sweep", "--shard", "--save-mjcf", "--robot", "--rules", "--backend", "--set", "--print-table"]
+        texts = ["--config", "--from", "--sweep", "--save-mjcf", "--robot", "--rules", "--backend", "--set", "--print-table"]
         for option in texts:
             with self.subTest(option=option):
                 self.assertIn(f"{option}: must not be empty", self.run_refused(option, ""))

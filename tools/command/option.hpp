@@ -14,7 +14,7 @@ namespace trophic::command {
 
 /// Destination of an option's value; a bool makes a flag, a vector an option that may be repeated.
 using Target = std::variant<bool*, std::string*, std::optional<std::string>*, std::uint64_t*, std::optional<std::uint64_t>*,
-                            double*, std::optional<double>*, std::vector<std::string>*>;
+                            double*, std::optional<double>*, std::vector<std::string>*, std::vector<std::uint64_t>*>;
 
 /// One option, or an argument that is known by its place.
 struct Option {

@@ -49,9 +49,9 @@ struct ExperimentOptions {
   bool states = false;
   bool print_config = false;
   std::string sweep;  ///< file of a grid of settings
-  std::string shard;  ///< "I/N"; empty: all of it
+  std::vector<std::uint64_t> run;  ///< numbers of its runs; empty: all of them
+  bool plan = false;
   bool dry_run = false;
-  std::optional<double> lease_s;
   std::string print_table;                       ///< markdown or latex; empty: no table is printed
   std::optional<std::string> unlike;             ///< rule table from which the printed one is to differ
   std::vector<rules::PrintedRule> unlike_rules;  ///< of that table

@@ -17,7 +17,6 @@
 #include <tools/experiment/run_live.hpp>
 #include <tools/experiment/sweep.hpp>
 #include <tools/experiment/sweep_status.hpp>
-#include <tools/sweep/team.hpp>
 #include <tools/trophic/analyze.hpp>
 #include <trophic/experiment.hpp>
 #include <trophic/io/next_free_folder.hpp>
@@ -57,16 +56,35 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
         .needs = {"--replicates", "--sweep", "--play"}},
        {"--threads", &options.threads, "threads of the physics; results do not depend on it (all cores; 1 with --replicates)"}});
   add("A sweep",
-      {{"--sweep", &options.sweep,
-        "run the grid of settings that this TOML file lists, into OUT; programs on several machines may work on one OUT at once"},
-       {"--dry-run", &options.dry_run, "print the sweep's cells and how long they will take, and stop"},
-       {"--status", &options.status,
-        "print how many runs of the sweep in OUT are done, running, failed and missing, and the time left"},
-       {"--shard", &options.shard, "I/N: of the sweep's runs only every N-th, beginning with the I-th (all)"},
-       {"--sbatch", &options.sbatch,
-        "print a Slurm script with N array tasks for the sweep: time by short runs, memory, output, signal; sbatch reads it"},
-       {"--lease-s", &options.lease_s,
-        "seconds after which a run of the sweep is taken over from a program on another machine that does not answer (120)"}});
+      {{.name = "--sweep",
+        .target = &options.sweep,
+        .help = "run the grid of settings that this TOML file lists into OUT, or resume what is not complete",
+        .needs = {"--out", "--dry-run"},
+        .only_with = {"--out", "--jobs", "--run", "--plan", "--dry-run", "--sbatch", "--checkpoint-s", "--accept-other-build"}},
+       {.name = "--run",
+        .target = &options.run,
+        .help = "of the sweep only the run with this number, from 0, or these; for Slurm, GNU parallel, MPI, ...",
+        .needs = {"--sweep"}},
+       {.name = "--plan",
+        .target = &options.plan,
+        .help = "write the sweep's plan into OUT and stop; each line of plan.jsonl is a run",
+        .needs = {"--sweep"},
+        .only_with = {"--sweep", "--out"}},
+       {.name = "--dry-run",
+        .target = &options.dry_run,
+        .help = "print the sweep's cells and how long they will take, and stop",
+        .needs = {"--sweep"},
+        .only_with = {"--sweep", "--out"}},
+       {.name = "--sbatch",
+        .target = &options.sbatch,
+        .help = "print a Slurm script with N array tasks for the sweep: time by short runs, memory, output, signal; sbatch reads it",
+        .needs = {"--sweep"},
+        .only_with = {"--sweep", "--out"}},
+       {.name = "--status",
+        .target = &options.status,
+        .help = "print how many runs of the sweep in OUT are done, running, failed and missing, and the time left",
+        .needs = {"--out"},
+        .only_with = {"--out"}}});
   add("Output",
       {{"--out", &options.out, "new folder for the run's files (the next free runs/" + options.program + "-1, -2, ...)"},
        {"--replay-hz", &options.replay_hz,
@@ -225,15 +243,10 @@ int run_options(ExperimentOptions& options, const Offer& offer) {
     }
   }
   if (!options.play.empty()) return play_contests(options.play, options.jobs.value_or(1), offer);
-  if (!options.sweep.empty() && (options.live || !options.changes.empty())) {
-    throw std::invalid_argument{"--live and --changes: not with --sweep"};
-  }
-  if (!options.sweep.empty() && !options.status) return run_sweep(options, offer, nullptr);
   if (options.status) return sweep_status(options);
-  if (!options.shard.empty() || options.dry_run || options.lease_s || options.sbatch) {
-    throw std::invalid_argument{"--shard, --dry-run, --sbatch and --lease-s: need --sweep"};
-  }
-  return run_chosen(options, offer);
+  if (options.sweep.empty()) return run_chosen(options, offer);
+  check(options);
+  return run_sweep(options, offer);
 }
 
 }  // namespace detail

@@ -2,11 +2,11 @@
 // Definitions of sweep.hpp.
 #include <algorithm>
 #include <cstddef>
-#include <exception>
 #include <filesystem>
 #include <iostream>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <stdexcept>
 #include <thread>
 #include <tools/command/backends.hpp>
@@ -18,10 +18,9 @@
 #include <tools/experiment/sweep_estimate.hpp>
 #include <tools/replicates/folder.hpp>
 #include <tools/replicates/joint_progress.hpp>
-#include <tools/sweep/attempt.hpp>
-#include <tools/sweep/claim.hpp>
+#include <tools/replicates/parallel.hpp>
 #include <tools/sweep/folder.hpp>
-#include <tools/sweep/work_through.hpp>
+#include <tools/sweep/make_run.hpp>
 #include <trophic/backend/contract.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <utility>
@@ -97,63 +96,37 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
   return files;
 }
 
-/// Prints how many runs are complete and returns the exit code.
-[[nodiscard]] inline int report(const ExperimentOptions& options, const sweep::Tally& tally, std::size_t diverged) {
-  constexpr std::size_t most_sentences = 20;
-  const std::size_t complete = tally.kept + tally.complete;
-  std::cout << complete << " of " << complete + tally.unfinished.size() << " runs complete in " << options.out << "\n";
-  flush_output();
-  if (tally.unfinished.empty()) return 0;
-  for (std::size_t i = 0; i < std::min(most_sentences, tally.unfinished.size()); ++i) {
-    std::cerr << options.program << ": " << tally.unfinished[i] << "\n";
+/// The numbers of the runs that are to be made, those with the most work first, so that none of them is begun when all others have
+/// ended.
+[[nodiscard]] inline std::vector<std::size_t> chosen_runs(const ExperimentOptions& options, const std::vector<PlannedRun>& plan) {
+  std::vector<std::size_t> runs{options.run.begin(), options.run.end()};
+  std::ranges::sort(runs);
+  runs.erase(std::unique(runs.begin(), runs.end()), runs.end());
+  if (!runs.empty() && runs.back() >= plan.size()) {
+    throw std::invalid_argument{"--run " + std::to_string(runs.back()) + ": must be < " + std::to_string(plan.size()) +
+                                ", the number of runs in the plan"};
   }
-  if (tally.unfinished.size() > most_sentences) {
-    std::cerr << "and " << tally.unfinished.size() - most_sentences << " more\n";
+  if (runs.empty()) {
+    for (const PlannedRun& run : plan) runs.push_back(run.index);
   }
-  if (diverged > 0) std::cerr << diverged << " diverged, as they will again with the same parameters\n";
-  if (diverged < tally.unfinished.size()) std::cerr << "the same command resumes these and no others\n";
-  return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
+  std::ranges::stable_sort(runs, [&](std::size_t a, std::size_t b) { return plan[a].work > plan[b].work; });
+  return runs;
 }
 
-inline void check(const ExperimentOptions& options, const sweep::Team* team) {
-  const auto refuse = [](bool given, const std::string& option, const std::string& instead) {
-    if (given) throw std::invalid_argument{option + ": not with --sweep; " + instead};
-  };
-  const std::string in_file = "its file has it";
-  refuse(options.rules.has_value(), "--rules", in_file);
-  refuse(options.backend.has_value(), "--backend", in_file);
-  refuse(options.seed.has_value(), "--seed", in_file);
-  refuse(options.duration_s.has_value(), "--duration", in_file);
-  refuse(options.robots.has_value(), "--robots", in_file);
-  refuse(options.robot.has_value(), "--robot", in_file);
-  refuse(options.replicates.has_value(), "--replicates", in_file);
-  refuse(options.shadow, "--shadow", in_file);
-  refuse(options.replay_hz.has_value(), "--replay-hz", in_file);
-  refuse(options.agents_every != 1, "--agents-every", in_file);
-  refuse(options.senses, "--senses", in_file);
-  refuse(options.states, "--states", in_file);
-  refuse(!options.config.empty(), "--config", in_file);
-  refuse(!options.assignments.empty(), "--set", "its section [set] does the same");
-  refuse(options.resume, "--resume", "a sweep always resumes what is not complete");
-  refuse(!options.from.empty(), "--from", "each run begins at its beginning");
-  refuse(options.threads.has_value(), "--threads", "each run has one thread; see --jobs");
-  refuse(!options.save_mjcf.empty(), "--save-mjcf", "run one cell for it");
-  refuse(options.print_config || !options.print_table.empty(), "--print-config and --print-table", "run one cell for it");
-  if (options.out.empty() && !options.dry_run) {
-    throw std::invalid_argument{"--sweep: needs --out, the folder that all its programs share"};
+/// Prints how many runs are complete, and a sentence for each that is not, and returns the exit code.
+[[nodiscard]] inline int report(const ExperimentOptions& options, std::size_t runs, const std::map<std::size_t, std::string>& unfinished,
+                                std::size_t diverged) {
+  constexpr std::size_t most_sentences = 20;
+  std::cout << runs - unfinished.size() << " of " << runs << " runs complete in " << options.out << "\n";
+  flush_output();
+  if (unfinished.empty()) return 0;
+  for (const auto& [run, sentence] : unfinished | std::views::take(most_sentences)) {
+    std::cerr << options.program << ": " << sentence << "\n";
   }
-  if (options.sbatch == std::uint64_t{0}) throw std::invalid_argument{"--sbatch 0: must be >= 1"};
-  if (options.jobs == std::uint64_t{0}) throw std::invalid_argument{"--jobs 0: must be >= 1"};
-  if (options.lease_s && !(*options.lease_s >= 1.0)) {
-    throw std::invalid_argument{"--lease-s " + number_text(*options.lease_s) + ": must be >= 1"};
-  }
-  if (team == nullptr) return;
-  refuse(!options.shard.empty(), "--shard", "MPI hands out the runs");
-  refuse(options.jobs.has_value(), "--jobs", "under MPI each rank makes one run at a time");
-  refuse(options.dry_run || options.sbatch, "--dry-run and --sbatch", "start it without mpirun");
-  if (team->size() < 2) {
-    throw std::invalid_argument{"mpirun -n 1: needs at least 2 ranks, as rank 0 hands out the runs; without mpirun, see --jobs"};
-  }
+  if (unfinished.size() > most_sentences) std::cerr << "and " << unfinished.size() - most_sentences << " more\n";
+  if (diverged > 0) std::cerr << diverged << " diverged, as they will again with the same parameters\n";
+  if (diverged < unfinished.size()) std::cerr << "the same command resumes these and no others\n";
+  return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
 }
 
 }  // namespace detail::sweeps
@@ -188,49 +161,34 @@ std::vector<sweep::PlannedRun> plan_of(const sweep::SweepFile& file, const Offer
   return plan;
 }
 
-int run_sweep(const ExperimentOptions& options, const Offer& offer, sweep::Team* team) {
-  const bool leads = team == nullptr || team->leads();
+int run_sweep(const ExperimentOptions& options, const Offer& offer) {
   const observe::StopOnSignal stop;
   const detail::sweeps::Runner runner{options, offer, stop};
-  std::vector<sweep::PlannedRun> plan;
-  sweep::Shard shard;
-  try {
-    detail::sweeps::check(options, team);
-    const sweep::SweepFile file = sweep::read_sweep(options.sweep);
-    if (!options.shard.empty()) shard = sweep::shard_of(options.shard);
-    if (leads) {
-      plan = plan_of(file, offer);
-      if (options.sbatch) return detail::sweeps::print_sbatch(options, file, plan, runner);
-      if (options.dry_run) return detail::sweeps::dry_run(options, file, plan, runner);
-      sweep::make_or_join(options.out, plan, detail::sweeps::files_of(file, plan));
-      if (!options.accept_other_build) sweep::check_builds(options.out, plan);
-    }
-  } catch (const std::exception&) {
-    if (team != nullptr) static_cast<void>(team->begin(false));
-    // All ranks find the same fault; one reports it.
-    if (!leads) return usage_error;
-    throw;
-  }
-  if (team != nullptr) {
-    if (!team->begin(true)) return usage_error;
-    if (!leads) plan = sweep::read_plan(std::filesystem::path{options.out} / sweep::plan_name);
-  }
+  if (options.sbatch == std::uint64_t{0}) throw std::invalid_argument{"--sbatch 0: must be >= 1"};
+  if (options.jobs == std::uint64_t{0}) throw std::invalid_argument{"--jobs 0: must be >= 1"};
+  const sweep::SweepFile file = sweep::read_sweep(options.sweep);
+  const std::vector<sweep::PlannedRun> plan = plan_of(file, offer);
+  if (options.sbatch) return detail::sweeps::print_sbatch(options, file, plan, runner);
+  if (options.dry_run) return detail::sweeps::dry_run(options, file, plan, runner);
+  const std::vector<std::size_t> runs = detail::sweeps::chosen_runs(options, plan);
+  sweep::make_or_join(options.out, plan, detail::sweeps::files_of(file, plan));
+  if (options.plan) return print_text(std::to_string(plan.size()) + " runs planned in " + options.out + "\n");
+  if (!options.accept_other_build) sweep::check_builds(options.out, plan);
 
-  const std::size_t runs = sweep::longest_first(plan, shard).size();
-  observe::JointProgress progress{runs, plan.front().until_s, std::cout};
-  const double lease_s = options.lease_s.value_or(sweep::default_lease_s);
-  const auto attempt = [&](const sweep::PlannedRun& run) {
-    return sweep::attempt(options.out, run, lease_s,
-                          [&](const std::filesystem::path& folder) { runner.run(run, folder, progress); });
-  };
-  const auto keep_running = [&] { return stop.keep_running(); };
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  const sweep::Tally tally = team != nullptr
-                                 ? team->distribute(plan, options.out, lease_s, attempt, keep_running)
-                                 : sweep::work_through(plan, shard, options.jobs.value_or(cores), attempt, keep_running);
-  if (!leads) return 0;
-  sweep::remove_claims(options.out, plan);
-  return detail::sweeps::report(options, tally, runner.diverged());
+  observe::JointProgress progress{runs.size(), plan.front().until_s, std::cout};
+  const auto attempts = replicates::in_parallel(
+      runs.size(), options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())),
+      [&](std::size_t i) {
+        const sweep::PlannedRun& run = plan[runs[i]];
+        sweep::make_run(options.out, run, [&](const std::filesystem::path& folder) { runner.run(run, folder, progress); });
+      },
+      [&] { return stop.keep_running(); });
+  std::map<std::size_t, std::string> unfinished;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const std::string error = attempts[i].started ? attempts[i].error : "not begun";
+    if (!error.empty()) unfinished.emplace(runs[i], plan[runs[i]].folder.string() + ": " + error);
+  }
+  return detail::sweeps::report(options, runs.size(), unfinished, runner.diverged());
 }
 
 }  // namespace trophic::command

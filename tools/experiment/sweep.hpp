@@ -7,7 +7,6 @@
 #include <tools/experiment/experiment_options.hpp>
 #include <tools/sweep/plan_file.hpp>
 #include <tools/sweep/sweep_file.hpp>
-#include <tools/sweep/team.hpp>
 #include <vector>
 
 namespace trophic::command {
@@ -17,8 +16,7 @@ namespace trophic::command {
 /// cells that are the same experiment.
 [[nodiscard]] std::vector<sweep::PlannedRun> plan_of(const sweep::SweepFile& file, const Offer& offer);
 
-/// Does the work of --sweep, --shard, --jobs and --dry-run and returns the exit code. `team`: the processes that MPI started,
-/// null for one that was started alone.
-[[nodiscard]] int run_sweep(const ExperimentOptions& options, const Offer& offer, sweep::Team* team);
+/// Does the work of --sweep with --jobs, --run, --plan, --dry-run and --sbatch, and returns the exit code.
+[[nodiscard]] int run_sweep(const ExperimentOptions& options, const Offer& offer);
 
 }  // namespace trophic::command

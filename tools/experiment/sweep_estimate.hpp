@@ -21,7 +21,6 @@
 #include <tools/command/shell_text.hpp>
 #include <tools/command/this_program.hpp>
 #include <tools/experiment/sweep_runner.hpp>
-#include <tools/sweep/work_through.hpp>
 #include <trophic/io/next_free_folder.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/params/params.hpp>
@@ -118,18 +117,15 @@ struct Estimates {
   return print_text(estimate_text(file, plan, *estimates) + "\n");
 }
 
-/// Prints a job script for Slurm whose array tasks share out the sweep.
+/// Prints a job script for Slurm, each of whose N array tasks makes every N-th run. Any N indices in a row will do.
 [[nodiscard]] inline int print_sbatch(const ExperimentOptions& options, const sweep::SweepFile& file,
                                       const std::vector<PlannedRun>& plan, const Runner& runner) {
   const auto estimates = estimates_of(options, plan, runner);
   if (!estimates) return stopped;
-  double longest_s = 0.0;
-  for (std::uint64_t task = 1; task <= *options.sbatch; ++task) {
-    double task_s = 0.0;
-    const sweep::Shard shard{.index = task, .count = *options.sbatch};
-    for (const std::size_t run : sweep::longest_first(plan, shard)) task_s += estimates->core_s(plan[run]);
-    longest_s = std::max(longest_s, task_s);
-  }
+  const std::uint64_t count = std::min<std::uint64_t>(*options.sbatch, plan.size());
+  std::vector<double> task_s(count);
+  for (const PlannedRun& run : plan) task_s[run.index % count] += estimates->core_s(run);
+  const double longest_s = *std::ranges::max_element(task_s);
   // Nodes differ, and checkpoints and start take time.
   const auto minutes = static_cast<std::uint64_t>(std::ceil((1.5 * longest_s + 600.0) / 60.0));
   ::rusage used{};
@@ -139,7 +135,7 @@ struct Estimates {
   std::snprintf(time.data(), time.size(), "%llu:%02llu:00", static_cast<unsigned long long>(minutes / 60),
                 static_cast<unsigned long long>(minutes % 60));
   const auto quoted = [](const std::string& text) { return command::detail::shell_text(text); };
-  const std::string tasks = std::to_string(*options.sbatch);
+  const std::string tasks = std::to_string(count);
   return print_text(
       "#!/bin/bash\n# " + estimate_text(file, plan, *estimates) +
       ". The time limit is 1.5 times the longest task's, plus ten minutes.\n"
@@ -148,9 +144,9 @@ struct Estimates {
       "` lists it.\n"
       "#SBATCH --job-name=" +
       options.program + "\n#SBATCH --array=1-" + tasks + "\n#SBATCH --cpus-per-task=1\n#SBATCH --time=" + time.data() +
-      "\n#SBATCH --mem=" + std::to_string(megabytes) + "M\n#SBATCH --output=slurm-%A_%a.log\n#SBATCH --signal=B:TERM@120\nexec " +
-      quoted(program_path().string()) + " --sweep " + quoted(options.sweep) + " --out " + quoted(options.out) +
-      " --shard \"$SLURM_ARRAY_TASK_ID/" + tasks + "\" --jobs 1\n");
+      "\n#SBATCH --mem=" + std::to_string(megabytes) + "M\n#SBATCH --output=slurm-%A_%a.log\n#SBATCH --signal=B:TERM@120\n" +
+      "exec " + quoted(program_path().string()) + " --sweep " + quoted(options.sweep) + " --out " + quoted(options.out) +
+      " --jobs 1 --run $(seq $((SLURM_ARRAY_TASK_ID % " + tasks + ")) " + tasks + " " + std::to_string(plan.size() - 1) + ")\n");
 }
 
 }  // namespace trophic::command::detail::sweeps

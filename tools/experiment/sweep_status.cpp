@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: MIT
 // Definitions of sweep_status.hpp.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <map>
-#include <optional>
+#include <span>
 #include <stdexcept>
 #include <string>
-#include <system_error>
 #include <tools/command/check_folder.hpp>
 #include <tools/command/output.hpp>
 #include <tools/experiment/sweep_status.hpp>
-#include <tools/sweep/attempt.hpp>
-#include <tools/sweep/claim.hpp>
+#include <tools/sweep/make_run.hpp>
 #include <tools/sweep/plan_file.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/params/params.hpp>
@@ -28,32 +27,14 @@ namespace trophic::command {
 
 namespace detail::sweeps {
 
-/// A text of a run's manifest; empty if there is none.
-[[nodiscard]] inline std::string manifest_text(const std::filesystem::path& run, const char* key) {
+/// The wall time in a run's manifest; empty if there is none.
+[[nodiscard]] inline std::string wall_s_text(const std::filesystem::path& run) {
   try {
     const Json json = parse_json_or_null(read_whole_file(run / "manifest.json"));
-    return json.is_object() && json.contains(key) && json[key].is_string() ? json[key].get<std::string>() : "";
+    return json.is_object() && json.contains("wall_s") && json["wall_s"].is_string() ? json["wall_s"].get<std::string>() : "";
   } catch (const std::invalid_argument&) {
     return "";
   }
-}
-
-/// The status of the last attempt at a run that is not complete, as its manifest has it; empty if there was none.
-[[nodiscard]] inline std::string last_attempt(const std::filesystem::path& run) {
-  const std::string beginning = run.filename().string() + ".attempt-";
-  std::string status;
-  std::size_t last = 0;
-  std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator{run.parent_path(), ignored}) {
-    const std::string name = entry.path().filename().string();
-    if (!name.starts_with(beginning)) continue;
-    const auto number = static_cast<std::size_t>(std::strtoul(name.c_str() + beginning.size(), nullptr, 10));
-    if (number < last) continue;
-    last = number;
-    status = manifest_text(entry.path(), "status");
-    if (status.empty()) status = "running";
-  }
-  return status;
 }
 
 /// A line of the first few names.
@@ -67,7 +48,6 @@ namespace detail::sweeps {
 }  // namespace detail::sweeps
 
 int sweep_status(const ExperimentOptions& options) {
-  if (options.out.empty()) throw std::invalid_argument{"--status: needs --out, the folder of a sweep"};
   const std::filesystem::path out = options.out;
   check_folder(out);
   if (!std::filesystem::exists(out / sweep::plan_name)) {
@@ -78,45 +58,33 @@ int sweep_status(const ExperimentOptions& options) {
   std::map<Kind, double> wall_s;
   std::map<Kind, double> work_done;
   std::map<Kind, double> work_left;
-  std::map<std::string, std::vector<std::string>> running;
-  std::vector<std::string> failed;
-  std::vector<std::string> interrupted;
-  std::size_t done = 0;
-  std::size_t busy = 0;
-  std::size_t missing = 0;
+  std::map<sweep::Stage, std::vector<std::string>> runs;
   for (const sweep::PlannedRun& run : plan) {
     const Kind kind{run.rule_table, run.engine};
-    if (sweep::is_complete(out, run)) {
-      ++done;
-      const std::string taken = detail::sweeps::manifest_text(out / run.folder, "wall_s");
-      const double seconds = taken.empty() ? 0.0 : std::strtod(taken.c_str(), nullptr);
-      if (seconds > 0.0) {
-        wall_s[kind] += seconds;
-        work_done[kind] += run.work;
-      }
+    const sweep::Stage stage = sweep::stage_of(out, run);
+    runs[stage].push_back(run.folder.string());
+    if (stage != sweep::Stage::complete) {
+      work_left[kind] += run.work;
       continue;
     }
-    work_left[kind] += run.work;
-    const std::string who =
-        sweep::claimant_of(out / sweep::claims_name, run.index, options.lease_s.value_or(sweep::default_lease_s));
-    if (!who.empty()) {
-      ++busy;
-      running[who].push_back(run.folder.string());
-      continue;
-    }
-    const std::string status = detail::sweeps::last_attempt(out / run.folder);
-    if (status.empty()) {
-      ++missing;
-    } else {
-      (status == "failed" ? failed : interrupted).push_back(run.folder.string());
+    const double seconds = std::strtod(detail::sweeps::wall_s_text(out / run.folder).c_str(), nullptr);
+    if (seconds > 0.0) {
+      wall_s[kind] += seconds;
+      work_done[kind] += run.work;
     }
   }
-  std::cout << options.out << ": " << plan.size() << " runs: " << done << " done, " << busy << " running, " << failed.size()
-            << " failed, " << interrupted.size() << " interrupted, " << missing << " missing\n";
-  for (const auto& [who, runs] : running) std::cout << detail::sweeps::names_line("running on " + who, runs);
-  if (!failed.empty()) std::cout << detail::sweeps::names_line("failed", failed);
-  if (!interrupted.empty()) std::cout << detail::sweeps::names_line("interrupted", interrupted);
-  if (done < plan.size()) {
+  const std::array stages{std::pair{sweep::Stage::complete, "done"}, std::pair{sweep::Stage::running, "running"},
+                          std::pair{sweep::Stage::failed, "failed"}, std::pair{sweep::Stage::interrupted, "interrupted"},
+                          std::pair{sweep::Stage::missing, "missing"}};
+  std::cout << options.out << ": " << plan.size() << " runs";
+  for (const auto& [stage, name] : stages) {
+    std::cout << (stage == sweep::Stage::complete ? ": " : ", ") << runs[stage].size() << " " << name;
+  }
+  std::cout << "\n";
+  for (const auto& [stage, name] : std::span{stages}.subspan(1, 3)) {
+    if (!runs[stage].empty()) std::cout << detail::sweeps::names_line(name, runs[stage]);
+  }
+  if (runs[sweep::Stage::complete].size() < plan.size()) {
     double left_s = 0.0;
     bool is_known = true;
     for (const auto& [kind, work] : work_left) {

@@ -7,9 +7,6 @@
 #ifdef CONSUMER_HAS_ode
 #include <trophic/backend/ode.hpp>
 #endif
-#ifdef CONSUMER_HAS_mpi
-#include <trophic/mpi/find_team.hpp>
-#endif
 #endif
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/load/habitat.hpp>

@@ -16,7 +16,6 @@ class Trophic(CMakePackage):
 
     # Spack's own mujoco is 2.1.0, and it has no Open Dynamics Engine. A newer MuJoCo is an external package of your packages.yaml.
     variant("mujoco", default=False, description="Physics by MuJoCo, the reference engine")
-    variant("mpi", default=False, description="Sweeps under MPI")
 
     depends_on("c", type="build")
     depends_on("cxx", type="build")
@@ -32,7 +31,6 @@ class Trophic(CMakePackage):
     depends_on("boost@1.74:")
     depends_on("mujoco@2.2:3.5", when="+mujoco")
     depends_on("pugixml", when="+mujoco")
-    depends_on("mpi", when="+mpi")
 
     conflicts("%gcc@:11", msg="trophic needs C++20 of g++ 12 or newer")
     conflicts("%clang@:13", msg="trophic needs C++20 of clang 14 or newer")
@@ -45,5 +43,4 @@ class Trophic(CMakePackage):
             self.define("TROPHIC_WARNINGS_AS_ERRORS", False),
             self.define("TROPHIC_BACKEND_MUJOCO", "ON" if "+mujoco" in self.spec else "OFF"),
             self.define("TROPHIC_BACKEND_ODE", "OFF"),
-            self.define("TROPHIC_MPI", "ON" if "+mpi" in self.spec else "OFF"),
         ] + ([self.define("mujoco_ROOT", self.spec["mujoco"].prefix)] if "+mujoco" in self.spec else [])

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// Definitions of make_run.hpp.
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <tools/replicates/rewind.hpp>
+#include <tools/sweep/make_run.hpp>
+#include <trophic/io/growing_file.hpp>
+#include <trophic/run/checkpoint/resume.hpp>
+#include <trophic/support/folder_lock.hpp>
+#include <trophic/support/no_links.hpp>
+
+namespace trophic::sweep {
+
+namespace detail {
+
+[[nodiscard]] inline std::filesystem::path lock_of(const std::filesystem::path& run) { return run.string() + ".lock"; }
+[[nodiscard]] inline std::filesystem::path making_of(const std::filesystem::path& run) { return run.string() + ".making"; }
+
+/// The right to make a run. Network file systems that lock a file for all machines lock a folder for one.
+class RunLock {
+ public:
+  explicit RunLock(const std::filesystem::path& run) : name_{lock_of(run)} {
+    // Another program may look at it (stage_of) or remove it at this moment.
+    for (int left = 5; !take(); --left) {
+      if (left == 0) throw std::runtime_error{"another program is making it"};
+      std::this_thread::sleep_for(std::chrono::milliseconds{20});
+    }
+  }
+  RunLock(const RunLock&) = delete;
+  RunLock& operator=(const RunLock&) = delete;
+  ~RunLock() {
+    ::unlink(name_.c_str());
+    ::close(file_);
+  }
+
+ private:
+  [[nodiscard]] bool take() {
+    file_ = ::open(name_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if (file_ < 0) throw std::runtime_error{"cannot open " + name_.string() + ": " + std::strerror(errno)};
+    if (lock_named(file_, name_)) return true;
+    ::close(file_);
+    return false;
+  }
+
+  std::filesystem::path name_;
+  int file_ = -1;
+};
+
+[[nodiscard]] inline bool is_locked(const std::filesystem::path& run) {
+  const int file = ::open(lock_of(run).c_str(), O_RDONLY | O_CLOEXEC | O_NOFOLLOW);
+  if (file < 0) return false;
+  const bool is_held = ::flock(file, LOCK_SH | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+  ::close(file);
+  return is_held;
+}
+
+[[nodiscard]] inline bool holds(const std::filesystem::path& folder, const PlannedRun& run) {
+  return checkpoint::holds_complete(folder, run.fingerprint, run.seed, run.until_s);
+}
+
+/// Throws std::invalid_argument if a folder on the way from a sweep to its run is a link, or if the run's holds anything.
+inline void check_place(const std::filesystem::path& sweep, const std::filesystem::path& run) {
+  std::filesystem::path at = sweep;
+  for (const auto& part : run) check_no_link(at /= part);
+  for (const auto& beside : {lock_of(at), making_of(at)}) check_no_link(beside);
+  if (!std::filesystem::exists(std::filesystem::symlink_status(at)) || std::filesystem::is_empty(at)) return;
+  throw std::invalid_argument{at.string() + ": holds something else than the complete run that was planned: move it away"};
+}
+
+/// Begins or resumes a run in a folder and completes it.
+inline void complete(const std::filesystem::path& making, const PlannedRun& run,
+                     const std::function<void(const std::filesystem::path& folder)>& work) {
+  if (holds(making, run)) return;
+  // It lacks a table.
+  if (checkpoint::status_of(making) == "complete") static_cast<void>(checkpoint::rename_incomplete(making));
+  const bool resumes = checkpoint::last_moment_s(making).has_value();
+  if (!resumes) std::filesystem::remove_all(making);
+  try {
+    work(making);
+  } catch (const DamagedFile& error) {
+    if (!resumes) throw;
+    throw DamagedFile{std::string{error.what()} + "; kept as " + checkpoint::rename_incomplete(making).string() +
+                      ", the next attempt begins without it"};
+  }
+  const std::string status = checkpoint::status_of(making);
+  if (status != "complete") throw std::runtime_error{"status \"" + status + "\""};
+}
+
+}  // namespace detail
+
+bool is_complete(const std::filesystem::path& sweep, const PlannedRun& run) { return detail::holds(sweep / run.folder, run); }
+
+Stage stage_of(const std::filesystem::path& sweep, const PlannedRun& run) {
+  const std::filesystem::path folder = sweep / run.folder;
+  if (is_complete(sweep, run)) return Stage::complete;
+  if (detail::is_locked(folder)) return Stage::running;
+  const std::string status = checkpoint::status_of(detail::making_of(folder));
+  return status == "missing" ? Stage::missing : status == "failed" ? Stage::failed : Stage::interrupted;
+}
+
+void make_run(const std::filesystem::path& sweep, const PlannedRun& run,
+              const std::function<void(const std::filesystem::path& folder)>& work) {
+  const std::filesystem::path folder = sweep / run.folder;
+  if (is_complete(sweep, run)) {
+    // Its program may have been killed before it removed the lock.
+    if (!detail::is_locked(folder)) ::unlink(detail::lock_of(folder).c_str());
+    return;
+  }
+  detail::check_place(sweep, run.folder);
+  std::filesystem::create_directories(folder.parent_path());
+  const detail::RunLock alone{folder};
+  // Another program may have completed it before it gave the lock back.
+  if (is_complete(sweep, run)) return;
+  detail::complete(detail::making_of(folder), run, work);
+  std::filesystem::rename(detail::making_of(folder), folder);
+}
+
+void check_builds(const std::filesystem::path& sweep, const std::vector<PlannedRun>& plan) {
+  std::vector<std::filesystem::path> complete;
+  for (const PlannedRun& run : plan) {
+    if (is_complete(sweep, run)) complete.push_back(sweep / run.folder);
+  }
+  if (complete.size() == plan.size()) return;
+  for (const std::filesystem::path& folder : complete) checkpoint::check_build(folder);
+}
+
+}  // namespace trophic::sweep
