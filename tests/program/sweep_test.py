@@ -199,7 +199,7 @@ class Ways(Sweeps):
                      r"#SBATCH --signal=B:TERM@120", r"# \d+ runs in \d+ cells, about .* of one core"):
             self.assertRegex(printed.stdout, rf"(?m)^{line}")
         self.write("job.sh", printed.stdout)
-        self.write("base0.sh", printed.stdout.replace("--out out", "--out base0"))
+        self.write("base0.sh", printed.stdout.replace("--out 'out'", "--out 'base0'"))
         for job, tasks in (("job.sh", (2, 1, 3)), ("base0.sh", (0, 1, 2))):
             for task in tasks:
                 self.assert_done(self.run_words("bash", job, env={**os.environ, "SLURM_ARRAY_TASK_ID": str(task)}))
@@ -230,7 +230,7 @@ class Ways(Sweeps):
     @unittest.skipUnless(shutil.which("slurmctld", path=os.environ["PATH"] + ":/usr/sbin") and shutil.which("sbatch"), "needs Slurm")
     def test_slurm(self):
         self.write("job.sh", self.run_words(OPTIONS.program, "--sweep", "sweep.toml", "--out", "out", "--sbatch", "3").stdout)
-        self.write("base0.sh", (self.folder / "job.sh").read_text().replace("--out out", "--out base0"))
+        self.write("base0.sh", (self.folder / "job.sh").read_text().replace("--out 'out'", "--out 'base0'"))
         with Slurm(self.folder) as environment:
             done = [self.run_words("sbatch", "--wait", *words, env=environment) for words in (["job.sh"], ["--array=0-2", "base0.sh"])]
         said = "".join(path.read_text() for path in self.folder.glob("slurm-*.log"))
