@@ -22,7 +22,7 @@ using namespace trophic::analysis;
 constexpr std::size_t epochs = 4;
 constexpr std::size_t teams = 2;
 constexpr std::size_t team_size = 15;
-constexpr std::size_t alive = 16;
+constexpr std::size_t kept_alive = 16;
 
 /// The standard deviations of contact times, seconds: between individuals, between epochs of a run, and of contests at the same
 /// places. With them progress of a run scatters by 20 s; in 30 runs of `paper` on the kinematic backend it did by 17 to 24 s.
@@ -103,7 +103,7 @@ class Study {
   [[nodiscard]] double skill_of(const TeamName& team, bool shadow) const {
     const std::uint64_t population = ((team.replicate * epochs + team.epoch) * 2 + team.species) * 2 + (shadow ? 1 : 0);
     double skill = epochs_sd_s * normal(number_, 1, population, 0);
-    for (const std::size_t member : design_.members(team, shadow, alive, team_size)) {
+    for (const std::size_t member : design_.members(team, shadow, kept_alive, team_size)) {
       skill += individuals_s * normal(number_, 2, population, member) / static_cast<double>(team_size);
     }
     if (shadow || team.epoch < effect_.from_epoch) return skill;
