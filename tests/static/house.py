@@ -80,11 +80,18 @@ def header_start():
 
 
 def policies_have_tests():
-    """Each policy, each metric and each observer has a test file of its name."""
-    tests = {path.name for path in (ROOT / "tests").rglob("*_test.cpp")}
+    """Each policy has a test file of its name, or cases that begin with its name in the file of its slot; each metric and each observer has
+    a file."""
+    files = {path.name: path for path in (ROOT / "tests").rglob("*_test.cpp")}
     folders = [*(f"include/trophic/{kind}" for kind in ("perception", "reproduction", "death", "observe")), "tools/analysis"]
-    policies = [path for path in sources(*folders, suffixes=(".hpp",)) if path.stem not in ("contract", "brain_inputs") and "detail" not in path.parts]
-    return [f"{path.relative_to(ROOT)}: no tests/**/{path.stem}_test.cpp" for path in policies if f"{path.stem}_test.cpp" not in tests]
+    offences = []
+    for path in sources(*folders, suffixes=(".hpp",)):
+        if path.stem in ("contract", "brain_inputs") or "detail" in path.parts or f"{path.stem}_test.cpp" in files:
+            continue
+        slot = files.get("_".join(path.relative_to(ROOT / "include/trophic").parts[1:-1]) + "_test.cpp") if path.is_relative_to(ROOT / "include") else None
+        if not slot or not re.search(rf'^TEST_CASE\(\s*"{path.stem.replace("_", "[ -]")}[: ]', slot.read_text(), re.M | re.I):
+            offences.append(f"{path.relative_to(ROOT)}: no tests/**/{path.stem}_test.cpp, no case of its name in the file of its slot")
+    return offences
 
 
 def policies_in_suites():

@@ -23,6 +23,7 @@ PLANTED = (  # check, header, text, offence
     ("library_alone", "run.hpp", "#  include <mujoco/mujoco.h>", "the library cannot include mujoco/mujoco.h"),
     ("library_alone", "run.hpp", "#include <trophic/backend/mujoco.hpp>", "the library cannot include trophic/backend/mujoco.hpp"),
     ("paths_exist", "run.hpp", '// "see trophic/rules/lost.hpp"', "trophic/rules/lost.hpp does not exist"),
+    ("policies_have_tests", "death/floor/lost.hpp", "#pragma once", "death/floor/lost.hpp: no tests/**/lost_test.cpp"),
     ("complete_umbrella", "support/lost.hpp", "#pragma once", "trophic.hpp lacks #include <trophic/support/lost.hpp>"),
 )
 
@@ -35,9 +36,10 @@ def main() -> int:
     missed = []
     with tempfile.TemporaryDirectory() as folder:
         copy = pathlib.Path(folder)
-        shutil.copytree(ROOT / "include", copy / "include")
+        for part in ("include", "tests/unit"):
+            shutil.copytree(ROOT / part, copy / part)
         (copy / "backends/mujoco").mkdir(parents=True)
-        missed += [f"{check} finds in the tree as it is: {found}" for check in ("two_policies_per_slot", "library_alone", "complete_umbrella") if (found := offences(copy, check))]
+        missed += [f"{check} finds in the tree as it is: {found}" for check in ("two_policies_per_slot", "library_alone", "policies_have_tests", "complete_umbrella") if (found := offences(copy, check))]
         for check, header, text, offence in PLANTED:
             path = copy / "include/trophic" / header
             before = path.read_text() if path.exists() else None

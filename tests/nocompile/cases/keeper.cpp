@@ -16,7 +16,9 @@ struct Keeper {
   };
   State born(const trophic::Individual&, const State*, const State& body) const { return body; }
   void on_walk(State& own, trophic::BodyIndex, double distance_m, const trophic::View&) const { own.walked_m += distance_m; }
-  bool dies(const trophic::Individual&, const trophic::View&, trophic::Rng&, const State& own) const { return own.walked_m > 100.0; }
+  bool dies(const trophic::Individual&, const trophic::View&, trophic::Rng&, const State& own) const {
+    return own.walked_m > 100.0;
+  }
 };
 
 int main() {

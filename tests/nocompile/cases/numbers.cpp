@@ -11,7 +11,8 @@ struct Numbers {
   double length_m = 1.0;
   std::string label = "none";
   static constexpr auto fields() {
-    return std::tuple{trophic::field("length_m", &Numbers::length_m, trophic::above(0.0)), trophic::field("label", &Numbers::label)};
+    return std::tuple{trophic::field("length_m", &Numbers::length_m, trophic::above(0.0)),
+                      trophic::field("label", &Numbers::label)};
   }
 };
 
