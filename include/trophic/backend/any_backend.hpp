@@ -15,7 +15,6 @@
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/support/colour.hpp>
-#include <utility>
 
 namespace trophic {
 
@@ -23,148 +22,119 @@ namespace trophic {
 /// 60 times a second and robot, so the cost of virtual calls is negligible.
 class AnyBackend {
  public:
-  /// Builds a backend of type B. Throws as its constructor does.
-  template <Backend B>
-  AnyBackend(std::in_place_type_t<B>, const RobotModel& robot, const Arena& arena, std::span<const Pose> starts,
-             const Physics& physics, const typename B::Params& params)
-      : bodies_{std::make_unique<BodiesIn<B>>(robot, arena, starts, physics, params)} {}
+  AnyBackend(const AnyBackend&) = delete;
+  AnyBackend& operator=(const AnyBackend&) = delete;
+  virtual ~AnyBackend() = default;
 
-  void advance_to(double time_s) { bodies_->advance_to(time_s); }
-  [[nodiscard]] std::size_t robots() const { return bodies_->robots(); }
-  [[nodiscard]] double time_s() const { return bodies_->time_s(); }
-  [[nodiscard]] Pose pose(std::size_t robot) const { return bodies_->pose(robot); }
-  [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const { return bodies_->joint_angles(robot); }
+  virtual void advance_to(double time_s) = 0;
+  [[nodiscard]] virtual std::size_t robots() const = 0;
+  [[nodiscard]] virtual double time_s() const = 0;
+  [[nodiscard]] virtual Pose pose(std::size_t robot) const = 0;
+  [[nodiscard]] virtual std::span<const double> joint_angles(std::size_t robot) const = 0;
 
   /// Whether robots are driven by joint targets; otherwise by the target angle alone.
-  [[nodiscard]] bool has_joints() const { return bodies_->has_joints(); }
+  [[nodiscard]] virtual bool has_joints() const = 0;
   /// Throws std::logic_error if the backend has no joints.
-  void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) {
-    bodies_->set_joint_targets(robot, targets_rad);
-  }
+  virtual void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) = 0;
   /// Throws std::logic_error if the backend has joints.
-  void set_target_angle(std::size_t robot, double target_angle_rad) { bodies_->set_target_angle(robot, target_angle_rad); }
+  virtual void set_target_angle(std::size_t robot, double target_angle_rad) = 0;
 
-  /// Whether bodies can be exchanged (Embodying).
-  [[nodiscard]] bool can_embody() const { return bodies_->can_embody(); }
-  /// Throws std::logic_error if the backend cannot exchange bodies.
-  void embody(std::size_t robot, const RobotModel& model, const Pose& pose) { bodies_->embody(robot, model, pose); }
+  /// Throws std::logic_error if the backend cannot exchange bodies (Embodying).
+  virtual void embody(std::size_t robot, const RobotModel& model, const Pose& pose) = 0;
 
   /// A sentence if the backend has been much slower than its parameters promise (its own speed_remark()); else empty.
-  [[nodiscard]] std::string speed_remark() const { return bodies_->speed_remark(); }
-
+  [[nodiscard]] virtual std::string speed_remark() const = 0;
   /// The share of steps that the engine itself took (its own engine_share()); 0 without such a function.
-  [[nodiscard]] double engine_share() const { return bodies_->engine_share(); }
+  [[nodiscard]] virtual double engine_share() const = 0;
   /// Writes the engine's model, robots in these colours (its own save_mjcf). Returns false for an engine without such a file.
-  [[nodiscard]] bool save_mjcf(const std::string& path, std::span<const Colour> colours) const {
-    return bodies_->save_mjcf(path, colours);
-  }
+  [[nodiscard]] virtual bool save_mjcf(const std::string& path, std::span<const Colour> colours) const = 0;
 
   /// The backend's State, for `restore` of the same AnyBackend.
-  [[nodiscard]] std::any save() const { return bodies_->save(); }
-  void restore(const std::any& state) { bodies_->restore(state); }
+  [[nodiscard]] virtual std::any save() const = 0;
+  virtual void restore(const std::any& state) = 0;
   /// Writes the backend's State to an archive, or reads and restores it.
-  void persist(Archive& archive) { bodies_->persist(archive); }
+  virtual void persist(Archive& archive) = 0;
 
   /// The backend itself; null if it is not a B.
   template <Backend B>
-  [[nodiscard]] const B* as() const {
-    const auto* bodies = dynamic_cast<const BodiesIn<B>*>(bodies_.get());
-    return bodies == nullptr ? nullptr : &bodies->backend;
+  [[nodiscard]] const B* as() const;
+
+ protected:
+  AnyBackend() = default;
+};
+
+/// The bodies of one run in a backend of type B.
+template <Backend B>
+class BackendOf final : public AnyBackend {
+  static_assert(JointDriven<B> || SteeringDriven<B>,
+                "a backend needs void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) or "
+                "void set_target_angle(std::size_t robot, double target_angle_rad); see trophic/backend/contract.hpp");
+
+ public:
+  /// Throws as B's constructor does.
+  BackendOf(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,
+            const typename B::Params& params)
+      : backend(robot, arena, starts, physics, params) {}
+
+  void advance_to(double time_s) override { backend.advance_to(time_s); }
+  [[nodiscard]] std::size_t robots() const override { return backend.robots(); }
+  [[nodiscard]] double time_s() const override { return backend.time_s(); }
+  [[nodiscard]] Pose pose(std::size_t robot) const override { return backend.pose(robot); }
+  [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const override { return backend.joint_angles(robot); }
+  [[nodiscard]] bool has_joints() const override { return JointDriven<B>; }
+  void set_joint_targets([[maybe_unused]] std::size_t robot, [[maybe_unused]] std::span<const double> targets_rad) override {
+    if constexpr (JointDriven<B>) {
+      backend.set_joint_targets(robot, targets_rad);
+    } else {
+      throw std::logic_error{"backend " + std::string{B::name} + ": has no joints to set targets of"};
+    }
+  }
+  void set_target_angle([[maybe_unused]] std::size_t robot, [[maybe_unused]] double target_angle_rad) override {
+    if constexpr (SteeringDriven<B> && !JointDriven<B>) {
+      backend.set_target_angle(robot, target_angle_rad);
+    } else {
+      throw std::logic_error{"backend " + std::string{B::name} + ": is driven by joint targets, not by a target angle"};
+    }
+  }
+  void embody([[maybe_unused]] std::size_t robot, [[maybe_unused]] const RobotModel& model,
+              [[maybe_unused]] const Pose& pose) override {
+    if constexpr (Embodying<B>) {
+      backend.embody(robot, model, pose);
+    } else {
+      throw std::logic_error{"backend " + std::string{B::name} + ": cannot exchange bodies"};
+    }
+  }
+  [[nodiscard]] std::string speed_remark() const override {
+    if constexpr (requires { backend.speed_remark(); }) return backend.speed_remark();
+    return {};
+  }
+  [[nodiscard]] double engine_share() const override {
+    if constexpr (requires { backend.engine_share(); }) return backend.engine_share();
+    return 0.0;
+  }
+  [[nodiscard]] bool save_mjcf([[maybe_unused]] const std::string& path,
+                               [[maybe_unused]] std::span<const Colour> colours) const override {
+    if constexpr (requires { backend.save_mjcf(path, colours); }) {
+      backend.save_mjcf(path, colours);
+      return true;
+    }
+    return false;
+  }
+  [[nodiscard]] std::any save() const override { return backend.save(); }
+  void restore(const std::any& state) override { backend.restore(std::any_cast<const typename B::State&>(state)); }
+  void persist(Archive& archive) override {
+    typename B::State state = backend.save();
+    archive(state);
+    if (archive.reads()) backend.restore(state);
   }
 
- private:
-  class Bodies {
-   public:
-    Bodies() = default;
-    Bodies(const Bodies&) = delete;
-    Bodies& operator=(const Bodies&) = delete;
-    virtual ~Bodies() = default;
-    virtual void advance_to(double time_s) = 0;
-    [[nodiscard]] virtual std::size_t robots() const = 0;
-    [[nodiscard]] virtual double time_s() const = 0;
-    [[nodiscard]] virtual Pose pose(std::size_t robot) const = 0;
-    [[nodiscard]] virtual std::span<const double> joint_angles(std::size_t robot) const = 0;
-    [[nodiscard]] virtual bool has_joints() const = 0;
-    virtual void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) = 0;
-    virtual void set_target_angle(std::size_t robot, double target_angle_rad) = 0;
-    [[nodiscard]] virtual bool can_embody() const = 0;
-    virtual void embody(std::size_t robot, const RobotModel& model, const Pose& pose) = 0;
-    [[nodiscard]] virtual std::string speed_remark() const = 0;
-    [[nodiscard]] virtual double engine_share() const = 0;
-    [[nodiscard]] virtual bool save_mjcf(const std::string& path, std::span<const Colour> colours) const = 0;
-    [[nodiscard]] virtual std::any save() const = 0;
-    virtual void restore(const std::any& state) = 0;
-    virtual void persist(Archive& archive) = 0;
-  };
-
-  template <Backend B>
-  class BodiesIn final : public Bodies {
-    static_assert(JointDriven<B> || SteeringDriven<B>,
-                  "a backend needs void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) or "
-                  "void set_target_angle(std::size_t robot, double target_angle_rad); see trophic/backend/contract.hpp");
-
-   public:
-    BodiesIn(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,
-             const typename B::Params& params)
-        : backend(robot, arena, starts, physics, params) {}
-
-    void advance_to(double time_s) override { backend.advance_to(time_s); }
-    [[nodiscard]] std::size_t robots() const override { return backend.robots(); }
-    [[nodiscard]] double time_s() const override { return backend.time_s(); }
-    [[nodiscard]] Pose pose(std::size_t robot) const override { return backend.pose(robot); }
-    [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const override { return backend.joint_angles(robot); }
-    [[nodiscard]] bool has_joints() const override { return JointDriven<B>; }
-    void set_joint_targets([[maybe_unused]] std::size_t robot, [[maybe_unused]] std::span<const double> targets_rad) override {
-      if constexpr (JointDriven<B>) {
-        backend.set_joint_targets(robot, targets_rad);
-      } else {
-        throw std::logic_error{"backend " + std::string{B::name} + ": has no joints to set targets of"};
-      }
-    }
-    void set_target_angle([[maybe_unused]] std::size_t robot, [[maybe_unused]] double target_angle_rad) override {
-      if constexpr (SteeringDriven<B> && !JointDriven<B>) {
-        backend.set_target_angle(robot, target_angle_rad);
-      } else {
-        throw std::logic_error{"backend " + std::string{B::name} + ": is driven by joint targets, not by a target angle"};
-      }
-    }
-    [[nodiscard]] bool can_embody() const override { return Embodying<B>; }
-    void embody([[maybe_unused]] std::size_t robot, [[maybe_unused]] const RobotModel& model,
-                [[maybe_unused]] const Pose& pose) override {
-      if constexpr (Embodying<B>) {
-        backend.embody(robot, model, pose);
-      } else {
-        throw std::logic_error{"backend " + std::string{B::name} + ": cannot exchange bodies"};
-      }
-    }
-    [[nodiscard]] std::string speed_remark() const override {
-      if constexpr (requires { backend.speed_remark(); }) return backend.speed_remark();
-      return {};
-    }
-    [[nodiscard]] double engine_share() const override {
-      if constexpr (requires { backend.engine_share(); }) return backend.engine_share();
-      return 0.0;
-    }
-    [[nodiscard]] bool save_mjcf([[maybe_unused]] const std::string& path,
-                                 [[maybe_unused]] std::span<const Colour> colours) const override {
-      if constexpr (requires { backend.save_mjcf(path, colours); }) {
-        backend.save_mjcf(path, colours);
-        return true;
-      }
-      return false;
-    }
-    [[nodiscard]] std::any save() const override { return backend.save(); }
-    void restore(const std::any& state) override { backend.restore(std::any_cast<const typename B::State&>(state)); }
-    void persist(Archive& archive) override {
-      typename B::State state = backend.save();
-      archive(state);
-      if (archive.reads()) backend.restore(state);
-    }
-
-    B backend;
-  };
-
-  std::unique_ptr<Bodies> bodies_;
+  B backend;
 };
+
+template <Backend B>
+const B* AnyBackend::as() const {
+  const auto* own = dynamic_cast<const BackendOf<B>*>(this);
+  return own == nullptr ? nullptr : &own->backend;
+}
 
 }  // namespace trophic

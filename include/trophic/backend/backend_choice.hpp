@@ -57,8 +57,8 @@ class BackendChoice {
   }
 
   /// The backend with one body for each start pose. Throws as the backend's constructor does.
-  [[nodiscard]] AnyBackend build(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts,
-                                 const Physics& physics) const {
+  [[nodiscard]] std::unique_ptr<AnyBackend> build(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts,
+                                                  const Physics& physics) const {
     return choice_->build(robot, arena, starts, physics);
   }
 
@@ -78,8 +78,8 @@ class BackendChoice {
     [[nodiscard]] virtual std::size_t* threads() = 0;
     virtual void validate(std::string_view path) const = 0;
     virtual void append_param_refs(std::string_view path, ParamRefs& refs) = 0;
-    [[nodiscard]] virtual AnyBackend build(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts,
-                                           const Physics& physics) const = 0;
+    [[nodiscard]] virtual std::unique_ptr<AnyBackend> build(const RobotModel& robot, const Arena& arena,
+                                                            std::span<const Pose> starts, const Physics& physics) const = 0;
   };
 
   template <Backend B>
@@ -98,9 +98,9 @@ class BackendChoice {
     }
     void validate(std::string_view path) const override { trophic::validate(params, path); }
     void append_param_refs(std::string_view path, ParamRefs& refs) override { detail::append_param_refs(params, path, refs); }
-    [[nodiscard]] AnyBackend build(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts,
-                                   const Physics& physics) const override {
-      return AnyBackend{std::in_place_type<B>, robot, arena, starts, physics, params};
+    [[nodiscard]] std::unique_ptr<AnyBackend> build(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts,
+                                                    const Physics& physics) const override {
+      return std::make_unique<BackendOf<B>>(robot, arena, starts, physics, params);
     }
 
     typename B::Params params;

@@ -6,6 +6,7 @@
 #include <any>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <trophic/backend/any_backend.hpp>
@@ -32,8 +33,8 @@
 
 namespace trophic {
 
-/// The robots of a population in a backend. Each has the body and the gait of its individual's phenotype; if these differ,
-/// `embody` sets a newborn's body down and starts its gait.
+/// The robots of a population in a backend. Each has the body and the gait of its individual's phenotype; if these
+/// phenotypes_differ, `embody` sets a newborn's body down and starts its gait.
 template <class Rules>
 class Bodies {
  public:
@@ -55,12 +56,12 @@ class Bodies {
         times_{.steps = control_steps_per_tick(params.ecology),
                .tick_s = params.ecology.tick_s,
                .clock_scale = params.ecology.clock_scale} {
-    if (differ) locomotion_.separate();
+    if (phenotypes_differ) locomotion_.separate();
     population_.stand_at(poses_);
   }
 
   [[nodiscard]] std::span<const GroundPose> poses() const { return poses_; }
-  [[nodiscard]] const AnyBackend& backend() const { return backend_; }
+  [[nodiscard]] const AnyBackend& backend() const { return *backend_; }
 
   /// Passes observers the frame at the start of the run if they want it.
   void show_start(observe::Audience& audience, double clock_s) const {
@@ -72,16 +73,16 @@ class Bodies {
 
   /// Gives a body the phenotype of its individual. Founders are embodied in order, each among the `standing` ones before it.
   void embody(BodyIndex body, std::size_t standing) {
-    if (has_bodies) {
+    if (bodies_differ) {
       const Pose pose = rules_.embodiment.set_down(poses_[body], robot_in(body), habitat_.arena, boxes_near(body, standing));
-      backend_.embody(body, robot_in(body), pose);
+      backend_->embody(body, robot_in(body), pose);
       poses_[body] = on_ground(body);
       population_.stand_at(poses_);
     }
-    if (differ) walk_by(body);
+    if (phenotypes_differ) walk_by(body);
   }
   void embody_founders() {
-    for (BodyIndex body = 0; differ && body < poses_.size(); ++body) embody(body, body);
+    for (BodyIndex body = 0; phenotypes_differ && body < poses_.size(); ++body) embody(body, body);
   }
 
   /// Moves all bodies through the tick that begins at `clock_s`. Returns false, with everything as before, if an observer
@@ -90,7 +91,7 @@ class Bodies {
   template <class End>
   [[nodiscard]] bool move(observe::Audience& audience, double clock_s, const End& end) {
     const bool ends_individuals =
-        has_bodies && initialization::ask::divergence(rules_.embodiment) == initialization::Divergence::ends_individual;
+        bodies_differ && initialization::ask::divergence(rules_.embodiment) == initialization::Divergence::ends_individual;
     for (std::vector<BodyIndex> ended; true;) {
       const auto before = ends_individuals && ended.size() < most_ended ? std::optional{motion()} : std::nullopt;
       try {
@@ -115,18 +116,18 @@ class Bodies {
     archive(poses_);
     if (archive.reads()) {
       detail::check_saved_poses(poses_, population_.individuals().size());
-      for (BodyIndex body = 0; differ && body < poses_.size(); ++body) take_shape(body);
+      for (BodyIndex body = 0; phenotypes_differ && body < poses_.size(); ++body) take_shape(body);
     }
     auto rhythms = locomotion_.save();
-    archive(rhythms, backend_);
+    archive(rhythms, *backend_);
     if (!archive.reads()) return;
     locomotion_.restore(rhythms);
     population_.stand_at(poses_);
   }
 
  private:
-  static constexpr bool differ = Phenotypes<Rules>::differ;
-  static constexpr bool has_bodies = BodyGenes<Rules>::differ;
+  static constexpr bool phenotypes_differ = Phenotypes<Rules>::differ;
+  static constexpr bool bodies_differ = BodyGenes<Rules>::differ;
   static constexpr std::size_t most_ended = 1000;     ///< individuals in a tick; then the run ends
   static constexpr std::ptrdiff_t most_replaced = 5;  ///< times that one body is replaced in a tick before those next to it
 
@@ -137,9 +138,9 @@ class Bodies {
     std::any bodies;
     typename Locomotion::State rhythms;
   };
-  [[nodiscard]] Motion motion() const { return {backend_.save(), locomotion_.save()}; }
+  [[nodiscard]] Motion motion() const { return {backend_->save(), locomotion_.save()}; }
   void restore(const Motion& motion) {
-    backend_.restore(motion.bodies);
+    backend_->restore(motion.bodies);
     locomotion_.restore(motion.rhythms);
   }
 
@@ -152,10 +153,10 @@ class Bodies {
   };
   [[nodiscard]] Poses poses_after(std::int64_t step) const {
     Poses now{.step = step};
-    for (BodyIndex body = 0; body < backend_.robots(); ++body) {
-      now.roots.push_back(backend_.pose(body));
+    for (BodyIndex body = 0; body < backend_->robots(); ++body) {
+      now.roots.push_back(backend_->pose(body));
       now.first_angle.push_back(now.joint_angles_rad.size());
-      const std::span<const double> own = backend_.joint_angles(body);
+      const std::span<const double> own = backend_->joint_angles(body);
       now.joint_angles_rad.insert(now.joint_angles_rad.end(), own.begin(), own.end());
     }
     return now;
@@ -191,12 +192,12 @@ class Bodies {
   [[nodiscard]] bool advance(observe::Audience& audience, double clock_s) {
     std::vector<double> target_angles_rad;
     for (const Individual& individual : population_.individuals()) target_angles_rad.push_back(individual.target_angle_rad);
-    const auto before = backend_.has_joints() && audience.may_cancel() ? std::optional{motion()} : std::nullopt;
+    const auto before = backend_->has_joints() && audience.may_cancel() ? std::optional{motion()} : std::nullopt;
     const auto is_cancelled = [&] { return before && audience.cancels_tick(); };
     std::vector<Poses> frames;
     for (std::int64_t step = 0; step < times_.steps;) {
       const std::int64_t next = audience.next_frame(times_, step);
-      if (!locomotion_.advance(backend_, next - step, target_angles_rad, is_cancelled)) {
+      if (!locomotion_.advance(*backend_, next - step, target_angles_rad, is_cancelled)) {
         restore(*before);
         return false;
       }
@@ -213,7 +214,7 @@ class Bodies {
   }
 
   [[nodiscard]] GroundPose on_ground(BodyIndex body) const {
-    const Pose root = backend_.pose(body);
+    const Pose root = backend_->pose(body);
     const double heading_rad = rules_.heading.heading_rad(root, robot_in(body).forward_rad);
     return {.x_m = root.position_m.x(), .y_m = root.position_m.y(), .heading_rad = heading_rad};
   }
@@ -224,11 +225,11 @@ class Bodies {
     for (BodyIndex other = 0; other < standing; ++other) {
       if (other == body) continue;
       const RobotModel& robot = robot_in(other);
-      const Pose root = backend_.pose(other);
+      const Pose root = backend_->pose(other);
       const GroundPose there{.x_m = root.position_m.x(), .y_m = root.position_m.y()};
       const double most_m = 3.0 * robot_in(body).bounding_radius_m + robot.bounding_radius_m;
       if (distance_m(poses_[body], there) > most_m) continue;
-      const auto boxes = placed_boxes(robot, root, backend_.joint_angles(other));
+      const auto boxes = placed_boxes(robot, root, backend_->joint_angles(other));
       near.insert(near.end(), boxes.begin(), boxes.end());
     }
     return near;
@@ -240,7 +241,7 @@ class Bodies {
   void take_shape(BodyIndex body) {
     const RobotModel& robot = robot_in(body);
     const Pose any{.position_m = {0.0, 0.0, robot.rest_height_m}, .orientation = Eigen::Quaterniond::Identity()};
-    if (has_bodies) backend_.embody(body, robot, any);
+    if (bodies_differ) backend_->embody(body, robot, any);
     walk_by(body);
   }
 
@@ -248,7 +249,7 @@ class Bodies {
   const Habitat& habitat_;
   Population<Rules>& population_;
   std::vector<GroundPose> poses_;
-  AnyBackend backend_;
+  std::unique_ptr<AnyBackend> backend_;
   Locomotion locomotion_;
   observe::FrameTimes times_;
   std::vector<GroundPose> poses_before_;

@@ -33,15 +33,15 @@ class EngineNursery final : public Nursery {
   [[nodiscard]] std::optional<double> walked_m(const RobotModel& robot, const Gait& gait, double duration_s) const override {
     BackendChoice alone = choice_;
     if (std::size_t* threads = alone.threads()) *threads = 1;
-    AnyBackend backend = alone.build(robot, arena_, standing_poses(std::array{GroundPose{}}, robot), physics_);
+    const auto backend = alone.build(robot, arena_, standing_poses(std::array{GroundPose{}}, robot), physics_);
     locomotion::Locomotion<SteeringRule> locomotion{robot, gait, steering_, 1, {ecology_.control_hz, ecology_.cpg_integration}};
     const std::int64_t steps = std::max<std::int64_t>(1, std::llround(duration_s * ecology_.control_hz));
     try {
-      locomotion.advance(backend, steps, std::array{0.0}, [] { return false; });
+      locomotion.advance(*backend, steps, std::array{0.0}, [] { return false; });
     } catch (const Diverged&) {
       return std::nullopt;
     }
-    return backend.pose(0).position_m.x();
+    return backend->pose(0).position_m.x();
   }
 
  private:
