@@ -70,7 +70,6 @@
 #include <trophic/death/starvation/interval/never_due.hpp>
 #include <trophic/death/starvation/no_starvation.hpp>
 #include <trophic/death/starvation/procedure.hpp>
-#include <trophic/ecology/ask_brain.hpp>
 #include <trophic/ecology/bodies.hpp>
 #include <trophic/ecology/body_genes.hpp>
 #include <trophic/ecology/brain_genes.hpp>
@@ -114,7 +113,6 @@
 #include <trophic/habitat/load/models.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/habitat/load/toml_table.hpp>
-#include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/habitat/nursery.hpp>
 #include <trophic/habitat/physics.hpp>
 #include <trophic/habitat/pose.hpp>
@@ -253,10 +251,9 @@
 #include <trophic/rules/check.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/params.hpp>
-#include <trophic/rules/print_table.hpp>
-#include <trophic/rules/printed_rules.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/rules/rule_states.hpp>
+#include <trophic/rules/slot_rule.hpp>
 #include <trophic/rules/slots.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/rules/with.hpp>

@@ -8,12 +8,12 @@
 #include <optional>
 #include <string>
 #include <tools/command/read_parameters.hpp>
+#include <tools/experiment/printed_rules.hpp>
 #include <tools/replicates/rewind.hpp>
 #include <trophic/io/manifest.hpp>
 #include <trophic/io/own_table.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/run_description.hpp>
-#include <trophic/rules/printed_rules.hpp>
 #include <trophic/run/checkpoint/schedule.hpp>
 #include <vector>
 
@@ -52,13 +52,13 @@ struct ExperimentOptions {
   std::vector<std::uint64_t> run;  ///< numbers of its runs; empty: all of them
   bool plan = false;
   bool dry_run = false;
-  std::string print_table;                       ///< markdown or latex; empty: no table is printed
-  std::optional<std::string> unlike;             ///< rule table from which the printed one is to differ
-  std::vector<rules::PrintedRule> unlike_rules;  ///< of that table
-  bool status = false;                           ///< of a sweep
-  std::optional<std::uint64_t> sbatch;           ///< tasks of the Slurm script to print
-  std::string play;                              ///< file of contests
-  std::string program;                           ///< as it was called
+  std::string print_table;                ///< markdown or latex; empty: no table is printed
+  std::optional<std::string> unlike;      ///< rule table from which the printed one is to differ
+  std::vector<PrintedRule> unlike_rules;  ///< of that table
+  bool status = false;                    ///< of a sweep
+  std::optional<std::uint64_t> sbatch;    ///< tasks of the Slurm script to print
+  std::string play;                       ///< file of contests
+  std::string program;                    ///< as it was called
   io::Provenance provenance;
   io::OwnTables own_tables;  ///< the program's own tables, written by each run
 };

@@ -212,7 +212,8 @@ int run_chosen(ExperimentOptions& options, const Offer& offer) {
   check_made_for(config, table, backend);
   if (options.unlike) {
     check_rule_table("--unlike", *options.unlike, offer);
-    options.unlike_rules = find_experiment(offer, *options.unlike, backend)->printed_rules();
+    const auto other = find_experiment(offer, *options.unlike, backend);
+    options.unlike_rules = printed_rules(other->slot_rules(), named_params_of(other->params()));
   }
   if (options.out.empty() && options.save_mjcf.empty()) {
     options.out = io::next_free_folder(std::filesystem::path{"runs"} / options.program).string();

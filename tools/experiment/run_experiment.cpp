@@ -19,6 +19,7 @@
 #include <tools/command/read_parameters.hpp>
 #include <tools/command/run_command.hpp>
 #include <tools/command/toml_of_json.hpp>
+#include <tools/command/toml_writer.hpp>
 #include <tools/experiment/experiment_of.hpp>
 #include <tools/experiment/run_experiment.hpp>
 #include <tools/pictures/species_colour.hpp>
@@ -26,7 +27,6 @@
 #include <tools/replicates/rewind.hpp>
 #include <tools/replicates/run_in_folder.hpp>
 #include <tools/replicates/run_with_shadow.hpp>
-#include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/io/state_log.hpp>
 #include <trophic/observe/progress.hpp>
@@ -323,9 +323,9 @@ int run_experiment(const AnyExperiment& chosen, const ExperimentOptions& options
   if (options.print_config)
     return detail::print_config(chosen.rule_table(), experiment->backend().name(), named_params_of(experiment->params()));
   if (!options.print_table.empty()) {
-    std::vector<rules::PrintedRule> rules = experiment->printed_rules();
-    if (!options.unlike_rules.empty()) rules = rules::unlike(rules, options.unlike_rules);
-    return print_text(options.print_table == "latex" ? rules::latex_table(rules) : rules::markdown_table(rules));
+    std::vector<PrintedRule> rules = printed_rules(experiment->slot_rules(), named_params_of(experiment->params()));
+    if (!options.unlike_rules.empty()) rules = unlike(rules, options.unlike_rules);
+    return print_text(options.print_table == "latex" ? latex_table(rules) : markdown_table(rules));
   }
   if (options.replicates) return detail::run_replicates(chosen, options, config, *experiment, origin);
   return detail::run_once(options, *experiment, detail::simulations(chosen, options, config, *experiment, false), origin,

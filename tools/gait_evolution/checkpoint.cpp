@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <tools/command/toml_writer.hpp>
 #include <tools/gait_evolution/genome_toml.hpp>
-#include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/params/params.hpp>
 #include <utility>
 #include <vector>

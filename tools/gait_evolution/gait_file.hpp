@@ -4,11 +4,15 @@
 
 #include <string>
 #include <string_view>
+#include <tools/command/toml_writer.hpp>
 #include <tools/gait_evolution/genome.hpp>
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/params/named_params.hpp>
 
 namespace trophic::gait_evolution {
+
+/// Writes a gait so that `load_gait` reads back exactly the same one; pairs with weight 0 are omitted.
+void put_gait(TomlWriter& writer, const Gait& gait);
 
 /// The text of a gait file (format: models/README.md) with the tables [cppn], the genome, and [evolution], the provenance with
 /// all parameters below it. `load_gait` reads the gait, `load_cppn` the genome.

@@ -2,9 +2,9 @@
 // A CPPN genome as TOML, exact to the bit.
 #pragma once
 
+#include <tools/command/toml_writer.hpp>
 #include <tools/gait_evolution/genome.hpp>
 #include <trophic/habitat/load/toml_table.hpp>
-#include <trophic/habitat/load/toml_writer.hpp>
 
 namespace trophic::gait_evolution {
 

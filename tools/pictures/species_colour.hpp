@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The colours of species in every picture: page, film, window, saved worlds.
+// The colours of species in films, replays and saved worlds.
 #pragma once
 
 #include <array>

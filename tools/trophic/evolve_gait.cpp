@@ -16,12 +16,12 @@
 #include <tools/command/option.hpp>
 #include <tools/command/output.hpp>
 #include <tools/command/read_parameters.hpp>
+#include <tools/command/toml_writer.hpp>
 #include <tools/command/words.hpp>
 #include <tools/gait_evolution/archive.hpp>
 #include <tools/gait_evolution/pre_experiment.hpp>
 #include <tools/gait_evolution/tables.hpp>
 #include <trophic/habitat/load/robot.hpp>
-#include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/stop_on_signal.hpp>

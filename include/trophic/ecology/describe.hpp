@@ -47,12 +47,11 @@ template <class Rules>
                               .clock_scale = experiment.ecology.clock_scale,
                               .until_s = until_s,
                               .fingerprint = {}};
-  const auto add = [&](std::string_view slot, std::string_view policy) { run.slots.emplace_back(slot, policy); };
+  for (const rules::SlotRule& rule : experiment.shadow ? rules::slot_rules<Shadow>() : rules::slot_rules<Rules>()) {
+    run.slots.emplace_back(rule.slot, rule.policy);
+  }
   if (experiment.shadow) {
-    for_each_rule<Shadow>(add);
     std::erase_if(run.named_params, [](const NamedParam& param) { return param.path.starts_with("rules.heredity."); });
-  } else {
-    for_each_rule<Rules>(add);
   }
   run.brains_grow = BrainGenes<Rules>::grow;
   run.bodies_differ = BodyGenes<Rules>::differ;

@@ -3,19 +3,25 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <trophic/backend/backend_choice.hpp>
-#include <trophic/ecology/ask_brain.hpp>
+#include <trophic/control/brain/contract.hpp>
 #include <trophic/ecology/lineup.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/physics.hpp>
 #include <trophic/params/named_params.hpp>
-#include <trophic/rules/printed_rules.hpp>
+#include <trophic/rules/slot_rule.hpp>
 #include <vector>
 
 namespace trophic {
+
+/// Returns the decision of a brain with these weights for these inputs. A brain with a State has its initial one. Throws
+/// std::invalid_argument for inputs or weights that the brain does not take.
+using AskBrain = std::function<control::Decision(std::span<const double> inputs, std::span<const double> weights)>;
 
 /// Starts with the parameters of its rule table and backend.
 class AnyExperiment {
@@ -35,8 +41,8 @@ class AnyExperiment {
   [[nodiscard]] virtual EcologyParams& ecology() = 0;
   [[nodiscard]] virtual const Physics& physics() const = 0;
   [[nodiscard]] virtual BackendChoice& backend() = 0;
-  /// The rules with their parameters and sources.
-  [[nodiscard]] virtual std::vector<rules::PrintedRule> printed_rules() const = 0;
+  /// The rules of its table.
+  [[nodiscard]] virtual std::vector<rules::SlotRule> slot_rules() const = 0;
   /// Makes its ecologies with the present parameters, or those of its neutral shadow.
   [[nodiscard]] virtual MakeSimulation simulations(bool shadow) const = 0;
   /// Makes contests in its arena, with its brains and backend.

@@ -2,17 +2,22 @@
 // Experiments of a rule table on any backend.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <span>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <trophic/backend/backend_choice.hpp>
+#include <trophic/control/brain/contract.hpp>
+#include <trophic/ecology/checked_experiment.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/shipped.hpp>
 #include <trophic/ecology/simulations_of.hpp>
 #include <trophic/experiment/any_experiment.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/params/named_params.hpp>
-#include <trophic/rules/print_table.hpp>
 #include <trophic/rules/table.hpp>
 #include <utility>
 #include <vector>
@@ -38,14 +43,36 @@ class TableExperiment final : public AnyExperiment {
   [[nodiscard]] EcologyParams& ecology() override { return experiment_.ecology; }
   [[nodiscard]] const Physics& physics() const override { return experiment_.physics; }
   [[nodiscard]] BackendChoice& backend() override { return backend_; }
-  [[nodiscard]] std::vector<rules::PrintedRule> printed_rules() const override {
-    return rules::printed_rules<Rules>(experiment_.rules, experiment_.ecology, experiment_.physics);
-  }
+  [[nodiscard]] std::vector<rules::SlotRule> slot_rules() const override { return rules::slot_rules<Rules>(); }
   [[nodiscard]] MakeSimulation simulations(bool shadow) const override {
     return simulations_of(shadow ? shadow_of(experiment_) : experiment_, backend_);
   }
-  [[nodiscard]] MakeContest contests() const override { return contests_of(experiment_, backend_); }
-  [[nodiscard]] AskBrain brain() const override { return ask_brain(experiment_); }
+  /// The arena is loaded once. Throws as the ecology's constructor does.
+  [[nodiscard]] MakeContest contests() const override {
+    return [loaded = load_checked(experiment_, backend_, TROPHIC_MODEL_DIR)](std::uint64_t places, Lineup lineup) {
+      Experiment<Rules> own = loaded.params;
+      own.seed = places;
+      own.ecology.robots = lineup.size();
+      own.lineup = std::move(lineup);
+      return std::make_unique<Ecology<Rules>>(std::move(own), loaded.backend, loaded.habitat);
+    };
+  }
+  [[nodiscard]] AskBrain brain() const override {
+    using Brain = PolicyIn<Rules, RuleSlot::brain>;
+    return
+        [brain = make_policies<Rules>(experiment_.rules).brain](std::span<const double> inputs, std::span<const double> weights) {
+          constexpr std::size_t taken = PolicyIn<Rules, RuleSlot::sensors>::size;
+          const auto check = [](bool good, std::string_view what, std::size_t given, const std::string& must) {
+            if (good) return;
+            throw std::invalid_argument{std::string{what} + ": " + std::to_string(given) + ": must be " + must +
+                                        ", as the rule table's brain takes"};
+          };
+          check(inputs.size() == taken, "inputs", inputs.size(), std::to_string(taken));
+          check(control::ask::fits(brain, weights, taken), "weights", weights.size(), control::ask::demand(brain, taken));
+          StateOf<Brain> own{};
+          return control::ask::decide(brain, own, inputs, weights);
+        };
+  }
 
  private:
   BackendChoice default_backend_;

@@ -8,9 +8,11 @@
 #include <trophic/params/policy.hpp>
 #include <trophic/rules/check.hpp>
 #include <trophic/rules/params.hpp>
+#include <trophic/rules/slot_rule.hpp>
 #include <trophic/rules/slots.hpp>
 #include <trophic/rules/with.hpp>
 #include <utility>
+#include <vector>
 
 namespace trophic {
 
@@ -31,13 +33,21 @@ template <class Rules>
   (std::make_index_sequence<rules::slot_names.size()>{});
 }
 
-/// Calls `visit(slot_name, policy_name)` for each slot with a policy other than its neutral one.
-template <class Rules, class Visitor>
-void for_each_rule(Visitor&& visit) {
+namespace rules {
+
+/// The rules of a table, in the order of slots. A slot with its neutral policy is left out.
+template <class Rules>
+[[nodiscard]] std::vector<SlotRule> slot_rules() {
+  std::vector<SlotRule> all;
   for_each_slot([&]<RuleSlot slot>() {
-    if constexpr (!is_neutral<Rules, slot>) visit(slot_name(slot), detail::policy_name<PolicyIn<Rules, slot>>());
+    using Policy = PolicyIn<Rules, slot>;
+    if (is_neutral<Rules, slot>) return;
+    all.push_back({slot_kind(slot), slot_name(slot), trophic::detail::policy_name<Policy>(), source_of<Policy>()});
   });
+  return all;
 }
+
+}  // namespace rules
 
 /// The name of a rule table: its own, with its swapped rules: "paper with mutation = uniform_mutation".
 template <class Rules>

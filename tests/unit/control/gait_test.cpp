@@ -73,26 +73,6 @@ TEST_CASE("gait: published gait -> its CPPN at the spider's grid positions") {
   CHECK_NOTHROW(check_fit(gait, load_robot("spider_released")));
 }
 
-TEST_CASE("gait: saved and loaded -> same bits") {
-  const TemporaryFolder folder;
-  Gait gait = load_gait("gecko_paper");
-  gait.name = "quotes \" and \\ and spaces";
-  gait.internal << 0.1, 1.0 / 3.0, -1e-300, 5e300, 3.0, -0.0;
-  save_gait(gait, folder.path() / "gait.toml");
-  const Gait again = load_gait((folder.path() / "gait.toml").string());
-  CHECK(again == gait);
-  CHECK(std::signbit(again.internal[5]));
-}
-
-TEST_CASE("gait: file exists -> error, not overwritten") {
-  const TemporaryFolder folder;
-  const std::string file = folder.file("gait.toml", "");
-  const Gait gait = load_gait("spider_published");
-  CHECK(message_of<std::runtime_error>([&] { save_gait(gait, file); }) == file + ": exists, and is never overwritten");
-  CHECK(message_of<std::runtime_error>([&] { save_gait(gait, "/no/such/folder/gait.toml"); }) ==
-        "cannot write /no/such/folder/gait.toml: No such file or directory");
-}
-
 TEST_CASE("gait: bad file -> error with key and value") {
   CHECK(complaint(two + "speed = 1\n") ==
         ": speed: unknown key; known here: coupling, cppn, evolution, hinges, internal, name, provenance, robot");

@@ -8,7 +8,7 @@
 #include <support/temporary_folder.hpp>
 #include <tools/contest/contest_plan.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology/simulations_of.hpp>
+#include <trophic/experiment/table_experiment.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/support/new_file.hpp>
 #include <vector>
@@ -47,7 +47,7 @@ struct Quiet {
 TEST_CASE("contest: given individuals -> in their bodies, active, and no births, catches or deaths") {
   const contest::Plan plan = small_plan();
   const Lineup lineup = contest::lineup_of(plan, plan.matches[0]);
-  const auto arena = contests_of<rules::Paper>({}, backend::Kinematic::Params{})(7, lineup);
+  const auto arena = TableExperiment<rules::Paper>{backend::Kinematic::Params{}}.contests()(7, lineup);
   Quiet quiet;
   arena->run_until(400.0, quiet);
   CHECK(quiet.births == 20);
@@ -64,14 +64,14 @@ TEST_CASE("contest: given individuals -> in their bodies, active, and no births,
 TEST_CASE("contest: genomes of another size -> error that names both sizes") {
   contest::Plan plan = small_plan();
   plan.teams[0].genomes[3].push_back(0.0);
-  const auto make = contests_of<rules::Paper>({}, backend::Kinematic::Params{});
+  const auto make = TableExperiment<rules::Paper>{backend::Kinematic::Params{}}.contests();
   CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(contest::play(make, plan, plan.matches[0])); }) ==
         "a contest of genomes of 16 weights: must have a genome of 15 weights, as the table's brain takes it");
 }
 
 TEST_CASE("contest: same places -> same outcome, others -> another, reach of the arena -> contact at once") {
   contest::Plan plan = small_plan();
-  const auto make = contests_of<rules::Paper>({}, backend::Kinematic::Params{});
+  const auto make = TableExperiment<rules::Paper>{backend::Kinematic::Params{}}.contests();
   const auto first = contest::play(make, plan, plan.matches[0]);
   CHECK(first.contact_s > 0.0);
   CHECK(first.contact_s <= 200.0);

@@ -188,13 +188,12 @@ TEST_CASE("rules: slot left out -> neutral policy, not listed") {
   static_assert(std::same_as<PolicyIn<Smallest, RuleSlot::capture>, death::capture::NoCapture>);
   static_assert(is_neutral<Smallest, RuleSlot::senescence> && is_neutral<rules::Paper, RuleSlot::senescence>);
   std::vector<std::string> slots;
-  for_each_rule<Smallest>([&](std::string_view slot, std::string_view) { slots.emplace_back(slot); });
+  for (const auto& rule : rules::slot_rules<Smallest>()) slots.emplace_back(rule.slot);
   CHECK(slots == std::vector<std::string>{"community", "placement", "heading", "sensors", "newborn_tag", "brain", "steering",
                                           "initial_genome", "heredity"});
   // stated or left out, there is no such rule
   std::vector<std::string> stated;
-  for_each_rule<with_capture<Smallest, death::capture::NoCapture>>(
-      [&](std::string_view slot, std::string_view) { stated.emplace_back(slot); });
+  for (const auto& rule : rules::slot_rules<with_capture<Smallest, death::capture::NoCapture>>()) stated.emplace_back(rule.slot);
   CHECK(stated == slots);
 }
 
@@ -251,7 +250,7 @@ TEST_CASE("rules: policy with other numbers than given -> RuleError with name an
 
 TEST_CASE("rules: visit of slots -> each one that is not neutral, once, in order, with its policy") {
   std::vector<std::pair<std::string, std::string>> slots;
-  for_each_rule<rules::Paper>([&](std::string_view slot, std::string_view policy) { slots.emplace_back(slot, policy); });
+  for (const auto& rule : rules::slot_rules<rules::Paper>()) slots.emplace_back(rule.slot, rule.policy);
   REQUIRE(slots.size() == 19);
   CHECK(rules::slot_names.size() == 25);  // Paper leaves out those of bodies and gaits, recruitment and senescence
   CHECK(slots.front() == std::pair<std::string, std::string>{"community", "predator_prey"});

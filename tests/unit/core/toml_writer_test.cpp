@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <limits>
 #include <string>
+#include <tools/command/toml_writer.hpp>
 #include <trophic/habitat/load/toml_table.hpp>
-#include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/params/parse_toml.hpp>
 #include <trophic/params/toml_text.hpp>
 #include <trophic/support/rng.hpp>

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <string>
+#include <support/temporary_folder.hpp>
 #include <tools/gait_evolution/cppn_gait.hpp>
 #include <tools/gait_evolution/gait_file.hpp>
 #include <trophic/habitat/load/gait.hpp>
@@ -30,4 +32,16 @@ TEST_CASE("each shipped robot names a gait that fits it") {
     const trophic::RobotModel robot = trophic::load_robot(name);
     CHECK_NOTHROW(check_fit(load_gait(robot.gait), robot));
   }
+}
+
+TEST_CASE("gait file: written and loaded -> same bits") {
+  const trophic::test::TemporaryFolder folder;
+  Gait gait = load_gait("gecko_paper");
+  gait.name = "quotes \" and \\ and spaces";
+  gait.internal << 0.1, 1.0 / 3.0, -1e-300, 5e300, 3.0, -0.0;
+  trophic::TomlWriter writer;
+  gait_evolution::put_gait(writer, gait);
+  const Gait again = load_gait(folder.file("gait.toml", writer.text()));
+  CHECK(again == gait);
+  CHECK(std::signbit(again.internal[5]));
 }

@@ -3,10 +3,10 @@
 #include <tools/analysis/report/means_table.hpp>
 
 #include <cstddef>
+#include <tools/analysis/report/escaped.hpp>
 #include <tools/analysis/report/reading.hpp>
 #include <tools/analysis/report/table_file.hpp>
 #include <tools/analysis/report/text_table.hpp>
-#include <trophic/rules/printed_rules.hpp>
 
 namespace trophic::analysis {
 
@@ -127,7 +127,7 @@ std::string means_tex(const SummarizedSet& set) {
       if (other.role != Role::null || !other.difference.value) continue;
       const std::string null = other.baseline == shadow_name ? "" : " (null: " + other.baseline + ")";
       table.add(std::vector<std::string>{
-          rules::latex_text(metric_title(row.name) + null), math(reading.of(row.ours)), math(reading(other.value)),
+          latex_text(metric_title(row.name) + null), math(reading.of(row.ours)), math(reading(other.value)),
           math(reading.with_interval(other.difference.value, other.difference.interval, true)), p_math(other.difference.adjusted),
           math(std::to_string(row.ours.runs) + "{+}" + std::to_string(other.runs))});
     }
@@ -139,8 +139,8 @@ std::string means_tex(const SummarizedSet& set) {
 std::string differences_tex(const ShadowedSet& a, const ShadowedSet& b, std::span<const SetDifference> differences) {
   const bool over = a.shadow && b.shadow;
   const std::vector<std::string> head{"metric",
-                                      rules::latex_text(a.ours.label),
-                                      rules::latex_text(b.ours.label),
+                                      latex_text(a.ours.label),
+                                      latex_text(b.ours.label),
                                       over ? "over shadows [95\\,\\%]" : "difference [95\\,\\%]",
                                       "$p$",
                                       "$n$"};
@@ -149,7 +149,7 @@ std::string differences_tex(const ShadowedSet& a, const ShadowedSet& b, std::spa
     const Difference& difference = over ? d.over_shadow : d.raw;
     if (d.same_as || !difference.value) continue;
     const Reading reading{d.name};
-    table.add(std::vector<std::string>{rules::latex_text(metric_title(d.name)), math(reading(d.a.mean)), math(reading(d.b.mean)),
+    table.add(std::vector<std::string>{latex_text(metric_title(d.name)), math(reading(d.a.mean)), math(reading(d.b.mean)),
                                        math(reading.with_interval(difference.value, difference.interval, true)),
                                        p_math(difference.adjusted),
                                        math(std::to_string(d.a.runs) + "{+}" + std::to_string(d.b.runs))});

@@ -9,10 +9,10 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <tools/command/toml_writer.hpp>
 #include <tools/trophic/convert/foreign_body.hpp>
 #include <tools/trophic/convert/yaml.hpp>
 #include <trophic/habitat/load/foreign_format.hpp>
-#include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/plain_text.hpp>
 #include <utility>

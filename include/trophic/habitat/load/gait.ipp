@@ -11,7 +11,6 @@
 #include <string_view>
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/toml_table.hpp>
-#include <trophic/habitat/load/toml_writer.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <vector>
@@ -61,32 +60,6 @@ TROPHIC_INLINE Gait load_gait(std::string_view name_or_path, std::string_view in
   file.no_other_keys();
   validate(gait);
   return gait;
-}
-
-TROPHIC_INLINE void put_gait(TomlWriter& writer, const Gait& gait) {
-  validate(gait);
-  writer.put("name", gait.name);
-  writer.put("robot", gait.robot);
-  writer.put("provenance", gait.provenance);
-  writer.put("hinges", gait.hinges);
-  writer.put("internal", std::vector<double>(gait.internal.begin(), gait.internal.end()));
-  for (std::size_t i = 0; i < gait.hinges.size(); ++i) {
-    for (std::size_t j = i + 1; j < gait.hinges.size(); ++j) {
-      const double weight = gait.coupling(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-      if (weight == 0.0) continue;
-      writer.element("coupling");
-      writer.put("from", gait.hinges[i]);
-      writer.put("to", gait.hinges[j]);
-      writer.put("weight", weight);
-    }
-  }
-}
-
-TROPHIC_INLINE void save_gait(const Gait& gait, const std::filesystem::path& file) {
-  if (std::filesystem::exists(file)) throw std::runtime_error{file.string() + ": exists, and is never overwritten"};
-  TomlWriter writer;
-  put_gait(writer, gait);
-  replace_file(file, writer.text());
 }
 
 }  // namespace trophic

@@ -4,12 +4,16 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <tools/experiment/printed_rules.hpp>
+#include <trophic/ecology/experiment.hpp>
 #include <trophic/rules/paper.hpp>
-#include <trophic/rules/print_table.hpp>
 #include <trophic/rules/released.hpp>
 #include <tuple>
+#include <vector>
 
 using namespace trophic;
+using command::params_text;
+using command::PrintedRule;
 
 namespace {
 
@@ -42,6 +46,11 @@ std::string line_of(const std::string& text, std::string_view beginning) {
   return text.substr(begin, text.find('\n', begin) - begin);
 }
 
+template <class Rules>
+std::vector<PrintedRule> printed(Experiment<Rules> experiment = {}) {
+  return command::printed_rules(rules::slot_rules<Rules>(), named_params_of(param_refs(experiment)));
+}
+
 bool has(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
@@ -49,26 +58,25 @@ bool has(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("print table: rule table -> a line per rule in the order of slots, then ecology and physics") {
-  const auto lines = rules::printed_rules<Swapped>();
+  const auto lines = printed<Swapped>();
   std::vector<std::string_view> slots;
-  for_each_rule<Swapped>([&](std::string_view slot, std::string_view) { slots.push_back(slot); });
+  for (const auto& rule : rules::slot_rules<Swapped>()) slots.push_back(rule.slot);
   REQUIRE(lines.size() == slots.size() + 2);
   for (std::size_t i = 0; i < slots.size(); ++i) CHECK(lines[i].slot == slots[i]);
   CHECK(lines[0].kind == "initialization");
   CHECK(lines[0].policy == "predator_prey");
-  CHECK(rules::numbers_text(lines[0].numbers) == "predators = 14");
+  CHECK(params_text(lines[0].params) == "predators = 14");
   CHECK(lines[0].source == "paper, Sec. \"Initialization\"");
   CHECK(lines[lines.size() - 2].kind == "ecology");
-  CHECK(rules::numbers_text(lines[lines.size() - 2].numbers) ==
+  CHECK(params_text(lines[lines.size() - 2].params) ==
         "robots = 30, duration_s = 6000, tick_s = 2, first_tick_s = 0, control_hz = 60, clock_scale = 1, robot = spider, arena = "
         "walled_square, cpg_integration = exact, idle_control_steps = 0, phase_at_birth = kept, decision_order = together, "
         "without_target = decides");
-  CHECK(rules::numbers_text(lines.back().numbers) ==
-        "timestep_s = 0.0012, integrator = semi_implicit_euler, gravity_m_s2 = 9.81");
+  CHECK(params_text(lines.back().params) == "timestep_s = 0.0012, integrator = semi_implicit_euler, gravity_m_s2 = 9.81");
 }
 
 TEST_CASE("print table: special characters -> escaped in Markdown and LaTeX") {
-  const std::string markdown = rules::markdown_table<Swapped>();
+  const std::string markdown = markdown_table(printed<Swapped>());
   CHECK(markdown.starts_with(
       "| kind | slot | policy | parameters | source |\n|---|---|---|---|---|\n"
       "| initialization | community | predator\\_prey | predators = 14 | paper, Sec. \"Initialization\" |\n"));
@@ -77,7 +85,7 @@ TEST_CASE("print table: special characters -> escaped in Markdown and LaTeX") {
         R"(50 % of "A & B" {$5} #1 a\_b ^ \~ \\ \<c\|d\> \* |)");
   CHECK(line_of(markdown, "| death | floor |") == "| death | floor | plain |  |  |");
 
-  const std::string latex = rules::latex_table<Swapped>();
+  const std::string latex = latex_table(printed<Swapped>());
   CHECK(has(latex,
             "\nslot & policy & parameters & source \\\\\n\\midrule\n\\multicolumn{4}{@{}l}{\\itshape initialization} \\\\\n"
             "community & predator\\_\\allowbreak{}prey & predators = 14 & paper, Sec. ``Initialization'' \\\\\n"));
@@ -89,7 +97,6 @@ TEST_CASE("print table: special characters -> escaped in Markdown and LaTeX") {
 }
 
 TEST_CASE("unlike: two tables -> rules and parameters that differ, and rules that only the other one has") {
-  using rules::PrintedRule;
   const std::vector<PrintedRule> ours{{"death", "capture", "touch", {{"reach_m", "0.5"}, {"every", "1"}}, "a"},
                                       {"death", "floor", "plain", {}, "b"},
                                       {"death", "minimum_predators", "same", {{"below", "8"}}, "c"}};
@@ -97,20 +104,19 @@ TEST_CASE("unlike: two tables -> rules and parameters that differ, and rules tha
                                        {"death", "floor", "other", {}, "d"},
                                        {"death", "minimum_predators", "same", {{"below", "8"}}, "c"},
                                        {"death", "senescence", "old_age", {{"max_age_s", "600"}}, "e"}};
-  const auto lines = rules::unlike(ours, other);
+  const auto lines = unlike(ours, other);
   REQUIRE(lines.size() == 3);
-  CHECK(rules::numbers_text(lines[0].numbers) == "reach_m = 0.5");
+  CHECK(params_text(lines[0].params) == "reach_m = 0.5");
   CHECK(lines[1].policy == "plain");
   CHECK(lines[2].slot == "senescence");
   CHECK(lines[2].policy == "none");
-  CHECK(rules::unlike(ours, ours).empty());
+  CHECK(unlike(ours, ours).empty());
 }
 
 TEST_CASE("print table: given numbers -> printed instead of the table's own") {
-  RuleParams<rules::Released> params;
-  params.minimum_predators.below = 9;
-  CHECK(line_of(rules::markdown_table<rules::Released>(), "| death | minimum\\_predators |").find("below = 8") !=
+  Experiment<rules::Released> experiment;
+  experiment.rules.minimum_predators.below = 9;
+  CHECK(line_of(markdown_table(printed<rules::Released>()), "| death | minimum\\_predators |").find("below = 8") !=
         std::string::npos);
-  CHECK(line_of(rules::markdown_table<rules::Released>(params), "| death | minimum\\_predators |").find("below = 9") !=
-        std::string::npos);
+  CHECK(line_of(markdown_table(printed(experiment)), "| death | minimum\\_predators |").find("below = 9") != std::string::npos);
 }

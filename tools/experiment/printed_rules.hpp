@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// A rule table for readers: the policy in each slot, with its parameters and source.
+#pragma once
+
+#include <span>
+#include <string>
+#include <trophic/params/named_params.hpp>
+#include <trophic/rules/slot_rule.hpp>
+#include <utility>
+#include <vector>
+
+namespace trophic::command {
+
+/// Names of parameters and their values, floating-point numbers to six digits; manifests have them exactly.
+using PrintedParams = std::vector<std::pair<std::string, std::string>>;
+
+/// A line of a printed table.
+struct PrintedRule {
+  std::string kind;  ///< perception, control, reproduction, death, ...
+  std::string slot;
+  std::string policy;
+  PrintedParams params;
+  std::string source;  ///< the policy's own `source`; empty if it names none
+};
+
+/// One line for each rule, then one for ecology and one for physics. `params`: all parameters of an experiment.
+[[nodiscard]] std::vector<PrintedRule> printed_rules(std::span<const rules::SlotRule> rules, const NamedParams& params);
+
+/// "cool_down_s = 50, ...".
+[[nodiscard]] std::string params_text(const PrintedParams& params);
+
+/// The lines in which a table differs from another one: those with another policy, and of those with the same policy the
+/// parameters that differ. A rule that only the other table has stands there without parameters, with the policy "none".
+[[nodiscard]] std::vector<PrintedRule> unlike(std::span<const PrintedRule> rules, std::span<const PrintedRule> other);
+
+[[nodiscard]] std::string markdown_table(std::span<const PrintedRule> rules);
+
+/// For the packages booktabs, tabularx and array. As wide as the line that it is put into: a column or a page.
+[[nodiscard]] std::string latex_table(std::span<const PrintedRule> rules);
+
+}  // namespace trophic::command
