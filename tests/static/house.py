@@ -67,6 +67,39 @@ def header_length():
     return [f"{path.relative_to(ROOT)}: {lines} lines, must be <= 400" for path, lines in counted if lines > 400]
 
 
+def split_list(text: str) -> list[str]:
+    """The entries of a list that begins with the bracket at the start of `text`, comments and texts blanked."""
+    entries, depth, angles = [""], 0, 0
+    for before, letter in zip(" " + text, text):
+        depth += (letter in "([{") - (letter in ")]}")
+        if depth == 0:
+            return [entry.strip() for entry in entries if entry.strip()]
+        if depth == 1 and not entries[-1] and letter in "([{":
+            continue
+        angles += depth == 1 and (letter == "<") - (letter == ">" and before != "-")
+        if letter == "," and depth == 1 and angles <= 0:
+            entries.append("")
+        else:
+            entries[-1] += letter
+    return []
+
+
+def few_parameters():
+    """A function of the core has at most 6 parameters; constructors and lambdas too."""
+    blank = r"//[^\n]*|/\*.*?\*/|\"(?:[^\"\\\n]|\\.)*\"|'(?:[^'\\\n]|\\.)'|^[ \t]*#(?:[^\n\\]|\\.|\\\n)*"
+    parameter = re.compile(r"(\[\[\w+\]\]\s*)?((const|typename)\s+)*[\w:]+(<.*>)?(::\w+)*(\s*(&&|&|\*)|\s)\s*(\.\.\.)?\s*\w*(\s*=.*)?", re.DOTALL)
+    offences = []
+    for path in sources("include", suffixes=(".hpp", ".ipp")):
+        text = re.sub(blank, lambda found: re.sub(r"[^\n]", " ", found[0]), path.read_text(), flags=re.MULTILINE | re.DOTALL)
+        for found in re.finditer(r"(\w+|\])\s*\(", text):
+            entries = split_list(text[found.end() - 1 :])
+            declared = sum(parameter.fullmatch(entry) is not None for entry in entries)
+            if len(entries) > 6 and 2 * declared > len(entries) and found[1] != "requires":
+                line = text.count("\n", 0, found.start()) + 1
+                offences.append(f"{path.relative_to(ROOT)}:{line}: {found[1]}: {len(entries)} parameters, must be <= 6")
+    return offences
+
+
 def header_start():
     """The licence comes first, then what the file is for; headers have #pragma once."""
     offences = []

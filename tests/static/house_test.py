@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""house_test.py ROOT: house.py finds offences that are planted in a copy of the library: headers of slots, includes, paths."""
+"""house_test.py ROOT: house.py finds offences that are planted in a copy of the library: headers of slots, includes, paths, long lists of parameters."""
 
 import pathlib
 import shutil
@@ -24,6 +24,11 @@ PLANTED = (  # check, header, text, offence
     ("library_alone", "run.hpp", "#include <trophic/backend/mujoco.hpp>", "the library cannot include trophic/backend/mujoco.hpp"),
     ("paths_exist", "run.hpp", '// "see trophic/rules/lost.hpp"', "trophic/rules/lost.hpp does not exist"),
     ("policies_have_tests", "death/floor/lost.hpp", "#pragma once", "death/floor/lost.hpp: no tests/**/lost_test.cpp"),
+    ("few_parameters", "run.hpp", "void free(int a, int b, const Rules& c, Span<const double> d, Map<int, int> e, double f = 1.0, bool g = h(1, 2));", " free: 7 parameters"),
+    ("few_parameters", "run.hpp", "struct Built { explicit Built(int a, int b, int c, int d, int e, int f, Genes&& g) : a_{a} {} };", "Built: 7 parameters"),
+    ("few_parameters", "run.hpp", "template <class... Own>\nvoid parted(const Rules& a, int b, int c, int d,\n            int e, int f, Own&... own) {}", "parted: 7 parameters"),
+    ("few_parameters", "run.hpp", "int unnamed(const A&, const B&, C*, D&&, const std::string&, int, double) { return 0; }", "unnamed: 7 parameters"),
+    ("few_parameters", "run.hpp", "const auto lambda = [&](int a, int b, int c, int d, int e, int f, int g) { return a; };", "]: 7 parameters"),
     ("complete_umbrella", "support/lost.hpp", "#pragma once", "trophic.hpp lacks #include <trophic/support/lost.hpp>"),
 )
 
@@ -39,7 +44,7 @@ def main() -> int:
         for part in ("include", "tests/unit"):
             shutil.copytree(ROOT / part, copy / part)
         (copy / "backends/mujoco").mkdir(parents=True)
-        missed += [f"{check} finds in the tree as it is: {found}" for check in ("two_policies_per_slot", "library_alone", "policies_have_tests", "complete_umbrella") if (found := offences(copy, check))]
+        missed += [f"{check} finds in the tree as it is: {found}" for check in ("two_policies_per_slot", "library_alone", "policies_have_tests", "complete_umbrella", "few_parameters") if (found := offences(copy, check))]
         for check, header, text, offence in PLANTED:
             path = copy / "include/trophic" / header
             before = path.read_text() if path.exists() else None

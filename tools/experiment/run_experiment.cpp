@@ -345,7 +345,7 @@ void run_planned(const AnyExperiment& chosen, const Config& config, bool shadow,
                  observe::JointProgress::Part progress, const observe::StopOnSignal& stop) {
   const auto experiment = detail::planned_experiment(chosen, config);
   const std::unique_ptr<Simulation> ecology = experiment->simulations(shadow)(seed);
-  replicates::run_in_folder(*ecology, experiment->ecology().duration_s, folder, common, std::move(progress), stop);
+  replicates::run_in_folder(*ecology, experiment->ecology().duration_s, folder, common, {std::move(progress), stop});
 }
 
 }  // namespace trophic::command

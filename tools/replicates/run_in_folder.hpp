@@ -26,12 +26,18 @@ inline std::string add_speed(io::Manifest& manifest, double wall_s, const Simula
   return remark;
 }
 
+/// The progress display of a run, and the signals that stop it.
+struct Watch {
+  observe::JointProgress::Part progress;
+  const observe::StopOnSignal& stop;
+};
+
 /// Runs an ecology that has not begun to `until_s` into a folder, from its beginning, from the moment of another run at which it
 /// begins or from the folder's checkpoint, until a signal comes; the manifest has the origin. `extra...` observe it. Throws as
 /// run_state_in and run_with_checkpoints do.
 template <class... Observers>
 void run_in_folder(Simulation& ecology, double until_s, const std::filesystem::path& folder, const CommonOptions& common,
-                   observe::JointProgress::Part progress, const observe::StopOnSignal& stop, Observers&... extra) {
+                   Watch watch, Observers&... extra) {
   const observe::RunDescription run = ecology.describe(until_s);
   checkpoint::RunState run_state = checkpoint::run_state_in(folder, run, common.snapshot, common.checkpoints.other_build);
   io::RunFolder files{folder,
@@ -42,10 +48,11 @@ void run_in_folder(Simulation& ecology, double until_s, const std::filesystem::p
                       common.own_tables ? common.own_tables(ecology) : io::OwnTables{}};
   if (run_state.begins) {
     checkpoint::begin_at(run_state, common.snapshot->moment, ecology, files.manifest(),
-                         checkpoint::parts_of(files, progress, stop, extra...));
+                         checkpoint::parts_of(files, watch.progress, watch.stop, extra...));
   }
-  checkpoint::run_with_checkpoints(ecology, until_s, folder, common.checkpoints, run_state.from, files, progress, stop, extra...);
-  add_speed(files.manifest(), progress.elapsed_s(), ecology, run.remarks.size());
+  checkpoint::run_with_checkpoints(ecology, until_s, folder, common.checkpoints, run_state.from, files, watch.progress,
+                                   watch.stop, extra...);
+  add_speed(files.manifest(), watch.progress.elapsed_s(), ecology, run.remarks.size());
 }
 
 }  // namespace trophic::replicates
