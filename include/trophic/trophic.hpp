@@ -9,6 +9,7 @@
 #include <trophic/backend/contract.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/start_pose.hpp>
+#include <trophic/backend/with_engine.hpp>
 #include <trophic/control/brain/cognitive_brain.hpp>
 #include <trophic/control/brain/cognitive_brain_with_biases.hpp>
 #include <trophic/control/brain/cognitive_brain_zero_right.hpp>

@@ -6,16 +6,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <memory>
-#include <span>
 #include <string>
 #include <string_view>
-#include <trophic/backend/contract.hpp>
 #include <trophic/backend/mujoco/box_depth.hpp>
-#include <trophic/habitat/arena.hpp>
-#include <trophic/habitat/physics.hpp>
-#include <trophic/habitat/pose.hpp>
-#include <trophic/habitat/robot_model.hpp>
+#include <trophic/backend/with_engine.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/colour.hpp>
 #include <trophic/support/linkage.hpp>
@@ -24,17 +18,32 @@
 
 namespace trophic::backend {
 
+namespace mujoco {
+
+/// The state that determines the further run, including warm starts of the solver and servo targets.
+struct State {
+  std::uint64_t steps = 0;
+  std::vector<double> robots;         ///< RobotStates::values
+  std::vector<double> targets_rad;    ///< robot by robot
+  std::vector<std::uint64_t> bodies;  ///< body_hash of each
+
+  friend bool operator==(const State&, const State&) = default;
+  static constexpr auto saved() { return std::tuple{&State::steps, &State::robots, &State::targets_rad, &State::bodies}; }
+};
+
+}  // namespace mujoco
+
 /// Robots in MuJoCo (Newton solver, pyramidal friction cone, one position servo per hinge). Satisfies Embodying.
 ///
 /// Numbers: positions m, angles rad, velocities m/s and rad/s, torques N m. No random draws. Results do not depend on
 /// `Params::threads`, bitwise; `fast`, `islands` and `one_model` agree to rounding, which contacts amplify slowly. Errors:
 /// std::invalid_argument on construction; Diverged if MuJoCo warns or a robot leaves the arena: the backend then still shows
 /// the last sound state. Must not be called from several threads at once; several backends may run in several threads.
-class Mujoco {
+class Mujoco : public WithEngine<mujoco::State> {
  public:
   static constexpr std::string_view name = "mujoco";
   [[nodiscard]] static std::string version();
-  [[nodiscard]] static std::vector<std::string> remarks(const Physics&);
+  [[nodiscard]] static std::vector<std::string> remarks(const Physics&) { return {}; }
 
   /// The division of robots into MuJoCo models.
   enum class Stepping {
@@ -59,49 +68,13 @@ class Mujoco {
     }
   };
 
-  /// The state that determines the further run, including warm starts of the solver and servo targets.
-  struct State {
-    std::uint64_t steps = 0;
-    std::vector<double> robots;         ///< RobotStates::values
-    std::vector<double> targets_rad;    ///< robot by robot
-    std::vector<std::uint64_t> bodies;  ///< body_hash of each
-
-    friend bool operator==(const State&, const State&) = default;
-    static constexpr auto saved() { return std::tuple{&State::steps, &State::robots, &State::targets_rad, &State::bodies}; }
-  };
-
   Mujoco(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics, const Params& params);
-  Mujoco(Mujoco&&) noexcept;
-  Mujoco& operator=(Mujoco&&) noexcept;
-  ~Mujoco();
-
-  void advance_to(double time_s);
 
   /// The share of robots' steps so far that `mj_step` took, between 0 and 1: small for `fast` if the kernel supports the bodies.
   /// Not part of the state.
   [[nodiscard]] double engine_share() const;
   /// A sentence if `fast` was not fast, as `mj_step` took most steps so far; else empty.
   [[nodiscard]] std::string speed_remark() const;
-
-  /// Throws std::invalid_argument unless there is one finite number per hinge.
-  void set_joint_targets(std::size_t robot, std::span<const double> targets_rad);
-
-  /// Takes a robot's body away and puts this one at `pose`: joint angles and targets 0, at rest. Throws std::invalid_argument as
-  /// the constructor does. Names and gaits of models have no effect here.
-  void embody(std::size_t robot, const RobotModel& model, const Pose& pose);
-
-  /// The body of a robot now.
-  [[nodiscard]] const RobotModel& model(std::size_t robot) const;
-
-  [[nodiscard]] std::size_t robots() const;
-  [[nodiscard]] double time_s() const;
-  [[nodiscard]] Pose pose(std::size_t robot) const;
-  [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const;
-
-  [[nodiscard]] State save() const;
-
-  /// Throws std::invalid_argument for a state of other bodies or another number of robots: `embody` first.
-  void restore(const State& state);
 
   /// Writes the current world as a MuJoCo model, all robots in one model with a key frame of angles, velocities and targets,
   /// which MuJoCo's `simulate` opens. The heights of a height field go into a binary file next to it. `colours`: of each robot;
@@ -110,7 +83,6 @@ class Mujoco {
 
  private:
   class Simulation;
-  std::unique_ptr<Simulation> simulation_;
 };
 
 static_assert(Embodying<Mujoco>);

@@ -26,7 +26,7 @@
 namespace trophic::backend {
 
 /// The engine of a Mujoco: its robots, their states, and the models in which they are stepped.
-class Mujoco::Simulation {
+class Mujoco::Simulation final : public Engine<State> {
  public:
   Simulation(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,
              const Params& params)
@@ -47,7 +47,7 @@ class Mujoco::Simulation {
     }
   }
 
-  void advance_to(double time_s) {
+  void advance_to(double time_s) override {
     const double steps = std::ceil((time_s - slack_s) / physics_.timestep_s);
     if (!(steps > static_cast<double>(steps_))) return;
     const auto goal = static_cast<std::uint64_t>(steps);
@@ -55,7 +55,7 @@ class Mujoco::Simulation {
   }
 
   /// Throws std::invalid_argument unless there is one finite number per hinge.
-  void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) {
+  void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) override {
     const std::vector<Hinge>& hinges = bodies_[checked(robot)]->model.hinges;
     if (targets_rad.size() != hinges.size()) {
       throw std::invalid_argument{"joint targets of robot " + std::to_string(robot) + ": " + std::to_string(targets_rad.size()) +
@@ -73,7 +73,7 @@ class Mujoco::Simulation {
   }
 
   /// Replaces the body of a robot.
-  void embody(std::size_t robot, const RobotModel& model, const Pose& pose) {
+  void embody(std::size_t robot, const RobotModel& model, const Pose& pose) override {
     check_start_pose(checked(robot), pose, arena_);
     std::shared_ptr<const Body> body = make_body(model);
     const std::size_t kind = std::visit([&](auto& stepper) { return stepper.set_body(robot, model); }, stepper_);
@@ -85,7 +85,7 @@ class Mujoco::Simulation {
     angles_rad_.reset(robot, model.hinges.size());
   }
 
-  [[nodiscard]] const RobotModel& model(std::size_t robot) const { return bodies_[checked(robot)]->model; }
+  [[nodiscard]] const RobotModel& model(std::size_t robot) const override { return bodies_[checked(robot)]->model; }
   [[nodiscard]] double engine_share() const {
     const auto* const islands = std::get_if<mujoco::Islands>(&stepper_);
     return islands != nullptr ? islands->engine_share() : 1.0;
@@ -96,15 +96,15 @@ class Mujoco::Simulation {
            " % of the robots' steps, at the speed of islands; the README of the MuJoCo backend lists the steps that its kernel "
            "leaves to MuJoCo";
   }
-  [[nodiscard]] std::size_t robots() const { return states_.robots(); }
-  [[nodiscard]] double time_s() const { return static_cast<double>(steps_) * physics_.timestep_s; }
-  [[nodiscard]] Pose pose(std::size_t robot) const { return states_.root(checked(robot)); }
-  [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const { return angles_rad_[checked(robot)]; }
+  [[nodiscard]] std::size_t robots() const override { return states_.robots(); }
+  [[nodiscard]] double time_s() const override { return static_cast<double>(steps_) * physics_.timestep_s; }
+  [[nodiscard]] Pose pose(std::size_t robot) const override { return states_.root(checked(robot)); }
+  [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const override { return angles_rad_[checked(robot)]; }
 
-  [[nodiscard]] State save() const { return {steps_, states_.values(), targets_rad_.values(), body_hashes()}; }
+  [[nodiscard]] State save() const override { return {steps_, states_.values(), targets_rad_.values(), body_hashes()}; }
 
   /// Throws std::invalid_argument for a state of other bodies or another number of robots.
-  void restore(const State& state) {
+  void restore(const State& state) override {
     require_same_bodies(state.bodies, body_hashes());
     const auto check_size = [](const std::string& field, std::size_t size, std::size_t expected) {
       if (size == expected) return;
@@ -225,55 +225,19 @@ class Mujoco::Simulation {
 TROPHIC_INLINE std::string Mujoco::version() {
   return mj_versionString();
 }
-TROPHIC_INLINE std::vector<std::string> Mujoco::remarks(const Physics&) {
-  return {};
-}
 
 TROPHIC_INLINE Mujoco::Mujoco(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,
                               const Params& params)
-    : simulation_{std::make_unique<Simulation>(robot, arena, starts, physics, params)} {}
-TROPHIC_INLINE Mujoco::Mujoco(Mujoco&&) noexcept = default;
-TROPHIC_INLINE Mujoco& Mujoco::operator=(Mujoco&&) noexcept = default;
-TROPHIC_INLINE Mujoco::~Mujoco() = default;
+    : WithEngine{std::make_unique<Simulation>(robot, arena, starts, physics, params)} {}
 
-TROPHIC_INLINE void Mujoco::advance_to(double time_s) {
-  simulation_->advance_to(time_s);
-}
-TROPHIC_INLINE void Mujoco::set_joint_targets(std::size_t robot, std::span<const double> targets_rad) {
-  simulation_->set_joint_targets(robot, targets_rad);
-}
-TROPHIC_INLINE void Mujoco::embody(std::size_t robot, const RobotModel& model, const Pose& pose) {
-  simulation_->embody(robot, model, pose);
-}
-TROPHIC_INLINE const RobotModel& Mujoco::model(std::size_t robot) const {
-  return simulation_->model(robot);
-}
 TROPHIC_INLINE double Mujoco::engine_share() const {
-  return simulation_->engine_share();
+  return static_cast<const Simulation&>(engine()).engine_share();
 }
 TROPHIC_INLINE std::string Mujoco::speed_remark() const {
-  return simulation_->speed_remark();
-}
-TROPHIC_INLINE std::size_t Mujoco::robots() const {
-  return simulation_->robots();
-}
-TROPHIC_INLINE double Mujoco::time_s() const {
-  return simulation_->time_s();
-}
-TROPHIC_INLINE Pose Mujoco::pose(std::size_t robot) const {
-  return simulation_->pose(robot);
-}
-TROPHIC_INLINE std::span<const double> Mujoco::joint_angles(std::size_t robot) const {
-  return simulation_->joint_angles(robot);
-}
-TROPHIC_INLINE Mujoco::State Mujoco::save() const {
-  return simulation_->save();
-}
-TROPHIC_INLINE void Mujoco::restore(const State& state) {
-  simulation_->restore(state);
+  return static_cast<const Simulation&>(engine()).speed_remark();
 }
 TROPHIC_INLINE void Mujoco::save_mjcf(const std::filesystem::path& path, std::span<const Colour> colours) const {
-  simulation_->save_mjcf(path, colours);
+  static_cast<const Simulation&>(engine()).save_mjcf(path, colours);
 }
 
 }  // namespace trophic::backend

@@ -3,17 +3,11 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
-#include <span>
 #include <string>
 #include <string_view>
-#include <trophic/backend/contract.hpp>
 #include <trophic/backend/ode/params.hpp>
 #include <trophic/backend/ode/state.hpp>
-#include <trophic/habitat/arena.hpp>
-#include <trophic/habitat/physics.hpp>
-#include <trophic/habitat/pose.hpp>
-#include <trophic/habitat/robot_model.hpp>
+#include <trophic/backend/with_engine.hpp>
 #include <trophic/support/linkage.hpp>
 #include <vector>
 
@@ -28,44 +22,20 @@ namespace trophic::backend {
 /// std::invalid_argument on construction; Diverged if ODE reports an error or a robot leaves the arena or is unphysically fast:
 /// the backend then still shows the last sound state. Must not be called from several threads at once; several backends may run
 /// in several threads.
-class Ode {
+class Ode : public WithEngine<ode::State> {
  public:
   static constexpr std::string_view name = "ode";
   [[nodiscard]] static std::string version();
   [[nodiscard]] static std::vector<std::string> remarks(const Physics& physics);
 
   using Params = ode::Params;
-  using State = ode::State;
 
   /// Throws std::invalid_argument for a number outside its bound, no robots, a start pose outside the arena, a hinge range
   /// above 3 rad, and all that validate(RobotModel) rejects.
   Ode(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics, const Params& params);
-  Ode(Ode&&) noexcept;
-  Ode& operator=(Ode&&) noexcept;
-  ~Ode();
-
-  void advance_to(double time_s);
-
-  [[nodiscard]] std::size_t robots() const;
-  [[nodiscard]] double time_s() const;
-  [[nodiscard]] Pose pose(std::size_t robot) const;
-  [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const;
-
-  /// Exchanges a robot's body: see Embodying. Throws std::invalid_argument as the constructor does.
-  void embody(std::size_t robot, const RobotModel& model, const Pose& pose);
-  [[nodiscard]] const RobotModel& model(std::size_t robot) const;
-
-  /// Throws std::invalid_argument unless there is one finite target per hinge.
-  void set_joint_targets(std::size_t robot, std::span<const double> targets_rad);
-
-  [[nodiscard]] State save() const;
-
-  /// Throws std::invalid_argument for a state of other bodies or another number of robots: `embody` first.
-  void restore(const State& state);
 
  private:
   class Simulation;
-  std::unique_ptr<Simulation> simulation_;
 };
 static_assert(Embodying<Ode>);
 

@@ -24,7 +24,7 @@
 namespace trophic::backend {
 
 /// The engine of an Ode: its robots' state and the worlds in which they are stepped.
-class Ode::Simulation {
+class Ode::Simulation final : public Engine<State> {
  public:
   Simulation(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,
              const Params& params)
@@ -42,7 +42,7 @@ class Ode::Simulation {
     groups_ = std::make_unique<ode::Groups>(*setup_);
   }
 
-  void advance_to(double time_s) {
+  void advance_to(double time_s) override {
     while (this->time_s() < time_s - slack_s) {
       next_ = state_;
       ++next_.steps;
@@ -53,7 +53,7 @@ class Ode::Simulation {
     }
   }
 
-  void embody(std::size_t robot, const RobotModel& model, const Pose& pose) {
+  void embody(std::size_t robot, const RobotModel& model, const Pose& pose) override {
     static_cast<void>(checked(robot));
     check_model(model);
     check_start_pose(robot, pose, setup_->arena);
@@ -71,23 +71,23 @@ class Ode::Simulation {
     bodies_->replace(robot, model);
     groups_->forget_scenes();
   }
-  [[nodiscard]] const RobotModel& model(std::size_t robot) const { return bodies_->model(checked(robot)); }
+  [[nodiscard]] const RobotModel& model(std::size_t robot) const override { return bodies_->model(checked(robot)); }
 
-  [[nodiscard]] std::size_t robots() const { return bodies_->size(); }
-  [[nodiscard]] double time_s() const { return static_cast<double>(state_.steps) * setup_->physics.timestep_s; }
+  [[nodiscard]] std::size_t robots() const override { return bodies_->size(); }
+  [[nodiscard]] double time_s() const override { return static_cast<double>(state_.steps) * setup_->physics.timestep_s; }
 
-  [[nodiscard]] Pose pose(std::size_t robot) const {
+  [[nodiscard]] Pose pose(std::size_t robot) const override {
     const RobotModel& own = bodies_->model(checked(robot));
     return ode::link_frame(state_.links[bodies_->first_link(robot)], own.links[0]);
   }
 
-  [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const {
+  [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const override {
     const std::size_t hinges = bodies_->model(checked(robot)).hinges.size();
     return std::span{state_.angles_rad}.subspan(bodies_->first_hinge(robot), hinges);
   }
 
   /// Throws std::invalid_argument unless there is one finite target per hinge.
-  void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) {
+  void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) override {
     const auto& hinges = bodies_->model(checked(robot)).hinges;
     if (targets_rad.size() != hinges.size()) {
       throw std::invalid_argument{"targets_rad.size() = " + std::to_string(targets_rad.size()) + ": must be " +
@@ -106,10 +106,10 @@ class Ode::Simulation {
     }
   }
 
-  [[nodiscard]] State save() const { return state_; }
+  [[nodiscard]] State save() const override { return state_; }
 
   /// Throws std::invalid_argument for a state of other bodies or another number of robots.
-  void restore(const State& state) {
+  void restore(const State& state) override {
     const auto check_size = [](std::string_view field, std::size_t size, std::size_t expected) {
       if (size != expected) {
         throw std::invalid_argument{"state." + std::string{field} + ".size() = " + std::to_string(size) + ": must be " +
@@ -163,40 +163,6 @@ TROPHIC_INLINE std::vector<std::string> Ode::remarks(const Physics& physics) {
 
 TROPHIC_INLINE Ode::Ode(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,
                         const Params& params)
-    : simulation_{std::make_unique<Simulation>(robot, arena, starts, physics, params)} {}
-TROPHIC_INLINE Ode::Ode(Ode&&) noexcept = default;
-TROPHIC_INLINE Ode& Ode::operator=(Ode&&) noexcept = default;
-TROPHIC_INLINE Ode::~Ode() = default;
-
-TROPHIC_INLINE void Ode::advance_to(double time_s) {
-  simulation_->advance_to(time_s);
-}
-TROPHIC_INLINE void Ode::embody(std::size_t robot, const RobotModel& model, const Pose& pose) {
-  simulation_->embody(robot, model, pose);
-}
-TROPHIC_INLINE const RobotModel& Ode::model(std::size_t robot) const {
-  return simulation_->model(robot);
-}
-TROPHIC_INLINE std::size_t Ode::robots() const {
-  return simulation_->robots();
-}
-TROPHIC_INLINE double Ode::time_s() const {
-  return simulation_->time_s();
-}
-TROPHIC_INLINE Pose Ode::pose(std::size_t robot) const {
-  return simulation_->pose(robot);
-}
-TROPHIC_INLINE std::span<const double> Ode::joint_angles(std::size_t robot) const {
-  return simulation_->joint_angles(robot);
-}
-TROPHIC_INLINE void Ode::set_joint_targets(std::size_t robot, std::span<const double> targets_rad) {
-  simulation_->set_joint_targets(robot, targets_rad);
-}
-TROPHIC_INLINE Ode::State Ode::save() const {
-  return simulation_->save();
-}
-TROPHIC_INLINE void Ode::restore(const State& state) {
-  simulation_->restore(state);
-}
+    : WithEngine{std::make_unique<Simulation>(robot, arena, starts, physics, params)} {}
 
 }  // namespace trophic::backend
