@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // trophic::compiled: bodies, gaits, the kinematic backend and random numbers.
-#include <trophic/backend/kinematic.ipp>
 #include <trophic/control/locomotion/cpg.ipp>
 #include <trophic/control/locomotion/steerable.ipp>
 #include <trophic/habitat/body/build.ipp>
@@ -17,4 +16,3 @@
 #include <trophic/params/params.ipp>
 #include <trophic/params/policy.ipp>
 #include <trophic/support/rng.ipp>
-#include <trophic/support/rule_error.ipp>

@@ -6,9 +6,7 @@
 #include <trophic/io/recording.ipp>
 #include <trophic/io/recording_planes.ipp>
 #include <trophic/io/run_folder.ipp>
-#include <trophic/observe/progress.ipp>
 #include <trophic/observe/run_description.ipp>
-#include <trophic/observe/terminal.ipp>
 #include <trophic/run/checkpoint/checkpoint_file.ipp>
 #include <trophic/run/checkpoint/checkpoint_writer.ipp>
 #include <trophic/run/checkpoint/resume.ipp>

@@ -24,8 +24,14 @@ class DamagedFile : public std::runtime_error {
 class GrowingFile {
  public:
   GrowingFile(const std::filesystem::path& path, Opening opening);
-  GrowingFile(GrowingFile&& other) noexcept;
-  GrowingFile& operator=(GrowingFile&& other) noexcept;
+  GrowingFile(GrowingFile&& other) noexcept { *this = std::move(other); }
+  GrowingFile& operator=(GrowingFile&& other) noexcept {
+    std::swap(path_, other.path_);
+    std::swap(file_, other.file_);
+    std::swap(length_, other.length_);
+    std::swap(checksum_, other.checksum_);
+    return *this;
+  }
   GrowingFile(const GrowingFile&) = delete;
   GrowingFile& operator=(const GrowingFile&) = delete;
   ~GrowingFile();

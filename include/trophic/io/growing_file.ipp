@@ -32,17 +32,6 @@ TROPHIC_INLINE GrowingFile::GrowingFile(const std::filesystem::path& path, Openi
   length_ = static_cast<std::uint64_t>(status.st_size);
 }
 
-TROPHIC_INLINE GrowingFile::GrowingFile(GrowingFile&& other) noexcept
-    : path_{std::move(other.path_)}, file_{std::exchange(other.file_, -1)}, length_{other.length_}, checksum_{other.checksum_} {}
-
-TROPHIC_INLINE GrowingFile& GrowingFile::operator=(GrowingFile&& other) noexcept {
-  std::swap(path_, other.path_);
-  std::swap(file_, other.file_);
-  std::swap(length_, other.length_);
-  std::swap(checksum_, other.checksum_);
-  return *this;
-}
-
 TROPHIC_INLINE GrowingFile::~GrowingFile() {
   if (file_ >= 0) ::close(file_);
 }

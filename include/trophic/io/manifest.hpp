@@ -21,16 +21,19 @@ using Provenance = std::vector<std::pair<std::string, std::string>>;
 class Manifest {
  public:
   Manifest(std::filesystem::path path, Provenance provenance);
-  Manifest(Manifest&&) noexcept;
-  Manifest& operator=(Manifest&&) noexcept;
-  ~Manifest();
+  Manifest(Manifest&&) noexcept = default;
+  Manifest& operator=(Manifest&&) noexcept = default;
 
   /// Takes part in checkpoints. Read from one, the manifest keeps what it said of the program that started the run; what this
   /// program says of itself is added under "continued", with "other_build": "accepted" if its code is other code.
   void persist(Archive& archive);
 
   /// Adds that the run began from another one, as read from its checkpoint; `origin`: that run and the moment.
-  void begin_from(Provenance origin);
+  void begin_from(Provenance origin) {
+    if (!continued_.empty()) provenance_ = continued_.back().provenance;
+    continued_.clear();
+    origin_ = std::move(origin);
+  }
 
   void on_start(const observe::RunDescription& run, const View& view);
   void on_event(const observe::Event& event, const View& view) { tally_.on_event(event, view); }
@@ -45,7 +48,7 @@ class Manifest {
   void set_agents_every_ticks(std::int64_t every) { agents_every_ticks_ = every; }
 
   /// Sets the names of the inputs in senses.csv, of a run that has that table; call before `on_start`.
-  void set_inputs(const std::vector<std::string>& inputs);
+  void set_inputs(const std::vector<std::string>& inputs) { inputs_ = inputs; }
 
   /// Sets the sums of the run's tables, for the next time that it is written.
   void set_tables(const std::vector<std::pair<std::string, TableSum>>& tables);
@@ -67,15 +70,14 @@ class Manifest {
   };
 
   void finish(std::string_view status);
-  void write() const;
 
-  std::filesystem::path path_;
   Provenance provenance_;
   std::vector<Continuation> continued_;
   Provenance origin_;
-  std::unique_ptr<Content> content_;
+  std::shared_ptr<Content> content_;  ///< this object alone owns it
   observe::Tally tally_;
   std::int64_t agents_every_ticks_ = 1;
+  std::optional<std::vector<std::string>> inputs_;
   double until_s_ = 0.0;
   double reached_s_ = 0.0;
   bool inherits_bodies_ = false;

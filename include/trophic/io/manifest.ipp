@@ -36,7 +36,10 @@ TROPHIC_INLINE std::string compiler() {
 }
 
 struct Manifest::Content {
-  Json json;
+  std::filesystem::path path;
+  Json json = {};
+
+  void write() const { replace_file(path, json_text(json, 2) + '\n'); }
 
   /// Calls `change(json)`; its effect is kept if it throws nothing. If memory runs out in it, the library's values may hold
   /// null pointers that their destructors follow: such a copy is leaked.
@@ -54,12 +57,9 @@ struct Manifest::Content {
 };
 
 TROPHIC_INLINE Manifest::Manifest(std::filesystem::path path, Provenance provenance)
-    : path_{std::move(path)}, provenance_{std::move(provenance)}, content_{std::make_unique<Content>()} {
+    : provenance_{std::move(provenance)}, content_{std::make_shared<Content>(Content{.path = std::move(path)})} {
   provenance_.emplace_back("code", program_code());
 }
-TROPHIC_INLINE Manifest::Manifest(Manifest&&) noexcept = default;
-TROPHIC_INLINE Manifest& Manifest::operator=(Manifest&&) noexcept = default;
-TROPHIC_INLINE Manifest::~Manifest() = default;
 
 TROPHIC_INLINE void Manifest::persist(Archive& archive) {
   Provenance ours = provenance_;
@@ -70,16 +70,6 @@ TROPHIC_INLINE void Manifest::persist(Archive& archive) {
     ours.emplace_back("other_build", "accepted");
   }
   continued_.push_back({.from_s = reached_s_, .provenance = std::move(ours)});
-}
-
-TROPHIC_INLINE void Manifest::begin_from(Provenance origin) {
-  if (!continued_.empty()) provenance_ = continued_.back().provenance;
-  continued_.clear();
-  origin_ = std::move(origin);
-}
-
-TROPHIC_INLINE void Manifest::set_inputs(const std::vector<std::string>& inputs) {
-  content_->change([&](Json& json) { json["senses"]["inputs"] = inputs; });
 }
 
 TROPHIC_INLINE void Manifest::set_tables(const std::vector<std::pair<std::string, TableSum>>& tables) {
@@ -114,6 +104,7 @@ TROPHIC_INLINE void Manifest::on_start(const observe::RunDescription& run, const
       json["continued"].push_back(std::move(program));
     }
     json["clock"] = {{"tick_s", run.tick_s}, {"simulated_s_per_clock_s", run.clock_scale}, {"until_s", run.until_s}};
+    if (inputs_) json["senses"]["inputs"] = *inputs_;
     if (agents_every_ticks_ != 1) json["agents_every_ticks"] = agents_every_ticks_;
     for (Species species = 0; species < view.web.size(); ++species) json["species"].push_back(view.web.name(species));
     json["food_web"] = Json::array();
@@ -127,7 +118,7 @@ TROPHIC_INLINE void Manifest::on_start(const observe::RunDescription& run, const
       std::visit([&](const auto& value) { json["params"][detail::json_place(param.path)] = value; }, param.value);
     }
   });
-  write();
+  content_->write();
 }
 
 TROPHIC_INLINE void Manifest::on_failure(std::string_view what) {
@@ -139,7 +130,7 @@ TROPHIC_INLINE void Manifest::add(const Provenance& provenance) {
   content_->change([&](Json& json) {
     for (const auto& [name, text] : provenance) json[name] = text;
   });
-  write();
+  content_->write();
 }
 
 TROPHIC_INLINE void Manifest::finish(std::string_view status) {
@@ -156,11 +147,7 @@ TROPHIC_INLINE void Manifest::finish(std::string_view status) {
     }
     if (inherits_bodies_) result["refused_bodies"] = refused_bodies_;
   });
-  write();
-}
-
-TROPHIC_INLINE void Manifest::write() const {
-  replace_file(path_, json_text(content_->json, 2) + '\n');
+  content_->write();
 }
 
 }  // namespace trophic::io

@@ -25,9 +25,8 @@ class Recording {
   /// Throws std::invalid_argument for another rate. With `Opening::resumed` the file is there, if the run has one, and
   /// `persist` comes next: the recording continues at the rate at which it began.
   Recording(const std::filesystem::path& path, double hz, Opening opening = Opening::created);
-  Recording(Recording&&) noexcept;
-  Recording& operator=(Recording&&) noexcept;
-  ~Recording();
+  Recording(Recording&&) noexcept = default;
+  Recording& operator=(Recording&&) noexcept = default;
 
   /// The rate, the file's length and the frames that wait for their block. Reading throws std::invalid_argument if the run had a
   /// recording and the folder has none.
@@ -51,12 +50,11 @@ class Recording {
 
   void write_head(const observe::Frame& frame);
   void write_bodies(const observe::Frame& frame);
-  void write_block(std::string_view kind, std::string_view data);
   void write_frames();
   [[nodiscard]] std::string waiting() const;
 
   double hz_;
-  std::unique_ptr<File> file_;
+  std::shared_ptr<File> file_;  ///< this object alone owns it
   recording::Units units_;
   std::size_t channels_ = 0;  ///< of each robot; in a run whose bodies differ, of the one with most joints so far
   std::size_t robots_ = 0;

@@ -13,14 +13,9 @@ namespace trophic::io {
 
 namespace recording {
 
-[[nodiscard]] TROPHIC_INLINE Json json_of(const Eigen::Vector3d& v) {
-  return {v.x(), v.y(), v.z()};
-}
-[[nodiscard]] TROPHIC_INLINE Json json_of(const Eigen::Quaterniond& q) {
-  return {q.w(), q.x(), q.y(), q.z()};
-}
-
 TROPHIC_INLINE Json json_of(const RobotModel& robot) {
+  const auto vector = [](const Eigen::Vector3d& v) { return Json{v.x(), v.y(), v.z()}; };
+  const auto rotation = [](const Eigen::Quaterniond& q) { return Json{q.w(), q.x(), q.y(), q.z()}; };
   Json json{{"name", robot.name},
             {"forward_rad", robot.forward_rad},
             {"bounding_radius_m", robot.bounding_radius_m},
@@ -29,15 +24,15 @@ TROPHIC_INLINE Json json_of(const RobotModel& robot) {
     const Link& link = robot.links[i];
     Json one{{"name", link.name},
              {"parent", link.parent},
-             {"offset_m", json_of(link.offset_m)},
-             {"rotation", json_of(link.rotation)},
+             {"offset_m", vector(link.offset_m)},
+             {"rotation", rotation(link.rotation)},
              {"boxes", Json::array()}};
-    if (i > 0) one["hinge"] = {{"name", robot.hinges[i - 1].name}, {"axis", json_of(robot.hinges[i - 1].axis)}};
+    if (i > 0) one["hinge"] = {{"name", robot.hinges[i - 1].name}, {"axis", vector(robot.hinges[i - 1].axis)}};
     for (const Box& box : link.boxes) {
       one["boxes"].push_back({{"part", box.part},
-                              {"half_extents_m", json_of(box.half_extents_m)},
-                              {"centre_m", json_of(box.centre_m)},
-                              {"orientation", json_of(box.orientation)}});
+                              {"half_extents_m", vector(box.half_extents_m)},
+                              {"centre_m", vector(box.centre_m)},
+                              {"orientation", rotation(box.orientation)}});
     }
     json["links"].push_back(std::move(one));
   }
@@ -64,6 +59,8 @@ TROPHIC_INLINE Json json_of(const Units& units) {
 struct Recording::File {
   GrowingFile file;
   Json head = {};
+
+  void write(std::string_view kind, std::string_view data) { file.append(recording::block(kind, data)); }
 };
 
 TROPHIC_INLINE Recording::Recording(const std::filesystem::path& path, double hz, Opening opening) : hz_{hz} {
@@ -71,11 +68,8 @@ TROPHIC_INLINE Recording::Recording(const std::filesystem::path& path, double hz
     throw std::invalid_argument{"replay_hz = " + number_text(hz) + ": must be >= 0 and <= 1000"};
   }
   const bool has_file = opening == Opening::created ? hz > 0.0 : std::filesystem::exists(path);
-  if (has_file) file_ = std::make_unique<File>(File{.file = GrowingFile{path, opening}});
+  if (has_file) file_ = std::make_shared<File>(File{.file = GrowingFile{path, opening}});
 }
-TROPHIC_INLINE Recording::Recording(Recording&&) noexcept = default;
-TROPHIC_INLINE Recording& Recording::operator=(Recording&&) noexcept = default;
-TROPHIC_INLINE Recording::~Recording() = default;
 
 TROPHIC_INLINE std::uint32_t Recording::checksum() const {
   return file_ ? file_->file.checksum() : 0;
@@ -92,7 +86,7 @@ TROPHIC_INLINE void Recording::on_start(const observe::RunDescription& run, cons
   head = {{"format", "trophic recording"}, {"version", version},     {"fingerprint", run.fingerprint}, {"seed", run.seed},
           {"rule_table", run.rules},       {"backend", run.backend}, {"species", Json::array()}};
   for (Species species = 0; species < view.web.size(); ++species) head["species"].push_back(view.web.name(species));
-  if (channels_ > 0 && !is_same_run) write_block(recording::head_kind, json_text(head));
+  if (channels_ > 0 && !is_same_run) file_->write(recording::head_kind, json_text(head));
 }
 
 TROPHIC_INLINE void Recording::write_head(const observe::Frame& frame) {
@@ -117,7 +111,7 @@ TROPHIC_INLINE void Recording::write_head(const observe::Frame& frame) {
   head["robot"] = recording::json_of(frame.robot);
   head["arena"] = recording::json_of(frame.arena);
   file_->file.append(recording::magic);
-  write_block(recording::head_kind, json_text(head));
+  file_->write(recording::head_kind, json_text(head));
 }
 
 TROPHIC_INLINE void Recording::on_frame(const observe::Frame& frame) {
@@ -175,7 +169,7 @@ TROPHIC_INLINE void Recording::on_end(const View&) {
   write_frames();
   std::string frames;
   recording::append_u32(frames, frames_);
-  write_block(recording::end_kind, frames);
+  file_->write(recording::end_kind, frames);
   file_->file.sync();
 }
 
@@ -213,7 +207,7 @@ TROPHIC_INLINE void Recording::write_frames() {
   if (bodies_differ_) recording::append_u32(data, static_cast<std::uint32_t>(channels_));
   data.append(waiting());
   values_.clear();
-  write_block(recording::frames_kind, data);
+  file_->write(recording::frames_kind, data);
 }
 
 TROPHIC_INLINE void Recording::persist(Archive& archive) {
@@ -246,10 +240,6 @@ TROPHIC_INLINE void Recording::persist(Archive& archive) {
       }
     }
   }
-}
-
-TROPHIC_INLINE void Recording::write_block(std::string_view kind, std::string_view data) {
-  file_->file.append(recording::block(kind, data));
 }
 
 }  // namespace trophic::io

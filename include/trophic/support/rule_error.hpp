@@ -2,12 +2,12 @@
 // The error for an invalid return value of a policy, with its slot, the value and the bound.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <trophic/support/linkage.hpp>
 
 namespace trophic {
 
@@ -15,28 +15,31 @@ namespace trophic {
 class RuleError : public std::logic_error {
  public:
   explicit RuleError(const std::string& sentence) : std::logic_error{sentence} {}
-  RuleError(std::string_view slot, const std::string& what);
+  RuleError(std::string_view slot, const std::string& what)
+      : std::logic_error{"the policy in rules." + std::string{slot} + " returned " + what} {}
 };
-
-namespace detail {
-
-[[noreturn]] void reject_index(std::string_view slot, std::string_view what, std::size_t value, std::size_t size);
-
-}  // namespace detail
 
 /// Throws RuleError unless `value` < `size`.
 inline void check_index(std::string_view slot, std::string_view what, std::size_t value, std::size_t size) {
-  if (value >= size) detail::reject_index(slot, what, value, size);
+  if (value < size) return;
+  throw RuleError{slot, std::string{what} + " " + std::to_string(value) + ": must be < " + std::to_string(size)};
 }
 
 /// Throws RuleError unless a brain lists at least one tag and each tag once.
-void check_tags(std::span<const int> tags);
+inline void check_tags(std::span<const int> tags) {
+  if (tags.empty()) throw RuleError{"brain", "no tags(): must list every tag that it may choose"};
+  for (auto tag = tags.begin(); tag != tags.end(); ++tag) {
+    if (std::find(tags.begin(), tag, *tag) == tag) continue;
+    throw RuleError{"brain", "tags() with " + std::to_string(*tag) + " twice: must list each tag once"};
+  }
+}
 
 /// Throws RuleError unless `tag` is one of the brain's tags.
-void check_tag(std::span<const int> tags, int tag, std::string_view slot);
+inline void check_tag(std::span<const int> tags, int tag, std::string_view slot) {
+  if (std::ranges::find(tags, tag) != tags.end()) return;
+  std::string known;
+  for (const int one : tags) known += (known.empty() ? "" : ", ") + std::to_string(one);
+  throw RuleError{slot, "tag " + std::to_string(tag) + ": must be one of the brain's tags() (" + known + ")"};
+}
 
 }  // namespace trophic
-
-#if TROPHIC_HEADER_ONLY
-#include <trophic/support/rule_error.ipp>
-#endif

@@ -37,7 +37,13 @@ struct Checkpoint {
   }
 
   /// The bytes of a section. Throws std::invalid_argument if there is none of that name.
-  [[nodiscard]] const std::string& section(std::string_view name) const;
+  [[nodiscard]] const std::string& section(std::string_view name) const {
+    for (const Section& section : sections) {
+      if (section.name == name) return section.bytes;
+    }
+    throw std::invalid_argument{"the checkpoint has no section \"" + std::string{name} +
+                                "\": the run was made without it, so it must continue without it"};
+  }
 };
 
 /// As a file: a line that names the format, its version, the content, and the CRC-32 of all of it.
@@ -52,7 +58,9 @@ struct Checkpoint {
 void write(const std::filesystem::path& folder, Checkpoint checkpoint);
 
 /// Whether there is a checkpoint in a folder, whole or not.
-[[nodiscard]] bool exists(const std::filesystem::path& folder);
+[[nodiscard]] inline bool exists(const std::filesystem::path& folder) {
+  return std::filesystem::exists(folder / file_name) || std::filesystem::exists(folder / predecessor_name);
+}
 
 /// checkpoint.bin, or its predecessor if it is missing or damaged: then a damaged one is removed. Throws std::invalid_argument if
 /// neither is whole, with the fault of the last one; UnreadableFile if the system refuses to read one.
@@ -62,7 +70,10 @@ void write(const std::filesystem::path& folder, Checkpoint checkpoint);
 [[nodiscard]] std::vector<Checkpoint> read_all(const std::filesystem::path& folder);
 
 /// Removes the predecessor, for a run that has ended.
-void remove_predecessor(const std::filesystem::path& folder);
+inline void remove_predecessor(const std::filesystem::path& folder) {
+  std::error_code ignored;
+  std::filesystem::remove(folder / predecessor_name, ignored);
+}
 
 }  // namespace trophic::checkpoint
 

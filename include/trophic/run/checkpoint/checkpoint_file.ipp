@@ -29,14 +29,6 @@ inline constexpr std::string_view first_line = "trophic checkpoint\n";
 
 }  // namespace detail
 
-TROPHIC_INLINE const std::string& Checkpoint::section(std::string_view name) const {
-  for (const Section& section : sections) {
-    if (section.name == name) return section.bytes;
-  }
-  throw std::invalid_argument{"the checkpoint has no section \"" + std::string{name} +
-                              "\": the run was made without it, so it must continue without it"};
-}
-
 TROPHIC_INLINE std::string to_bytes(Checkpoint checkpoint) {
   Archive archive;
   std::uint32_t version = format_version;
@@ -85,10 +77,6 @@ TROPHIC_INLINE void write(const std::filesystem::path& folder, Checkpoint checkp
   replace_file(path, bytes, folder / predecessor_name);
 }
 
-TROPHIC_INLINE bool exists(const std::filesystem::path& folder) {
-  return std::filesystem::exists(folder / file_name) || std::filesystem::exists(folder / predecessor_name);
-}
-
 TROPHIC_INLINE Checkpoint read_last(const std::filesystem::path& folder) {
   const auto read = [&](std::string_view name) {
     const std::filesystem::path path = folder / name;
@@ -120,11 +108,6 @@ TROPHIC_INLINE std::vector<Checkpoint> read_all(const std::filesystem::path& fol
     }
   }
   return found;
-}
-
-TROPHIC_INLINE void remove_predecessor(const std::filesystem::path& folder) {
-  std::error_code ignored;
-  std::filesystem::remove(folder / predecessor_name, ignored);
 }
 
 }  // namespace trophic::checkpoint

@@ -42,10 +42,7 @@ inline constexpr std::string_view ecology_section = "ecology";
 /// The present moment of an ecology and its participating observers, between two ticks.
 [[nodiscard]] Checkpoint take(Simulation& ecology, const observe::RunDescription& run, const Parts& parts = {});
 
-/// Throws std::invalid_argument naming the difference if a checkpoint is not of this run, apart from the seed.
-void check_same_rules(const Checkpoint& checkpoint, const observe::RunDescription& run);
-
-/// Throws also if the seed differs, or the code of the program that wrote it.
+/// Throws std::invalid_argument naming the difference if a checkpoint is not of this run or of another program's code.
 void check_same_run(const Checkpoint& checkpoint, const observe::RunDescription& run);
 
 /// Starts an ecology of other rules or another seed from a checkpoint. Throws std::invalid_argument for one of other robots
@@ -64,14 +61,29 @@ class CheckpointWriter {
   CheckpointWriter(std::filesystem::path folder, Schedule schedule, Parts parts)
       : folder_{std::move(folder)}, schedule_{schedule}, parts_{std::move(parts)} {}
 
-  void on_start(const observe::RunDescription& run, const View& view);
-  void between_ticks(Simulation& ecology, bool last);
+  void on_start(const observe::RunDescription& run, const View& view) {
+    run_ = run;
+    last_s_ = view.time_s;
+  }
+  void between_ticks(Simulation& ecology, bool last) {
+    if (!last && !due(ecology.time_s())) return;
+    const double before_s = watch_.elapsed_s();
+    write(folder_, take(ecology, run_, parts_));
+    if (last && ecology.time_s() >= run_.until_s) remove_predecessor(folder_);
+    written_s_ = watch_.elapsed_s();
+    cost_s_ = written_s_ - before_s;
+    last_s_ = ecology.time_s();
+    ++written_;
+  }
 
   /// Number of written checkpoints.
   [[nodiscard]] std::uint64_t written() const { return written_; }
 
  private:
-  [[nodiscard]] bool due(double time_s) const;
+  [[nodiscard]] bool due(double time_s) const {
+    if (!(schedule_.every_s > 0.0) || time_s - last_s_ < schedule_.every_s) return false;
+    return cost_s_ <= schedule_.most_share * (watch_.elapsed_s() - written_s_);
+  }
 
   std::filesystem::path folder_;
   Schedule schedule_;

@@ -51,15 +51,12 @@ TROPHIC_INLINE Checkpoint take(Simulation& ecology, const observe::RunDescriptio
   return moment;
 }
 
-TROPHIC_INLINE void check_same_rules(const Checkpoint& checkpoint, const observe::RunDescription& run) {
-  detail::same("version of trophic", checkpoint.program_version, std::string{version});
-  if (checkpoint.fingerprint == run.fingerprint) return;
-  throw std::invalid_argument{"the checkpoint's fingerprint = " + checkpoint.fingerprint + ": must be " + run.fingerprint +
-                              ", as of the run that is to be resumed; its rules, parameters, models or engine differ"};
-}
-
 TROPHIC_INLINE void check_same_run(const Checkpoint& checkpoint, const observe::RunDescription& run) {
-  check_same_rules(checkpoint, run);
+  detail::same("version of trophic", checkpoint.program_version, std::string{version});
+  if (checkpoint.fingerprint != run.fingerprint) {
+    throw std::invalid_argument{"the checkpoint's fingerprint = " + checkpoint.fingerprint + ": must be " + run.fingerprint +
+                                ", as of the run that is to be resumed; its rules, parameters, models or engine differ"};
+  }
   if (checkpoint.code != program_code()) {
     throw std::invalid_argument{"the checkpoint's code = " + checkpoint.code + ": must be " + program_code() +
                                 ", as of this program; another build wrote it, whose rules may be others (--accept-other-build "
@@ -82,27 +79,6 @@ TROPHIC_INLINE void restore_any(const Checkpoint& checkpoint, Simulation& ecolog
 TROPHIC_INLINE void restore(const Checkpoint& checkpoint, Simulation& ecology, const Parts& parts) {
   check_same_run(checkpoint, ecology.describe(0.0));
   restore_any(checkpoint, ecology, parts);
-}
-
-TROPHIC_INLINE void CheckpointWriter::on_start(const observe::RunDescription& run, const View& view) {
-  run_ = run;
-  last_s_ = view.time_s;
-}
-
-TROPHIC_INLINE void CheckpointWriter::between_ticks(Simulation& ecology, bool last) {
-  if (!last && !due(ecology.time_s())) return;
-  const double before_s = watch_.elapsed_s();
-  write(folder_, take(ecology, run_, parts_));
-  if (last && ecology.time_s() >= run_.until_s) remove_predecessor(folder_);
-  written_s_ = watch_.elapsed_s();
-  cost_s_ = written_s_ - before_s;
-  last_s_ = ecology.time_s();
-  ++written_;
-}
-
-TROPHIC_INLINE bool CheckpointWriter::due(double time_s) const {
-  if (!(schedule_.every_s > 0.0) || time_s - last_s_ < schedule_.every_s) return false;
-  return cost_s_ <= schedule_.most_share * (watch_.elapsed_s() - written_s_);
 }
 
 }  // namespace trophic::checkpoint
