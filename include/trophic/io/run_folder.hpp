@@ -19,7 +19,10 @@
 namespace trophic::io {
 
 /// Throws std::invalid_argument if the path exists.
-void check_new_folder(const std::filesystem::path& path);
+inline void check_new_folder(const std::filesystem::path& path) {
+  if (!std::filesystem::exists(std::filesystem::symlink_status(path))) return;
+  throw std::invalid_argument{"output folder " + path.string() + ": exists already; runs are never overwritten"};
+}
 
 /// Makes a new folder. Throws std::invalid_argument if the path exists, std::runtime_error if it cannot be made.
 [[nodiscard]] std::filesystem::path make_new_folder(const std::filesystem::path& path);

@@ -15,18 +15,6 @@
 
 namespace trophic::io {
 
-namespace detail {
-
-[[noreturn]] inline void refuse_folder(const std::filesystem::path& path) {
-  throw std::invalid_argument{"output folder " + path.string() + ": exists already; runs are never overwritten"};
-}
-
-}  // namespace detail
-
-TROPHIC_INLINE void check_new_folder(const std::filesystem::path& path) {
-  if (std::filesystem::exists(std::filesystem::symlink_status(path))) detail::refuse_folder(path);
-}
-
 TROPHIC_INLINE std::filesystem::path make_new_folder(const std::filesystem::path& path) {
   check_new_folder(path);
   const auto require = [&](const std::error_code& error) {
@@ -39,7 +27,7 @@ TROPHIC_INLINE std::filesystem::path make_new_folder(const std::filesystem::path
   // If two programs want the same folder, one makes it.
   const bool made = std::filesystem::create_directory(name, error);
   require(error);
-  if (!made) detail::refuse_folder(path);
+  if (!made) check_new_folder(path);
   return path;
 }
 
