@@ -4,11 +4,10 @@
 
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/rules/paper.hpp>
-#include <trophic/rules/released.hpp>
-#include <trophic/support/linkage.hpp>
 
 #if !TROPHIC_HEADER_ONLY
+#include <trophic/rules/paper.hpp>
+#include <trophic/rules/released.hpp>
 namespace trophic {
 extern template class Ecology<rules::Paper>;
 extern template class Ecology<rules::Released>;
