@@ -48,7 +48,7 @@ struct ExperimentOptions {
   bool senses = false;
   bool states = false;
   bool print_config = false;
-  std::string sweep;  ///< file of a grid of settings
+  std::string sweep;               ///< file of a grid of settings
   std::vector<std::uint64_t> run;  ///< numbers of its runs; empty: all of them
   bool plan = false;
   bool dry_run = false;

@@ -77,7 +77,8 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
         .only_with = {"--sweep", "--out"}},
        {.name = "--sbatch",
         .target = &options.sbatch,
-        .help = "print a Slurm script with N array tasks for the sweep: time by short runs, memory, output, signal; sbatch reads it",
+        .help =
+            "print a Slurm script with N array tasks for the sweep: time by short runs, memory, output, signal; sbatch reads it",
         .needs = {"--sweep"},
         .only_with = {"--sweep", "--out"}},
        {.name = "--status",

@@ -96,8 +96,8 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
   return files;
 }
 
-/// The numbers of the runs that are to be made, those with the most work first, so that none of them is begun when all others have
-/// ended.
+/// The numbers of the runs that are to be made, those with the most work first, so that none of them is begun when all others
+/// have ended.
 [[nodiscard]] inline std::vector<std::size_t> chosen_runs(const ExperimentOptions& options, const std::vector<PlannedRun>& plan) {
   std::vector<std::size_t> runs{options.run.begin(), options.run.end()};
   std::ranges::sort(runs);
@@ -114,8 +114,8 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
 }
 
 /// Prints how many runs are complete, and a sentence for each that is not, and returns the exit code.
-[[nodiscard]] inline int report(const ExperimentOptions& options, std::size_t runs, const std::map<std::size_t, std::string>& unfinished,
-                                std::size_t diverged) {
+[[nodiscard]] inline int report(const ExperimentOptions& options, std::size_t runs,
+                                const std::map<std::size_t, std::string>& unfinished, std::size_t diverged) {
   constexpr std::size_t most_sentences = 20;
   std::cout << runs - unfinished.size() << " of " << runs << " runs complete in " << options.out << "\n";
   flush_output();

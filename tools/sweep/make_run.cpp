@@ -21,8 +21,12 @@ namespace trophic::sweep {
 
 namespace detail {
 
-[[nodiscard]] inline std::filesystem::path lock_of(const std::filesystem::path& run) { return run.string() + ".lock"; }
-[[nodiscard]] inline std::filesystem::path making_of(const std::filesystem::path& run) { return run.string() + ".making"; }
+[[nodiscard]] inline std::filesystem::path lock_of(const std::filesystem::path& run) {
+  return run.string() + ".lock";
+}
+[[nodiscard]] inline std::filesystem::path making_of(const std::filesystem::path& run) {
+  return run.string() + ".making";
+}
 
 /// The right to make a run. Network file systems that lock a file for all machines lock a folder for one.
 class RunLock {
@@ -96,7 +100,9 @@ inline void complete(const std::filesystem::path& making, const PlannedRun& run,
 
 }  // namespace detail
 
-bool is_complete(const std::filesystem::path& sweep, const PlannedRun& run) { return detail::holds(sweep / run.folder, run); }
+bool is_complete(const std::filesystem::path& sweep, const PlannedRun& run) {
+  return detail::holds(sweep / run.folder, run);
+}
 
 Stage stage_of(const std::filesystem::path& sweep, const PlannedRun& run) {
   const std::filesystem::path folder = sweep / run.folder;

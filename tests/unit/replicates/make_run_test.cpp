@@ -76,7 +76,9 @@ struct OneRun {
   }
 };
 
-void never(const fs::path&) { FAIL("worked"); }
+void never(const fs::path&) {
+  FAIL("worked");
+}
 
 }  // namespace
 
@@ -84,12 +86,12 @@ TEST_CASE("sweep run: complete -> gets its name, leaves nothing else and is not 
   const OneRun one;
   CHECK(one.stage() == Stage::missing);
   CHECK(one.make([&](const fs::path& own) {
-          CHECK(own == one.making);
-          CHECK_FALSE(fs::exists(own));
-          CHECK(one.stage() == Stage::running);
-          leave(own, "complete", one.run);
-          CHECK_FALSE(fs::exists(one.folder));
-        }) == "");
+    CHECK(own == one.making);
+    CHECK_FALSE(fs::exists(own));
+    CHECK(one.stage() == Stage::running);
+    leave(own, "complete", one.run);
+    CHECK_FALSE(fs::exists(one.folder));
+  }) == "");
   CHECK(one.stage() == Stage::complete);
   CHECK(std::distance(fs::directory_iterator{one.folder.parent_path()}, {}) == 1);
   CHECK(one.make(never) == "");
@@ -140,9 +142,9 @@ TEST_CASE("sweep run: another program makes it -> refused until that program die
   REQUIRE(::waitpid(child, nullptr, 0) == child);
   CHECK(one.stage() == Stage::interrupted);
   CHECK(one.make([&](const fs::path& own) {
-          CHECK(checkpoint::exists(own));
-          leave(own, "complete", one.run);
-        }) == "");
+    CHECK(checkpoint::exists(own));
+    leave(own, "complete", one.run);
+  }) == "");
   CHECK_FALSE(fs::exists(one.lock));
 }
 
@@ -151,10 +153,10 @@ TEST_CASE("sweep run: ended by a signal or an error -> interrupted or failed, an
   CHECK(one.make([&](const fs::path& own) { leave(own, "stopped", one.run); }) == "status \"stopped\"");
   CHECK(one.stage() == Stage::interrupted);
   CHECK(one.make([&](const fs::path& own) {
-          CHECK_FALSE(fs::exists(own));
-          leave(own, "failed", one.run);
-          throw std::runtime_error{"diverged"};
-        }) == "diverged");
+    CHECK_FALSE(fs::exists(own));
+    leave(own, "failed", one.run);
+    throw std::runtime_error{"diverged"};
+  }) == "diverged");
   CHECK(one.stage() == Stage::failed);
   CHECK(one.make() == "");
 }
