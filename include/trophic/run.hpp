@@ -2,7 +2,6 @@
 // Runs an ecology into a new folder: the only include of a short program besides its rules and its backend.
 #pragma once
 
-#include <filesystem>
 #include <iostream>
 #include <trophic/ecology/shipped.hpp>
 #include <trophic/ecology/simulation.hpp>

@@ -2,11 +2,7 @@
 // What a tick costs beside its physics: rules, perception, brains, gait control and logging, with and without MuJoCo.
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <span>
 #include <stop_token>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <thread>
 #include <trophic/backend/mujoco.hpp>
@@ -16,7 +12,6 @@
 #include <trophic/io/event_log.hpp>
 #include <trophic/io/genome_log.hpp>
 #include <trophic/rules/paper.hpp>
-#include <vector>
 
 namespace {
 

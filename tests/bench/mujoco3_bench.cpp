@@ -8,13 +8,10 @@
 #include <array>
 #include <chrono>
 #include <cstdio>
-#include <filesystem>
 #include <functional>
 #include <limits>
 #include <memory>
 #include <mujoco/worlds.hpp>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/mujoco/engine.hpp>
 #include <vector>

@@ -2,19 +2,14 @@
 // Benchmark of the paper's run on MuJoCo: a fixed stretch in which robots meet, from one checkpoint, in each way of stepping.
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
-#include <array>
 #include <chrono>
 #include <cstdio>
 #include <iostream>
 #include <map>
-#include <string>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/params/archive.hpp>
 #include <trophic/rules/paper.hpp>
-#include <vector>
 
 namespace {
 

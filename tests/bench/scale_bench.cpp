@@ -4,12 +4,8 @@
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
-#include <array>
 #include <chrono>
-#include <cstddef>
-#include <cstdint>
 #include <ctime>
-#include <string>
 #include <support/memory.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>

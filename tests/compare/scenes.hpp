@@ -2,18 +2,10 @@
 // Small robots with textbook motions, and quantities that any backend gives.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
-#include <span>
-#include <string>
 #include <trophic/backend/contract.hpp>
-#include <trophic/habitat/arena.hpp>
-#include <trophic/habitat/robot_model.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::compare {
 

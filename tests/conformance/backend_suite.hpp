@@ -5,15 +5,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <limits>
 #include <numbers>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/backend/contract.hpp>
 #include <trophic/control/locomotion/cpg.hpp>
 #include <trophic/habitat/gait.hpp>
@@ -21,7 +14,6 @@
 #include <trophic/habitat/load/arena.hpp>
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/robot.hpp>
-#include <vector>
 
 namespace trophic::conformance {
 

@@ -4,12 +4,9 @@
 #pragma once
 
 #include <conformance/policy_suite.hpp>
-#include <numbers>
-#include <span>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/control/steering/contract.hpp>
 #include <trophic/support/rule_error.hpp>
-#include <vector>
 
 namespace trophic::conformance {
 

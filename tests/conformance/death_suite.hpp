@@ -4,10 +4,7 @@
 #pragma once
 
 #include <conformance/policy_suite.hpp>
-#include <cstddef>
-#include <cstdint>
 #include <set>
-#include <span>
 #include <trophic/death/activation/contract.hpp>
 #include <trophic/death/capture/contract.hpp>
 #include <trophic/death/floor/contract.hpp>
@@ -17,8 +14,6 @@
 #include <trophic/death/starvation/contract.hpp>
 #include <trophic/death/starvation/exemption/contract.hpp>
 #include <trophic/death/starvation/interval/contract.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::conformance {
 

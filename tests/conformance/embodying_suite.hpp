@@ -3,10 +3,7 @@
 #pragma once
 
 #include <conformance/backend_suite.hpp>
-#include <cstddef>
-#include <stdexcept>
 #include <trophic/params/archive.hpp>
-#include <vector>
 
 namespace trophic::conformance {
 

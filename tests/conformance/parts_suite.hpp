@@ -4,19 +4,11 @@
 #pragma once
 
 #include <conformance/policy_suite.hpp>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <string>
 #include <trophic/control/gait/contract.hpp>
-#include <trophic/habitat/body/build.hpp>
-#include <trophic/habitat/nursery.hpp>
-#include <trophic/habitat/touch.hpp>
 #include <trophic/initialization/embodiment/contract.hpp>
 #include <trophic/params/numbers_text.hpp>
 #include <trophic/reproduction/body_plan/contract.hpp>
 #include <trophic/reproduction/viability/contract.hpp>
-#include <vector>
 
 namespace trophic::conformance {
 

@@ -5,15 +5,11 @@
 
 #include <Eigen/Geometry>
 #include <conformance/policy_suite.hpp>
-#include <numbers>
-#include <optional>
 #include <trophic/perception/heading/contract.hpp>
 #include <trophic/perception/newborn_tag/contract.hpp>
 #include <trophic/perception/sensors/contract.hpp>
 #include <trophic/perception/tag_switch/contract.hpp>
 #include <trophic/perception/visibility/contract.hpp>
-#include <trophic/population/sighting.hpp>
-#include <vector>
 
 TEST_CASE_TEMPLATE_DEFINE("heading", Policy, trophic_heading_suite) {
   using namespace trophic;

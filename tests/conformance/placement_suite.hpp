@@ -4,7 +4,6 @@
 
 #include <conformance/policy_suite.hpp>
 #include <trophic/initialization/placement/contract.hpp>
-#include <vector>
 
 TEST_CASE_TEMPLATE_DEFINE("placement", Policy, trophic_placement_suite) {
   using namespace trophic;

@@ -4,19 +4,8 @@
 
 #include <doctest/doctest.h>
 
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
 #include <support/hand_population.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/params/policy.hpp>
-#include <trophic/population/parts.hpp>
-#include <trophic/population/state.hpp>
-#include <trophic/support/rng.hpp>
-#include <tuple>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace trophic::conformance {
 

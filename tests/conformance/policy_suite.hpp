@@ -4,31 +4,10 @@
 
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <concepts>
 #include <conformance/policy_states.hpp>
-#include <cstddef>
-#include <cstdint>
 #include <exception>
-#include <limits>
-#include <numbers>
-#include <optional>
-#include <stdexcept>
-#include <string_view>
 #include <support/hand_population.hpp>
-#include <trophic/params/params.hpp>
-#include <trophic/population/parts.hpp>
-#include <trophic/population/sighting.hpp>
-#include <trophic/population/state.hpp>
 #include <trophic/rules/table.hpp>
-#include <trophic/support/rng.hpp>
-#include <trophic/support/units.hpp>
-#include <tuple>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace trophic::conformance {
 

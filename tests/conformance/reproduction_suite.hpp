@@ -4,17 +4,13 @@
 #pragma once
 
 #include <conformance/policy_suite.hpp>
-#include <memory>
-#include <optional>
 #include <set>
-#include <span>
 #include <trophic/reproduction/genome_source/contract.hpp>
 #include <trophic/reproduction/heredity/contract.hpp>
 #include <trophic/reproduction/initial_genome/contract.hpp>
 #include <trophic/reproduction/mutation/contract.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/reproduction/recruitment/contract.hpp>
-#include <vector>
 
 TEST_CASE_TEMPLATE_DEFINE("initial genome", Policy, trophic_initial_genome_suite) {
   using namespace trophic;

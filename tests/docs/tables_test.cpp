@@ -6,9 +6,6 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <tools/analysis/report/ablation_tables.hpp>
 #include <tools/analysis/report/axis_rows.hpp>
 #include <tools/analysis/report/means_table.hpp>
@@ -21,7 +18,6 @@
 #include <tools/trophic/cross_check/report.hpp>
 #include <trophic/io/column.hpp>
 #include <trophic/io/tables.hpp>
-#include <type_traits>
 
 namespace {
 

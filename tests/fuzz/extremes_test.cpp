@@ -6,30 +6,19 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <fuzz/readers.hpp>
 #include <iterator>
-#include <limits>
 #include <new>
 #include <regex>
-#include <stdexcept>
-#include <string>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/reproduction/heredity/contract.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
-#include <trophic/support/clock.hpp>
-#include <type_traits>
-#include <vector>
 
 namespace {
 

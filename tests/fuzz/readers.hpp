@@ -5,14 +5,6 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <support/forged_recording.hpp>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/data/lineages.hpp>
@@ -37,12 +29,10 @@
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/io/recording_planes.hpp>
-#include <trophic/params/archive.hpp>
 #include <trophic/reproduction/recruitment/after_escapes.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/rules/with.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
-#include <vector>
 
 namespace trophic::test {
 

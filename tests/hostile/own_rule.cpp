@@ -2,7 +2,6 @@
 // A rule table with a rule whose constant is in its code, where no manifest lists it.
 #include <trophic/death/senescence/contract.hpp>
 #include <trophic/experiment.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/rules/paper.hpp>
 
 namespace {

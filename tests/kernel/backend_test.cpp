@@ -2,7 +2,6 @@
 // The backend's fast stepping against one big MuJoCo model over 20 s.
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/backend/mujoco/islands.hpp>
 #include <trophic/habitat/body/build.hpp>

@@ -2,7 +2,6 @@
 // Random robots: trees of the project's modules, and trees of anything that a RobotModel can describe.
 #pragma once
 
-#include <numbers>
 #include <stdexcept>
 #include <trophic/habitat/body/build.hpp>
 #include <trophic/support/rng.hpp>

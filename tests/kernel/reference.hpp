@@ -5,18 +5,11 @@
 #include <mujoco/mujoco.h>
 
 #include <algorithm>
-#include <cmath>
-#include <memory>
-#include <stdexcept>
-#include <string>
 #include <trophic/backend/contract.hpp>
 #include <trophic/backend/mujoco/compiled_model.hpp>
 #include <trophic/backend/mujoco/kernel/batch.hpp>
 #include <trophic/backend/mujoco/kernel/step.hpp>
-#include <trophic/habitat/arena.hpp>
-#include <trophic/habitat/robot_model.hpp>
 #include <trophic/support/rng.hpp>
-#include <vector>
 
 namespace trophic::test {
 

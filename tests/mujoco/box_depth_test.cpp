@@ -3,16 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <compare/scenes.hpp>
-#include <cstddef>
-#include <filesystem>
-#include <fstream>
 #include <limits>
-#include <numbers>
-#include <span>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/backend/mujoco/box_test.hpp>

@@ -3,8 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <mujoco/worlds.hpp>
 #include <support/temporary_folder.hpp>

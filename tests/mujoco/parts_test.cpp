@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <atomic>
-#include <cmath>
 #include <stdexcept>
 #include <trophic/backend/clusters.hpp>
 #include <trophic/support/rng.hpp>

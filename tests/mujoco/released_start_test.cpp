@@ -3,10 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <numbers>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/control/locomotion/locomotion.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>

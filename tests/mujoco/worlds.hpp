@@ -3,11 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <numbers>
-#include <span>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/habitat/load/arena.hpp>
 #include <trophic/habitat/load/robot.hpp>

@@ -7,8 +7,6 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/ode.hpp>
 #include <trophic/backend/ode/engine.hpp>

@@ -2,10 +2,7 @@
 // The released code's rules, height field and timestep in ODE.
 #include <doctest/doctest.h>
 
-#include <cstddef>
-#include <fstream>
 #include <sstream>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/ode.hpp>
 #include <trophic/ecology/ecology.hpp>
@@ -15,7 +12,6 @@
 #include <trophic/rules/released.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/whole_file.hpp>
-#include <vector>
 
 using namespace trophic;
 using ReleasedInOde = Ecology<rules::Released>;

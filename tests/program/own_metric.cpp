@@ -2,12 +2,8 @@
 // A user's program with metrics of its own, as docs/how-to/my-metric.md has it; the variable METRIC asks for one that goes wrong.
 #include <cmath>
 #include <cstdlib>
-#include <limits>
-#include <stdexcept>
-#include <string>
 #include <trophic/experiment.hpp>
 #include <trophic/rules/paper.hpp>
-#include <vector>
 
 namespace {
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A user's program in one file: a rule table of one's own beside the paper's, and a CSV table of one's own in every run.
-#include <filesystem>
-#include <string_view>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/experiment.hpp>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/rules/paper.hpp>
-#include <tuple>
 
 using Ageing = trophic::named<trophic::with_senescence<trophic::rules::Paper, trophic::death::senescence::OldAge>, "ageing">;
 

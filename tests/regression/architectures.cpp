@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // architectures FOLDER: runs of both tables without bodies, and a minute of MuJoCo if it is linked. Compiled for each
 // architecture, they must write the same tables.
-#include <filesystem>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>

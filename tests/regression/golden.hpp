@@ -9,12 +9,9 @@
 #include <filesystem>
 #include <fstream>
 #include <sstream>
-#include <stdexcept>
-#include <string>
 #include <trophic/params/named_params.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/whole_file.hpp>
-#include <vector>
 
 namespace trophic::test {
 

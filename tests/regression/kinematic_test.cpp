@@ -2,9 +2,7 @@
 // Whole kinematic runs of both rule tables, byte for byte.
 #include <doctest/doctest.h>
 
-#include <filesystem>
 #include <regression/golden.hpp>
-#include <string>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/arena.hpp>

@@ -2,11 +2,8 @@
 // The events of a MuJoCo run by the paper's rules, as long as no robots touch: from then on rounding grows tenfold a second.
 #include <doctest/doctest.h>
 
-#include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <regression/golden.hpp>
-#include <string>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>

@@ -2,20 +2,13 @@
 // Invariants of every moment of every run of any length.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/population/view.hpp>
 #include <unordered_set>
-#include <vector>
 
 namespace trophic::test {
 

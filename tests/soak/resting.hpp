@@ -4,19 +4,13 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/physics.hpp>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/params/archive.hpp>
-#include <vector>
 
 namespace trophic::test {
 

@@ -5,21 +5,11 @@
 // invariants held and memory did not grow; 1: otherwise; 3: it was stopped, and resumes from its last checkpoint when run again.
 // See scripts/soak.
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <ctime>
-#include <exception>
-#include <filesystem>
 #include <iostream>
-#include <limits>
 #include <soak/growth.hpp>
 #include <soak/invariants.hpp>
 #include <soak/resting.hpp>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <support/memory.hpp>
 #include <tools/analysis/data/csv_reader.hpp>
 #include <tools/analysis/statistics/equivalence.hpp>
@@ -27,15 +17,11 @@
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/io/growing_file.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
-#include <trophic/params/archive.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
-#include <vector>
 
 namespace {
 

@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <soak/growth.hpp>
 #include <soak/invariants.hpp>
 #include <soak/resting.hpp>
-#include <stdexcept>
 #include <support/hand_population.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/habitat/load/robot.hpp>
-#include <trophic/habitat/pose.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
-#include <trophic/support/rng.hpp>
-#include <utility>
-#include <vector>
 
 using namespace trophic;
 using test::message_of;

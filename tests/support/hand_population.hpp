@@ -2,22 +2,7 @@
 // Populations written by hand or drawn from a seed, so that a rule can be asked without an ecology and without physics.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <memory>
-#include <numbers>
-#include <optional>
-#include <span>
-#include <trophic/habitat/arena.hpp>
 #include <trophic/perception/visibility/contract.hpp>
-#include <trophic/population/food_web.hpp>
-#include <trophic/population/individual.hpp>
-#include <trophic/population/view.hpp>
-#include <trophic/support/rng.hpp>
-#include <trophic/support/units.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::test {
 

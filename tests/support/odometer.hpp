@@ -2,12 +2,7 @@
 // A sensor with a State, for tests.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <string_view>
 #include <trophic/perception/sensors/contract.hpp>
-#include <tuple>
 
 namespace trophic::test {
 

@@ -2,12 +2,9 @@
 // An observer that writes down all calls, so that two runs can be compared to the last bit.
 #pragma once
 
-#include <optional>
-#include <string>
 #include <trophic/observe/event.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/population/view.hpp>
-#include <vector>
 
 namespace trophic::test {
 

@@ -3,13 +3,7 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
-#include <span>
-#include <string>
-#include <string_view>
 #include <trophic/backend/contract.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::test {
 

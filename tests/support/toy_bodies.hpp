@@ -2,16 +2,9 @@
 // Robots with joints and exchangeable bodies that cost nothing: joints follow their targets at once and robots slide on.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <span>
-#include <string>
-#include <string_view>
 #include <trophic/backend/contract.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::test {
 

@@ -2,15 +2,9 @@
 // A program that swaps the differences between two rule tables, in replicates. `trophic ablation-table` reads the result.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <iostream>
-#include <optional>
 #include <ostream>
-#include <stdexcept>
-#include <string>
 #include <tools/ablations/swaps.hpp>
 #include <tools/command/backends.hpp>
 #include <tools/command/option.hpp>
@@ -19,7 +13,6 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/rules/table.hpp>
-#include <vector>
 
 namespace trophic::command {
 

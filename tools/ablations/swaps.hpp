@@ -2,18 +2,10 @@
 // The swaps of an ablation study between two tables: each difference alone, groups of slots together, and biases in the brain.
 #pragma once
 
-#include <array>
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <string_view>
 #include <tools/ablations/with_rules_of.hpp>
 #include <tools/replicates/plan.hpp>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/io/run_folder.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::command {
 

@@ -2,23 +2,14 @@
 // Combines slots of two tables, and lists their differences.
 #pragma once
 
-#include <array>
-#include <concepts>
 #include <cstddef>
-#include <cstdint>
 #include <initializer_list>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/params/named_params.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/population/parts.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/rules/with_part.hpp>
 #include <trophic/support/joined_text.hpp>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 namespace trophic::rules {
 

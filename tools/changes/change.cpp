@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Definitions of change.hpp.
-#include <algorithm>
-#include <array>
-#include <cstddef>
 #include <cstdlib>
-#include <stdexcept>
 #include <tools/changes/change.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/whole_file.hpp>

@@ -2,14 +2,9 @@
 // Changes of a run's parameters while it runs, and their table.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <filesystem>
-#include <string>
-#include <string_view>
 #include <trophic/io/column.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::changes {
 

@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Definitions of changing_simulation.hpp.
-#include <algorithm>
 #include <exception>
-#include <filesystem>
-#include <stdexcept>
-#include <string_view>
 #include <tools/changes/changing_simulation.hpp>
 #include <tools/replicates/rewind.hpp>
 #include <trophic/io/csv_file.hpp>
-#include <trophic/observe/audience.hpp>
 #include <trophic/params/named_params.hpp>
-#include <utility>
 
 namespace trophic::changes {
 

@@ -2,18 +2,10 @@
 // An ecology whose parameters change while it runs.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <string>
 #include <tools/changes/change.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/io/own_table.hpp>
 #include <trophic/io/state_columns.hpp>
-#include <trophic/observe/run_description.hpp>
-#include <trophic/params/archive.hpp>
-#include <trophic/population/view.hpp>
-#include <vector>
 
 namespace trophic::changes {
 

@@ -1,8 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Definitions of backends.hpp.
-#include <algorithm>
-#include <array>
-#include <stdexcept>
 #include <tools/command/backends.hpp>
 #include <tools/command/words.hpp>
 #include <trophic/backend/kinematic.hpp>

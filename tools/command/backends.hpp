@@ -2,10 +2,7 @@
 // The backends that trophic was built with: the one list behind --backend, its help and its errors.
 #pragma once
 
-#include <string>
-#include <string_view>
 #include <trophic/backend/backend_choice.hpp>
-#include <vector>
 
 namespace trophic::command {
 

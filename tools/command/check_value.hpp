@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cstdint>
 #include <limits>
 #include <stdexcept>
-#include <string>
 #include <string_view>
 #include <system_error>
 #include <tools/command/option.hpp>

@@ -4,11 +4,8 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstddef>
 #include <functional>
 #include <memory>
-#include <stdexcept>
-#include <string>
 #include <tools/command/check_value.hpp>
 #include <tools/command/help_text.hpp>
 #include <tools/command/output.hpp>

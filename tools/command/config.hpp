@@ -6,13 +6,9 @@
 #include <cstddef>
 #include <optional>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <tools/command/read_parameters.hpp>
 #include <tools/command/words.hpp>
 #include <trophic/params/named_params.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::command {
 

@@ -4,7 +4,6 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <string>
 #include <tools/command/option.hpp>
 
 namespace trophic::command::detail {

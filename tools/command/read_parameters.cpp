@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Definitions of read_parameters.hpp.
 #include <algorithm>
-#include <cstdint>
 #include <stdexcept>
 #include <tools/command/read_parameters.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/params/toml_text.hpp>
-#include <utility>
-#include <variant>
 
 namespace trophic::command {
 

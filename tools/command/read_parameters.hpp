@@ -3,8 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <string_view>
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/parse_toml.hpp>
 

@@ -2,10 +2,8 @@
 // Definitions of run_command.hpp.
 #include <CLI/CLI.hpp>
 #include <array>
-#include <cstddef>
 #include <cstdio>
 #include <cstring>
-#include <exception>
 #include <filesystem>
 #include <new>
 #include <stdexcept>

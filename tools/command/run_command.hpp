@@ -3,7 +3,6 @@
 #pragma once
 
 #include <exception>
-#include <string>
 #include <tools/command/option.hpp>
 
 namespace trophic::command {

@@ -2,18 +2,11 @@
 // Writes TOML: all TOML files and listings of parameters of trophic's programs.
 #pragma once
 
-#include <concepts>
 #include <cstddef>
 #include <ranges>
-#include <string>
-#include <string_view>
 #include <trophic/params/named_params.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/params/parse_toml.hpp>
 #include <trophic/params/toml_text.hpp>
-#include <type_traits>
-#include <utility>
-#include <variant>
 
 namespace trophic {
 

@@ -1,9 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Definitions of contest_plan.hpp.
-#include <algorithm>
-#include <cstdint>
-#include <optional>
-#include <stdexcept>
 #include <tools/contest/contest_plan.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/whole_file.hpp>

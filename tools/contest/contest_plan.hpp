@@ -2,14 +2,10 @@
 // Contests that a program is to play: teams, who meets whom, and the experiment whose arena and brains they have.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <filesystem>
-#include <string>
 #include <trophic/ecology/lineup.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/support/json.hpp>
-#include <vector>
 
 namespace trophic::contest {
 

@@ -2,9 +2,7 @@
 // Definitions of play_contests.hpp.
 #include <algorithm>
 #include <atomic>
-#include <stdexcept>
 #include <tools/command/backends.hpp>
-#include <tools/command/offers.hpp>
 #include <tools/command/output.hpp>
 #include <tools/command/read_parameters.hpp>
 #include <tools/command/toml_of_json.hpp>

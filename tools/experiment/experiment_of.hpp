@@ -2,16 +2,9 @@
 // The experiment that options and configuration describe, and its ecologies with their changes.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <iterator>
 #include <map>
-#include <memory>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <thread>
 #include <tools/changes/change.hpp>
 #include <tools/changes/changing_simulation.hpp>
@@ -20,8 +13,6 @@
 #include <tools/experiment/experiment_options.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/experiment/any_experiment.hpp>
-#include <trophic/params/params.hpp>
-#include <vector>
 
 namespace trophic::command::detail {
 

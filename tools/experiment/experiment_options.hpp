@@ -2,20 +2,12 @@
 // The options of an experiment's command line.
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
 #include <functional>
-#include <optional>
-#include <string>
 #include <tools/command/read_parameters.hpp>
 #include <tools/experiment/printed_rules.hpp>
 #include <tools/replicates/rewind.hpp>
-#include <trophic/io/manifest.hpp>
-#include <trophic/io/own_table.hpp>
 #include <trophic/io/run_folder.hpp>
-#include <trophic/observe/run_description.hpp>
 #include <trophic/run/checkpoint/schedule.hpp>
-#include <vector>
 
 namespace trophic::command {
 

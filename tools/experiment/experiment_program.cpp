@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The definitions of trophic/experiment.hpp.
 #include <algorithm>
-#include <filesystem>
-#include <iostream>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <tools/command/backends.hpp>
 #include <tools/command/offers.hpp>
 #include <tools/command/output.hpp>

@@ -3,11 +3,7 @@
 #include <tools/experiment/printed_rules.hpp>
 
 #include <algorithm>
-#include <array>
-#include <charconv>
-#include <string_view>
 #include <tools/analysis/report/escaped.hpp>
-#include <variant>
 
 namespace trophic::command {
 

@@ -2,12 +2,8 @@
 // A rule table for readers: the policy in each slot, with its parameters and source.
 #pragma once
 
-#include <span>
-#include <string>
 #include <trophic/params/named_params.hpp>
 #include <trophic/rules/slot_rule.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::command {
 

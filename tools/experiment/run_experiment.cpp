@@ -1,20 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Definitions of run_experiment.hpp.
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <exception>
-#include <filesystem>
-#include <iostream>
-#include <memory>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <system_error>
 #include <thread>
 #include <tools/changes/change.hpp>
 #include <tools/changes/changing_simulation.hpp>
-#include <tools/command/config.hpp>
 #include <tools/command/output.hpp>
 #include <tools/command/read_parameters.hpp>
 #include <tools/command/run_command.hpp>
@@ -28,12 +19,9 @@
 #include <tools/replicates/run_in_folder.hpp>
 #include <tools/replicates/run_with_shadow.hpp>
 #include <trophic/io/run_folder.hpp>
-#include <trophic/io/state_log.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/whole_file.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::command {
 

@@ -1,19 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Definitions of run_live.hpp.
-#include <algorithm>
-#include <cstdint>
-#include <filesystem>
 #include <iostream>
-#include <memory>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <tools/experiment/experiment_of.hpp>
 #include <tools/experiment/run_experiment.hpp>
 #include <tools/experiment/run_live.hpp>
 #include <trophic/io/next_free_folder.hpp>
 #include <trophic/io/run_folder.hpp>
-#include <vector>
 
 namespace trophic::command {
 

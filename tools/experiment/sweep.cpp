@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Definitions of sweep.hpp.
 #include <algorithm>
-#include <cstddef>
-#include <filesystem>
-#include <iostream>
 #include <map>
-#include <optional>
 #include <ranges>
-#include <stdexcept>
 #include <thread>
 #include <tools/command/backends.hpp>
 #include <tools/command/output.hpp>
@@ -23,7 +18,6 @@
 #include <tools/sweep/make_run.hpp>
 #include <trophic/backend/contract.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
-#include <utility>
 
 namespace trophic::command {
 

@@ -5,17 +5,11 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
-#include <iostream>
 #include <map>
 #include <optional>
-#include <string>
 #include <system_error>
 #include <tools/command/output.hpp>
 #include <tools/command/shell_text.hpp>
@@ -24,7 +18,6 @@
 #include <trophic/io/next_free_folder.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/params/params.hpp>
-#include <utility>
 #include <vector>
 
 namespace trophic::command::detail::sweeps {

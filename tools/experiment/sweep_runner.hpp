@@ -3,16 +3,9 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <atomic>
-#include <cstddef>
 #include <cstdio>
 #include <filesystem>
-#include <memory>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <tools/changes/changing_simulation.hpp>
 #include <tools/command/backends.hpp>
 #include <tools/command/config.hpp>
@@ -27,7 +20,6 @@
 #include <tools/sweep/sweep_file.hpp>
 #include <trophic/backend/contract.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
-#include <vector>
 
 namespace trophic::command::detail::sweeps {
 

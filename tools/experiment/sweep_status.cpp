@@ -1,16 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Definitions of sweep_status.hpp.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <cstdlib>
-#include <filesystem>
-#include <iostream>
 #include <map>
 #include <span>
-#include <stdexcept>
-#include <string>
 #include <tools/command/check_folder.hpp>
 #include <tools/command/output.hpp>
 #include <tools/experiment/sweep_status.hpp>
@@ -20,7 +14,6 @@
 #include <trophic/params/params.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/whole_file.hpp>
-#include <utility>
 #include <vector>
 
 namespace trophic::command {

@@ -3,10 +3,7 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <filesystem>
-#include <string>
 #include <tools/gait_evolution/checkpoint.hpp>
 #include <tools/gait_evolution/cppn_gait.hpp>
 #include <tools/gait_evolution/gait_file.hpp>
@@ -19,7 +16,6 @@
 #include <trophic/params/numbers_text.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/version.hpp>
-#include <vector>
 
 namespace trophic::gait_evolution {
 

@@ -8,7 +8,6 @@
 #include <tools/command/toml_writer.hpp>
 #include <tools/gait_evolution/genome_toml.hpp>
 #include <trophic/params/params.hpp>
-#include <utility>
 #include <vector>
 
 namespace trophic::gait_evolution {

@@ -3,7 +3,6 @@
 #include <tools/gait_evolution/cppn_gait.hpp>
 
 #include <Eigen/Core>
-#include <cstddef>
 
 namespace trophic::gait_evolution {
 

@@ -2,15 +2,11 @@
 // Fitness functions of gaits.
 #pragma once
 
-#include <array>
-#include <concepts>
 #include <functional>
 #include <numbers>
-#include <string_view>
 #include <tools/gait_evolution/track.hpp>
 #include <tools/gait_evolution/trial.hpp>
 #include <trophic/params/params.hpp>
-#include <tuple>
 
 namespace trophic::gait_evolution {
 

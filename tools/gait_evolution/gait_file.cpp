@@ -2,7 +2,6 @@
 // Definitions of gait_file.hpp.
 #include <tools/gait_evolution/gait_file.hpp>
 
-#include <tools/command/toml_writer.hpp>
 #include <tools/gait_evolution/genome_toml.hpp>
 #include <trophic/habitat/load/models.hpp>
 #include <trophic/habitat/load/toml_table.hpp>

@@ -2,8 +2,6 @@
 // A gait file that records how its gait was evolved, and from what.
 #pragma once
 
-#include <string>
-#include <string_view>
 #include <tools/command/toml_writer.hpp>
 #include <tools/gait_evolution/genome.hpp>
 #include <trophic/habitat/load/gait.hpp>

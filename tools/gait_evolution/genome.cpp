@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstddef>
 #include <stdexcept>
-#include <string>
 
 namespace trophic::gait_evolution {
 

@@ -3,11 +3,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 #include <set>
 #include <tools/gait_evolution/activation.hpp>
 #include <trophic/params/params.hpp>
-#include <tuple>
 #include <vector>
 
 namespace trophic::gait_evolution {

@@ -3,11 +3,7 @@
 #include <tools/gait_evolution/genome_toml.hpp>
 
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/params/params.hpp>
 
 namespace trophic::gait_evolution {

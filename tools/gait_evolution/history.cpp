@@ -2,7 +2,6 @@
 // Definitions of history.hpp.
 #include <tools/gait_evolution/history.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <span>

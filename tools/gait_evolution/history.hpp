@@ -2,13 +2,8 @@
 // A pre-experiment's history as CSV tables.
 #pragma once
 
-#include <cstddef>
-#include <optional>
-#include <string>
 #include <tools/gait_evolution/lineage.hpp>
 #include <trophic/io/column.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::gait_evolution {
 

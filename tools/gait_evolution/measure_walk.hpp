@@ -2,12 +2,9 @@
 // How a robot walks with a gait, in the two numbers that engines without joints need.
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <tools/gait_evolution/trial.hpp>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/habitat/gait.hpp>
-#include <trophic/habitat/robot_model.hpp>
 
 namespace trophic::gait_evolution {
 

@@ -4,27 +4,17 @@
 
 #include <algorithm>
 #include <atomic>
-#include <cstddef>
 #include <functional>
-#include <limits>
-#include <span>
-#include <stdexcept>
-#include <string>
 #include <tools/gait_evolution/cppn_gait.hpp>
 #include <tools/gait_evolution/lineage.hpp>
 #include <tools/gait_evolution/tables.hpp>
 #include <tools/gait_evolution/trial.hpp>
 #include <tools/gait_evolution/variation.hpp>
 #include <trophic/backend/backend_choice.hpp>
-#include <trophic/habitat/robot_model.hpp>
 #include <trophic/habitat/validate_robot.hpp>
-#include <trophic/params/named_params.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/thread_pool.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::gait_evolution {
 

@@ -2,13 +2,8 @@
 // Selection of parents and of survivors.
 #pragma once
 
-#include <concepts>
-#include <cstddef>
-#include <span>
-#include <string_view>
 #include <trophic/params/params.hpp>
 #include <trophic/support/rng.hpp>
-#include <tuple>
 #include <vector>
 
 namespace trophic::gait_evolution {

@@ -2,21 +2,13 @@
 // Named pre-experiments: one policy per slot, and their parameters.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <string>
-#include <string_view>
 #include <tools/gait_evolution/fitness.hpp>
 #include <tools/gait_evolution/selection.hpp>
 #include <tools/gait_evolution/trial.hpp>
 #include <tools/gait_evolution/variation.hpp>
 #include <trophic/backend/backend_choice.hpp>
-#include <trophic/backend/contract.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>
-#include <trophic/params/named_params.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/rules/table.hpp>
-#include <tuple>
 
 namespace trophic::gait_evolution {
 

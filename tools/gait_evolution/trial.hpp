@@ -2,23 +2,15 @@
 // One candidate gait tried out: one robot alone on an endless floor.
 #pragma once
 
-#include <Eigen/Geometry>
-#include <array>
 #include <cmath>
-#include <cstdint>
 #include <functional>
 #include <numbers>
-#include <span>
-#include <string_view>
 #include <tools/gait_evolution/track.hpp>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/control/locomotion/cpg.hpp>
 #include <trophic/control/locomotion/locomotion.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>
-#include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/ground_pose.hpp>
-#include <trophic/params/params.hpp>
-#include <tuple>
 
 namespace trophic::gait_evolution {
 

@@ -3,7 +3,6 @@
 #include <tools/gait_evolution/variation.hpp>
 
 #include <algorithm>
-#include <cstdint>
 #include <set>
 #include <vector>
 

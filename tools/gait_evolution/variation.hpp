@@ -6,7 +6,6 @@
 #include <tools/gait_evolution/innovations.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/rng.hpp>
-#include <tuple>
 
 namespace trophic::gait_evolution {
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Definitions of footage.hpp.
-#include <algorithm>
 #include <cmath>
 #include <tools/live/footage.hpp>
 #include <trophic/io/recording_head.hpp>
 #include <trophic/io/recording_planes.hpp>
-#include <utility>
 #include <variant>
 
 namespace trophic::live {

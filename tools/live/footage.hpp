@@ -2,11 +2,6 @@
 // A run as messages to its pages: its facts, then each tick's robots, events and poses.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <string>
 #include <tools/live/live_server.hpp>
 #include <trophic/io/recording_format.hpp>
 #include <trophic/io/tables.hpp>
@@ -15,8 +10,6 @@
 #include <trophic/observe/run_description.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/json.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::live {
 

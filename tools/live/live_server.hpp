@@ -2,11 +2,6 @@
 // `--live`: a run that a page in a browser shows and steers while it runs, where trophic was built with Boost and the page.
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
-#include <memory>
-#include <optional>
-#include <string>
 #include <tools/changes/change.hpp>
 #include <tools/changes/changing_simulation.hpp>
 #include <trophic/ecology/simulation.hpp>
@@ -15,7 +10,6 @@
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
-#include <vector>
 
 namespace trophic::command {
 

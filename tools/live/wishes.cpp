@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Definitions of wishes.hpp.
 #include <algorithm>
-#include <array>
-#include <stdexcept>
 #include <tools/command/words.hpp>
 #include <tools/live/wishes.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/json.hpp>
-#include <utility>
 #include <vector>
 
 namespace trophic::live {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <trophic/population/food_web.hpp>
 #include <trophic/support/colour.hpp>
 

@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Definitions of read_recording.hpp.
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <new>
 #include <optional>
-#include <stdexcept>
-#include <string_view>
 #include <tools/recording/read_recording.hpp>
 #include <trophic/io/recording_planes.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/support/checksum.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/plain_text.hpp>
 #include <trophic/support/whole_file.hpp>
-#include <utility>
 
 namespace trophic::io {
 

@@ -2,18 +2,14 @@
 // Reads replay.trp: the pose of every robot at any recorded moment, without the engine.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <span>
-#include <string>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/io/recording_format.hpp>
 #include <trophic/observe/frame.hpp>
-#include <vector>
 
 namespace trophic::io {
 

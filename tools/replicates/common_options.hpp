@@ -2,11 +2,7 @@
 // Output and other options that runs of a set have in common.
 #pragma once
 
-#include <cstdint>
-#include <optional>
 #include <tools/replicates/rewind.hpp>
-#include <trophic/io/manifest.hpp>
-#include <trophic/io/own_table.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/run/checkpoint/schedule.hpp>
 

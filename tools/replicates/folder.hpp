@@ -2,25 +2,15 @@
 // The folder of a set of replicates: made once, resumed later, never overwritten.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <tools/replicates/plan.hpp>
 #include <tools/replicates/rewind.hpp>
 #include <trophic/io/run_folder.hpp>
-#include <trophic/observe/run_description.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
-#include <trophic/support/folder_lock.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/no_links.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/unreadable_file.hpp>
 #include <trophic/support/whole_file.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::replicates {
 

@@ -2,18 +2,10 @@
 // The replicates of an experiment, with their seeds and folders.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <tools/replicates/rewind.hpp>
-#include <trophic/io/own_table.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/run/checkpoint/schedule.hpp>
 #include <trophic/support/rng.hpp>
-#include <vector>
 
 namespace trophic::replicates {
 

@@ -2,12 +2,10 @@
 // One run of several into its own folder.
 #pragma once
 
-#include <filesystem>
 #include <tools/replicates/common_options.hpp>
 #include <tools/replicates/joint_progress.hpp>
 #include <tools/replicates/rewind.hpp>
 #include <trophic/ecology/simulation.hpp>
-#include <trophic/io/manifest.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/stop_on_signal.hpp>

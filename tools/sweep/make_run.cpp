@@ -8,7 +8,6 @@
 #include <chrono>
 #include <cstring>
 #include <stdexcept>
-#include <string>
 #include <thread>
 #include <tools/replicates/rewind.hpp>
 #include <tools/sweep/make_run.hpp>

@@ -1,23 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Definitions of plan_file.hpp.
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <limits>
 #include <map>
 #include <set>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <tools/sweep/plan_file.hpp>
-#include <trophic/support/json.hpp>
 #include <trophic/support/plain_text.hpp>
 #include <trophic/support/whole_file.hpp>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 namespace trophic::sweep {
 

@@ -2,15 +2,8 @@
 // plan.jsonl: the runs of a sweep over a grid, one a line, for running and analysis.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <span>
-#include <string>
-#include <string_view>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/support/json.hpp>
-#include <vector>
 
 namespace trophic::sweep {
 

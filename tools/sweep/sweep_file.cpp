@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Definitions of sweep_file.hpp.
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <stdexcept>
-#include <string_view>
 #include <tools/command/read_parameters.hpp>
 #include <tools/sweep/sweep_file.hpp>
 #include <trophic/support/whole_file.hpp>
-#include <utility>
 
 namespace trophic::sweep {
 

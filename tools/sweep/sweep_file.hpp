@@ -2,16 +2,9 @@
 // sweep.toml: the settings that a study tries, and the number of replicates.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <string>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/json.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::sweep {
 

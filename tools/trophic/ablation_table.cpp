@@ -3,18 +3,7 @@
 // their number.
 #include "commands.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <iostream>
-#include <memory>
-#include <optional>
-#include <span>
 #include <sstream>
-#include <stdexcept>
-#include <string>
 #include <tools/ablations/swaps.hpp>
 #include <tools/analysis/metrics/run_set.hpp>
 #include <tools/analysis/report/ablation_tables.hpp>
@@ -26,8 +15,6 @@
 #include <tools/replicates/parallel.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/support/new_file.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::command {
 

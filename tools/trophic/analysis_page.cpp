@@ -7,8 +7,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdio>
-#include <stdexcept>
-#include <string_view>
 #include <tools/trophic/replay/base64.hpp>
 #include <tools/trophic/replay/page.hpp>
 #include <trophic/support/json.hpp>

@@ -3,8 +3,6 @@
 #include <tools/trophic/analysis_words.hpp>
 
 #include <algorithm>
-#include <cstddef>
-#include <optional>
 #include <tools/analysis/report/metrics_table.hpp>
 #include <tools/analysis/report/reading.hpp>
 #include <tools/analysis/report/summary.hpp>
@@ -12,8 +10,6 @@
 #include <trophic/params/params.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/whole_file.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::command {
 

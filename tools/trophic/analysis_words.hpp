@@ -2,8 +2,6 @@
 // Sentences of an analysis page about a set of runs: question, findings, rows of the table, rules, commands.
 #pragma once
 
-#include <span>
-#include <string>
 #include <tools/analysis/metrics/run_set.hpp>
 #include <tools/trophic/analysis_page.hpp>
 

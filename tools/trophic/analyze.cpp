@@ -2,24 +2,12 @@
 // `trophic analyze`, from runs to results: metrics with intervals next to the paper's values and their nulls.
 #include "commands.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <filesystem>
-#include <iostream>
-#include <memory>
-#include <optional>
-#include <span>
 #include <sstream>
-#include <stdexcept>
-#include <string>
 #include <tools/analysis/data/lineages.hpp>
 #include <tools/analysis/data/met_inputs.hpp>
-#include <tools/analysis/data/pooled_runs.hpp>
 #include <tools/analysis/data/shadow.hpp>
 #include <tools/analysis/metrics/body_metrics.hpp>
-#include <tools/analysis/metrics/lineage_metrics.hpp>
-#include <tools/analysis/metrics/own_column.hpp>
 #include <tools/analysis/metrics/run_set.hpp>
 #include <tools/analysis/metrics/sweep_values.hpp>
 #include <tools/analysis/report/claim_conclusion.hpp>
@@ -42,7 +30,6 @@
 #include <trophic/params/params.hpp>
 #include <trophic/support/new_file.hpp>
 #include <trophic/support/version.hpp>
-#include <vector>
 
 namespace trophic::command {
 

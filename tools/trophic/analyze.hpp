@@ -2,7 +2,6 @@
 // The command `analyze`, in the program trophic and in every experiment program.
 #pragma once
 
-#include <string>
 #include <tools/command/offers.hpp>
 #include <tools/command/option.hpp>
 #include <trophic/experiment/own_metric.hpp>

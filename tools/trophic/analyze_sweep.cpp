@@ -2,13 +2,9 @@
 // Definitions of analyze_sweep.hpp.
 #include <tools/trophic/analyze_sweep.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <iostream>
-#include <memory>
 #include <set>
-#include <stdexcept>
 #include <system_error>
 #include <tools/analysis/metrics/metric_choice.hpp>
 #include <tools/analysis/metrics/run_metrics.hpp>

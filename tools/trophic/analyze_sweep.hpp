@@ -3,10 +3,8 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <optional>
-#include <string>
 #include <tools/analysis/data/sweep_runs.hpp>
 #include <tools/analysis/metrics/sweep_values.hpp>
 #include <trophic/support/json.hpp>

@@ -1,25 +1,15 @@
 // SPDX-License-Identifier: MIT
 // `trophic cite`: how a paper cites a run.
-#include <cstddef>
-#include <iostream>
-#include <memory>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <tools/analysis/data/pooled_runs.hpp>
 #include <tools/analysis/data/run_manifest.hpp>
 #include <tools/analysis/data/sweep_runs.hpp>
 #include <tools/command/output.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/params/named_params.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/whole_file.hpp>
-#include <variant>
-#include <vector>
 
 #include "commands.hpp"
 

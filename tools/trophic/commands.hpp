@@ -2,7 +2,6 @@
 // The subcommands of the program trophic, one file each, so that they compile side by side.
 #pragma once
 
-#include <functional>
 #include <tools/command/option.hpp>
 #include <tools/trophic/analyze.hpp>
 

@@ -7,17 +7,11 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstring>
-#include <filesystem>
-#include <iostream>
 #include <memory>
 #include <optional>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <thread>
 #include <tools/analysis/report/contest_progress.hpp>
 #include <tools/analysis/report/progress_table.hpp>

@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `trophic convert`: a robot file from a body of another program.
 #include <algorithm>
-#include <cstdint>
-#include <filesystem>
-#include <iostream>
 #include <memory>
-#include <stdexcept>
-#include <string>
 #include <tools/command/option.hpp>
 #include <tools/command/output.hpp>
 #include <tools/trophic/convert/foreign_body.hpp>

@@ -3,16 +3,6 @@
 // metrics of two sets of runs.
 #include "commands.hpp"
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
-#include <filesystem>
-#include <functional>
-#include <iostream>
-#include <memory>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <thread>
 #include <tools/command/backends.hpp>
 #ifdef TROPHIC_WITH_MUJOCO
@@ -32,8 +22,6 @@
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/io/run_folder.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::command {
 

@@ -2,14 +2,6 @@
 // `trophic evolve-gait`, the pre-experiment: evolves the gait of a robot.
 #include "commands.hpp"
 
-#include <algorithm>
-#include <cstdint>
-#include <filesystem>
-#include <iostream>
-#include <memory>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <thread>
 #include <tools/command/backends.hpp>
 #include <tools/command/config.hpp>
@@ -25,8 +17,6 @@
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
-#include <trophic/support/folder_lock.hpp>
-#include <vector>
 
 namespace trophic::command {
 

@@ -2,13 +2,7 @@
 // `trophic export`: a stretch of a recorded run as a file for programs that draw: Blender, slides, web pages.
 #include "commands.hpp"
 
-#include <cstdint>
-#include <filesystem>
-#include <iostream>
 #include <memory>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <tools/command/option.hpp>
 #include <tools/command/output.hpp>
 #include <tools/trophic/replay/gltf_scene.hpp>

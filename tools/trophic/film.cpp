@@ -3,9 +3,6 @@
 #include "commands.hpp"
 
 #include <memory>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <tools/command/option.hpp>
 // Defined in programs that link trophic::film.
 #ifdef TROPHIC_WITH_FILM

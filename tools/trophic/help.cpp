@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: MIT
 // `trophic help`: the help of a command, or a topic.
-#include <algorithm>
-#include <cstddef>
 #include <memory>
-#include <optional>
 #include <sstream>
-#include <stdexcept>
-#include <string>
 #include <tools/analysis/metrics/sweep_values.hpp>
 #include <tools/analysis/report/columns.hpp>
 #include <tools/command/output.hpp>
@@ -14,7 +9,6 @@
 #include <tools/command/words.hpp>
 #include <tools/trophic/slots.hpp>
 #include <trophic/population/food_web.hpp>
-#include <vector>
 
 #include "commands.hpp"
 #include "shipped_policies.hpp"

@@ -3,14 +3,7 @@
 #include "commands.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <iostream>
-#include <memory>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <tools/command/backends.hpp>
 #include <tools/command/option.hpp>
 #include <tools/command/output.hpp>
@@ -20,7 +13,6 @@
 #include <trophic/control/steering/targeted_steering.hpp>
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/robot.hpp>
-#include <trophic/params/params.hpp>
 
 namespace trophic::command {
 

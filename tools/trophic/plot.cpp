@@ -5,12 +5,8 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <iostream>
 #include <memory>
 #include <optional>
-#include <stdexcept>
-#include <string>
 #include <system_error>
 #include <tools/command/check_folder.hpp>
 #include <tools/command/output.hpp>

@@ -2,11 +2,9 @@
 // Definitions of shipped_offer.hpp.
 #include "shipped_offer.hpp"
 
-#include <memory>
 #include <trophic/experiment/table_experiment.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
-#include <trophic/rules/table.hpp>
 
 namespace trophic::command {
 

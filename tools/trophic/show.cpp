@@ -3,13 +3,7 @@
 #include "commands.hpp"
 
 #include <algorithm>
-#include <cstddef>
-#include <filesystem>
-#include <iostream>
 #include <memory>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <system_error>
 #include <tools/analysis/data/pooled_runs.hpp>
 #include <tools/command/option.hpp>
@@ -17,7 +11,6 @@
 #include <tools/trophic/replay/page.hpp>
 #include <tools/trophic/replay/recorded_run.hpp>
 #include <trophic/support/new_file.hpp>
-#include <vector>
 
 namespace trophic::command {
 

@@ -3,17 +3,7 @@
 #pragma once
 
 #include <any>
-#include <cstddef>
-#include <memory>
-#include <span>
-#include <stdexcept>
-#include <string>
 #include <trophic/backend/contract.hpp>
-#include <trophic/habitat/arena.hpp>
-#include <trophic/habitat/physics.hpp>
-#include <trophic/habitat/pose.hpp>
-#include <trophic/habitat/robot_model.hpp>
-#include <trophic/params/archive.hpp>
 #include <trophic/support/colour.hpp>
 
 namespace trophic {

@@ -2,18 +2,9 @@
 // The type-erased choice of a backend, with its parameters.
 #pragma once
 
-#include <concepts>
-#include <cstddef>
-#include <memory>
-#include <span>
-#include <string>
-#include <string_view>
 #include <trophic/backend/any_backend.hpp>
 #include <trophic/backend/contract.hpp>
 #include <trophic/params/named_params.hpp>
-#include <trophic/params/params.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic {
 

@@ -4,14 +4,7 @@
 
 #include <algorithm>
 #include <any>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <span>
-#include <trophic/backend/any_backend.hpp>
 #include <trophic/backend/backend_choice.hpp>
-#include <trophic/backend/contract.hpp>
 #include <trophic/control/locomotion/locomotion.hpp>
 #include <trophic/ecology/body_genes.hpp>
 #include <trophic/ecology/checks.hpp>
@@ -21,15 +14,10 @@
 #include <trophic/ecology/standing_poses.hpp>
 #include <trophic/ecology/start.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <trophic/habitat/robot_model.hpp>
-#include <trophic/habitat/touch.hpp>
 #include <trophic/initialization/embodiment/contract.hpp>
 #include <trophic/observe/audience.hpp>
 #include <trophic/observe/frame.hpp>
-#include <trophic/params/archive.hpp>
 #include <trophic/rules/table.hpp>
-#include <trophic/support/units.hpp>
-#include <vector>
 
 namespace trophic {
 

@@ -2,26 +2,11 @@
 // Draws, mutates and expresses the genes of bodies.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
-#include <trophic/habitat/body/build.hpp>
-#include <trophic/habitat/habitat.hpp>
-#include <trophic/habitat/robot_model.hpp>
-#include <trophic/population/individual.hpp>
 #include <trophic/population/phenotype.hpp>
 #include <trophic/reproduction/body_plan/contract.hpp>
 #include <trophic/reproduction/viability/contract.hpp>
 #include <trophic/rules/table.hpp>
-#include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic {
 

@@ -2,17 +2,10 @@
 // Draws and mutates the weights of brains.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <span>
-#include <string>
 #include <trophic/control/brain/contract.hpp>
-#include <trophic/population/individual.hpp>
 #include <trophic/reproduction/initial_genome/contract.hpp>
 #include <trophic/reproduction/mutation/contract.hpp>
 #include <trophic/rules/table.hpp>
-#include <trophic/support/rng.hpp>
 
 namespace trophic {
 

@@ -2,22 +2,15 @@
 // An experiment's parameters with the habitat that they name, checked before the simulation.
 #pragma once
 
-#include <concepts>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/control/locomotion/steerable.hpp>
 #include <trophic/ecology/body_genes.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/gait_genes.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/params/policy.hpp>
 #include <trophic/reproduction/viability/contract.hpp>
 #include <trophic/rules/table.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic {
 

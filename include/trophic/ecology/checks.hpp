@@ -3,23 +3,14 @@
 // parents.
 #pragma once
 
-#include <cmath>
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
 #include <trophic/death/capture/contract.hpp>
 #include <trophic/death/minimum_predators/contract.hpp>
 #include <trophic/death/starvation/contract.hpp>
 #include <trophic/params/archive.hpp>
-#include <trophic/population/food_web.hpp>
-#include <trophic/population/individual.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/reproduction/recruitment/contract.hpp>
 #include <trophic/support/control_characters.hpp>
 #include <trophic/support/rule_error.hpp>
-#include <trophic/support/units.hpp>
 
 namespace trophic::detail {
 

@@ -2,18 +2,12 @@
 // The sighting of a robot at a tick, and the decision of its brain.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/ecology/population.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/perception/adversary.hpp>
 #include <trophic/perception/visibility/contract.hpp>
-#include <trophic/population/sighting.hpp>
-#include <trophic/population/view.hpp>
 #include <trophic/rules/table.hpp>
-#include <trophic/support/rng.hpp>
 
 namespace trophic {
 

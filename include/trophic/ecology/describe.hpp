@@ -2,8 +2,6 @@
 // The description of an experiment's runs, for observers and manifests.
 #pragma once
 
-#include <string>
-#include <string_view>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/ecology/body_genes.hpp>
 #include <trophic/ecology/brain_genes.hpp>
@@ -11,12 +9,9 @@
 #include <trophic/ecology/gait_genes.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/observe/run_description.hpp>
-#include <trophic/params/named_params.hpp>
 #include <trophic/params/numbers_text.hpp>
 #include <trophic/reproduction/heredity/nothing_inherited.hpp>
 #include <trophic/rules/table.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic {
 

@@ -2,14 +2,7 @@
 // The ecology: the individual in each body, and the order and times of the rules.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <exception>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
-#include <trophic/backend/any_backend.hpp>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/ecology/bodies.hpp>
 #include <trophic/ecology/checked_experiment.hpp>
@@ -26,18 +19,10 @@
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/load/installed_models.hpp>
 #include <trophic/io/state_columns.hpp>
-#include <trophic/observe/audience.hpp>
-#include <trophic/params/archive.hpp>
 #include <trophic/perception/visibility/contract.hpp>
-#include <trophic/population/phenotype.hpp>
-#include <trophic/population/view.hpp>
 #include <trophic/rules/rule_states.hpp>
 #include <trophic/rules/table.hpp>
-#include <trophic/support/clock.hpp>
-#include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic {
 

@@ -3,20 +3,12 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
-#include <trophic/backend/any_backend.hpp>
 #include <trophic/backend/backend_choice.hpp>
-#include <trophic/backend/contract.hpp>
 #include <trophic/control/locomotion/locomotion.hpp>
 #include <trophic/ecology/standing_poses.hpp>
-#include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/nursery.hpp>
-#include <trophic/habitat/physics.hpp>
 #include <trophic/support/units.hpp>
 
 namespace trophic {

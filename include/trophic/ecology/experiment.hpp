@@ -3,9 +3,7 @@
 #pragma once
 
 #include <cmath>
-#include <cstdint>
 #include <stdexcept>
-#include <string>
 #include <trophic/ecology/lineup.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/physics.hpp>

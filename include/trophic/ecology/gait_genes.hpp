@@ -2,19 +2,9 @@
 // Draws, mutates and expresses the genes of gaits.
 #pragma once
 
-#include <memory>
-#include <span>
 #include <trophic/control/gait/contract.hpp>
-#include <trophic/habitat/gait.hpp>
-#include <trophic/habitat/habitat.hpp>
-#include <trophic/habitat/nursery.hpp>
-#include <trophic/habitat/robot_model.hpp>
-#include <trophic/population/individual.hpp>
 #include <trophic/rules/table.hpp>
-#include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic {
 

@@ -2,12 +2,7 @@
 // Individuals that meet in a contest: an ecology without births and deaths.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <memory>
 #include <trophic/ecology/simulation.hpp>
-#include <trophic/population/individual.hpp>
-#include <vector>
 
 namespace trophic {
 

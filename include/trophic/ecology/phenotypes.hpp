@@ -2,15 +2,9 @@
 // The body and the gait in each robot, kept as genes and expressed.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <span>
-#include <stdexcept>
-#include <string>
 #include <trophic/ecology/body_genes.hpp>
 #include <trophic/ecology/gait_genes.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <trophic/habitat/nursery.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/population/phenotype.hpp>
@@ -18,9 +12,6 @@
 #include <trophic/rules/table.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 namespace trophic {
 

@@ -2,16 +2,6 @@
 // Owns the individuals: founders, births, ids, genomes, tags and the tree by which they are found.
 #pragma once
 
-#include <algorithm>
-#include <array>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <span>
-#include <stdexcept>
-#include <string>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/ecology/brain_genes.hpp>
 #include <trophic/ecology/lineup.hpp>
@@ -19,20 +9,12 @@
 #include <trophic/ecology/state_hooks.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/nursery.hpp>
-#include <trophic/population/individual.hpp>
-#include <trophic/population/phenotype.hpp>
-#include <trophic/population/search_tree.hpp>
-#include <trophic/population/view.hpp>
 #include <trophic/reproduction/genome_source/contract.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/rules/rule_states.hpp>
 #include <trophic/rules/table.hpp>
-#include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>
-#include <trophic/support/units.hpp>
 #include <unordered_map>
-#include <utility>
-#include <vector>
 
 namespace trophic {
 

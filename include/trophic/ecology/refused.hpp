@@ -2,13 +2,10 @@
 // The ecology of an invalid rule table: empty, so that the only compile error is the one about the table.
 #pragma once
 
-#include <cstdint>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <trophic/observe/run_description.hpp>
-#include <trophic/population/view.hpp>
 #include <trophic/rules/check.hpp>
 #include <trophic/rules/params.hpp>
 

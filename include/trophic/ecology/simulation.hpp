@@ -2,15 +2,12 @@
 // An ecology whose rules and backend are type-erased.
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <memory>
 #include <trophic/backend/any_backend.hpp>
 #include <trophic/observe/audience.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/population/view.hpp>
-#include <type_traits>
 
 namespace trophic::io {
 struct StateColumns;

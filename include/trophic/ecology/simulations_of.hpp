@@ -2,14 +2,11 @@
 // The ecologies of one experiment that differ only in their seed.
 #pragma once
 
-#include <cstdint>
-#include <memory>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/shipped.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <utility>
 
 namespace trophic {
 

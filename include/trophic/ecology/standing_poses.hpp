@@ -2,12 +2,10 @@
 // Converts places on the floor to initial poses of robots.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <span>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/support/units.hpp>
-#include <vector>
 
 namespace trophic {
 

@@ -2,17 +2,14 @@
 // The start of an ecology: the species of each founder, and places.
 #pragma once
 
-#include <cstddef>
 #include <trophic/ecology/checks.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <trophic/population/food_web.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/rule_error.hpp>
 #include <trophic/support/units.hpp>
-#include <vector>
 
 namespace trophic {
 

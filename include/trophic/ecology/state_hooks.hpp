@@ -2,16 +2,9 @@
 // Notifies the policies that have a State of what happened to its individuals.
 #pragma once
 
-#include <optional>
-#include <span>
-#include <trophic/population/individual.hpp>
-#include <trophic/population/sighting.hpp>
 #include <trophic/population/state.hpp>
-#include <trophic/population/vacancy.hpp>
-#include <trophic/population/view.hpp>
 #include <trophic/rules/rule_states.hpp>
 #include <trophic/rules/table.hpp>
-#include <trophic/support/units.hpp>
 
 namespace trophic {
 

@@ -2,20 +2,12 @@
 // Type-erased interface of an experiment: one rule table on one backend.
 #pragma once
 
-#include <cstdint>
-#include <functional>
-#include <memory>
-#include <span>
-#include <string>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/ecology/lineup.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/habitat/ecology_params.hpp>
-#include <trophic/habitat/physics.hpp>
-#include <trophic/params/named_params.hpp>
 #include <trophic/rules/slot_rule.hpp>
-#include <vector>
 
 namespace trophic {
 

@@ -2,13 +2,10 @@
 // The offer of an experiment program: rule tables and backends, any table on any backend, and the program's own additions.
 #pragma once
 
-#include <string>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/experiment/any_experiment.hpp>
 #include <trophic/experiment/own_metric.hpp>
 #include <trophic/io/own_table.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic {
 

@@ -4,12 +4,9 @@
 
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <span>
-#include <string>
 #include <trophic/io/tables.hpp>
 #include <trophic/population/food_web.hpp>
-#include <vector>
 
 namespace trophic::io {
 

@@ -2,13 +2,6 @@
 // Experiments of a rule table on any backend.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/ecology/checked_experiment.hpp>
@@ -17,10 +10,7 @@
 #include <trophic/ecology/simulations_of.hpp>
 #include <trophic/experiment/any_experiment.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/params/named_params.hpp>
 #include <trophic/rules/table.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic {
 

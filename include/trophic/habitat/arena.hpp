@@ -4,9 +4,7 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <trophic/params/params.hpp>
-#include <tuple>
 #include <vector>
 
 namespace trophic {

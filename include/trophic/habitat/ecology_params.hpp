@@ -2,12 +2,8 @@
 // The parameters of an experiment that do not belong to a rule: bodies, time scales, models, decisions.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <string>
-#include <string_view>
 #include <trophic/params/params.hpp>
-#include <tuple>
 
 namespace trophic {
 

@@ -3,10 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <string>
 #include <trophic/params/params.hpp>
-#include <trophic/support/linkage.hpp>
-#include <tuple>
 #include <vector>
 
 namespace trophic {

@@ -2,11 +2,8 @@
 // Definitions of gait.hpp.
 #pragma once
 
-#include <Eigen/Core>
 #include <algorithm>
-#include <cstddef>
 #include <stdexcept>
-#include <string>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/habitat/robot_model.hpp>
 

@@ -3,16 +3,10 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <string_view>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/body/build.hpp>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/habitat/robot_model.hpp>
-#include <trophic/params/params.hpp>
-#include <trophic/support/linkage.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic {
 

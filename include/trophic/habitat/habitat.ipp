@@ -3,8 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <string>
-#include <string_view>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/params/numbers_text.hpp>
 

@@ -2,12 +2,9 @@
 // The frames of all links of a robot, given its root and its joint angles.
 #pragma once
 
-#include <Eigen/Geometry>
-#include <cstddef>
 #include <span>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
-#include <vector>
 
 namespace trophic {
 

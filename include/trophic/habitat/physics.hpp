@@ -2,10 +2,7 @@
 // The parameters of the physics that an experiment states for any engine.
 #pragma once
 
-#include <array>
-#include <string_view>
 #include <trophic/params/params.hpp>
-#include <tuple>
 
 namespace trophic {
 

@@ -2,12 +2,8 @@
 // The maximum distance of a robot's boxes from its root.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
-#include <cstddef>
 #include <trophic/habitat/robot_model.hpp>
-#include <vector>
 
 namespace trophic {
 

@@ -4,9 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
-#include <string>
 #include <trophic/params/params.hpp>
-#include <tuple>
 #include <vector>
 
 namespace trophic {

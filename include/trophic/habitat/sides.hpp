@@ -2,11 +2,8 @@
 // Assigns hinges to a robot's left and right side.
 #pragma once
 
-#include <array>
 #include <cmath>
-#include <string_view>
 #include <trophic/habitat/robot_model.hpp>
-#include <vector>
 
 namespace trophic {
 

@@ -2,15 +2,12 @@
 // Finds robots that touch each other or a wall, by the shapes of their boxes: the same for every engine.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <span>
 #include <trophic/habitat/link_frames.hpp>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
-#include <vector>
 
 namespace trophic {
 

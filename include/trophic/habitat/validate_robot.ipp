@@ -5,17 +5,14 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <functional>
 #include <numbers>
 #include <set>
 #include <stdexcept>
-#include <string>
 #include <trophic/habitat/physics.hpp>
 #include <trophic/habitat/reach.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/habitat/validate_robot.hpp>
-#include <trophic/params/params.hpp>
 
 namespace trophic {
 

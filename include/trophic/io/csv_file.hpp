@@ -7,7 +7,6 @@
 #include <trophic/io/csv.hpp>
 #include <trophic/io/growing_file.hpp>
 #include <trophic/params/archive.hpp>
-#include <trophic/population/food_web.hpp>
 
 namespace trophic::io {
 

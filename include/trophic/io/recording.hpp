@@ -17,7 +17,7 @@ inline constexpr double default_replay_hz = 5.0;
 
 /// Writes a recording: root poses to 1 mm and 2e-3 rad, joint angles to 2e-3 rad. Events are in the run's tables. A block
 /// of 20 s, or of as many frames as have `most_block_values` numbers, is written as soon as it is full, so that a killed run
-/// loses no more than that, and a large one holds no more. A run that begins at a moment of another (checkpoint/rewind.hpp) adds
+/// loses no more than that, and a large one holds no more. A run that begins at a moment of another (--from) adds
 /// a head of its own. Watches one call of run_until. Errors are std::runtime_error naming the file.
 class Recording {
  public:

@@ -3,15 +3,12 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <string_view>
 #include <trophic/population/food_web.hpp>
 #include <tuple>
-#include <vector>
 
 namespace trophic {
 

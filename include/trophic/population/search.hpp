@@ -2,11 +2,6 @@
 // Bounds for a search for the closest robot.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <limits>
-#include <optional>
-#include <trophic/population/food_web.hpp>
 #include <trophic/population/individual.hpp>
 
 namespace trophic {

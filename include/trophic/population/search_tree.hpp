@@ -2,16 +2,12 @@
 // Finds the closest robot without visiting all of them, however rare acceptable robots are.
 #pragma once
 
-#include <algorithm>
-#include <cstddef>
-#include <optional>
 #include <span>
 #include <trophic/population/individual.hpp>
 #include <trophic/population/search.hpp>
 #include <trophic/population/spatial_grid.hpp>
 #include <trophic/support/units.hpp>
 #include <type_traits>
-#include <vector>
 
 namespace trophic {
 

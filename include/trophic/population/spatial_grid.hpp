@@ -2,14 +2,10 @@
 // Finds nearby robots without visiting all of them.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <limits>
 #include <span>
 #include <trophic/population/individual.hpp>
 #include <trophic/support/units.hpp>
-#include <vector>
 
 namespace trophic {
 

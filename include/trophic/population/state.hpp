@@ -2,21 +2,11 @@
 // Rules with a state: the data that a policy keeps for each body, its value for a newborn, and the hooks that change it.
 #pragma once
 
-#include <concepts>
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <string_view>
 #include <trophic/params/params.hpp>
-#include <trophic/population/individual.hpp>
 #include <trophic/population/parts.hpp>
 #include <trophic/population/sighting.hpp>
 #include <trophic/population/vacancy.hpp>
 #include <trophic/population/view.hpp>
-#include <tuple>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 /// A rule with a state is a policy with a nested `struct State { ... };` that lists its members by `fields()`, as Params do.
 /// The population keeps one State for each body and slot. Policies stay const: the population passes a policy its own state.

@@ -2,7 +2,6 @@
 // A death, while the dying individual is still in the view.
 #pragma once
 
-#include <optional>
 #include <trophic/population/individual.hpp>
 
 namespace trophic {

@@ -2,21 +2,15 @@
 // All that a rule may read: a snapshot of the population and its positions. Read-only, engine-free.
 #pragma once
 
-#include <algorithm>
 #include <concepts>
-#include <cstddef>
-#include <cstdint>
-#include <optional>
 #include <span>
 #include <trophic/habitat/arena.hpp>
-#include <trophic/population/food_web.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/population/phenotype.hpp>
 #include <trophic/population/search.hpp>
 #include <trophic/population/search_tree.hpp>
 #include <trophic/support/clock.hpp>
 #include <trophic/support/units.hpp>
-#include <vector>
 
 namespace trophic {
 

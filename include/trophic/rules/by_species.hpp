@@ -2,20 +2,11 @@
 // A rule whose parameters differ by species.
 #pragma once
 
-#include <array>
-#include <concepts>
-#include <cstddef>
-#include <string_view>
 #include <trophic/params/group.hpp>
 #include <trophic/params/policy.hpp>
-#include <trophic/population/food_web.hpp>
-#include <trophic/population/parts.hpp>
 #include <trophic/population/state.hpp>
 #include <trophic/rules/check.hpp>
 #include <trophic/support/joined_text.hpp>
-#include <tuple>
-#include <type_traits>
-#include <utility>
 
 namespace trophic::rules {
 

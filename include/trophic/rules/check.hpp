@@ -2,13 +2,9 @@
 // The requirements on a rule table: each violation is one compile error, a sentence.
 #pragma once
 
-#include <concepts>
-#include <trophic/params/params.hpp>
 #include <trophic/params/policy.hpp>
-#include <trophic/population/parts.hpp>
 #include <trophic/population/state.hpp>
 #include <trophic/rules/slots.hpp>
-#include <type_traits>
 
 namespace trophic {
 

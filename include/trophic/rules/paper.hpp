@@ -2,7 +2,6 @@
 // The rules as the paper states them.
 #pragma once
 
-#include <string_view>
 #include <trophic/backend/contract.hpp>
 #include <trophic/control/brain/cognitive_brain.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>

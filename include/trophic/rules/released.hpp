@@ -3,7 +3,6 @@
 #pragma once
 
 #include <numbers>
-#include <string_view>
 #include <trophic/control/brain/cognitive_brain_zero_right.hpp>
 #include <trophic/death/activation/ages_once_away_from_hunters.hpp>
 #include <trophic/death/capture/catch_closest.hpp>

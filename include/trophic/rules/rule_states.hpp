@@ -2,14 +2,8 @@
 // The states of all rules of a table.
 #pragma once
 
-#include <cstddef>
-#include <string>
-#include <string_view>
-#include <trophic/params/params.hpp>
-#include <trophic/population/parts.hpp>
 #include <trophic/population/state.hpp>
 #include <trophic/rules/table.hpp>
-#include <utility>
 
 namespace trophic {
 

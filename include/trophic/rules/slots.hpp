@@ -2,9 +2,6 @@
 // The slots of a rule table.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <string_view>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/control/gait/contract.hpp>
 #include <trophic/control/gait/robots_gait.hpp>
@@ -31,7 +28,6 @@
 #include <trophic/perception/tag_switch/contract.hpp>
 #include <trophic/perception/tag_switch/free_tags.hpp>
 #include <trophic/perception/visibility/all_active.hpp>
-#include <trophic/perception/visibility/contract.hpp>
 #include <trophic/reproduction/body_plan/contract.hpp>
 #include <trophic/reproduction/body_plan/one_body.hpp>
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
@@ -46,7 +42,6 @@
 #include <trophic/reproduction/recruitment/no_recruitment.hpp>
 #include <trophic/reproduction/viability/always_viable.hpp>
 #include <trophic/reproduction/viability/contract.hpp>
-#include <utility>
 
 /// Every slot of a rule table: (Slot, member, kind, contract, neutral policy, may differ by species). Tables, parameters,
 /// with_<slot>, checks and manifests are generated from this list. A contract's concept and sentence are in

@@ -2,19 +2,12 @@
 // A table with one part of a policy swapped: the parent rule for one cause, the interval between starvation procedures.
 #pragma once
 
-#include <array>
-#include <concepts>
-#include <cstddef>
-#include <string_view>
 #include <trophic/params/params.hpp>
 #include <trophic/params/policy.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/population/parts.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/support/joined_text.hpp>
-#include <tuple>
-#include <type_traits>
-#include <utility>
 
 namespace trophic {
 

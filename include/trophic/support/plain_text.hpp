@@ -2,8 +2,6 @@
 // Texts of JSON files that are shown in a terminal.
 #pragma once
 
-#include <stdexcept>
-#include <string>
 #include <trophic/support/control_characters.hpp>
 #include <trophic/support/json.hpp>
 

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Numbers that are checked, written to a manifest and saved.
-#include <string>
 #include <trophic/params/archive.hpp>
 #include <trophic/params/named_params.hpp>
-#include <trophic/params/params.hpp>
-#include <tuple>
-#include <vector>
 
 struct Numbers {
   double length_m = 1.0;

@@ -2,10 +2,6 @@
 // Effects of axes: by hand on a grid of two axes, and with the nominal error rate.
 #include <doctest/doctest.h>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <string>
 #include <tools/analysis/report/axis_effects.hpp>
 #include <trophic/support/rng.hpp>

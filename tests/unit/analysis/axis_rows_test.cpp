@@ -3,7 +3,6 @@
 
 #include <array>
 #include <sstream>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/report/axis_rows.hpp>
 #include <trophic/support/whole_file.hpp>

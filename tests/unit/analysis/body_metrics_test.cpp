@@ -2,11 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/metrics/body_metrics.hpp>
 #include <tools/analysis/metrics/sweep_values.hpp>

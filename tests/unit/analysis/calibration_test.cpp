@@ -3,14 +3,7 @@
 // thousand simulated analyses of ecologies without an effect.
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <functional>
 #include <map>
-#include <optional>
-#include <string>
 #include <tools/analysis/metrics/run_metrics.hpp>
 #include <tools/analysis/metrics/tag_symmetry.hpp>
 #include <tools/analysis/report/claim_conclusion.hpp>
@@ -23,8 +16,6 @@
 #include <trophic/observe/event.hpp>
 #include <trophic/rules/paper.hpp>
 #include <unit/analysis/rows.hpp>
-#include <utility>
-#include <vector>
 
 namespace {
 

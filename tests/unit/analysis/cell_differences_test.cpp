@@ -2,8 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <array>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/report/cell_differences.hpp>
 #include <unit/analysis/sweep_grids.hpp>

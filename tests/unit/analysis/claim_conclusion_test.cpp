@@ -2,11 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <string>
-#include <string_view>
 #include <tools/analysis/report/claim_conclusion.hpp>
 #include <trophic/params/params.hpp>
-#include <utility>
 #include <vector>
 
 using namespace trophic;

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <filesystem>
 #include <sstream>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/report/claims_text.hpp>
 #include <unit/analysis/run_files.hpp>

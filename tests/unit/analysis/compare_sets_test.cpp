@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <stdexcept>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/report/compare_sets.hpp>
 #include <vector>

@@ -3,8 +3,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/report/contest_progress.hpp>
 #include <vector>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cstdint>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/data/csv_reader.hpp>
 #include <trophic/population/individual.hpp>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cmath>
-#include <numbers>
 #include <tools/analysis/statistics/effect_size.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>

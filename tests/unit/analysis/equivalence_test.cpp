@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cmath>
 #include <stdexcept>
 #include <tools/analysis/statistics/equivalence.hpp>
 #include <trophic/support/rng.hpp>

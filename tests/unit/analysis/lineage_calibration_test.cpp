@@ -4,14 +4,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <functional>
 #include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <tools/analysis/metrics/lineage_metrics.hpp>
 #include <tools/analysis/report/summary.hpp>

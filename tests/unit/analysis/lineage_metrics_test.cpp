@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <span>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/metrics/lineage_metrics.hpp>
 #include <unit/analysis/forests.hpp>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <filesystem>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/report/means_table.hpp>
 #include <trophic/support/whole_file.hpp>

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <tools/analysis/metrics/measurement.hpp>
-#include <vector>
 
 using namespace trophic::analysis;
 

@@ -2,9 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
-#include <fstream>
 #include <iterator>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/report/metrics_table.hpp>
 #include <unit/analysis/run_files.hpp>

@@ -1,16 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <array>
-#include <filesystem>
-#include <fstream>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
-#include <tools/analysis/metrics/own_column.hpp>
 #include <tools/analysis/metrics/run_set.hpp>
 #include <unit/analysis/run_files.hpp>
-#include <vector>
 
 namespace {
 

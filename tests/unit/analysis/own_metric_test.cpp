@@ -4,12 +4,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <string>
 #include <tools/analysis/metrics/own_metric.hpp>
 #include <tools/analysis/metrics/sweep_values.hpp>
 #include <trophic/population/food_web.hpp>
-#include <vector>
 
 namespace {
 

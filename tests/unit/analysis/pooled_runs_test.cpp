@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <filesystem>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/data/pooled_runs.hpp>
 #include <unit/analysis/run_files.hpp>

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <sstream>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/report/progress_table.hpp>
 #include <trophic/support/whole_file.hpp>

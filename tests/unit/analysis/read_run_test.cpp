@@ -2,9 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <cstddef>
-#include <filesystem>
-#include <fstream>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/data/read_run.hpp>
 #include <unit/analysis/rows.hpp>

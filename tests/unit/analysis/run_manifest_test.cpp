@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/data/run_manifest.hpp>
 #include <unit/analysis/run_files.hpp>

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <array>
-#include <filesystem>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/metrics/run_set.hpp>
 #include <unit/analysis/run_files.hpp>
-#include <vector>
 
 namespace {
 

@@ -2,10 +2,7 @@
 // The number of runs that a difference is said to need, by simulated studies of that many runs.
 #include <doctest/doctest.h>
 
-#include <array>
-#include <cstddef>
 #include <optional>
-#include <span>
 #include <tools/analysis/statistics/difference.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>

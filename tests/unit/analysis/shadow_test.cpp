@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <filesystem>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/data/shadow.hpp>
 #include <unit/analysis/run_files.hpp>

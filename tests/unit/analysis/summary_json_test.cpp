@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/report/summary_json.hpp>
 #include <unit/analysis/run_files.hpp>

@@ -4,10 +4,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <optional>
 #include <tools/analysis/report/cell_differences.hpp>
 #include <tools/analysis/statistics/power.hpp>

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/data/sweep_runs.hpp>
 #include <trophic/support/whole_file.hpp>

@@ -2,9 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
-#include <filesystem>
 #include <optional>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/report/sweep_tables.hpp>
 #include <trophic/support/whole_file.hpp>

@@ -2,8 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <array>
-#include <filesystem>
-#include <stdexcept>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/report/metrics_table.hpp>
 #include <tools/analysis/report/table_file.hpp>

@@ -2,10 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <cstdint>
-#include <filesystem>
 #include <limits>
 #include <optional>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/data/table_reader.hpp>
 #include <tools/analysis/report/metrics_table.hpp>

@@ -2,9 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <array>
-#include <filesystem>
 #include <sstream>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/report/claims_text.hpp>
 #include <tools/analysis/report/text_table.hpp>

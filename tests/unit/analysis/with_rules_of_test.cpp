@@ -2,8 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <concepts>
-#include <string>
 #include <tools/ablations/with_rules_of.hpp>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/rules/paper.hpp>

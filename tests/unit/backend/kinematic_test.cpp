@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <bit>
-#include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/habitat/ground_pose.hpp>
 #include <trophic/habitat/load/arena.hpp>
 #include <trophic/habitat/load/robot.hpp>
-#include <vector>
 
 using namespace trophic;
 using trophic::backend::Kinematic;

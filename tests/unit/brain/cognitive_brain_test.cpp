@@ -2,14 +2,9 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <trophic/control/brain/cognitive_brain.hpp>
 #include <trophic/control/brain/cognitive_brain_zero_right.hpp>
 #include <trophic/support/rng.hpp>
-#include <utility>
 #include <vector>
 
 using namespace trophic;

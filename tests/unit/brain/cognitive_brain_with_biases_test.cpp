@@ -2,10 +2,6 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <trophic/control/brain/cognitive_brain_with_biases.hpp>
 #include <trophic/control/brain/cognitive_brain_zero_right.hpp>
 #include <trophic/support/rng.hpp>

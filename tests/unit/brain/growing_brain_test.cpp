@@ -2,10 +2,6 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <set>
 #include <trophic/control/brain/feed_forward_brain.hpp>

@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <map>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/control/brain/cognitive_brain.hpp>
 #include <trophic/control/brain/hebbian_brain.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
-#include <vector>
 
 using namespace trophic;
 using control::brain::CognitiveBrain;

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <trophic/control/brain/feed_forward_brain.hpp>
 #include <trophic/control/brain/recurrent_brain.hpp>
 #include <trophic/support/rng.hpp>
 #include <unit/brain/check_out.hpp>
-#include <utility>
 #include <vector>
 
 using namespace trophic;

@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <memory>
-#include <stdexcept>
-#include <string>
 #include <tools/changes/changing_simulation.hpp>
 #include <tools/command/read_parameters.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/shipped.hpp>
-#include <trophic/params/archive.hpp>
 #include <trophic/rules/paper.hpp>
 
 namespace {

@@ -1,20 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <array>
 #include <cmath>
-#include <cstdint>
-#include <limits>
-#include <memory>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/population/individual.hpp>
-#include <tuple>
-#include <utility>
-#include <vector>
 
 namespace {
 

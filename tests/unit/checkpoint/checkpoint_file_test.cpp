@@ -4,9 +4,6 @@
 
 #include <cstddef>
 #include <exception>
-#include <filesystem>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/run/checkpoint/resume.hpp>

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <boost/crc.hpp>
-#include <cstddef>
 #include <string>
 #include <string_view>
 #include <trophic/support/checksum.hpp>

@@ -5,11 +5,7 @@
 #include <algorithm>
 #include <boost/crc.hpp>
 #include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/io/growing_file.hpp>
 #include <utility>

@@ -2,9 +2,6 @@
 // An interrupted run on an engine resumes to the same bytes: robots that touch, height fields, other numbers of threads.
 #include <doctest/doctest.h>
 
-#include <cstddef>
-#include <cstdint>
-#include <string>
 #include <support/hand_population.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/mujoco.hpp>

@@ -2,12 +2,6 @@
 // An interrupted run resumes to the same bytes: kinematic backend, every rule table, any moment.
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/io/program_code.hpp>
@@ -15,9 +9,7 @@
 #include <trophic/rules/released.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/rng.hpp>
-#include <type_traits>
 #include <unit/checkpoint/resumed.hpp>
-#include <vector>
 
 namespace {
 

@@ -4,21 +4,14 @@
 
 #include <doctest/doctest.h>
 
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
 #include <fstream>
 #include <initializer_list>
 #include <iterator>
-#include <limits>
-#include <stdexcept>
-#include <string>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/support/json.hpp>
-#include <vector>
 
 namespace trophic::test {
 

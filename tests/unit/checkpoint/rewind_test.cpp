@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <string>
-#include <string_view>
 #include <support/temporary_folder.hpp>
 #include <tools/replicates/rewind.hpp>
 #include <trophic/support/version.hpp>

@@ -2,9 +2,6 @@
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 
-#include <filesystem>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/support/whole_file.hpp>
 

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/command/config.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/rules/paper.hpp>
-#include <utility>
-#include <vector>
 
 namespace {
 

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cstddef>
-#include <string>
-#include <string_view>
 #include <tools/experiment/printed_rules.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
-#include <tuple>
-#include <vector>
 
 using namespace trophic;
 using command::params_text;

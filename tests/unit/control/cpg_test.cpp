@@ -2,8 +2,6 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <cmath>
-#include <numbers>
 #include <support/temporary_folder.hpp>
 #include <trophic/control/locomotion/cpg.hpp>
 #include <trophic/habitat/load/gait.hpp>

@@ -2,9 +2,7 @@
 // Gaits that genes express.
 #include <doctest/doctest.h>
 
-#include <cstddef>
 #include <set>
-#include <stdexcept>
 #include <support/hand_population.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/control/gait/inherited_cpg.hpp>
@@ -15,7 +13,6 @@
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/habitat/nursery.hpp>
 #include <trophic/rules/paper.hpp>
-#include <vector>
 
 using namespace trophic;
 using control::gait::FirstGait;

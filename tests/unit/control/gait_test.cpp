@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <functional>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/robot.hpp>

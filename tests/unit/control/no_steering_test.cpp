@@ -8,7 +8,6 @@
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/rules/paper.hpp>
-#include <vector>
 
 using namespace trophic;
 using control::steering::NoSteering;

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <support/toy_backend.hpp>
 #include <trophic/control/locomotion/steerable.hpp>
 #include <trophic/ecology/ecology.hpp>
@@ -13,7 +9,6 @@
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/rules/paper.hpp>
-#include <utility>
 
 using namespace trophic;
 using namespace trophic::control::steering;

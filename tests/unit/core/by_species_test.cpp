@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cstddef>
-#include <string>
 #include <support/hand_population.hpp>
 #include <tools/command/read_parameters.hpp>
 #include <trophic/backend/kinematic.hpp>
@@ -14,7 +12,6 @@
 #include <trophic/reproduction/parent/most_escapes.hpp>
 #include <trophic/rules/by_species.hpp>
 #include <trophic/rules/paper.hpp>
-#include <vector>
 
 using namespace trophic;
 using initialization::community::PredatorPrey;

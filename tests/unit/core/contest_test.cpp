@@ -2,8 +2,6 @@
 // Given individuals in an ecology without births and deaths, and plans of such contests.
 #include <doctest/doctest.h>
 
-#include <cstddef>
-#include <stdexcept>
 #include <support/hand_population.hpp>
 #include <support/temporary_folder.hpp>
 #include <tools/contest/contest_plan.hpp>
@@ -11,7 +9,6 @@
 #include <trophic/experiment/table_experiment.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/support/new_file.hpp>
-#include <vector>
 
 using namespace trophic;
 using test::message_of;

@@ -3,18 +3,11 @@
 // more.
 #include <doctest/doctest.h>
 
-#include <array>
-#include <cstdint>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
 #include <trophic/death/starvation/choice/contract.hpp>
 #include <trophic/death/starvation/exemption/contract.hpp>
 #include <trophic/death/starvation/interval/contract.hpp>
 #include <trophic/perception/sensors/contract.hpp>
 #include <trophic/rules/slots.hpp>
-#include <vector>
 
 // The functions are never defined, so they must not be anybody's own.
 namespace trophic::refused_by_contracts {

@@ -2,8 +2,6 @@
 // What observers are told of brains is what robots do.
 #include <doctest/doctest.h>
 
-#include <cstddef>
-#include <cstdint>
 #include <set>
 #include <support/recorder.hpp>
 #include <trophic/backend/kinematic.hpp>

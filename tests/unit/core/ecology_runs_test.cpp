@@ -2,15 +2,8 @@
 // Whole runs: balances, floors, lineages, starvation intervals, reproducibility, observers.
 #include <doctest/doctest.h>
 
-#include <cstddef>
-#include <cstdint>
 #include <map>
-#include <memory>
-#include <optional>
 #include <set>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <support/hand_population.hpp>
 #include <support/recorder.hpp>
 #include <trophic/backend/kinematic.hpp>
@@ -19,7 +12,6 @@
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
-#include <vector>
 
 using namespace trophic;
 using observe::Event;

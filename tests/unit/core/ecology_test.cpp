@@ -2,16 +2,7 @@
 // The order within a tick and what each step does, on scenes of a few robots that stand still.
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <map>
-#include <optional>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <support/hand_population.hpp>
 #include <support/recorder.hpp>
 #include <support/temporary_folder.hpp>
@@ -19,7 +10,6 @@
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/death/starvation/exemption/near_remembered_adversary.hpp>
 #include <trophic/ecology/ecology.hpp>
-#include <trophic/habitat/ground_pose.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/perception/tag_switch/tag_sampling.hpp>
@@ -28,10 +18,6 @@
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/reproduction/parent/nearest_victim.hpp>
 #include <trophic/rules/paper.hpp>
-#include <trophic/support/rule_error.hpp>
-#include <type_traits>
-#include <utility>
-#include <vector>
 
 using namespace trophic;
 using Lines = std::vector<std::string>;

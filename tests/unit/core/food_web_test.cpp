@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <optional>
-#include <stdexcept>
 #include <support/hand_population.hpp>
-#include <trophic/population/food_web.hpp>
 
 using namespace trophic;
 using namespace trophic::test;

@@ -2,16 +2,7 @@
 // Genomes of several parts: gaits of individuals, brains that grow, heredities that leave parts out.
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <memory>
-#include <optional>
 #include <set>
-#include <span>
-#include <stdexcept>
-#include <string>
 #include <support/hand_population.hpp>
 #include <support/temporary_folder.hpp>
 #include <support/toy_bodies.hpp>
@@ -33,7 +24,6 @@
 #include <trophic/rules/by_species.hpp>
 #include <trophic/rules/paper.hpp>
 #include <unit/checkpoint/resumed.hpp>
-#include <vector>
 
 using namespace trophic;
 using namespace trophic::test;

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <array>
-#include <cstdint>
 #include <functional>
-#include <optional>
-#include <string>
 #include <tools/gait_evolution/tables.hpp>
-#include <trophic/backend/contract.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/experiment.hpp>
-#include <trophic/habitat/ecology_params.hpp>
-#include <trophic/params/detail/member_count.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
-#include <type_traits>
 #include <variant>
-#include <vector>
 
 using namespace trophic;
 using trophic::detail::member_count;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cstdint>
-#include <string>
 #include <trophic/backend/contract.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/params/named_params.hpp>

@@ -2,10 +2,6 @@
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 
-#include <filesystem>
-#include <fstream>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/support/new_file.hpp>
 #include <trophic/support/whole_file.hpp>

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/params/params.hpp>
-#include <tuple>
 #include <vector>
 
 using namespace trophic;

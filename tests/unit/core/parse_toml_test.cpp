@@ -2,8 +2,6 @@
 #include <doctest/doctest.h>
 #include <sys/stat.h>
 
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/params/parse_toml.hpp>
 

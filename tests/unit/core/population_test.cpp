@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <memory>
-#include <optional>
 #include <set>
 #include <support/hand_population.hpp>
 #include <trophic/ecology/population.hpp>
-#include <trophic/reproduction/parent/killer.hpp>
 #include <trophic/reproduction/parent/no_parent.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
-#include <vector>
 
 using namespace trophic;
 using test::predator;

@@ -2,17 +2,13 @@
 // Each rule draws from its own stream: what one draws never shifts what another gets.
 #include <doctest/doctest.h>
 
-#include <string>
 #include <support/recorder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
-#include <trophic/reproduction/parent/nearest_active_victim.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
-#include <utility>
-#include <vector>
 
 using namespace trophic;
 

@@ -2,14 +2,8 @@
 // Births without a death, and the bodies for them.
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <map>
-#include <optional>
 #include <set>
-#include <stdexcept>
-#include <string>
 #include <support/hand_population.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
@@ -20,7 +14,6 @@
 #include <trophic/rules/with_ageing_victims.hpp>
 #include <trophic/support/rule_error.hpp>
 #include <unit/checkpoint/resumed.hpp>
-#include <vector>
 
 using namespace trophic;
 using namespace trophic::test;

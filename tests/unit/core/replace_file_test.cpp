@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <filesystem>
-#include <fstream>
 #include <iterator>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/support/replace_file.hpp>
 

@@ -3,10 +3,6 @@
 
 #include <Random123/philox.h>
 
-#include <array>
-#include <cmath>
-#include <cstdint>
-#include <span>
 #include <support/statistics.hpp>
 #include <trophic/support/rng.hpp>
 #include <vector>

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cstddef>
-#include <filesystem>
-#include <fstream>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <support/odometer.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
@@ -16,7 +10,6 @@
 #include <trophic/io/state_log.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
-#include <vector>
 
 using namespace trophic;
 using perception::sensors::List;

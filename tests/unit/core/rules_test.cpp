@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <concepts>
-#include <cstddef>
-#include <string>
-#include <string_view>
 #include <trophic/death/minimum_predators/no_minimum.hpp>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/death/starvation/exemption/no_exemption.hpp>
@@ -12,8 +8,6 @@
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/support/rule_error.hpp>
-#include <utility>
-#include <vector>
 
 using namespace trophic;
 

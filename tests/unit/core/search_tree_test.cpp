@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cstdint>
-#include <optional>
 #include <support/hand_population.hpp>
 #include <trophic/perception/visibility/same_tag.hpp>
 #include <trophic/perception/visibility/within_range.hpp>
-#include <trophic/population/search_tree.hpp>
-#include <trophic/population/view.hpp>
-#include <vector>
 
 using namespace trophic;
 using namespace trophic::test;

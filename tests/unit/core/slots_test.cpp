@@ -3,13 +3,11 @@
 // tests/program/ablations_test.py.
 #include <doctest/doctest.h>
 
-#include <string>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
-#include <utility>
 
 using namespace trophic;
 

@@ -2,8 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <bit>
-#include <cmath>
-#include <cstdint>
 #include <limits>
 #include <string>
 #include <tools/command/toml_writer.hpp>
@@ -12,7 +10,6 @@
 #include <trophic/params/toml_text.hpp>
 #include <trophic/support/rng.hpp>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 using namespace trophic;

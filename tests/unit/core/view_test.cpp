@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <numbers>
-#include <optional>
 #include <support/hand_population.hpp>
-#include <trophic/population/view.hpp>
-#include <trophic/support/units.hpp>
 
 using namespace trophic;
 using namespace trophic::test;

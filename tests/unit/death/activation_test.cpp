@@ -3,10 +3,8 @@
 #include <doctest/doctest.h>
 
 #include <rapidcheck.h>
-#include <cstdint>
 #include <support/hand_population.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/death/activation/active_away_from_hunters.hpp>
 #include <trophic/death/activation/ages_once_away_from_hunters.hpp>
 #include <trophic/death/activation/always_active.hpp>
 #include <trophic/death/activation/founders_start_active.hpp>

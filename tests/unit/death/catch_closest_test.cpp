@@ -2,15 +2,11 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cstdint>
 #include <map>
 #include <set>
 #include <support/hand_population.hpp>
 #include <support/statistics.hpp>
 #include <trophic/death/capture/catch_closest.hpp>
-#include <utility>
-#include <vector>
 
 using namespace trophic;
 using namespace trophic::test;

@@ -2,13 +2,9 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cstdint>
 #include <set>
 #include <support/hand_population.hpp>
 #include <trophic/death/capture/catch_within_reach.hpp>
-#include <utility>
-#include <vector>
 
 using namespace trophic;
 using namespace trophic::test;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <map>
 #include <set>
 #include <support/hand_population.hpp>
@@ -12,7 +10,6 @@
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/rules/paper.hpp>
-#include <vector>
 
 using namespace trophic;
 using death::senescence::EnergyStore;

@@ -2,12 +2,10 @@
 // The policies of this slot, each by its name.
 #include <doctest/doctest.h>
 
-#include <cstddef>
 #include <support/hand_population.hpp>
 #include <trophic/death/floor/active_victim_floor.hpp>
 #include <trophic/death/floor/no_floor.hpp>
 #include <trophic/death/floor/victim_floor.hpp>
-#include <vector>
 
 using namespace trophic;
 using namespace trophic::test;

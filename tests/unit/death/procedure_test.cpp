@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <optional>
 #include <support/hand_population.hpp>
 #include <trophic/death/starvation/choice/hungriest_nonexempt.hpp>
 #include <trophic/death/starvation/exemption/near_perceived_victim.hpp>
@@ -11,8 +10,6 @@
 #include <trophic/death/starvation/interval/never_due.hpp>
 #include <trophic/death/starvation/procedure.hpp>
 #include <trophic/params/named_params.hpp>
-#include <tuple>
-#include <vector>
 
 using namespace trophic;
 using namespace trophic::test;

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cstddef>
-#include <cstdint>
 #include <support/hand_population.hpp>
 #include <support/statistics.hpp>
 #include <trophic/death/minimum_predators/sacrifice_random_victim.hpp>
-#include <vector>
 
 using namespace trophic;
 using namespace trophic::test;

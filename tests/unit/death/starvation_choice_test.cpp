@@ -3,14 +3,12 @@
 #include <doctest/doctest.h>
 
 #include <rapidcheck.h>
-#include <cstdint>
 #include <set>
 #include <support/hand_population.hpp>
 #include <trophic/death/starvation/choice/hungriest_else_oldest.hpp>
 #include <trophic/death/starvation/choice/hungriest_nonexempt.hpp>
 #include <trophic/death/starvation/choice/hungriest_nonexempt_else_hungriest.hpp>
 #include <trophic/death/starvation/choice/hungriest_share.hpp>
-#include <vector>
 
 using namespace trophic;
 using namespace trophic::test;

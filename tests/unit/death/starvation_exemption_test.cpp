@@ -2,7 +2,6 @@
 // The policies of this slot, each by its name.
 #include <doctest/doctest.h>
 
-#include <optional>
 #include <support/hand_population.hpp>
 #include <trophic/death/starvation/exemption/near_perceived_victim.hpp>
 #include <trophic/death/starvation/exemption/near_remembered_adversary.hpp>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/gait_evolution/genome_toml.hpp>
 #include <tools/gait_evolution/variation.hpp>

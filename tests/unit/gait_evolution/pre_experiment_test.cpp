@@ -3,11 +3,8 @@
 
 #include <atomic>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <set>
 #include <sstream>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <support/toy_backend.hpp>
 #include <tools/gait_evolution/archive.hpp>

@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/gait_evolution/cppn_gait.hpp>
 #include <tools/gait_evolution/gait_file.hpp>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/habitat/load/arena.hpp>
 #include <trophic/habitat/load/habitat.hpp>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cstdlib>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/habitat/load/robot.hpp>
 

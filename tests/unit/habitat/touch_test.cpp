@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cmath>
-#include <cstdint>
-#include <numbers>
 #include <trophic/habitat/link_frames.hpp>
 #include <trophic/habitat/touch.hpp>
 #include <trophic/support/rng.hpp>

@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <limits>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/habitat/validate_robot.hpp>

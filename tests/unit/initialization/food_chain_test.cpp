@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <cstddef>
 #include <set>
-#include <stdexcept>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/initialization/community/food_chain.hpp>
 #include <trophic/rules/paper.hpp>
-#include <utility>
-#include <vector>
 
 using namespace trophic;
 using initialization::community::FoodChain;

@@ -2,8 +2,6 @@
 // How a newborn's body takes the place of the old one.
 #include <doctest/doctest.h>
 
-#include <cstddef>
-#include <numbers>
 #include <stdexcept>
 #include <trophic/habitat/load/arena.hpp>
 #include <trophic/habitat/load/robot.hpp>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <stdexcept>
-#include <string>
 #include <tools/live/wishes.hpp>
 #include <trophic/support/json.hpp>
 

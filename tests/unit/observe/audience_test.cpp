@@ -1,13 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cstdint>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/io/state_log.hpp>
-#include <trophic/observe/audience.hpp>
 #include <unit/observe/scene.hpp>
 
 using namespace trophic;

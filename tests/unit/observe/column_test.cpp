@@ -2,11 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <set>
-#include <string>
-#include <string_view>
 #include <trophic/io/column.hpp>
 #include <trophic/io/tables.hpp>
-#include <type_traits>
 
 using namespace trophic;
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <stdexcept>
-#include <string>
 #include <trophic/io/csv_file.hpp>
 #include <unit/observe/scene.hpp>
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <filesystem>
 #include <support/temporary_folder.hpp>
 #include <trophic/io/next_free_folder.hpp>
 

@@ -4,21 +4,12 @@
 
 #include <doctest/doctest.h>
 
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
-#include <numbers>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/recording/read_recording.hpp>
 #include <trophic/io/recording.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/support/rng.hpp>
-#include <vector>
 
 namespace trophic::test {
 

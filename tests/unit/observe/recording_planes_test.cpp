@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <trophic/io/recording_planes.hpp>

@@ -1,29 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
-#include <numbers>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/recording/read_recording.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/io/recording.hpp>
 #include <trophic/io/run_folder.hpp>
-#include <trophic/params/archive.hpp>
-#include <trophic/population/food_web.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/support/json.hpp>
-#include <trophic/support/rng.hpp>
-#include <vector>
 
 #include "unit/observe/recorded_motion.hpp"
 

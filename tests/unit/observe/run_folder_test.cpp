@@ -3,13 +3,8 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
-#include <filesystem>
 #include <set>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/io/csv_file.hpp>
-#include <trophic/io/own_table.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <unit/observe/scene.hpp>
 

@@ -2,10 +2,7 @@
 // Three hand-written robots for observers to be told of, and the text of what they wrote.
 #pragma once
 
-#include <filesystem>
-#include <fstream>
 #include <iterator>
-#include <string>
 #include <support/hand_population.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/observe/run_description.hpp>

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/io/sense_log.hpp>
 #include <unit/observe/scene.hpp>

@@ -2,10 +2,6 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <algorithm>
-#include <cstdint>
-#include <numbers>
-#include <optional>
 #include <support/hand_population.hpp>
 #include <trophic/perception/adversary.hpp>
 

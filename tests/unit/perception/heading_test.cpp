@@ -3,8 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <Eigen/Geometry>
-#include <cmath>
-#include <numbers>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/perception/heading/forward_axis_heading.hpp>
 #include <trophic/perception/heading/root_yaw_heading.hpp>

@@ -1,12 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <array>
-#include <concepts>
-#include <cstddef>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <support/hand_population.hpp>
 #include <support/odometer.hpp>
 #include <tools/command/read_parameters.hpp>
@@ -16,7 +10,6 @@
 #include <trophic/perception/sensors/list.hpp>
 #include <trophic/perception/sensors/side_of_adversary.hpp>
 #include <trophic/perception/sensors/tag_ratio_of_all.hpp>
-#include <vector>
 
 using namespace trophic;
 using perception::SensorList;

@@ -3,10 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <rapidcheck.h>
-#include <cmath>
-#include <cstdint>
-#include <numbers>
-#include <optional>
 #include <support/hand_population.hpp>
 #include <trophic/perception/adversary.hpp>
 #include <trophic/perception/sensors/distance_over_diagonal.hpp>

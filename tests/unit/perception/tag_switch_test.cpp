@@ -10,7 +10,6 @@
 #include <trophic/observe/event.hpp>
 #include <trophic/perception/tag_switch/first_switch_free.hpp>
 #include <trophic/perception/tag_switch/free_tags.hpp>
-#include <trophic/perception/tag_switch/tag_cool_down.hpp>
 #include <trophic/perception/tag_switch/tag_sampling.hpp>
 #include <trophic/rules/paper.hpp>
 

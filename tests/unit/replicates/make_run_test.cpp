@@ -5,10 +5,6 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <filesystem>
-#include <fstream>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <thread>
 #include <tools/sweep/folder.hpp>

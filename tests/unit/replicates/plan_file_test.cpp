@@ -3,8 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/sweep/plan_file.hpp>
 #include <tuple>

@@ -1,15 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <array>
 #include <atomic>
-#include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <set>
 #include <sstream>
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <tools/replicates/folder.hpp>
 #include <tools/replicates/parallel.hpp>

@@ -3,7 +3,6 @@
 
 #include <support/hand_population.hpp>
 #include <trophic/reproduction/recruitment/after_escapes.hpp>
-#include <vector>
 
 using namespace trophic;
 using namespace trophic::test;

@@ -2,7 +2,6 @@
 // Births under rules with which bodies evolve, without a world.
 #pragma once
 
-#include <memory>
 #include <support/hand_population.hpp>
 #include <trophic/control/gait/inherited_cppn.hpp>
 #include <trophic/ecology/population.hpp>
@@ -12,7 +11,6 @@
 #include <trophic/reproduction/body_plan/inherited_modules.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/rules/paper.hpp>
-#include <vector>
 
 namespace trophic::test {
 

@@ -2,8 +2,6 @@
 // The policies of this slot, each by its name.
 #include <doctest/doctest.h>
 
-#include <stdexcept>
-#include <string>
 #include <support/temporary_folder.hpp>
 #include <trophic/reproduction/body_plan/named_body.hpp>
 #include <trophic/reproduction/body_plan/one_body.hpp>

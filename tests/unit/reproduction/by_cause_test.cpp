@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <optional>
-#include <string>
 #include <support/hand_population.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/reproduction/parent/by_cause.hpp>
@@ -10,8 +8,6 @@
 #include <trophic/reproduction/parent/last_killer.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/reproduction/parent/nearest_victim.hpp>
-#include <tuple>
-#include <vector>
 
 using namespace trophic;
 using namespace trophic::test;

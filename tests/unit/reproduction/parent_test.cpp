@@ -3,10 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <rapidcheck.h>
-#include <array>
-#include <cstdint>
 #include <map>
-#include <optional>
 #include <support/hand_population.hpp>
 #include <trophic/reproduction/parent/at_random.hpp>
 #include <trophic/reproduction/parent/fastest_escape.hpp>
@@ -19,7 +16,6 @@
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/reproduction/parent/nearest_victim.hpp>
 #include <trophic/reproduction/parent/no_parent.hpp>
-#include <vector>
 #include "unit/reproduction/walks.hpp"
 
 using namespace trophic;

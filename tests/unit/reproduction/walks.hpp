@@ -2,11 +2,8 @@
 // A predator and prey that walk by hand, for parent rules that remember.
 #pragma once
 
-#include <cstddef>
-#include <optional>
 #include <support/hand_population.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
-#include <vector>
 
 namespace trophic::test {
 

@@ -2,22 +2,9 @@
 // A strict reader of plain CSV files: what it does not understand it reports with file, line and column.
 #pragma once
 
-#include <algorithm>
-#include <charconv>
-#include <concepts>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
 #include <initializer_list>
-#include <optional>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/io/csv_file.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/support/plain_text.hpp>
-#include <type_traits>
-#include <vector>
 
 namespace trophic::analysis {
 

@@ -2,18 +2,12 @@
 // Definitions of epoch_genomes.hpp.
 #include <tools/analysis/data/epoch_genomes.hpp>
 
-#include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <filesystem>
-#include <stdexcept>
-#include <string>
 #include <tools/analysis/data/lineages.hpp>
 #include <tools/analysis/data/read_run.hpp>
 #include <trophic/io/tables.hpp>
 #include <trophic/params/params.hpp>
 #include <unordered_map>
-#include <utility>
 
 namespace trophic::analysis {
 

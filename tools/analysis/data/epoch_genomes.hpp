@@ -5,7 +5,6 @@
 #include <span>
 #include <tools/analysis/data/run_manifest.hpp>
 #include <trophic/population/individual.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

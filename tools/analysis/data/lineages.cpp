@@ -2,18 +2,11 @@
 // Definitions of lineages.hpp.
 #include <tools/analysis/data/lineages.hpp>
 
-#include <algorithm>
-#include <array>
-#include <cstdint>
 #include <filesystem>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <tools/analysis/data/read_run.hpp>
 #include <trophic/io/tables.hpp>
 #include <trophic/params/params.hpp>
 #include <unordered_map>
-#include <utility>
 
 namespace trophic::analysis {
 

@@ -2,12 +2,9 @@
 // The descent of all individuals of a run, with their genomes.
 #pragma once
 
-#include <cstddef>
 #include <limits>
-#include <optional>
 #include <tools/analysis/data/run_manifest.hpp>
 #include <trophic/population/food_web.hpp>
-#include <vector>
 
 namespace trophic::io {
 struct TaxonRow;

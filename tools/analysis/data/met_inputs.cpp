@@ -2,11 +2,7 @@
 // Definitions of met_inputs.hpp.
 #include <tools/analysis/data/met_inputs.hpp>
 
-#include <algorithm>
-#include <filesystem>
 #include <set>
-#include <stdexcept>
-#include <string>
 #include <tools/analysis/data/csv_reader.hpp>
 #include <tools/analysis/data/read_run.hpp>
 #include <trophic/support/rng.hpp>

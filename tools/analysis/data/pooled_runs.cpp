@@ -2,15 +2,12 @@
 // Definitions of pooled_runs.hpp.
 #include <tools/analysis/data/pooled_runs.hpp>
 
-#include <cstdint>
 #include <set>
-#include <stdexcept>
 #include <tools/changes/change.hpp>
 #include <tools/command/check_folder.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/plain_text.hpp>
 #include <trophic/support/whole_file.hpp>
-#include <utility>
 
 namespace trophic::analysis {
 

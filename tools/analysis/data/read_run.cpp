@@ -2,13 +2,7 @@
 // Definitions of read_run.hpp.
 #include <tools/analysis/data/read_run.hpp>
 
-#include <algorithm>
-#include <array>
 #include <fstream>
-#include <stdexcept>
-#include <string_view>
-#include <tools/analysis/data/table_reader.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/support/checksum.hpp>
 #include <trophic/support/whole_file.hpp>
 

@@ -2,19 +2,11 @@
 // A run's folder, read into tables.
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
 #include <map>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <tools/analysis/data/csv_reader.hpp>
 #include <tools/analysis/data/run_manifest.hpp>
 #include <tools/analysis/data/table_reader.hpp>
 #include <tools/analysis/data/tables.hpp>
-#include <trophic/io/column.hpp>
-#include <trophic/population/food_web.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

@@ -2,15 +2,11 @@
 // Definitions of run_manifest.hpp.
 #include <tools/analysis/data/run_manifest.hpp>
 
-#include <algorithm>
-#include <cstddef>
 #include <set>
-#include <stdexcept>
 #include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/support/plain_text.hpp>
 #include <trophic/support/unreadable_file.hpp>
 #include <trophic/support/whole_file.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

@@ -2,17 +2,9 @@
 // The manifest of a run, as metrics need it.
 #pragma once
 
-#include <cstdint>
-#include <filesystem>
 #include <map>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <trophic/io/csv_file.hpp>
-#include <trophic/params/params.hpp>
-#include <trophic/population/food_web.hpp>
 #include <trophic/support/json.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

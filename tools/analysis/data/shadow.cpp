@@ -2,10 +2,7 @@
 // Definitions of shadow.hpp.
 #include <tools/analysis/data/shadow.hpp>
 
-#include <stdexcept>
-#include <string>
 #include <trophic/support/json.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

@@ -5,10 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
-#include <stdexcept>
-#include <string_view>
 #include <trophic/support/json.hpp>
-#include <utility>
 
 namespace trophic::analysis {
 

@@ -2,14 +2,10 @@
 // Definitions of sweep_runs.hpp.
 #include <tools/analysis/data/sweep_runs.hpp>
 
-#include <algorithm>
-#include <optional>
 #include <set>
-#include <stdexcept>
 #include <tools/analysis/data/run_manifest.hpp>
 #include <tools/analysis/data/shadow.hpp>
 #include <trophic/params/params.hpp>
-#include <utility>
 
 namespace trophic::analysis {
 

@@ -2,13 +2,10 @@
 // The runs of a sweep, compared with its plan before any is measured.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
-#include <string>
 #include <tools/analysis/data/sweep_grid.hpp>
 #include <tools/sweep/plan_file.hpp>
 #include <trophic/population/food_web.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

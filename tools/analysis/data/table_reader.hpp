@@ -2,15 +2,7 @@
 // Reads a table file into the rows that it was written from.
 #pragma once
 
-#include <cstddef>
-#include <filesystem>
-#include <string>
-#include <string_view>
 #include <tools/analysis/data/csv_reader.hpp>
-#include <trophic/io/column.hpp>
-#include <trophic/population/food_web.hpp>
-#include <type_traits>
-#include <vector>
 
 namespace trophic::analysis {
 

@@ -2,9 +2,6 @@
 // Definitions of tables.hpp.
 #include <tools/analysis/data/tables.hpp>
 
-#include <algorithm>
-#include <cstddef>
-
 namespace trophic::analysis {
 
 bool belongs(const AgentRow& row, Group group) {

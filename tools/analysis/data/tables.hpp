@@ -2,14 +2,9 @@
 // The tables of a run in memory: one row per event, one row per robot and tick.
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <span>
-#include <string_view>
 #include <trophic/io/tables.hpp>
 #include <trophic/population/individual.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::analysis {
 

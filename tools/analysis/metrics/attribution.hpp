@@ -2,7 +2,6 @@
 // Attribution: how much of what a species does or suffers falls to those who inherited their genome.
 #pragma once
 
-#include <optional>
 #include <tools/analysis/data/tables.hpp>
 #include <trophic/population/food_web.hpp>
 

@@ -2,26 +2,12 @@
 // Definitions of body_metrics.hpp.
 #include <tools/analysis/metrics/body_metrics.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <limits>
 #include <map>
-#include <optional>
-#include <span>
-#include <stdexcept>
-#include <string>
-#include <string_view>
 #include <tools/analysis/data/csv_reader.hpp>
 #include <tools/analysis/metrics/run_metrics.hpp>
-#include <tools/analysis/metrics/series.hpp>
 #include <trophic/habitat/body/distance.hpp>
 #include <trophic/habitat/body/plan.hpp>
-#include <unordered_map>
-#include <utility>
-#include <vector>
 
 namespace trophic::analysis {
 

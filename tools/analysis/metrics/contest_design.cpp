@@ -3,8 +3,6 @@
 #include <tools/analysis/metrics/contest_design.hpp>
 
 #include <numeric>
-#include <span>
-#include <stdexcept>
 #include <trophic/support/rng.hpp>
 
 namespace trophic::analysis {

@@ -2,10 +2,8 @@
 // The opponents in contests across generations and their places, drawn anew for each replicate.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <trophic/population/food_web.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

@@ -2,8 +2,6 @@
 // Definitions of drift.hpp.
 #include <tools/analysis/metrics/drift.hpp>
 
-#include <cstddef>
-
 namespace trophic::analysis {
 
 Forest drift_of(const Forest& forest, Rng& rng) {

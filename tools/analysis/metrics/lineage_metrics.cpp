@@ -2,21 +2,13 @@
 // Definitions of lineage_metrics.hpp.
 #include <tools/analysis/metrics/lineage_metrics.hpp>
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
-#include <optional>
-#include <span>
-#include <stdexcept>
-#include <string>
 #include <tools/analysis/metrics/activity.hpp>
 #include <tools/analysis/metrics/descent.hpp>
 #include <tools/analysis/metrics/drift.hpp>
 #include <tools/analysis/metrics/modes.hpp>
-#include <tools/analysis/metrics/series.hpp>
 #include <trophic/params/params.hpp>
-#include <utility>
 
 namespace trophic::analysis {
 

@@ -2,15 +2,12 @@
 // Lineage measures of a run, each with the same measure under drift.
 #pragma once
 
-#include <cstddef>
 #include <functional>
-#include <span>
 #include <tools/analysis/data/lineages.hpp>
 #include <tools/analysis/data/met_inputs.hpp>
 #include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/metrics/signatures.hpp>
 #include <trophic/population/food_web.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

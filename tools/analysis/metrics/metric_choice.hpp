@@ -2,11 +2,7 @@
 // Metrics by name: METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP.
 #pragma once
 
-#include <span>
-#include <string>
-#include <string_view>
 #include <tools/analysis/metrics/measurement.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

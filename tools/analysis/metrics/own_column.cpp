@@ -2,14 +2,8 @@
 // Definitions of own_column.hpp.
 #include <tools/analysis/metrics/own_column.hpp>
 
-#include <algorithm>
-#include <cstddef>
-#include <filesystem>
-#include <optional>
-#include <stdexcept>
 #include <tools/analysis/data/csv_reader.hpp>
 #include <tools/analysis/metrics/sampled_metric.hpp>
-#include <utility>
 
 namespace trophic::analysis {
 

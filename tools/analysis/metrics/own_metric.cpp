@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <optional>
 #include <stdexcept>
 #include <tools/analysis/metrics/sampled_metric.hpp>
 #include <trophic/params/params.hpp>

@@ -2,13 +2,9 @@
 // Metrics of a user's program, measured.
 #pragma once
 
-#include <span>
-#include <string>
-#include <string_view>
 #include <tools/analysis/data/read_run.hpp>
 #include <tools/analysis/metrics/measurement.hpp>
 #include <trophic/experiment/own_metric.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

@@ -2,10 +2,7 @@
 // Metrics that say the same thing twice in some runs, such as a species without inactive members "active" and "all".
 #pragma once
 
-#include <optional>
-#include <span>
 #include <tools/analysis/metrics/measurement.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

@@ -2,19 +2,13 @@
 // Definitions of run_metrics.hpp.
 #include <tools/analysis/metrics/run_metrics.hpp>
 
-#include <array>
-#include <optional>
-#include <string_view>
 #include <tools/analysis/metrics/attribution.hpp>
 #include <tools/analysis/metrics/demography.hpp>
-#include <tools/analysis/metrics/series.hpp>
 #include <tools/analysis/metrics/stuck.hpp>
 #include <tools/analysis/metrics/tag_symmetry.hpp>
 #include <tools/analysis/metrics/velocity.hpp>
 #include <tools/analysis/metrics/wall_sticking.hpp>
 #include <trophic/support/rng.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::analysis {
 

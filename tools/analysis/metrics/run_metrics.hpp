@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <tools/analysis/data/read_run.hpp>
 #include <tools/analysis/metrics/measurement.hpp>
 

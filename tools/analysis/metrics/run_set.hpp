@@ -5,15 +5,11 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <optional>
-#include <span>
-#include <string>
 #include <tools/analysis/data/pooled_runs.hpp>
 #include <tools/analysis/metrics/lineage_metrics.hpp>
 #include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/metrics/own_column.hpp>
 #include <tools/analysis/metrics/own_metric.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

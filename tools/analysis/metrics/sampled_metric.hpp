@@ -2,12 +2,8 @@
 // A metric that is given as samples, each of a time, a species and a group.
 #pragma once
 
-#include <optional>
-#include <string>
 #include <tools/analysis/metrics/measurement.hpp>
-#include <tools/analysis/metrics/series.hpp>
 #include <utility>
-#include <vector>
 
 namespace trophic::analysis {
 

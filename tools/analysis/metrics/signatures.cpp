@@ -2,10 +2,6 @@
 // Definitions of signatures.hpp.
 #include <tools/analysis/metrics/signatures.hpp>
 
-#include <algorithm>
-#include <array>
-#include <utility>
-
 namespace trophic::analysis {
 
 namespace {

@@ -2,16 +2,10 @@
 // Behavioural signatures: types of genomes by what their brains decide.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
 #include <functional>
-#include <span>
-#include <string>
 #include <tools/analysis/data/met_inputs.hpp>
 #include <trophic/control/brain/contract.hpp>
-#include <trophic/population/food_web.hpp>
 #include <unordered_map>
-#include <vector>
 
 namespace trophic::analysis {
 

@@ -2,16 +2,12 @@
 // Definitions of sweep_values.hpp.
 #include <tools/analysis/metrics/sweep_values.hpp>
 
-#include <algorithm>
 #include <atomic>
 #include <mutex>
-#include <stdexcept>
-#include <string>
 #include <tools/analysis/data/read_run.hpp>
 #include <tools/analysis/metrics/body_metrics.hpp>
 #include <tools/analysis/metrics/metric_choice.hpp>
 #include <tools/replicates/parallel.hpp>
-#include <utility>
 
 namespace trophic::analysis {
 

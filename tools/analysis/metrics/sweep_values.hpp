@@ -2,18 +2,12 @@
 // The measured values of each run of a sweep: numbers alone, so that ten thousand runs fit into memory.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <map>
-#include <optional>
-#include <span>
-#include <string>
 #include <tools/analysis/data/sweep_grid.hpp>
 #include <tools/analysis/data/sweep_runs.hpp>
-#include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/metrics/run_set.hpp>
 #include <trophic/population/food_web.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

@@ -3,11 +3,8 @@
 #include <tools/analysis/metrics/tag_symmetry.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <map>
-#include <numbers>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace trophic::analysis {

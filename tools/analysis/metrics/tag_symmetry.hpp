@@ -2,7 +2,6 @@
 // Tag symmetry: whether two species show opposite tags, and what tags without any meaning would give.
 #pragma once
 
-#include <cstddef>
 #include <tools/analysis/data/tables.hpp>
 #include <tools/analysis/metrics/series.hpp>
 #include <trophic/support/rng.hpp>

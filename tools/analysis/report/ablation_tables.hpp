@@ -2,14 +2,10 @@
 // Effects of swaps: ablations.csv, and Markdown tables of the significant ones.
 #pragma once
 
-#include <cstddef>
-#include <optional>
 #include <ostream>
 #include <span>
-#include <string>
 #include <tools/analysis/report/swaps.hpp>
 #include <trophic/io/column.hpp>
-#include <tuple>
 
 namespace trophic::analysis {
 

@@ -3,14 +3,10 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
-#include <span>
-#include <string>
 #include <tools/analysis/data/sweep_grid.hpp>
 #include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/metrics/sweep_values.hpp>
 #include <tools/analysis/statistics/difference.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

@@ -2,12 +2,10 @@
 // Definitions of axis_rows.hpp.
 #include <tools/analysis/report/axis_rows.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <tools/analysis/report/columns.hpp>
 #include <tools/analysis/report/reading.hpp>
 #include <tools/analysis/report/table_file.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

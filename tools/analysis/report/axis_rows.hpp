@@ -2,15 +2,11 @@
 // sweep_effects.csv, and the significant effects for people.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
-#include <optional>
 #include <ostream>
 #include <span>
-#include <string>
 #include <tools/analysis/report/axis_effects.hpp>
 #include <trophic/io/column.hpp>
-#include <tuple>
 
 namespace trophic::analysis {
 

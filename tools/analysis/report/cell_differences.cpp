@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <stdexcept>
-#include <string>
 #include <tools/analysis/metrics/repeated_metrics.hpp>
 #include <tools/analysis/report/swaps.hpp>
 #include <tools/analysis/statistics/holm.hpp>

@@ -7,8 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
-#include <optional>
-#include <span>
 #include <tools/analysis/data/sweep_grid.hpp>
 #include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/metrics/sweep_values.hpp>
@@ -17,7 +15,6 @@
 #include <tools/analysis/statistics/interval.hpp>
 #include <tools/analysis/statistics/power.hpp>
 #include <utility>
-#include <vector>
 
 namespace trophic::analysis {
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <trophic/params/params.hpp>
-#include <utility>
 
 namespace trophic::analysis {
 

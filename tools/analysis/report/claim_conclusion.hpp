@@ -2,18 +2,12 @@
 // Is a published claim reproduced? Under each of its readings: equivalence within a margin, a difference, or neither yet.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
 #include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/report/published.hpp>
 #include <tools/analysis/statistics/equivalence.hpp>
 #include <tools/analysis/statistics/estimate.hpp>
 #include <tools/analysis/statistics/interval.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

@@ -2,13 +2,11 @@
 // Definitions of claims_text.hpp.
 #include <tools/analysis/report/claims_text.hpp>
 
-#include <string>
 #include <tools/analysis/report/columns.hpp>
 #include <tools/analysis/report/published.hpp>
 #include <tools/analysis/report/reading.hpp>
 #include <tools/analysis/report/text_table.hpp>
 #include <trophic/params/params.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

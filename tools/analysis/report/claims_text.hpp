@@ -3,7 +3,6 @@
 #pragma once
 
 #include <ostream>
-#include <span>
 #include <tools/analysis/metrics/run_set.hpp>
 #include <tools/analysis/report/claim_conclusion.hpp>
 

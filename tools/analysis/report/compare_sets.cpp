@@ -3,8 +3,6 @@
 #include <tools/analysis/report/compare_sets.hpp>
 
 #include <algorithm>
-#include <array>
-#include <optional>
 #include <stdexcept>
 #include <tools/analysis/metrics/metric_choice.hpp>
 #include <tools/analysis/metrics/repeated_metrics.hpp>

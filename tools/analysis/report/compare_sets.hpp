@@ -2,15 +2,10 @@
 // Two sets of runs compared, metric by metric.
 #pragma once
 
-#include <optional>
-#include <span>
-#include <string>
 #include <tools/analysis/data/run_manifest.hpp>
-#include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/metrics/run_set.hpp>
 #include <tools/analysis/statistics/difference.hpp>
 #include <tools/analysis/statistics/estimate.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

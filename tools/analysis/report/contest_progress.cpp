@@ -2,13 +2,10 @@
 // Definitions of contest_progress.hpp.
 #include <tools/analysis/report/contest_progress.hpp>
 
-#include <algorithm>
 #include <map>
 #include <set>
-#include <stdexcept>
 #include <tools/analysis/statistics/interval.hpp>
 #include <trophic/params/params.hpp>
-#include <utility>
 
 namespace trophic::analysis {
 

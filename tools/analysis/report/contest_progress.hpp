@@ -3,16 +3,10 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
-#include <optional>
 #include <span>
-#include <string>
-#include <string_view>
 #include <tools/analysis/statistics/difference.hpp>
 #include <tools/analysis/statistics/estimate.hpp>
 #include <trophic/io/column.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::analysis {
 

@@ -2,7 +2,6 @@
 // Definitions of means_table.hpp.
 #include <tools/analysis/report/means_table.hpp>
 
-#include <cstddef>
 #include <tools/analysis/report/escaped.hpp>
 #include <tools/analysis/report/reading.hpp>
 #include <tools/analysis/report/table_file.hpp>

@@ -2,17 +2,10 @@
 // Results for papers: means.csv and means.tex of sets, differences.csv and differences.tex of a comparison.
 #pragma once
 
-#include <cstddef>
-#include <filesystem>
-#include <optional>
-#include <span>
-#include <string>
 #include <tools/analysis/metrics/run_set.hpp>
 #include <tools/analysis/report/compare_sets.hpp>
 #include <tools/analysis/report/summary.hpp>
 #include <trophic/io/column.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::analysis {
 

@@ -2,9 +2,6 @@
 // Definitions of metrics_table.hpp.
 #include <tools/analysis/report/metrics_table.hpp>
 
-#include <algorithm>
-#include <cstddef>
-#include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/report/summary.hpp>
 #include <tools/analysis/report/table_file.hpp>
 

@@ -3,13 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <span>
-#include <string>
 #include <tools/analysis/metrics/run_set.hpp>
 #include <trophic/io/column.hpp>
-#include <tuple>
 
 namespace trophic::analysis {
 

@@ -2,9 +2,7 @@
 // Definitions of progress_table.hpp.
 #include <tools/analysis/report/progress_table.hpp>
 
-#include <algorithm>
 #include <ostream>
-#include <string_view>
 #include <tools/analysis/report/columns.hpp>
 #include <tools/analysis/report/reading.hpp>
 #include <tools/analysis/report/table_file.hpp>

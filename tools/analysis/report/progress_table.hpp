@@ -2,15 +2,11 @@
 // Progress across generations for people and machines: contests.csv, progress.csv and a table on the terminal.
 #pragma once
 
-#include <cstddef>
 #include <filesystem>
 #include <iosfwd>
-#include <optional>
 #include <span>
-#include <string>
 #include <tools/analysis/report/contest_progress.hpp>
 #include <trophic/io/column.hpp>
-#include <tuple>
 
 namespace trophic::analysis {
 

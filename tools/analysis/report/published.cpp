@@ -2,8 +2,6 @@
 // Definitions of published.hpp.
 #include <tools/analysis/report/published.hpp>
 
-#include <string>
-
 namespace trophic::analysis {
 
 MetricName metric_of(const ClaimReading& reading) {

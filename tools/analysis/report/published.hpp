@@ -2,11 +2,7 @@
 // The paper's claims in numbers, each under every reading that the text allows.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <optional>
-#include <span>
-#include <string_view>
 #include <tools/analysis/metrics/measurement.hpp>
 
 namespace trophic::analysis {

@@ -4,8 +4,6 @@
 
 #include <cstddef>
 #include <cstdio>
-#include <optional>
-#include <string>
 #include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/statistics/difference.hpp>
 #include <tools/analysis/statistics/estimate.hpp>

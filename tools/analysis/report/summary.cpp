@@ -3,7 +3,6 @@
 #include <tools/analysis/report/summary.hpp>
 
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 #include <tools/analysis/metrics/metric_choice.hpp>
 #include <tools/analysis/metrics/repeated_metrics.hpp>

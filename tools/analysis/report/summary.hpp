@@ -3,16 +3,11 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
-#include <span>
-#include <string>
-#include <string_view>
 #include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/report/published.hpp>
 #include <tools/analysis/statistics/difference.hpp>
 #include <tools/analysis/statistics/estimate.hpp>
 #include <tools/analysis/statistics/interval.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

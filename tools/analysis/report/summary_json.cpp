@@ -2,9 +2,6 @@
 // Definitions of summary_json.hpp.
 #include <tools/analysis/report/summary_json.hpp>
 
-#include <filesystem>
-#include <string>
-
 namespace trophic::analysis::detail {
 
 Json to_json(const std::optional<double>& value) {

@@ -2,8 +2,6 @@
 // Results for machines: summary.json.
 #pragma once
 
-#include <optional>
-#include <span>
 #include <tools/analysis/metrics/run_set.hpp>
 #include <tools/analysis/report/claim_conclusion.hpp>
 #include <tools/analysis/report/compare_sets.hpp>

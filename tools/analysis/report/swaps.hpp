@@ -2,13 +2,10 @@
 // Many sets of runs, each with something flipped, against the one set in which nothing is.
 #pragma once
 
-#include <span>
-#include <string>
 #include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/report/compare_sets.hpp>
 #include <tools/analysis/statistics/difference.hpp>
 #include <tools/analysis/statistics/estimate.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

@@ -2,13 +2,9 @@
 // The rows of a sweep's tables: cells.csv, runs.csv, sweep_metrics.csv, sweep_differences.csv.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <optional>
-#include <string>
 #include <tools/analysis/report/cell_differences.hpp>
 #include <trophic/io/column.hpp>
-#include <tuple>
 
 namespace trophic::analysis {
 

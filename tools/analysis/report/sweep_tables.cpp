@@ -2,8 +2,6 @@
 // Definitions of sweep_tables.hpp.
 #include <tools/analysis/report/sweep_tables.hpp>
 
-#include <algorithm>
-#include <string>
 #include <tools/analysis/report/table_file.hpp>
 #include <tools/analysis/statistics/estimate.hpp>
 #include <tools/sweep/plan_file.hpp>

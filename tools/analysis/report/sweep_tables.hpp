@@ -6,14 +6,12 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
-#include <optional>
 #include <tools/analysis/data/sweep_grid.hpp>
 #include <tools/analysis/data/sweep_runs.hpp>
 #include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/metrics/sweep_values.hpp>
 #include <tools/analysis/report/cell_differences.hpp>
 #include <tools/analysis/report/sweep_rows.hpp>
-#include <vector>
 
 namespace trophic::analysis {
 

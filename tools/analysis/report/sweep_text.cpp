@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <set>
-#include <string_view>
 #include <tools/analysis/report/columns.hpp>
 #include <tools/analysis/report/reading.hpp>
 #include <trophic/params/params.hpp>

@@ -3,10 +3,8 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 #include <trophic/io/column.hpp>
 #include <trophic/io/csv.hpp>
-#include <trophic/population/food_web.hpp>
 #include <trophic/support/new_file.hpp>
 
 namespace trophic::analysis {

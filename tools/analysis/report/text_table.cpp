@@ -4,15 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <limits>
-#include <optional>
-#include <string_view>
 #include <tools/analysis/report/columns.hpp>
 #include <tools/analysis/report/reading.hpp>
 #include <trophic/params/params.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::analysis {
 

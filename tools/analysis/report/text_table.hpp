@@ -3,8 +3,6 @@
 #pragma once
 
 #include <ostream>
-#include <span>
-#include <string>
 #include <tools/analysis/metrics/run_set.hpp>
 #include <tools/analysis/report/compare_sets.hpp>
 #include <tools/analysis/report/summary.hpp>

@@ -2,7 +2,6 @@
 // Definitions of difference.hpp.
 #include <tools/analysis/statistics/difference.hpp>
 
-#include <cstddef>
 #include <tools/analysis/statistics/holm.hpp>
 #include <vector>
 

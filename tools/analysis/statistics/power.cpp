@@ -9,9 +9,7 @@
 #include <boost/math/policies/policy.hpp>
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
-#include <cstdint>
 #include <stdexcept>
-#include <string>
 #include <tools/analysis/statistics/student_t.hpp>
 #include <trophic/params/params.hpp>
 

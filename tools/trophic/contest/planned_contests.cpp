@@ -11,8 +11,6 @@
 #include <tools/analysis/data/sweep_runs.hpp>
 #include <tools/analysis/metrics/contest_design.hpp>
 #include <trophic/params/params.hpp>
-#include <tuple>
-#include <utility>
 
 namespace trophic::command::contests {
 

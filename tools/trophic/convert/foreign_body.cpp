@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <optional>
 #include <span>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <tools/command/toml_writer.hpp>
 #include <tools/trophic/convert/foreign_body.hpp>
 #include <tools/trophic/convert/yaml.hpp>
 #include <trophic/habitat/load/foreign_format.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/plain_text.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::convert {
 

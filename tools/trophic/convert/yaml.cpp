@@ -3,8 +3,6 @@
 #include <yaml-cpp/yaml.h>
 
 #include <cstddef>
-#include <stdexcept>
-#include <string>
 #include <tools/trophic/convert/yaml.hpp>
 
 namespace trophic::convert {

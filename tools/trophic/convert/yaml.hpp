@@ -2,7 +2,6 @@
 // YAML as JSON.
 #pragma once
 
-#include <string>
 #include <trophic/support/json.hpp>
 
 namespace trophic::convert {

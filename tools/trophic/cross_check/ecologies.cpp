@@ -5,9 +5,6 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
-#include <span>
-#include <stdexcept>
-#include <string>
 #include <tools/analysis/data/run_manifest.hpp>
 #include <tools/analysis/statistics/equivalence.hpp>
 #include <trophic/support/json.hpp>

@@ -2,9 +2,6 @@
 // The same rules on two engines: which metrics are equivalent.
 #pragma once
 
-#include <array>
-#include <filesystem>
-#include <string_view>
 #include <tools/analysis/metrics/run_set.hpp>
 #include <tools/trophic/cross_check/report.hpp>
 

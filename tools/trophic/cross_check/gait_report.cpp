@@ -2,7 +2,6 @@
 // Definitions of gait_report.hpp.
 #include <tools/trophic/cross_check/gait_report.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <iostream>

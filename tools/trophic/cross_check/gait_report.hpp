@@ -2,15 +2,10 @@
 // Gaits under several conditions against MuJoCo's: on the terminal, in the CSV, and paths for the figure.
 #pragma once
 
-#include <cstddef>
-#include <filesystem>
 #include <span>
-#include <string>
-#include <string_view>
 #include <tools/trophic/cross_check/report.hpp>
 #include <tools/trophic/cross_check/walk.hpp>
 #include <trophic/io/csv_file.hpp>
-#include <vector>
 
 namespace trophic::command::cross_check {
 

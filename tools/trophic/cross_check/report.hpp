@@ -2,16 +2,9 @@
 // The report of a cross-check: lines of one CSV, and text for the terminal.
 #pragma once
 
-#include <cstddef>
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <tools/analysis/statistics/equivalence.hpp>
 #include <tools/analysis/statistics/estimate.hpp>
-#include <trophic/io/column.hpp>
 #include <trophic/io/csv_file.hpp>
-#include <tuple>
 
 namespace trophic::command::cross_check {
 

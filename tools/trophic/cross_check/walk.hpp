@@ -3,20 +3,14 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
-#include <span>
-#include <string>
-#include <string_view>
 #include <tools/gait_evolution/trial.hpp>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/control/locomotion/cpg.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>
 #include <trophic/habitat/ground_pose.hpp>
 #include <trophic/habitat/habitat.hpp>
-#include <vector>
 
 namespace trophic::command::cross_check {
 

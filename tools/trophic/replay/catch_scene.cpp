@@ -2,10 +2,8 @@
 // Definitions of catch_scene.hpp.
 #include <tools/trophic/replay/catch_scene.hpp>
 
-#include <array>
 #include <cstdio>
 #include <map>
-#include <stdexcept>
 #include <tools/analysis/data/csv_reader.hpp>
 
 namespace trophic::command::replay {

@@ -2,8 +2,6 @@
 // A catch of a recorded run: who caught whom, when, and what the victim's life was.
 #pragma once
 
-#include <cstdint>
-#include <string>
 #include <tools/trophic/replay/recorded_run.hpp>
 #include <trophic/population/individual.hpp>
 

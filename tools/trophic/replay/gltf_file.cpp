@@ -4,8 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
-#include <string_view>
 
 namespace trophic::command::replay {
 

@@ -4,14 +4,11 @@
 
 #include <Eigen/Geometry>
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 #include <span>
-#include <string>
 #include <tools/pictures/species_colour.hpp>
 #include <tools/trophic/replay/base64.hpp>
 #include <trophic/support/json.hpp>
-#include <utility>
 #include <vector>
 
 namespace trophic::command::replay {

@@ -2,9 +2,7 @@
 // Definitions of gltf_scene.hpp.
 #include <tools/trophic/replay/gltf_scene.hpp>
 
-#include <cstdint>
 #include <stdexcept>
-#include <string>
 #include <tools/pictures/species_colour.hpp>
 
 namespace trophic::command::replay {

@@ -12,7 +12,6 @@
 #include <tools/trophic/replay/recorded_run.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/params/params.hpp>
-#include <utility>
 #include <vector>
 
 namespace trophic::command::replay {

@@ -3,18 +3,9 @@
 #include <tools/trophic/replay/own_tables.hpp>
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
 #include <map>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <tools/analysis/data/csv_reader.hpp>
-#include <trophic/io/csv.hpp>
-#include <trophic/params/params.hpp>
-#include <vector>
 
 namespace trophic::command::replay {
 

@@ -4,19 +4,10 @@
 
 #include <zlib.h>
 
-#include <algorithm>
-#include <array>
-#include <charconv>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
 #include <fstream>
-#include <initializer_list>
-#include <stdexcept>
 #include <tools/analysis/data/csv_reader.hpp>
 #include <tools/trophic/replay/base64.hpp>
 #include <trophic/support/json.hpp>
-#include <utility>
 
 /// The viewer's page, tools/viewer/page, and its length: 0 in a program that is built with -DTROPHIC_VIEWER=OFF.
 extern "C" {

@@ -2,10 +2,7 @@
 // Definitions of recorded_agents.hpp.
 #include <tools/trophic/replay/recorded_agents.hpp>
 
-#include <algorithm>
 #include <cmath>
-#include <stdexcept>
-#include <string>
 #include <tools/analysis/data/table_reader.hpp>
 #include <trophic/population/food_web.hpp>
 

@@ -2,12 +2,10 @@
 // Definitions of recorded_run.hpp.
 #include <tools/trophic/replay/recorded_run.hpp>
 
-#include <stdexcept>
 #include <tools/command/check_folder.hpp>
 #include <tools/trophic/replay/own_tables.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/whole_file.hpp>
-#include <utility>
 
 namespace trophic::command::replay {
 

@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <optional>
-#include <string>
 #include <tools/recording/read_recording.hpp>
 #include <trophic/support/json.hpp>
 #include <vector>

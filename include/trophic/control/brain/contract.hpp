@@ -2,7 +2,6 @@
 // The contract of a slot: a robot's decision from its inputs.
 #pragma once
 
-#include <cmath>
 #include <trophic/population/state.hpp>
 #include <trophic/support/rng.hpp>
 

@@ -2,7 +2,6 @@
 // The contract of a slot: the gait by which an individual walks.
 #pragma once
 
-#include <span>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/nursery.hpp>

@@ -4,13 +4,9 @@
 
 #include <numbers>
 #include <optional>
-#include <string>
 #include <trophic/habitat/body/module.hpp>
 #include <trophic/habitat/physics.hpp>
 #include <trophic/habitat/robot_model.hpp>
-#include <trophic/params/params.hpp>
-#include <trophic/support/linkage.hpp>
-#include <tuple>
 
 namespace trophic::body {
 

@@ -2,19 +2,11 @@
 // Definitions of build.hpp.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <numbers>
-#include <string>
-#include <string_view>
 #include <trophic/habitat/body/build.hpp>
 #include <trophic/habitat/reach.hpp>
 #include <trophic/habitat/validate_robot.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::body {
 

@@ -5,8 +5,6 @@
 #include <cstddef>
 #include <trophic/habitat/body/module.hpp>
 #include <trophic/params/params.hpp>
-#include <trophic/support/linkage.hpp>
-#include <tuple>
 
 namespace trophic::body {
 

@@ -4,7 +4,6 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <cstddef>
 #include <trophic/habitat/body/descriptors.hpp>
 #include <vector>
 

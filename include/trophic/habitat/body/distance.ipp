@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <trophic/habitat/body/distance.hpp>
 #include <tuple>
 #include <vector>

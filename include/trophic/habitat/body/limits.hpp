@@ -4,11 +4,8 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <trophic/habitat/body/module.hpp>
 #include <trophic/params/params.hpp>
-#include <trophic/support/linkage.hpp>
-#include <tuple>
 
 namespace trophic {
 struct RobotModel;

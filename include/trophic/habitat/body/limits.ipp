@@ -2,16 +2,12 @@
 // Definitions of limits.hpp.
 #pragma once
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cstddef>
-#include <string>
 #include <trophic/habitat/body/limits.hpp>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/habitat/sides.hpp>
 #include <trophic/habitat/touch.hpp>
-#include <vector>
 
 namespace trophic::body {
 

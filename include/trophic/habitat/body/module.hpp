@@ -4,14 +4,9 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cstddef>
 #include <optional>
-#include <string>
-#include <string_view>
 #include <trophic/params/params.hpp>
-#include <trophic/support/linkage.hpp>
-#include <tuple>
 #include <vector>
 
 namespace trophic::body {

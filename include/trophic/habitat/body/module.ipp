@@ -2,11 +2,7 @@
 // Definitions of module.hpp.
 #pragma once
 
-#include <Eigen/Core>
-#include <array>
-#include <cstddef>
 #include <stdexcept>
-#include <string>
 #include <trophic/habitat/body/module.hpp>
 
 namespace trophic::body {

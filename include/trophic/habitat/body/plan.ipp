@@ -3,14 +3,10 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 #include <optional>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/habitat/body/plan.hpp>
 #include <trophic/params/params.hpp>
-#include <vector>
 
 namespace trophic::body {
 

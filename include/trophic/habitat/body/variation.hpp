@@ -2,14 +2,9 @@
 // Random changes of a tree of modules: its mutation operators, and a random tree.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <string_view>
 #include <trophic/habitat/body/module.hpp>
 #include <trophic/params/params.hpp>
-#include <trophic/support/linkage.hpp>
 #include <trophic/support/rng.hpp>
-#include <tuple>
 
 namespace trophic::body {
 

@@ -3,14 +3,10 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstddef>
 #include <optional>
 #include <stdexcept>
 #include <trophic/habitat/body/plan.hpp>
 #include <trophic/habitat/body/variation.hpp>
-#include <utility>
 #include <vector>
 
 namespace trophic::body {

@@ -3,9 +3,7 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 #include <string>
-#include <string_view>
 #include <trophic/habitat/load/arena.hpp>
 #include <trophic/habitat/load/toml_table.hpp>
 #include <trophic/habitat/physics.hpp>

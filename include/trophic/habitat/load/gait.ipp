@@ -7,8 +7,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/toml_table.hpp>
 #include <trophic/params/params.hpp>

@@ -4,14 +4,11 @@
 
 #include <cstddef>
 #include <cstdlib>
-#include <filesystem>
 #include <set>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <system_error>
 #include <trophic/habitat/load/models.hpp>
-#include <vector>
 
 namespace trophic {
 

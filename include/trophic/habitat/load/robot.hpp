@@ -2,11 +2,9 @@
 // Reads robots from TOML files (format: models/README.md).
 #pragma once
 
-#include <string_view>
 #include <trophic/habitat/body/build.hpp>
 #include <trophic/habitat/load/models.hpp>
 #include <trophic/habitat/robot_model.hpp>
-#include <trophic/support/linkage.hpp>
 
 namespace trophic {
 

@@ -3,14 +3,10 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/habitat/body/module.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/habitat/load/toml_table.hpp>
-#include <trophic/params/params.hpp>
 
 namespace trophic {
 

@@ -2,21 +2,16 @@
 // Reads TOML data files with errors that name file, key and value.
 #pragma once
 
-#include <concepts>
-#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <set>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/habitat/load/foreign_format.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/params/parse_toml.hpp>
 #include <trophic/params/toml_text.hpp>
 #include <trophic/support/plain_text.hpp>
 #include <trophic/support/whole_file.hpp>
-#include <utility>
 #include <vector>
 
 namespace trophic::detail {

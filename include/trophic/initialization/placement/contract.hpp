@@ -3,7 +3,6 @@
 #pragma once
 
 #include <concepts>
-#include <cstddef>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/support/rng.hpp>
 #include <trophic/support/units.hpp>

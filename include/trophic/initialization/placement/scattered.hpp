@@ -2,7 +2,6 @@
 // Random positions and headings without overlaps.
 #pragma once
 
-#include <numbers>
 #include <stdexcept>
 #include <trophic/initialization/placement/contract.hpp>
 #include <trophic/initialization/placement/detail/squares.hpp>

@@ -2,7 +2,6 @@
 // The released code's start: uniform positions in a square, equal headings.
 #pragma once
 
-#include <numbers>
 #include <stdexcept>
 #include <trophic/initialization/placement/contract.hpp>
 #include <trophic/params/params.hpp>

@@ -4,7 +4,6 @@
 
 #include <concepts>
 #include <optional>
-#include <span>
 #include <trophic/support/rng.hpp>
 
 #define TROPHIC_SENTENCE_NewbornTag                                               \

@@ -2,7 +2,6 @@
 // The paper's Distance input, read as a fraction of the arena's diagonal.
 #pragma once
 
-#include <numbers>
 #include <trophic/perception/sensors/contract.hpp>
 
 namespace trophic::perception::sensors {

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <concepts>
-#include <span>
 #include <trophic/habitat/body/build.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/population/individual.hpp>

@@ -3,8 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <stdexcept>
-#include <string>
 #include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/plain_text.hpp>

@@ -2,18 +2,12 @@
 // The MuJoCo backend: modular robots as rigid bodies with contacts, friction and servos.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
-#include <string>
-#include <string_view>
 #include <trophic/backend/mujoco/box_depth.hpp>
 #include <trophic/backend/with_engine.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/colour.hpp>
-#include <trophic/support/linkage.hpp>
-#include <tuple>
 #include <vector>
 
 namespace trophic::backend {

@@ -4,13 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
 #include <memory>
 #include <span>
 #include <stdexcept>
-#include <string>
 #include <trophic/backend/body_hash.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/backend/mujoco/islands.hpp>
@@ -19,9 +15,7 @@
 #include <trophic/backend/mujoco/save_mjcf.hpp>
 #include <trophic/backend/start_pose.hpp>
 #include <trophic/habitat/validate_robot.hpp>
-#include <utility>
 #include <variant>
-#include <vector>
 
 namespace trophic::backend {
 

@@ -5,12 +5,9 @@
 #include <ode/ode.h>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <memory>
 #include <span>
 #include <stdexcept>
-#include <string>
-#include <string_view>
 #include <trophic/backend/body_hash.hpp>
 #include <trophic/backend/ode.hpp>
 #include <trophic/backend/ode/groups.hpp>
@@ -18,8 +15,6 @@
 #include <trophic/backend/start_pose.hpp>
 #include <trophic/habitat/validate_robot.hpp>
 #include <trophic/params/params.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::backend {
 

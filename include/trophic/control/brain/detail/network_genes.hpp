@@ -3,12 +3,8 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
 #include <limits>
-#include <span>
 #include <trophic/support/rng.hpp>
-#include <utility>
 #include <vector>
 
 namespace trophic::control::brain::detail {

@@ -4,13 +4,9 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <cmath>
-#include <cstddef>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <trophic/support/rng.hpp>
-#include <utility>
 #include <vector>
 
 namespace trophic::control::gait::detail {

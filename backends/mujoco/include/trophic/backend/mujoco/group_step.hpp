@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
-#include <string>
 #include <trophic/backend/mujoco/compiled_model.hpp>
 #include <trophic/backend/mujoco/robot_states.hpp>
 #include <trophic/params/params.hpp>

@@ -3,14 +3,10 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
-#include <cstdint>
 #include <memory>
 #include <trophic/backend/mujoco/compiled_model.hpp>
 #include <trophic/backend/mujoco/kernel/lane_model.hpp>
 #include <trophic/habitat/robot_model.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::backend::mujoco {
 

@@ -5,23 +5,12 @@
 #include <pugixml.hpp>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <cstdint>
-#include <cstring>
 #include <initializer_list>
-#include <span>
-#include <string>
-#include <string_view>
 #include <trophic/backend/contract.hpp>
 #include <trophic/backend/mujoco/box_test.hpp>
 #include <trophic/backend/mujoco/versions.hpp>
-#include <trophic/habitat/arena.hpp>
-#include <trophic/habitat/robot_model.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/support/units.hpp>
-#include <vector>
 
 namespace trophic::backend::mujoco {
 

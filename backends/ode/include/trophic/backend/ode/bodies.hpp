@@ -3,13 +3,9 @@
 #pragma once
 
 #include <algorithm>
-#include <cstddef>
 #include <memory>
-#include <string>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/params/numbers_text.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::backend::ode {
 

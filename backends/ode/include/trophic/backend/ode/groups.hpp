@@ -4,12 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <map>
-#include <memory>
-#include <optional>
-#include <span>
-#include <string>
 #include <trophic/backend/clusters.hpp>
 #include <trophic/backend/contract.hpp>
 #include <trophic/backend/ode/bodies.hpp>
@@ -17,11 +12,7 @@
 #include <trophic/backend/ode/params.hpp>
 #include <trophic/backend/ode/scene.hpp>
 #include <trophic/backend/ode/state.hpp>
-#include <trophic/habitat/arena.hpp>
-#include <trophic/habitat/robot_model.hpp>
 #include <trophic/support/thread_pool.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::backend::ode {
 

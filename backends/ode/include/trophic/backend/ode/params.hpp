@@ -2,11 +2,8 @@
 // The parameters of the ODE backend.
 #pragma once
 
-#include <array>
 #include <cstddef>
-#include <string_view>
 #include <trophic/params/params.hpp>
-#include <tuple>
 
 namespace trophic::backend {
 class Ode;

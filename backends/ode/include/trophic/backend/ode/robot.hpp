@@ -4,10 +4,8 @@
 
 #include <ode/ode.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <span>
 #include <trophic/backend/ode/compliance.hpp>
 #include <trophic/backend/ode/engine.hpp>
@@ -16,8 +14,6 @@
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/support/units.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::backend::ode {
 

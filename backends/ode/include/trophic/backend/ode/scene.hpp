@@ -5,10 +5,8 @@
 #include <ode/ode.h>
 
 #include <algorithm>
-#include <cstddef>
 #include <mutex>
 #include <new>
-#include <span>
 #include <trophic/backend/contract.hpp>
 #include <trophic/backend/ode/bodies.hpp>
 #include <trophic/backend/ode/contacts.hpp>
@@ -17,10 +15,6 @@
 #include <trophic/backend/ode/params.hpp>
 #include <trophic/backend/ode/robot.hpp>
 #include <trophic/backend/ode/state.hpp>
-#include <trophic/habitat/arena.hpp>
-#include <trophic/habitat/robot_model.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::backend::ode {
 

@@ -2,9 +2,7 @@
 // Draws pictures with MuJoCo's renderer in the current OpenGL context: without a screen (renderer.hpp) or in a window.
 #pragma once
 
-#include <cstddef>
 #include <memory>
-#include <string>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/pictures/drawing/camera.hpp>

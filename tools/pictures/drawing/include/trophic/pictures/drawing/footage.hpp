@@ -2,18 +2,12 @@
 // Makes the picture of an ecology at a moment, from a recording or a live run.
 #pragma once
 
-#include <algorithm>
 #include <cmath>
 #include <concepts>
-#include <cstddef>
-#include <optional>
 #include <span>
-#include <string>
 #include <trophic/io/tables.hpp>
 #include <trophic/pictures/drawing/picture.hpp>
 #include <trophic/population/individual.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::drawing {
 

@@ -5,12 +5,10 @@
 
 #include <algorithm>
 #include <memory>
-#include <string>
 #include <tools/pictures/species_colour.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
-#include <vector>
 
 namespace trophic::drawing {
 

@@ -2,7 +2,6 @@
 // Draws pictures without a screen.
 #pragma once
 
-#include <cstddef>
 #include <memory>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/robot_model.hpp>
