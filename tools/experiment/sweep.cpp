@@ -35,18 +35,18 @@ namespace detail::sweeps {
 
 /// The master seed of a cell's replicates.
 [[nodiscard]] inline std::uint64_t master_seed_of(const sweep::SweepFile& file, std::size_t cell) {
-  return file.numbers.paired ? file.numbers.seed : replicates::seed_of(file.numbers.seed, cell);
+  return file.params.paired ? file.params.seed : replicates::seed_of(file.params.seed, cell);
 }
 
 /// The runs of a cell, or of its shadow, without their parameters.
 inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, std::vector<PlannedRun>& plan) {
   const std::uint64_t master_seed = master_seed_of(file, like.cell);
-  for (std::size_t replicate = 0; replicate < file.numbers.replicates; ++replicate) {
+  for (std::size_t replicate = 0; replicate < file.params.replicates; ++replicate) {
     PlannedRun run = like;
     run.index = plan.size();
     run.replicate = replicate;
     run.seed = replicates::seed_of(master_seed, replicate);
-    run.output = file.numbers.output();
+    run.output = file.params.output();
     run.folder = like.folder / replicates::name_of(replicate);
     plan.push_back(std::move(run));
   }
@@ -75,7 +75,7 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
     if (run.replicate > 0) continue;
     replicates::Plan cell;
     cell.master_seed = master_seed_of(file, run.cell);
-    cell.count = file.numbers.replicates;
+    cell.count = file.params.replicates;
     const observe::RunDescription description{.rules = run.rule_table,
                                               .slots = {},
                                               .named_params = {},
@@ -139,7 +139,7 @@ std::vector<sweep::PlannedRun> plan_of(const sweep::SweepFile& file, const Offer
       const std::string engine = detail::sweeps::take(settings, "engine", offer.default_backend);
       const auto chosen = detail::sweeps::experiment_of(table, engine, offer);
       for (const bool shadow : {false, true}) {
-        if (shadow && !file.numbers.shadow) continue;
+        if (shadow && !file.params.shadow) continue;
         const sweep::PlannedRun first = detail::sweeps::first_of(*chosen, settings, number, shadow);
         if (!shadow) {
           const auto [other, is_new] = seen.emplace(std::pair{first.fingerprint, first.until_s}, number);

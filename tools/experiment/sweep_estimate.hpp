@@ -102,7 +102,7 @@ struct Estimates {
   const auto cells = sweep::cells_of(file);
   for (const PlannedRun& run : plan) {
     if (run.replicate > 0 || run.shadow) continue;
-    std::cout << cell_name(run.cell) << "  " << file.numbers.replicates << " x " << number_text(run.until_s) << " s, "
+    std::cout << cell_name(run.cell) << "  " << file.params.replicates << " x " << number_text(run.until_s) << " s, "
               << run.rule_table << " on " << run.engine << ", " << sweep::text_of(cells[run.cell], file) << "\n";
   }
   const auto estimates = estimates_of(options, plan, runner);

@@ -123,7 +123,7 @@ inline void check(const SweepFile& sweep) {
     throw std::invalid_argument{"[zip] " + axis.key + ": has " + std::to_string(axis.values.size()) + " values: must have " +
                                 std::to_string(first.values.size()) + ", as " + first.key};
   }
-  std::size_t runs = sweep.numbers.replicates * (sweep.numbers.shadow ? 2 : 1);
+  std::size_t runs = sweep.params.replicates * (sweep.params.shadow ? 2 : 1);
   const auto multiply = [&](std::size_t by) {
     runs *= by;
     if (runs <= most_runs) return;
@@ -145,11 +145,11 @@ inline void check(const SweepFile& sweep) {
     if (name && sweep.set.contains(choice)) throw std::invalid_argument{std::string{choice} + ": is there twice"};
     if (name) sweep.set[choice] = *name;
   }
-  command::read_parameters(sweep.numbers, table);
-  validate(sweep.numbers, "");
+  command::read_parameters(sweep.params, table);
+  validate(sweep.params, "");
   constexpr std::array rates{0.0, 5.0, 10.0, 30.0};
-  if (std::ranges::find(rates, sweep.numbers.replay_hz) == rates.end()) {
-    throw std::invalid_argument{"replay_hz = " + number_text(sweep.numbers.replay_hz) + ": must be 0, 5, 10 or 30"};
+  if (std::ranges::find(rates, sweep.params.replay_hz) == rates.end()) {
+    throw std::invalid_argument{"replay_hz = " + number_text(sweep.params.replay_hz) + ": must be 0, 5, 10 or 30"};
   }
   check(sweep);
   return sweep;

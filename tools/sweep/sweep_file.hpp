@@ -44,7 +44,7 @@ inline constexpr std::size_t most_runs = 1'000'000;
 ///     rule_table = "released"
 struct SweepFile {
   /// The keys that are not settings of a run.
-  struct Numbers {
+  struct Params {
     std::uint64_t replicates = 10;
     std::uint64_t seed = 1;
     bool paired = true;
@@ -56,21 +56,21 @@ struct SweepFile {
 
     static constexpr auto fields() {
       return std::tuple{
-          field("replicates", &Numbers::replicates, between(1.0, static_cast<double>(most_runs)), "runs of each cell"),
-          field("seed", &Numbers::seed, any_seed(), "the seeds of all runs follow from it"),
-          field("paired", &Numbers::paired, "replicate k has the same seed in every cell"),
-          field("shadow", &Numbers::shadow, "each run's neutral shadow, too"),
-          field("replay_hz", &Numbers::replay_hz, between(0.0, 30.0), "frames of the recording in a simulated second"),
-          field("agents_every", &Numbers::agents_every, between(1.0, 1e6), "ticks from one to the next in agents.csv"),
-          field("senses", &Numbers::senses, "each run's senses.csv, too"),
-          field("states", &Numbers::states, "each run's states.csv, too")};
+          field("replicates", &Params::replicates, between(1.0, static_cast<double>(most_runs)), "runs of each cell"),
+          field("seed", &Params::seed, any_seed(), "the seeds of all runs follow from it"),
+          field("paired", &Params::paired, "replicate k has the same seed in every cell"),
+          field("shadow", &Params::shadow, "each run's neutral shadow, too"),
+          field("replay_hz", &Params::replay_hz, between(0.0, 30.0), "frames of the recording in a simulated second"),
+          field("agents_every", &Params::agents_every, between(1.0, 1e6), "ticks from one to the next in agents.csv"),
+          field("senses", &Params::senses, "each run's senses.csv, too"),
+          field("states", &Params::states, "each run's states.csv, too")};
     }
     [[nodiscard]] io::OutputOptions output() const { return {replay_hz, agents_every, senses, states}; }
   };
 
   std::filesystem::path path;
   std::string text;
-  Numbers numbers;
+  Params params;
   Settings set = Settings::object();
   std::vector<Axis> grid;
   std::vector<Axis> zip;

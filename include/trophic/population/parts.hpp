@@ -32,12 +32,12 @@ class Parts {
  protected:
   /// Constructs the parts from their parameters in `Params`.
   template <class Params>
-  explicit Parts(const Params& numbers) : Parts{numbers, std::index_sequence_for<Ps...>{}} {}
+  explicit Parts(const Params& given) : Parts{given, std::index_sequence_for<Ps...>{}} {}
 
  private:
   template <class Params, std::size_t... place>
-  Parts(const Params& numbers, std::index_sequence<place...>)
-      : parts_{make_policy<Ps>(numbers.*(std::get<place>(Params::fields()).member))...} {}
+  Parts(const Params& given, std::index_sequence<place...>)
+      : parts_{make_policy<Ps>(given.*(std::get<place>(Params::fields()).member))...} {}
 
   std::tuple<Ps...> parts_;
 };

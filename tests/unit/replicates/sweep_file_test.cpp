@@ -65,16 +65,16 @@ TEST_CASE("sweep file: listed runs -> unchanged, with the common settings in all
 
 TEST_CASE("sweep file: omitted keys -> defaults") {
   const SweepFile file = read("[grid]\na = [1]\n");
-  CHECK(file.numbers.replicates == 10);
-  CHECK(file.numbers.seed == 1);
-  CHECK(file.numbers.paired);
-  CHECK_FALSE(file.numbers.shadow);
-  CHECK(file.numbers.replay_hz == 0.0);
-  CHECK(file.numbers.agents_every == 1);
-  CHECK_FALSE(file.numbers.senses);
-  CHECK(read("senses = true\n[grid]\na = [1]\n").numbers.senses);
-  CHECK_FALSE(file.numbers.states);
-  CHECK(read("states = true\n[grid]\na = [1]\n").numbers.output() == io::OutputOptions{.replay_hz = 0.0, .states = true});
+  CHECK(file.params.replicates == 10);
+  CHECK(file.params.seed == 1);
+  CHECK(file.params.paired);
+  CHECK_FALSE(file.params.shadow);
+  CHECK(file.params.replay_hz == 0.0);
+  CHECK(file.params.agents_every == 1);
+  CHECK_FALSE(file.params.senses);
+  CHECK(read("senses = true\n[grid]\na = [1]\n").params.senses);
+  CHECK_FALSE(file.params.states);
+  CHECK(read("states = true\n[grid]\na = [1]\n").params.output() == io::OutputOptions{.replay_hz = 0.0, .states = true});
 }
 
 TEST_CASE("sweep file: not a sweep -> refused in one line") {

@@ -145,11 +145,11 @@ class List : public detail::HeldSensors<Sensors...> {
 
   /// The parameters with these for one sensor, for a table's params(): `.sensors = Sensors::with<DistanceOverScale>({...})`.
   template <class One>
-  [[nodiscard]] static constexpr Params with(const ParamsOf<One>& numbers, Params others = {}) {
+  [[nodiscard]] static constexpr Params with(const ParamsOf<One>& given, Params others = {}) {
     static_assert(contains<One>, "the list has no such sensor");
     [&]<std::size_t... place>(std::index_sequence<place...>) {
       const auto set = [&](auto& of_one, auto is_it) {
-        if constexpr (is_it) of_one = numbers;
+        if constexpr (is_it) of_one = given;
       };
       (set(others.template get<place>(), std::bool_constant<std::same_as<At<place>, One>>{}), ...);
     }
@@ -157,7 +157,7 @@ class List : public detail::HeldSensors<Sensors...> {
     return others;
   }
 
-  explicit List(const Params& numbers = {}) : List{numbers, std::index_sequence_for<Sensors...>{}} {}
+  explicit List(const Params& given = {}) : List{given, std::index_sequence_for<Sensors...>{}} {}
 
   using Values = std::array<double, size>;
 
@@ -196,8 +196,8 @@ class List : public detail::HeldSensors<Sensors...> {
 
  private:
   template <std::size_t... place>
-  List(const Params& numbers, std::index_sequence<place...>)
-      : detail::HeldSensors<Sensors...>{make_policy<Sensors>(numbers.template get<place>(), "sensors")...}, params{numbers} {}
+  List(const Params& given, std::index_sequence<place...>)
+      : detail::HeldSensors<Sensors...>{make_policy<Sensors>(given.template get<place>(), "sensors")...}, params{given} {}
 };
 
 }  // namespace trophic::perception::sensors

@@ -41,7 +41,7 @@ struct ByCause : Parts<Caught, Starved, Sacrificed, Senescence> {
 
   using States = std::tuple<AllStates<Caught>, AllStates<Starved>, AllStates<Sacrificed>, AllStates<Senescence>>;
 
-  explicit ByCause(const Params& numbers = {}) : ByCause::Parts{numbers}, params{numbers} {}
+  explicit ByCause(const Params& given = {}) : ByCause::Parts{given}, params{given} {}
 
   [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng& rng, const States& states) const {
     const auto asked = [&]<Cause cause>() {
