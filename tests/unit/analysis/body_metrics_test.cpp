@@ -23,7 +23,7 @@ std::string born(double time_s, int id, const std::string& species, int body) {
          species + "," + std::to_string(body) + ",1,1,random,,0,,,,1,2\n";
 }
 
-std::string body_of(int id, const std::string& text, int modules, double symmetry) {
+std::string row_of_body(int id, const std::string& text, int modules, double symmetry) {
   return std::to_string(id) + ",0,prey,0,,," + text + "," + std::to_string(modules) + ",1,1,0.5,0.2,0.1,1,1,0,1,0," +
          std::to_string(symmetry) + ",0\n";
 }
@@ -40,9 +40,9 @@ std::filesystem::path write_bodies(const std::filesystem::path& folder) {
   std::ofstream{folder / "agents.csv"} << test::agent_header << "0,0,0,0,prey,random,1,1,1,2,0,0.7,,,\n"
                                        << "2,1,0,0,prey,random,1,1,1.1,2,0,0.7,,,\n"
                                        << "4,2,0,0,prey,random,1,1,1.1,2.3,0,0.7,,,\n";
-  std::ofstream{folder / "bodies.csv"} << bodies_header << body_of(0, "core[left:hinge0]", 2, 0.0)
-                                       << body_of(1, "core[left:hinge0]", 2, 0.0)
-                                       << body_of(3, "core[left:hinge0 right:hinge0]", 3, 1.0);
+  std::ofstream{folder / "bodies.csv"} << bodies_header << row_of_body(0, "core[left:hinge0]", 2, 0.0)
+                                       << row_of_body(1, "core[left:hinge0]", 2, 0.0)
+                                       << row_of_body(3, "core[left:hinge0 right:hinge0]", 3, 1.0);
   std::ofstream{folder / "genes.csv"} << "id,part,index,value\n0,brain,0,1\n0,brain,1,1\n0,gait,0,1\n1,brain,0,1\n1,brain,1,1\n"
                                       << "3,brain,0,1\n3,brain,1,1\n3,brain,2,1\n3,brain,3,1\n";
   return folder;
@@ -105,7 +105,7 @@ TEST_CASE("measure_bodies: missing tables, bad plans and bad cells -> one senten
        {std::pair{"core[left", "bodies.csv: id 0: body plan \"core[left"}, {"core", "modules = \"many\": must be a number"}}) {
     CAPTURE(row);
     const auto path = write_bodies(folder.path() / std::to_string(std::string_view{row}.size()));
-    std::string cells = body_of(0, row, 2, 0.0);
+    std::string cells = row_of_body(0, row, 2, 0.0);
     if (std::string{row} == "core") cells.replace(cells.find(",2,"), 3, ",many,");
     std::ofstream{path / "bodies.csv"} << bodies_header << cells;
     CHECK_THROWS_WITH_AS(static_cast<void>(measure_bodies(read_run(path))), doctest::Contains(sentence), std::invalid_argument);

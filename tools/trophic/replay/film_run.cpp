@@ -59,7 +59,7 @@ class RecordedFootage {
   }
 
   [[nodiscard]] std::span<const io::AgentRow> rows_at(double time_s) const { return agents_.at(time_s); }
-  [[nodiscard]] std::shared_ptr<const RobotModel> body_of_robot(double time_s, std::size_t body) const {
+  [[nodiscard]] std::shared_ptr<const RobotModel> robot_in(double time_s, std::size_t body) const {
     if (!recording_.head().bodies_differ) return nullptr;
     return {std::shared_ptr<void>{}, &recording_.robot(recording_.frame_at(time_s), body)};  // the recording owns it
   }

@@ -30,7 +30,7 @@ inline constexpr double flash_s = 6.0;
 }
 
 /// Source of a picture's data at any moment, ecology seconds: `rows_at` has a row for each body, as the last tick left it; rows
-/// go back by `trail_s` or to `first_s`, deaths by `flash_s`. If bodies differ, `body_of_robot(time_s, body)` is that of a robot.
+/// go back by `trail_s` or to `first_s`, deaths by `flash_s`. If bodies differ, `robot_in(time_s, body)` is its model.
 template <class F>
 concept Footage = requires(const F& footage, double time_s, std::size_t body) {
   { footage.rows_at(time_s) } -> std::convertible_to<std::span<const io::AgentRow>>;
@@ -103,8 +103,8 @@ template <Footage F>
                               .colour = detail::colour(row),
                               .filled = row.tag == footage.filled_tag(),
                               .is_marked = sights.marked && row.id == *sights.marked});
-    if constexpr (requires { footage.body_of_robot(time_s, body); }) {
-      picture.robots.back().body = footage.body_of_robot(time_s, body);
+    if constexpr (requires { footage.robot_in(time_s, body); }) {
+      picture.robots.back().body = footage.robot_in(time_s, body);
     }
     if (sights.has_lines) detail::add_trail(picture, footage, time_s, body);
     if (std::ranges::find(sights.named, row.id) == sights.named.end()) continue;
