@@ -1,15 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """metrics_by_pandas.py PREDATOR_PREY TROPHIC: the paper's five metrics, from the CSVs by pandas alone, agree with `trophic analyze`."""
-import json, os, pathlib, subprocess, sys, tempfile  # noqa: E401
+import json, pathlib, subprocess, sys, tempfile  # noqa: E401
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "program"))
-from figures_python import PYTHON  # noqa: E402
-if PYTHON is None:
-    sys.exit(77)
-try:
-    import pandas as pd
-except ModuleNotFoundError:  # the system's Python has it
-    os.execv(PYTHON, [PYTHON, *sys.argv])
+import figures_python  # noqa: E402
+figures_python.continue_with_pandas()
+import pandas as pd  # noqa: E402
 
 def groups(rows):
     return {"all": rows, "random": rows[rows.origin == "random"], "inherited": rows[rows.origin == "inherited"], "active": rows[rows.active == 1]}

@@ -12,16 +12,10 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "tests/program"), str(ROOT / "tools/python")]
-from figures_python import PYTHON  # noqa: E402
+import figures_python  # noqa: E402
 
-if PYTHON is None:
-    print("no Python with pandas")
-    sys.exit(77)
-try:
-    import pandas
-except ModuleNotFoundError:  # the system's Python has it
-    os.execv(PYTHON, [PYTHON, *sys.argv])
-
+figures_python.continue_with_pandas()
+import pandas  # noqa: E402
 import trophic  # noqa: E402
 
 PREDATOR_PREY, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
