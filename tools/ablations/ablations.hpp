@@ -10,6 +10,7 @@
 #include <tools/command/option.hpp>
 #include <tools/command/provenance.hpp>
 #include <tools/command/run_command.hpp>
+#include <tools/command/words.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/rules/table.hpp>

@@ -64,7 +64,8 @@ template <control::Steering SteeringRule>
   const double yaw_rad = std::numbers::pi - facing_rad + start_turn_rad;
   const Pose start{.position_m = {0.0, 0.0, robot.rest_height_m},
                    .orientation = Eigen::Quaterniond{Eigen::AngleAxisd{yaw_rad, Eigen::Vector3d::UnitZ()}}};
-  AnyBackend backend = choice.build(robot, endless_floor(), std::span{&start, 1}, physics);
+  const std::unique_ptr<AnyBackend> built = choice.build(robot, endless_floor(), std::span{&start, 1}, physics);
+  AnyBackend& backend = *built;
   locomotion::Locomotion<SteeringRule> locomotion{robot, gait, steering, 1, {trial.control_hz, trial.cpg_integration}};
   Track track{.control_hz = trial.control_hz, .poses = {ground_pose(backend.pose(0), robot.forward_rad)}};
   for (std::int64_t step = 0; step < trial.steps(); ++step) {

@@ -72,7 +72,9 @@ inline constexpr std::string_view default_settings = "default";
   const control::steering::TargetedSteering steering{};
   const locomotion::Cpg cpg{habitat.gait};
   const std::vector<Pose> starts = twelve_starts(robot);
-  AnyBackend backend = choice.build(robot, gait_evolution::endless_floor(), starts, {.timestep_s = condition.timestep_s});
+  const std::unique_ptr<AnyBackend> built =
+      choice.build(robot, gait_evolution::endless_floor(), starts, {.timestep_s = condition.timestep_s});
+  AnyBackend& backend = *built;
   Eigen::MatrixXd states = cpg.initial_states();
   std::vector<double> targets_rad(hinges);
   std::vector<double> before_rad(starts.size() * hinges, 0.0);
