@@ -60,7 +60,7 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
         .only_with = {"--out", "--jobs", "--run", "--plan", "--dry-run", "--sbatch", "--checkpoint-s", "--accept-other-build"}},
        {.name = "--run",
         .target = &options.run,
-        .help = "of the sweep only the run with this number, from 0, or these; for Slurm, GNU parallel, MPI, ...",
+        .help = "only the sweep's runs with these numbers, from 0; for Slurm, GNU parallel, MPI, ...",
         .needs = {"--sweep"}},
        {.name = "--plan",
         .target = &options.plan,

@@ -400,10 +400,10 @@ Command analyze(const std::string& program, const Offer& offer) {
             "a conclusion on every published claim, under each reading that the paper allows: reproduced, not reproduced or "
             "inconclusive"},
            {"--all", &options->all, "print every metric, not only the clearest findings"},
-           {"--reference", &options->sweep.reference, "of a sweep: the cell that all others are compared with (the first)"},
+           {"--reference", &options->sweep.reference, "for a sweep: the cell that all others are compared with (the first)"},
            {"--difference", &options->sweep.difference,
-            "of a sweep: how many replicates a difference of this size in --metric, in the tables' unit, would need"},
-           {"--allow-missing", &options->sweep.allow_missing, "of a sweep: leave out runs that are missing or incomplete"},
+            "for a sweep: how many replicates a difference of this size in --metric, in the tables' unit, would need"},
+           {"--allow-missing", &options->sweep.allow_missing, "for a sweep: leave out runs that are missing or incomplete"},
            {"--jobs", &options->jobs, "runs measured at a time (1); results do not depend on it"},
            {"--out", &options->out,
             "new folder for the tables and summary.json (analysis, or the next free analysis-1, -2, ...; with --html alone there "
@@ -411,9 +411,9 @@ Command analyze(const std::string& program, const Offer& offer) {
             "none)"},
            {"--html", &options->html, "new page with the table, figures and replays, which opens from disk"},
            {"--figures", &options->figures,
-            "of the page: the folder of figures that `trophic plot` made, with its captions.json"},
+            "for the page: the folder of figures that `trophic plot` made, with its captions.json"},
            {"--replays", &options->replays,
-            "of the page: how many runs of a set it replays, at most 20 (2, if they were recorded)"}},
+            "for the page: how many runs of a set it replays, at most 20 (2, if they were recorded)"}},
       .work =
           [options] {
             detail::analyze::run(*options);

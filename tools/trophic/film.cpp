@@ -102,7 +102,7 @@ Command film() {
                    .shorthand = "-o"},
                   {.name = "--from",
                    .target = &options->from_s,
-                   .help = "of a picture the moment, of a film the start, seconds (the run's)"},
+                   .help = "the moment of a picture, or the start of a film, seconds (the run's)"},
                   {.name = "--to", .target = &options->to_s, .help = "the end, seconds (the run's)"},
                   {.name = "--follow", .target = &options->follow, .help = "stay near the individual of that id, and mark it"},
                   {.name = "--catch",

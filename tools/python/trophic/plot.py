@@ -16,8 +16,8 @@ def main(arguments=None):
     parser.add_argument("--with-captions", action="store_true", help="draw the captions into the figures, too")
     parser.add_argument("--run", type=int, default=0, help="whose phylogeny, paths and catch are drawn: the K-th run of a set (0)")
     parser.add_argument("--trophic", default="trophic", help="the program that draws the film strip (trophic)")
-    parser.add_argument("--metric", nargs="+", help="of a sweep: draw only these")
-    parser.add_argument("--axes", nargs="+", help="of a sweep: what is drawn along x, as lines and as panels")
+    parser.add_argument("--metric", nargs="+", help="for a sweep: draw only these")
+    parser.add_argument("--axes", nargs="+", help="for a sweep: what to draw along x, as lines and as panels")
     options = parser.parse_args(arguments)
 
     def refuse(why):
