@@ -228,7 +228,7 @@ VOCABULARY = tuple(
 
 def exported_includes():
     """No file includes what a vocabulary header that it includes exports."""
-    roots = [CORE, *(path / "include" for path in (ROOT / "backends").glob("*")), *(ROOT / "tools/pictures").rglob("include"), ROOT / "tests", ROOT]
+    roots = [CORE, *(path / "include" for path in (ROOT / "backends").glob("*")), ROOT / "tests", ROOT]
 
     def name_of(path: pathlib.Path) -> str:
         return next(str(path.relative_to(root)) for root in roots if path.is_relative_to(root))

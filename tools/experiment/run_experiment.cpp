@@ -13,8 +13,8 @@
 #include <tools/command/toml_writer.hpp>
 #include <tools/experiment/experiment_of.hpp>
 #include <tools/experiment/run_experiment.hpp>
-#include <tools/pictures/species_colour.hpp>
 #include <tools/recording/read_recording.hpp>
+#include <tools/recording/species_colour.hpp>
 #include <tools/replicates/rewind.hpp>
 #include <tools/replicates/run_in_folder.hpp>
 #include <tools/replicates/run_with_shadow.hpp>

@@ -34,10 +34,9 @@ void restart(const Restart& restart, const std::string& old_table, const std::fi
 }
 
 /// Throws std::invalid_argument if trophic was built without the page.
-[[nodiscard]] std::unique_ptr<LiveServer> open_live([[maybe_unused]] const std::string& program,
-                                                    [[maybe_unused]] std::uint16_t port) {
+[[nodiscard]] std::unique_ptr<LiveServer> open_live([[maybe_unused]] std::uint16_t port) {
 #ifdef TROPHIC_WITH_LIVE
-  return live::open(program, port);
+  return live::open(port);
 #else
   throw std::invalid_argument{
       "--live: trophic was built without its live page; apt-get install libboost-dev and build trophic again"};
@@ -53,8 +52,7 @@ int run_live(std::unique_ptr<AnyExperiment> chosen, ExperimentOptions options, C
     const auto experiment = detail::experiment_of(*chosen, options, config);
     static_cast<void>(detail::simulations(*chosen, options, config, *experiment, false)(experiment->seed()));
   }
-  const std::unique_ptr<LiveServer> server =
-      detail::open_live(options.program, static_cast<std::uint16_t>(options.live_port.value_or(0)));
+  const std::unique_ptr<LiveServer> server = detail::open_live(static_cast<std::uint16_t>(options.live_port.value_or(0)));
   for (;;) {
     const auto experiment = detail::experiment_of(*chosen, options, config);
     server->begin({.folder = options.out,

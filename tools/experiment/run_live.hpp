@@ -11,7 +11,7 @@ namespace trophic::command {
 
 /// Returns the exit code of the last run. The first run goes into the folder of the options, each further one into the next free
 /// folder of that name. With the same rule table it has the parameters as they were changed last. Throws std::invalid_argument if
-/// `open_live` is null.
+/// trophic was built without its page.
 [[nodiscard]] int run_live(std::unique_ptr<AnyExperiment> chosen, ExperimentOptions options, Config config, const Offer& offer);
 
 }  // namespace trophic::command

@@ -106,7 +106,7 @@ Json or_null(const std::optional<Number>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-/// time, kind, id, body, species, cause, other individual, x, y, parent, origin.
+/// time, kind, id, body, species, cause, other individual, x, y, parent, origin; a catch has its scene behind them.
 Json json_of(const io::EventRow& event) {
   return {event.time_s,
           enum_name(event.kind),
@@ -159,10 +159,8 @@ SharedMessage facts_message(const RunFacts& facts) {
                      {"label", facts.run.folder.filename().string()},
                      {"folder", facts.run.folder.string()},
                      {"rule_tables", facts.run.rule_tables},
-                     {"until_s", facts.run.until_s},
                      {"species", facts.species},
                      {"tags", facts.description.tags},
-                     {"hunters", facts.hunters},
                      {"numbers", std::move(numbers)},
                      {"head", head_of(facts)}},
                     Message::Kind::facts);
@@ -177,7 +175,11 @@ std::vector<SharedMessage> tick_messages(const TickSight& sight, const RunFacts&
   }
   if (!sight.events.empty()) {
     Json events = Json::array();
-    for (const io::EventRow& event : sight.events) events.push_back(json_of(event));
+    auto scene = sight.scenes.begin();
+    for (const io::EventRow& event : sight.events) {
+      events.push_back(json_of(event));
+      if (event.victim) events.back().push_back(json_of(*scene++));
+    }
     messages.push_back(message_of({{"kind", "events"}, {"events", std::move(events)}}, Message::Kind::events));
   }
   if (sight.rows.empty()) return messages;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <tools/live/live_server.hpp>
+#include <tools/trophic/replay/director.hpp>
 #include <trophic/io/recording_format.hpp>
 #include <trophic/io/tables.hpp>
 #include <trophic/observe/event.hpp>
@@ -39,8 +40,9 @@ struct TickSight {
   double time_s = 0.0;
   std::int64_t tick = 0;
   std::vector<io::EventRow> events;
-  std::vector<io::AgentRow> rows;  ///< empty: only events are shown of this tick
-  std::vector<bool> are_spare;     ///< bodies without an individual
+  std::vector<command::replay::Scene> scenes;  ///< of the catches among the events, in their order
+  std::vector<io::AgentRow> rows;              ///< empty: only events are shown of this tick
+  std::vector<bool> are_spare;                 ///< bodies without an individual
   std::vector<Moment> frames;
   SetDown set_down;      ///< empty if all robots have one body
   bool is_last = false;  ///< of the run
@@ -51,7 +53,6 @@ struct RunFacts {
   command::LiveRun run;
   observe::RunDescription description;
   std::vector<std::string> species;
-  std::vector<std::string> hunters;
   std::optional<RobotModel> robot;
   Arena arena;
   observe::FrameTimes times;

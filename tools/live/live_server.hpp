@@ -55,6 +55,6 @@ namespace trophic::live {
 
 /// Starts a server on a port of this machine, 0 for one that is free, and prints the address of its page. Throws
 /// std::invalid_argument if it cannot.
-[[nodiscard]] std::unique_ptr<command::LiveServer> open(const std::string& program, std::uint16_t port);
+[[nodiscard]] std::unique_ptr<command::LiveServer> open(std::uint16_t port);
 
 }  // namespace trophic::live

@@ -49,7 +49,7 @@ std::string live_page() {
 
 class Session final : public command::LiveServer, private Listener {
  public:
-  Session(const std::string& program, std::uint16_t port)
+  explicit Session(std::uint16_t port)
       : steering_{*this},
         server_{port,
                 live_page(),
@@ -60,7 +60,6 @@ class Session final : public command::LiveServer, private Listener {
     std::cout << "live    " << server_.address()
               << "\n        open it in a browser of this machine; the run begins then. From another machine first: ssh -L "
               << server_.port() << ":127.0.0.1:" << server_.port() << " HOST" << std::endl;
-    static_cast<void>(program);
   }
 
   void begin(const command::LiveRun& run) override {
@@ -155,8 +154,8 @@ class Session final : public command::LiveServer, private Listener {
 
 }  // namespace
 
-std::unique_ptr<command::LiveServer> open(const std::string& program, std::uint16_t port) {
-  return std::make_unique<Session>(program, port);
+std::unique_ptr<command::LiveServer> open(std::uint16_t port) {
+  return std::make_unique<Session>(port);
 }
 
 }  // namespace trophic::live

@@ -24,7 +24,6 @@ void Sight::on_start(const observe::RunDescription& run, const View& view) {
   facts_->description = run;
   facts_->robots = view.robots.size();
   for (Species species = 0; species < view.web.size(); ++species) facts_->species.push_back(view.web.name(species));
-  for (const Feeding& link : view.web.links()) facts_->hunters.push_back(view.web.name(link.hunter));
   steering_.begin(view.tick_s);
 }
 
@@ -64,6 +63,18 @@ void Sight::see_bodies(const observe::Frame& frame) {
   }
 }
 
+namespace {
+
+command::replay::Partner partner(const Individual& one, std::size_t body, const View& view) {
+  return {.id = one.id,
+          .body = body,
+          .species = view.web.name(one.species),
+          .origin = std::string{enum_name(one.origin)},
+          .born_s = one.born_s};
+}
+
+}  // namespace
+
 void Sight::on_event(const observe::Event& event, const View& view) {
   const Individual& self = event.individual;
   const bool is_catch = event.kind == observe::EventKind::capture;
@@ -83,6 +94,10 @@ void Sight::on_event(const observe::Event& event, const View& view) {
                             .victim = is_catch ? event.other : std::nullopt,
                             .x_m = view.poses[event.body].x_m,
                             .y_m = view.poses[event.body].y_m});
+  if (!is_catch) return;
+  const auto victim = std::ranges::find(view.robots, *event.other, &Individual::id);
+  const auto body = static_cast<std::size_t>(victim - view.robots.begin());
+  sight_->scenes.push_back(scene_of(view.time_s, partner(self, event.body, view), partner(*victim, body, view)));
 }
 
 void Sight::on_tick(const View& view) {

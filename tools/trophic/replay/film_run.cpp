@@ -11,20 +11,16 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
-#include <span>
 #include <stdexcept>
 #include <string_view>
-#include <tools/analysis/data/csv_reader.hpp>
 #include <tools/command/output.hpp>
-#include <tools/trophic/replay/catch_scene.hpp>
-#include <tools/trophic/replay/recorded_agents.hpp>
+#include <tools/film/camera.hpp>
+#include <tools/film/encoder.hpp>
+#include <tools/film/image.hpp>
+#include <tools/film/renderer.hpp>
+#include <tools/trophic/replay/director.hpp>
+#include <tools/trophic/replay/footage.hpp>
 #include <trophic/observe/progress.hpp>
-#include <trophic/pictures/drawing/camera.hpp>
-#include <trophic/pictures/drawing/footage.hpp>
-#include <trophic/pictures/film/encoder.hpp>
-#include <trophic/pictures/film/image.hpp>
-#include <trophic/pictures/film/renderer.hpp>
-#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -45,88 +41,6 @@ std::pair<std::size_t, std::size_t> two_numbers(std::string_view option, std::st
 }
 
 namespace {
-
-/// A stretch of a recorded run.
-class RecordedFootage {
- public:
-  /// Throws std::invalid_argument for tables that are not the run's.
-  RecordedFootage(const RecordedRun& run, double from_s, double to_s, double flash_s)
-      : recording_{run.recording}, agents_{run, from_s, to_s, drawing::trail_s}, from_s_{from_s}, to_s_{to_s}, flash_s_{flash_s} {
-    const auto tags = run.manifest.at("tags").get<std::vector<int>>();
-    filled_tag_ = *std::ranges::max_element(tags);
-    species_ = run.manifest.at("species").get<std::vector<std::string>>();
-    read_deaths(run);
-  }
-
-  [[nodiscard]] std::span<const io::AgentRow> rows_at(double time_s) const { return agents_.at(time_s); }
-  [[nodiscard]] std::shared_ptr<const RobotModel> robot_in(double time_s, std::size_t body) const {
-    if (!recording_.head().bodies_differ) return nullptr;
-    return {std::shared_ptr<void>{}, &recording_.robot(recording_.frame_at(time_s), body)};  // the recording owns it
-  }
-  [[nodiscard]] Pose root(double time_s, std::size_t body) const {
-    const auto [before, after, part] = around(time_s, body);
-    return drawing::between(recording_.root(before, body), recording_.root(after, body), part);
-  }
-  [[nodiscard]] std::vector<double> joint_angles_rad(double time_s, std::size_t body) const {
-    const auto [before, after, part] = around(time_s, body);
-    const auto& head = recording_.head();
-    const std::size_t joints = head.bodies_differ ? recording_.robot(before, body).hinges.size() : head.joints;
-    std::vector<double> angles;
-    for (std::size_t joint = 0; joint < joints; ++joint) {
-      const double a = recording_.joint_angle_rad(before, body, joint);
-      angles.push_back(a + part * (recording_.joint_angle_rad(after, body, joint) - a));
-    }
-    return angles;
-  }
-  [[nodiscard]] std::span<const drawing::Death> deaths() const { return deaths_; }
-  [[nodiscard]] const RobotModel& robot() const { return recording_.head().robot; }
-  [[nodiscard]] const Arena& arena() const { return recording_.head().arena; }
-  [[nodiscard]] double tick_s() const { return recording_.head().times.tick_s; }
-  [[nodiscard]] double first_s() const { return recording_.head().first_time_s; }
-  [[nodiscard]] int filled_tag() const { return filled_tag_; }
-  [[nodiscard]] const std::vector<std::string>& species() const { return species_; }
-
-  /// The body in which an individual lives. Throws std::invalid_argument for one that does not live in the stretch.
-  [[nodiscard]] std::size_t body_of(IndividualId id) const {
-    const auto ticks = static_cast<std::size_t>(std::ceil((to_s_ - from_s_) / tick_s() - 1e-9));
-    for (std::size_t tick = 0; tick <= ticks; ++tick) {
-      const auto rows = agents_.at(std::min(to_s_, from_s_ + static_cast<double>(tick) * tick_s()));
-      const auto found = std::ranges::find(rows, id, &io::AgentRow::id);
-      if (found != rows.end()) return static_cast<std::size_t>(found - rows.begin());
-    }
-    throw std::invalid_argument{"--follow " + std::to_string(id) + ": no individual of that id lives between " +
-                                number_text(from_s_) + " and " + number_text(to_s_) + " s"};
-  }
-
- private:
-  void read_deaths(const RecordedRun& run) {
-    analysis::CsvReader events{run.folder / "events.csv", {"time_s", "event", "x_m", "y_m", "cause"}};
-    while (events.next()) {
-      const auto time_s = events.get<double>(0);
-      if (events.text(1) != "death" || time_s < from_s_ - flash_s_ || time_s > to_s_) continue;
-      deaths_.push_back({time_s, events.get<double>(2), events.get<double>(3), events.text(4) == "caught"});
-    }
-  }
-
-  /// The frames before and after a moment, and how far it is between them; the same one before a newborn's body is set down.
-  [[nodiscard]] std::tuple<std::size_t, std::size_t, double> around(double time_s, std::size_t body) const {
-    const std::size_t before = recording_.frame_at(time_s);
-    const std::size_t next = std::min(before + 1, recording_.frames() - 1);
-    const std::size_t after = recording_.is_set_down(next, body) ? before : next;
-    const double gap_s = recording_.time_s(after) - recording_.time_s(before);
-    return {before, after, gap_s > 0.0 ? (time_s - recording_.time_s(before)) / gap_s : 0.0};
-  }
-
-  const io::RecordingReader& recording_;
-  RecordedAgents agents_;
-  double from_s_;
-  double to_s_;
-  double flash_s_;
-  int filled_tag_ = 1;
-  std::vector<drawing::Death> deaths_;
-  std::vector<std::string> species_;
-};
-static_assert(drawing::Footage<RecordedFootage>);
 
 /// "1234.0 s".
 std::string time_text(double time_s) {
@@ -159,7 +73,7 @@ void check(const FilmPlan& plan) {
 }
 
 /// The stretch that is drawn: that of a catch, or what the plan says.
-Window window_of(const FilmPlan& plan, const RecordedRun& run, const std::optional<CatchScene>& scene) {
+Window window_of(const FilmPlan& plan, const RecordedRun& run, const std::optional<Scene>& scene) {
   if (!scene) return plan.window;
   const double first_s = Window{}.start_s(run.recording);
   const double last_s = Window{}.end_s(run.recording);
@@ -168,8 +82,18 @@ Window window_of(const FilmPlan& plan, const RecordedRun& run, const std::option
                                 " s, the recording is from " + number_text(first_s) + " to " + number_text(last_s) + " s"};
   }
   const bool is_moment = plan.out.extension() == ".png" && plan.sheet.empty();
-  return {is_moment ? scene->time_s : std::max(first_s, scene->time_s - CatchScene::before_s),
-          std::min(last_s, scene->time_s + (is_moment ? 0.0 : CatchScene::after_s))};
+  return {is_moment ? scene->time_s : std::max(first_s, scene->time_s - Scene::before_s),
+          std::min(last_s, scene->time_s + (is_moment ? 0.0 : Scene::after_s))};
+}
+
+/// Number `number` of the run's catches, from 1. Throws std::invalid_argument for a run with fewer.
+Scene find_catch(const RecordedRun& run, std::uint64_t number) {
+  const std::vector<Scene> scenes = scenes_of(run);
+  if (number >= 1 && number <= scenes.size()) return scenes[number - 1];
+  const std::string has = scenes.empty()       ? "has no catch"
+                          : scenes.size() == 1 ? "has one catch"
+                                               : "has " + std::to_string(scenes.size()) + " catches";
+  throw std::invalid_argument{"--catch " + std::to_string(number) + ": " + run.folder.string() + " " + has};
 }
 
 /// Ecology seconds that a second of a film shows.
@@ -189,8 +113,7 @@ class Artist {
         window_{window_of(plan, run, scene_)},
         from_s_{window_.start_s(run.recording)},
         to_s_{plan.out.extension() == ".png" && plan.sheet.empty() ? from_s_ : window_.end_s(run.recording)},
-        flash_s_{film::is_film(plan.out) ? drawing::flash_at(speed_of(plan)) : drawing::flash_s},
-        footage_{run, from_s_, to_s_, flash_s_},
+        footage_{run, from_s_, to_s_, flash_at(film::is_film(plan.out) ? speed_of(plan) : 0.0)},
         is_wide_{width >= least_width_of_texts},
         aspect_{static_cast<double>(width) / static_cast<double>(height)},
         renderer_{run.recording.head().robot, run.recording.head().arena, width, height,
@@ -208,26 +131,19 @@ class Artist {
 
   [[nodiscard]] double from_s() const { return from_s_; }
 
-  [[nodiscard]] drawing::Image draw(const Moment& moment) {
-    drawing::Sights sights{.marked = plan_.follow,
-                           .rows_s = moment.rows_s,
-                           .species = footage_.species(),
-                           .has_lines = plan_.has_lines,
-                           .flash_s = flash_s_};
-    std::string caption = time_text(moment.time_s);
+  [[nodiscard]] film::Image draw(const Moment& moment) {
+    Sights sights{.marked = plan_.follow, .rows_s = moment.rows_s, .has_lines = plan_.has_lines};
     if (scene_) {
       sights.marked = scene_->hunter;
       sights.named = {scene_->hunter, scene_->victim};
-      caption += "  " + scene_->sentence;
     } else if (plan_.follow) {
       sights.named = {*plan_.follow};
     }
-    drawing::Picture picture = drawing::picture_of(footage_, moment.time_s, sights, std::move(caption));
-    if (!is_wide_) return renderer_.draw(picture, camera(moment.time_s));
-    if (plan_.has_legend || plan_.title) picture.title = title_;
-    if (plan_.has_legend) {
-      picture.legend = drawing::legend_of(footage_.species(), footage_.rows_at(moment.rows_s.value_or(moment.time_s)),
-                                          footage_.filled_tag(), plan_.has_lines);
+    film::Picture picture = footage_.picture(moment.time_s, sights);
+    picture.caption = time_text(moment.time_s) + (scene_ ? "  " + scene_->sentence : "");
+    if (is_wide_ && (plan_.has_legend || plan_.title)) picture.title = title_;
+    if (is_wide_ && plan_.has_legend) {
+      picture.legend = footage_.legend(moment.time_s, sights);
       picture.has_scale = true;
     }
     return renderer_.draw(picture, camera(moment.time_s));
@@ -257,7 +173,7 @@ class Artist {
       const double time_s = std::min(to_s_, from_s_ + static_cast<double>(i) * step_s);
       if (!is_caught && time_s >= scene_->time_s - 1e-9) {
         is_caught = true;
-        moments.insert(moments.end(), static_cast<std::size_t>(std::ceil(CatchScene::still_s * static_cast<double>(plan_.fps))),
+        moments.insert(moments.end(), static_cast<std::size_t>(std::ceil(Scene::still_s * static_cast<double>(plan_.fps))),
                        still());
       }
       moments.push_back(at(time_s));
@@ -270,29 +186,28 @@ class Artist {
 
  private:
   [[nodiscard]] static Moment at(double time_s) { return {time_s, {}}; }
-  [[nodiscard]] Moment still() const { return {scene_->time_s, scene_->time_s - 0.5 * footage_.tick_s()}; }
+  [[nodiscard]] Moment still() const { return {scene_->time_s, scene_->time_s - 0.5 * footage_.head().times.tick_s}; }
   [[nodiscard]] Eigen::Vector3d place(double time_s, std::size_t body) const { return footage_.root(time_s, body).position_m; }
 
-  [[nodiscard]] drawing::Camera camera(double time_s) const {
-    drawing::Camera camera =
-        plan_.from_above ? drawing::from_above(footage_.arena(), aspect_) : drawing::whole_arena(footage_.arena(), aspect_);
+  [[nodiscard]] film::Camera camera(double time_s) const {
+    film::Camera camera =
+        plan_.from_above ? film::from_above(footage_.head().arena, aspect_) : film::whole_arena(footage_.head().arena, aspect_);
     if (scene_) {
-      camera = drawing::near_pair(footage_.robot(), place(time_s, scene_->hunter_body), place(time_s, scene_->victim_body),
-                                  apart_m_, aspect_);
+      camera = film::near_pair(footage_.head().robot, place(time_s, scene_->hunter_body), place(time_s, scene_->victim_body),
+                               apart_m_, aspect_);
     } else if (followed_) {
-      camera = drawing::near(footage_.robot(), place(time_s, *followed_));
+      camera = film::near(footage_.head().robot, place(time_s, *followed_));
     }
     if (plan_.from_above) camera.elevation_deg = -90.0;
     return camera;
   }
 
   const FilmPlan& plan_;
-  std::optional<CatchScene> scene_;
+  std::optional<Scene> scene_;
   Window window_;
   double from_s_;
   double to_s_;
-  double flash_s_;
-  RecordedFootage footage_;
+  Footage footage_;
   bool is_wide_;
   double aspect_;
   film::Renderer renderer_;
@@ -330,7 +245,7 @@ int film_run(const FilmPlan& plan) {
     film::write_png(plan.out, artist.draw(artist.only()));
   } else {
     constexpr std::size_t gap = 6;
-    drawing::Image sheet = drawing::Image::blank(columns * width + (columns - 1) * gap, rows * height + (rows - 1) * gap, 255);
+    film::Image sheet = film::Image::blank(columns * width + (columns - 1) * gap, rows * height + (rows - 1) * gap, 255);
     const std::vector<Moment> moments = artist.sheet(columns * rows);
     for (std::size_t i = 0; i < moments.size(); ++i) {
       film::put(sheet, artist.draw(moments[i]), i % columns * (width + gap), i / columns * (height + gap));

@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstring>
 #include <span>
-#include <tools/pictures/species_colour.hpp>
+#include <tools/recording/species_colour.hpp>
 #include <tools/trophic/replay/base64.hpp>
 #include <trophic/support/json.hpp>
 #include <vector>

@@ -3,7 +3,7 @@
 #include <tools/trophic/replay/gltf_scene.hpp>
 
 #include <stdexcept>
-#include <tools/pictures/species_colour.hpp>
+#include <tools/recording/species_colour.hpp>
 
 namespace trophic::command::replay {
 

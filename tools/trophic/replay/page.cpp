@@ -7,6 +7,7 @@
 #include <fstream>
 #include <tools/analysis/data/csv_reader.hpp>
 #include <tools/trophic/replay/base64.hpp>
+#include <tools/trophic/replay/director.hpp>
 #include <trophic/support/json.hpp>
 
 /// The viewer's page, tools/viewer/page, and its length: 0 in a program that is built with -DTROPHIC_VIEWER=OFF.
@@ -149,6 +150,7 @@ std::vector<std::pair<std::string_view, std::string>> files_of(const RecordedRun
   files.emplace_back("events", deflated(table_without(run.folder / "events.csv", {"tick", "tag", "active", "genome_id"},
                                                       {"time_s"}, in_window)));
   files.emplace_back("phylogeny", deflated(table_without(run.folder / "phylogeny.csv", {"ancestor_list"}, {}, always)));
+  files.emplace_back("scenes", deflated(json_text(scenes_of(run, window))));
   if (std::filesystem::exists(run.folder / "senses.csv")) {
     files.emplace_back("senses",
                        deflated(table_without(run.folder / "senses.csv", {"time_s", "id", "species"}, {"time_s"}, ticks, true)));
@@ -193,8 +195,6 @@ Json index_of(const RecordedRun& run, const Window& window, const std::string& l
   index["status"] = run.manifest.value("status", "unknown");
   index["species"] = run.manifest.at("species");
   index["tags"] = run.manifest.at("tags");
-  index["hunters"] = Json::array();
-  for (const auto& link : run.manifest.at("food_web")) index["hunters"].push_back(link.at("hunter"));
   if (run.manifest.contains("senses")) index["inputs"] = run.manifest["senses"].at("inputs");
   return index;
 }

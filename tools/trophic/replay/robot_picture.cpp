@@ -6,14 +6,14 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
+#include <tools/film/camera.hpp>
+#include <tools/film/image.hpp>
+#include <tools/film/picture.hpp>
+#include <tools/film/renderer.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/link_frames.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/observe/progress.hpp>
-#include <trophic/pictures/drawing/camera.hpp>
-#include <trophic/pictures/drawing/picture.hpp>
-#include <trophic/pictures/film/image.hpp>
-#include <trophic/pictures/film/renderer.hpp>
 
 namespace trophic::command::replay {
 
@@ -52,7 +52,7 @@ void draw_robot(const RobotPicture& plan) {
   const Eigen::AlignedBox3d bounds = bounds_of(robot);
   Arena floor;
   floor.half_side_m = 30.0 * robot.bounding_radius_m;  // its walls are out of sight
-  drawing::Picture picture;
+  film::Picture picture;
   picture.robots.push_back({.root = {.position_m = {0.0, 0.0, -bounds.min().z()}, .orientation = Eigen::Quaterniond::Identity()},
                             .joint_angles_rad = {},
                             .colour = species_colour(0)});
@@ -63,10 +63,10 @@ void draw_robot(const RobotPicture& plan) {
   }
   const double aspect = static_cast<double>(plan.width) / static_cast<double>(plan.height);
   const Eigen::Vector3d centre = bounds.center();
-  drawing::Camera camera{.at_m = {centre.x(), centre.y(), 0.5 * bounds.sizes().z()},
-                         .distance_m = 2.7 * bounds.diagonal().norm() * std::max(1.0, 1.2 / aspect),
-                         .azimuth_deg = 55.0,
-                         .elevation_deg = plan.from_above ? -90.0 : -32.0};
+  film::Camera camera{.at_m = {centre.x(), centre.y(), 0.5 * bounds.sizes().z()},
+                      .distance_m = 2.7 * bounds.diagonal().norm() * std::max(1.0, 1.2 / aspect),
+                      .azimuth_deg = 55.0,
+                      .elevation_deg = plan.from_above ? -90.0 : -32.0};
   film::Renderer renderer{robot, floor, plan.width, plan.height, film::Quality::fine};
   film::write_png(plan.out, renderer.draw(picture, camera));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Worlds on one time bar, with a side bar of the run and the selected robot.
 import { Controls, speeds } from "./controls";
-import { catchesOf, CatchScene, firstToShow, leadSeconds } from "./director";
+import { Player } from "./director";
 import { make } from "./element";
 import { makeFrame } from "./frame";
 import { Help } from "./help";
@@ -35,7 +35,7 @@ export class App {
   readonly worlds: (World | null)[] = [];
   /** The event at hand, and the scene in which it is played. */
   event: Event | null = null;
-  scene: CatchScene | null = null;
+  scene: Player | null = null;
   private before: { speed: number; playing: boolean } | null = null;
   private readonly branches = new Map<number, Set<number>>();
   private readonly shown = { trails: true, links: true };
@@ -291,16 +291,17 @@ export class App {
 
   /** Plays a catch from some seconds before it, or shows the moment of another event. */
   jump(event: Event): void {
-    if (event.kind !== "catch") return this.show(event);
+    const { scene } = event;
+    if (!scene) return this.show(event);
     const before = this.before ?? { speed: this.speed, playing: this.playing };
     this.leaveScene();
     this.event = event;
-    this.scene = new CatchScene(event, this.run.lastTime);
+    this.scene = new Player(scene, this.run.lastTime);
     this.before = before;
     this.speed = 1;
     this.playing = true;
     this.controls.showView(null);
-    this.goTo(Math.max(this.run.firstTime, event.time - leadSeconds));
+    this.goTo(Math.max(this.run.firstTime, scene.begins_s));
     this.select(event.id);
   }
 
@@ -327,7 +328,7 @@ export class App {
   }
 
   nextCatch(direction: number): void {
-    const catches = catchesOf(this.run);
+    const catches = this.run.catches.filter(({ time }) => time >= this.run.firstTime && time <= this.run.lastTime);
     const isNear = this.event && Math.abs(this.time - this.event.time) <= bannerSeconds;
     const here = isNear ? catches.indexOf(this.event!) : -1;
     let next = here < 0 ? catches.findIndex((e) => e.time > this.time + 1e-6) : here + direction;
@@ -373,7 +374,7 @@ export class App {
     if (moment.robot !== undefined) this.select(moment.robot);
     const isStill = window.matchMedia("(prefers-reduced-motion: reduce)").matches;
     if (moment.time !== undefined || moment.robot !== undefined || isStill) return;
-    const good = firstToShow(this.run);
+    const good = this.run.catches.find(({ scene }) => scene?.opens);
     this.play(true);
     if (good) this.jump(good);
   }
@@ -446,9 +447,9 @@ export class App {
         time: within(run, time),
         rowTime: within(run, rowTime),
         selected: body,
-        pair: isCurrent ? this.pair : [],
+        pair: isCurrent ? (this.scene?.scene.bodies ?? []) : [],
         highlighted: this.branches.get(number) ?? new Set(),
-        flashSeconds: this.scene ? 4 : Math.min(mostFlashSeconds, Math.max(leastFlashSeconds, this.speed || this.pace)),
+        flashSeconds: Math.min(mostFlashSeconds, Math.max(leastFlashSeconds, this.speed || this.pace)),
         shown: this.shown,
       });
     });
@@ -460,14 +461,6 @@ export class App {
     this.pictureTimes.push(performance.now() - start);
     if (this.pictureTimes.length > 30) this.pictureTimes.shift();
     this.drawing = false;
-  }
-
-  /** The bodies of a catch that is played. */
-  private get pair(): number[] {
-    const { scene, run } = this;
-    if (!scene) return [];
-    const victim = run.individuals.get(scene.event.other);
-    return victim ? [scene.event.body, victim.body] : [scene.event.body];
   }
 
   private showTexts(time: number): void {

@@ -1,52 +1,40 @@
 // SPDX-License-Identifier: MIT
-// A catch as one can see it: from some seconds before it, at the ecology's own speed, with both in the picture; the moment itself stands still
-// for a second of the viewer's time.
-import type { Event, Run } from "./run";
-
-/** Ecology seconds before and after the catch. */
-export const leadSeconds = 8;
-export const tailSeconds = 4;
-/** How long the moment itself is shown, seconds of the viewer. */
-export const holdSeconds = 1.2;
+// Plays a scene, which the director of trophic's films made: the ecology's own speed up to the moment of the catch, which stands still for a
+// while of the viewer's time.
+import type { Scene } from "./run";
 
 export interface Step {
   time: number;
   isOver: boolean;
 }
 
-/** One catch while it is played. */
-export class CatchScene {
+/** One scene while it is played. */
+export class Player {
   private held = 0;
+  private readonly end: number;
 
+  /** `last`: the end of the run. */
   constructor(
-    readonly event: Event,
-    private readonly end: number,
-  ) {}
+    readonly scene: Scene,
+    last: number,
+  ) {
+    this.end = Math.min(last, scene.ends_s);
+  }
 
   /** The moment after `passed` seconds of the viewer at a speed, from a moment. */
   advance(time: number, passed: number, speed: number): Step {
-    const { event } = this;
-    if (time < event.time) return { time: Math.min(event.time, time + passed * speed), isOver: false };
+    const { time_s } = this.scene;
+    if (time < time_s) return { time: Math.min(time_s, time + passed * speed), isOver: false };
     if (this.isHeld(time)) {
       this.held += passed;
       return { time, isOver: false };
     }
     const next = Math.min(this.end, time + passed * speed);
-    return { time: next, isOver: next >= Math.min(this.end, event.time + tailSeconds) };
+    return { time: next, isOver: next >= this.end };
   }
 
   /** Whether the moment of the catch is on show: both still live in their bodies. */
   isHeld(time: number): boolean {
-    return time === this.event.time && this.held < holdSeconds;
+    return time === this.scene.time_s && this.held < this.scene.still_s;
   }
-}
-
-export function catchesOf(run: Run): Event[] {
-  return run.events.filter((event) => event.kind === "catch" && event.time >= run.firstTime && event.time <= run.lastTime);
-}
-
-/** The catch that a page opens at: the first by an inherited hunter, with time to see both approach; else the first. */
-export function firstToShow(run: Run): Event | undefined {
-  const catches = catchesOf(run).filter((event) => event.time >= run.firstTime + leadSeconds);
-  return catches.find((event) => run.individuals.get(event.id)?.origin === "inherited") ?? catches[0];
 }

@@ -19,10 +19,8 @@ export interface LiveFacts {
   label: string;
   folder: string;
   rule_tables: string[];
-  until_s: number;
   species: string[];
   tags: number[];
-  hunters: string[];
   numbers: LiveNumber[];
   head: Head;
 }
@@ -69,7 +67,7 @@ export class Live {
     readonly facts: LiveFacts,
     private readonly socket: WebSocket,
   ) {
-    const { label, species, tags, hunters } = facts;
+    const { label, species, tags } = facts;
     this.run = Run.growing({ label, status: "live", species, tags, hunters }, facts.head);
   }
 

@@ -10,7 +10,6 @@ export interface RunIndex {
   shadow?: boolean;
   species: string[];
   tags: number[];
-  hunters: string[];
   /** The requested stretch of time; the recording's blocks are longer. */
   from_s?: number;
   to_s?: number;
@@ -33,8 +32,19 @@ export interface LiveTick {
   hunger: (number | null)[];
 }
 
-/** time, kind, id, body, species, cause, other, x, y, parent, origin. */
-export type LiveEvent = [number, string, number, number, number, string, number | null, number, number, number | null, string];
+/** time, kind, id, body, species, cause, other, x, y, parent, origin; of a catch its scene. */
+export type LiveEvent = [number, string, number, number, number, string, number | null, number, number, number | null, string, Scene?];
+
+/** A catch to be played, as tools/trophic/replay/director.hpp has it. */
+export interface Scene {
+  time_s: number;
+  begins_s: number;
+  ends_s: number;
+  still_s: number; // how long the catch itself is shown, seconds of the viewer
+  bodies: number[]; // that stay in the picture
+  sentence: string;
+  opens?: boolean; // a page opens at it
+}
 
 export interface Event {
   time: number;
@@ -48,6 +58,7 @@ export interface Event {
   y: number;
   parent: number; // of the event's individual; NaN: a founder or an orphan
   origin: string;
+  scene?: Scene; // of a catch
 }
 
 export interface Individual {
@@ -216,8 +227,8 @@ export class Run {
   }
 
   addEvents(events: LiveEvent[]): void {
-    for (const [time, kind, id, body, species, cause, other, x, y, parent, origin] of events) {
-      const event: Event = { time, kind, id, body, species, cause, other: other ?? NaN, x, y, parent: parent ?? NaN, origin };
+    for (const [time, kind, id, body, species, cause, other, x, y, parent, origin, scene] of events) {
+      const event: Event = { time, kind, id, body, species, cause, other: other ?? NaN, x, y, parent: parent ?? NaN, origin, scene };
       this.events.push(event);
       const one = this.individuals.get(id);
       if (kind === "birth" && !one) {
@@ -229,7 +240,7 @@ export class Run {
     }
   }
 
-  private readTables(events: Table, phylogeny: Table): void {
+  private readTables(events: Table, phylogeny: Table, scenes: Scene[]): void {
     const names = new Map(this.index.species.map((name, i) => [name, i]));
     const time = events.numbers("time_s");
     const id = events.numbers("id");
@@ -246,7 +257,12 @@ export class Run {
       const other = kind === "catch" ? victim[i] : killer[i];
       this.events.push({ time: time[i], kind, id: id[i], body: body[i], species: names.get(species[i]) ?? -1, cause: cause[i], other, x: x[i], y: y[i], parent: parent[i], origin: origin[i] });
     });
+    this.catches.forEach((event, i) => (event.scene = scenes[i]));
     this.readPhylogeny(phylogeny, names);
+  }
+
+  get catches(): Event[] {
+    return this.events.filter(({ kind }) => kind === "catch");
   }
 
   private readPhylogeny(table: Table, names: Map<string, number>): void {
@@ -342,7 +358,8 @@ export class Run {
       element.remove();
       return found;
     };
-    const table = async (file: string): Promise<Table> => new Table(new TextDecoder().decode(await inflate(bytes(file))));
+    const text = async (file: string): Promise<string> => new TextDecoder().decode(await inflate(bytes(file)));
+    const table = async (file: string): Promise<Table> => new Table(await text(file));
     const replay = bytes("replay");
     const isPlain = replay[0] === Recording.firstByte; // else compressed, as bodies are long
     const recording = Recording.read(isPlain ? replay : await inflate(replay));
@@ -350,7 +367,7 @@ export class Run {
     const senses = index.inputs ? new Senses(await table("senses"), index.inputs) : null;
     await recording.prepare(recording.firstFrame);
     const run = new Run(index, recording, Agents.read(agents, recording.head.robots, index.species), senses);
-    run.readTables(events, phylogeny);
+    run.readTables(events, phylogeny, JSON.parse(await text("scenes")) as Scene[]);
     return run;
   }
 }

@@ -24,9 +24,9 @@ export function lifeWords(run: Run, id: number, time: number): string {
 
 /** "predator 19 catches prey 4: inherited, lived 92 s". */
 export function sentence(run: Run, event: Event): string {
-  if (event.kind !== "catch" && event.kind !== "death") return shortSentence(run, event);
-  const dead = event.kind === "catch" ? event.other : event.id;
-  const life = lifeWords(run, dead, event.time);
+  if (event.scene) return event.scene.sentence;
+  if (event.kind !== "death") return shortSentence(run, event);
+  const life = lifeWords(run, event.id, event.time);
   return shortSentence(run, event) + (life ? `: ${life}` : "");
 }
 

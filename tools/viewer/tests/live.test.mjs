@@ -99,11 +99,14 @@ test("live: run of 600 s with two changes -> shown as it is recorded, and made a
   const seen = await opened.evaluate(() => {
     const { run: shown } = window.trophic;
     const row_ = (shown.agents.ticks - 1) * shown.robots;
-    return { events: shown.events.length, individuals: shown.individuals.size, last: [...shown.agents.id.slice(row_, row_ + shown.robots)], dead: [...shown.individuals.values()].filter((one) => one.death !== Infinity).length };
+    return { events: shown.events.length, sentences: shown.catches.map(({ scene }) => scene.sentence), individuals: shown.individuals.size, last: [...shown.agents.id.slice(row_, row_ + shown.robots)], dead: [...shown.individuals.values()].filter((one) => one.death !== Infinity).length };
   });
   const agents = lines("agents.csv").map((line) => line.split(","));
   assert.equal(seen.events, lines("events.csv").length);
   assert.equal(seen.individuals, lines("phylogeny.csv").length);
+  const catches = lines("events.csv").map((line) => line.split(",")).filter((cells) => cells[2] === "catch");
+  assert.ok(catches.length > 0);
+  assert.deepEqual(seen.sentences.map((text) => Number(text.match(/^predator (\d+) catches prey \d+: \w+, lived \d+ s$/)[1])), catches.map((cells) => Number(cells[3])));
   assert.equal(seen.dead, lines("events.csv").filter((line) => line.split(",")[2] === "death").length);
   assert.deepEqual(seen.last, agents.slice(-seen.last.length).map((cells) => Number(cells[3])));
   await opened.untilPixels("#0072b2", (count) => count > 50);

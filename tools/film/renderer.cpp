@@ -1,23 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Definitions of drawing.hpp.
+// Definitions of renderer.hpp: MuJoCo draws into a buffer of its own.
 #include <mujoco/mujoco.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <stdexcept>
-#include <string>
+#include <tools/film/offscreen.hpp>
+#include <tools/film/overlay.hpp>
+#include <tools/film/renderer.hpp>
 #include <trophic/backend/mujoco/engine.hpp>
 #include <trophic/backend/mujoco/versions.hpp>
 #include <trophic/habitat/link_frames.hpp>
-#include <trophic/pictures/drawing/drawing.hpp>
-#include <utility>
 
-#include "overlay.hpp"
-
-namespace trophic::drawing {
+namespace trophic::film {
 
 namespace {
 
@@ -57,28 +53,33 @@ constexpr float shadow_opacity = 0.2F;
 constexpr double light_x = -0.28;
 constexpr double light_y = 0.5;
 
+std::size_t checked(const char* name, std::size_t size) {
+  if (size % 2 == 0 && size >= 16 && size <= 4096) return size;
+  throw std::invalid_argument{std::string{name} + " = " + std::to_string(size) + ": must be even, >= 16 and <= 4096"};
+}
+
 }  // namespace
 
-class Drawing::Scene {
+class Renderer::Scene {
  public:
-  Scene(const RobotModel& robot, const Arena& arena, Canvas canvas, std::size_t width, std::size_t height, bool large_text)
+  Scene(const RobotModel& robot, const Arena& arena, std::size_t width, std::size_t height, Quality quality)
       : robot_{robot},
         arena_{arena},
-        canvas_{canvas},
-        model_{empty_model(width, height, arena.half_side_m)},
+        scale_{quality == Quality::fine ? 2U : 1U},
+        width_{scale_ * checked("width", width)},
+        height_{scale_ * checked("height", height)},
+        model_{empty_model(width_, height_, arena.half_side_m)},
         data_{mj_makeData(model_.get())},
         ring_m_{ring_radius_m(robot, arena)} {
     mjv_defaultScene(&scene_);
     mjr_defaultContext(&context_);
     mjv_makeScene(model_.get(), &scene_, most_geoms);
-    mjr_makeContext(model_.get(), &context_, large_text ? mjFONTSCALE_200 : mjFONTSCALE_100);
-    const int buffer = canvas == Canvas::buffer ? mjFB_OFFSCREEN : mjFB_WINDOW;
-    mjr_setBuffer(buffer, &context_);
-    if (context_.currentBuffer != buffer) {
+    mjr_makeContext(model_.get(), &context_, scale_ == 2 ? mjFONTSCALE_200 : mjFONTSCALE_100);
+    mjr_setBuffer(mjFB_OFFSCREEN, &context_);
+    if (context_.currentBuffer != mjFB_OFFSCREEN) {
       mjr_freeContext(&context_);
       mjv_freeScene(&scene_);
-      throw std::runtime_error{canvas == Canvas::buffer ? "OpenGL has no buffer to draw into without a screen"
-                                                        : "OpenGL cannot draw into this window"};
+      throw std::runtime_error{"OpenGL has no buffer to draw into without a screen"};
     }
   }
   Scene(const Scene&) = delete;
@@ -88,22 +89,21 @@ class Drawing::Scene {
     mjv_freeScene(&scene_);
   }
 
-  void draw(const Picture& picture, const Camera& camera, std::size_t width, std::size_t height) {
-    view_ = {0, 0, static_cast<int>(width), static_cast<int>(height)};
+  [[nodiscard]] Image draw(const Picture& picture, const Camera& camera) {
+    view_ = {0, 0, static_cast<int>(width_), static_cast<int>(height_)};
     mjvCamera eye;
     mjv_defaultCamera(&eye);
     for (int i = 0; i < 3; ++i) eye.lookat[i] = camera.at_m[i];
     eye.distance = camera.distance_m;
     eye.azimuth = camera.azimuth_deg;
     eye.elevation = camera.elevation_deg;
-    pixel_m_ = camera.distance_m * 2.0 * half_height() / static_cast<double>(height);
+    pixel_m_ = camera.distance_m * 2.0 * half_height() / static_cast<double>(height_);
     mjvOption option;
     mjv_defaultOption(&option);
     mj_forward(model_.get(), data_.get());
     mjv_updateScene(model_.get(), data_.get(), &option, nullptr, &eye, mjCAT_ALL, &scene_);
     scene_.flags[mjRND_SHADOW] = 0;  // MuJoCo's take half of the time of a picture: `add_shadow` draws simpler ones
-    // MuJoCo draws black in empty places. A window needs a white sky; in a buffer it would cost more than `read` does.
-    scene_.flags[mjRND_SKYBOX] = canvas_ == Canvas::window ? 1 : 0;
+    scene_.flags[mjRND_SKYBOX] = 0;  // MuJoCo draws black in empty places; a white sky would cost more than `read` does
     scene_.flags[mjRND_REFLECTION] = 0;
     scene_.flags[mjRND_HAZE] = 0;
     add_arena(Sight{camera}.eye_m);
@@ -112,18 +112,11 @@ class Drawing::Scene {
     for (const Flash& flash : picture.flashes) add_flash(flash);
     for (const RobotLook& look : picture.robots) add_body(look);
     mjr_render(view_, &scene_, &context_);
-    legend_pixels_ = static_cast<int>(write_over(Overlay{context_, view_}, picture, camera));
+    write_over(Overlay{context_, view_}, picture, camera);
+    return scale_ == 2 ? halved(read()) : read();
   }
 
-  void write(Corner corner, const std::string& left, const std::string& right) {
-    const int place = corner == Corner::top_left    ? mjGRID_TOPLEFT
-                      : corner == Corner::top_right ? mjGRID_TOPRIGHT
-                                                    : mjGRID_BOTTOMLEFT;
-    mjrRect below = view_;  // what is written at the upper edge stays readable
-    below.height = std::max(1, view_.height - legend_pixels_);
-    mjr_overlay(mjFONT_NORMAL, place, below, left.c_str(), right.empty() ? nullptr : right.c_str(), &context_);
-  }
-
+ private:
   [[nodiscard]] Image read() const {
     Image upside_down = Image::blank(static_cast<std::size_t>(view_.width), static_cast<std::size_t>(view_.height), 0);
     mjr_readPixels(upside_down.rgb.data(), nullptr, view_, &context_);
@@ -141,7 +134,6 @@ class Drawing::Scene {
     return image;
   }
 
- private:
   static constexpr int most_geoms = 60000;
 
   mjvGeom* add(int type, const Eigen::Vector3d& size, const Eigen::Vector3d& at, const Eigen::Matrix3d& turn,
@@ -280,34 +272,27 @@ class Drawing::Scene {
 
   RobotModel robot_;
   Arena arena_;
-  Canvas canvas_;
+  std::size_t scale_;
+  std::size_t width_;
+  std::size_t height_;
+  Offscreen offscreen_;
   ModelPtr model_;
   DataPtr data_;
   mjvScene scene_{};
   mjrContext context_{};
   mjrRect view_{};
-  int legend_pixels_ = 0;
   double ring_m_;
   double pixel_m_ = 0.01;  ///< approximate size of a pixel at the camera's target
 };
 
-Drawing::Drawing(const RobotModel& robot, const Arena& arena, Canvas canvas, std::size_t width, std::size_t height,
-                 bool large_text)
-    : scene_{std::make_unique<Scene>(robot, arena, canvas, width, height, large_text)} {}
-Drawing::Drawing(Drawing&&) noexcept = default;
-Drawing& Drawing::operator=(Drawing&&) noexcept = default;
-Drawing::~Drawing() = default;
+Renderer::Renderer(const RobotModel& robot, const Arena& arena, std::size_t width, std::size_t height, Quality quality)
+    : scene_{std::make_unique<Scene>(robot, arena, width, height, quality)} {}
+Renderer::Renderer(Renderer&&) noexcept = default;
+Renderer& Renderer::operator=(Renderer&&) noexcept = default;
+Renderer::~Renderer() = default;
 
-void Drawing::draw(const Picture& picture, const Camera& camera, std::size_t width, std::size_t height) {
-  scene_->draw(picture, camera, width, height);
+Image Renderer::draw(const Picture& picture, const Camera& camera) {
+  return scene_->draw(picture, camera);
 }
 
-void Drawing::write(Corner corner, const std::string& left, const std::string& right) {
-  scene_->write(corner, left, right);
-}
-
-Image Drawing::read() const {
-  return scene_->read();
-}
-
-}  // namespace trophic::drawing
+}  // namespace trophic::film

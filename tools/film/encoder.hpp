@@ -6,7 +6,7 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <trophic/pictures/film/image.hpp>
+#include <tools/film/image.hpp>
 #include <trophic/support/new_file.hpp>
 
 namespace trophic::film {

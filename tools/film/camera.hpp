@@ -10,7 +10,7 @@
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/robot_model.hpp>
 
-namespace trophic::drawing {
+namespace trophic::film {
 
 /// Vertical field of view, degrees.
 inline constexpr double fovy_deg = 38.0;
@@ -102,4 +102,4 @@ struct Sight {
           .elevation_deg = -40.0};
 }
 
-}  // namespace trophic::drawing
+}  // namespace trophic::film

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <memory>
-#include <tools/pictures/species_colour.hpp>
+#include <tools/recording/species_colour.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
 
-namespace trophic::drawing {
+namespace trophic::film {
 
 /// A robot in a picture: its body, and round it a ring on the floor with a pointer in its heading.
 struct RobotLook {
@@ -73,4 +73,4 @@ inline constexpr Colour catch_colour{0.76F, 0.0F, 0.18F};
   return std::max(1.15 * robot.bounding_radius_m, 0.021 * arena.half_side_m);
 }
 
-}  // namespace trophic::drawing
+}  // namespace trophic::film

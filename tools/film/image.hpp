@@ -1,14 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Scales and combines pictures, and writes them as PNG files.
+// Pictures in memory: scaled, combined and written as PNG files.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
-#include <trophic/pictures/drawing/image.hpp>
+#include <vector>
 
 namespace trophic::film {
 
-using drawing::Image;
+/// Rows from the top, three bytes (red, green, blue) a pixel.
+struct Image {
+  std::size_t width = 0;
+  std::size_t height = 0;
+  std::vector<std::uint8_t> rgb;
+
+  [[nodiscard]] static Image blank(std::size_t width, std::size_t height, std::uint8_t grey) {
+    return {width, height, std::vector<std::uint8_t>(3 * width * height, grey)};
+  }
+};
 
 /// Returns the picture at half its width and height; each pixel is the mean of four. The size must be even.
 [[nodiscard]] Image halved(const Image& image);

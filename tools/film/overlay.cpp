@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Definitions of overlay.hpp.
-#include "overlay.hpp"
+#include <tools/film/overlay.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <trophic/params/params.hpp>
 #include <vector>
 
-namespace trophic::drawing {
+namespace trophic::film {
 
 namespace {
 
@@ -43,8 +43,8 @@ void draw_mark(const Overlay& overlay, const LegendEntry& entry, double x, doubl
   }
 }
 
-/// In one row below `top`, or in several if it is too long. Returns where the next one would begin.
-double draw_legend(const Overlay& overlay, const std::vector<LegendEntry>& legend, double top) {
+/// In one row below `top`, or in several if it is too long.
+void draw_legend(const Overlay& overlay, const std::vector<LegendEntry>& legend, double top) {
   const double line = overlay.line_height();
   const double radius = 0.32 * line;
   const double margin = 0.6 * line;
@@ -60,7 +60,6 @@ double draw_legend(const Overlay& overlay, const std::vector<LegendEntry>& legen
     overlay.text(x + 2.8 * radius, y - 0.82 * line, entry.text, ink);
     x += width;
   }
-  return legend.empty() ? y : y - 1.15 * line;
 }
 
 /// A bar of 1, 2, 5, ... metres, about a tenth of the picture long at what the camera looks at.
@@ -145,7 +144,7 @@ double Overlay::width_of(const std::string& text) const {
   });
 }
 
-double write_over(const Overlay& overlay, const Picture& picture, const Camera& camera) {
+void write_over(const Overlay& overlay, const Picture& picture, const Camera& camera) {
   const double line = overlay.line_height();
   for (const Flash& flash : picture.flashes) {
     if (flash.is_catch) draw_cross(overlay, flash, camera);
@@ -163,10 +162,9 @@ double write_over(const Overlay& overlay, const Picture& picture, const Camera& 
     overlay.text(0.6 * line, top - 0.82 * line, picture.title, ink);
     top -= 1.25 * line;
   }
-  top = draw_legend(overlay, picture.legend, top);
+  draw_legend(overlay, picture.legend, top);
   if (picture.has_scale) draw_scale(overlay, camera);
   if (!picture.caption.empty()) overlay.text(0.012 * overlay.width(), 0.018 * overlay.height(), picture.caption, ink);
-  return overlay.height() - top;
 }
 
-}  // namespace trophic::drawing
+}  // namespace trophic::film

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Offscreen by EGL: on Mesa its platform without surfaces, which needs no screen, server or graphics card; else the default
-// display.
+// Definitions of offscreen.hpp.
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
 #include <array>
 #include <stdexcept>
 #include <string_view>
-
-#include "offscreen.hpp"
+#include <tools/film/offscreen.hpp>
 
 namespace trophic::film {
 

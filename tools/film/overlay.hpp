@@ -5,10 +5,10 @@
 #include <mujoco/mujoco.h>
 
 #include <string>
-#include <trophic/pictures/drawing/camera.hpp>
-#include <trophic/pictures/drawing/picture.hpp>
+#include <tools/film/camera.hpp>
+#include <tools/film/picture.hpp>
 
-namespace trophic::drawing {
+namespace trophic::film {
 
 /// Texts and flat marks over what MuJoCo drew last; places are pixels from the lower left corner.
 class Overlay {
@@ -31,7 +31,7 @@ class Overlay {
   mjrRect view_;
 };
 
-/// Writes what a picture says in words. Returns how many pixels of its upper edge title and legend take.
-double write_over(const Overlay& overlay, const Picture& picture, const Camera& camera);
+/// Writes what a picture says in words.
+void write_over(const Overlay& overlay, const Picture& picture, const Camera& camera);
 
-}  // namespace trophic::drawing
+}  // namespace trophic::film

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// An OpenGL context without a screen, current in the thread that made it. One of offscreen_osmesa.cpp and offscreen_egl.cpp is
-// linked.
+// An OpenGL context without a screen, current in the thread that made it: by EGL, on Mesa its platform without surfaces, which
+// needs no screen, server or graphics card; else the default display.
 #pragma once
 
 #include <memory>

@@ -13,7 +13,7 @@
 #include <map>
 #include <stdexcept>
 #include <string>
-#include <trophic/pictures/film/encoder.hpp>
+#include <tools/film/encoder.hpp>
 #include <trophic/support/system_differences.hpp>
 #include <vector>
 

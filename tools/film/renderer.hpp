@@ -3,11 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <tools/film/camera.hpp>
+#include <tools/film/image.hpp>
+#include <tools/film/picture.hpp>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/robot_model.hpp>
-#include <trophic/pictures/drawing/camera.hpp>
-#include <trophic/pictures/drawing/picture.hpp>
-#include <trophic/pictures/film/image.hpp>
 
 namespace trophic::film {
 
@@ -27,11 +27,11 @@ class Renderer {
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();
 
-  [[nodiscard]] Image draw(const drawing::Picture& picture, const drawing::Camera& camera);
+  [[nodiscard]] Image draw(const Picture& picture, const Camera& camera);
 
  private:
-  struct Parts;
-  std::unique_ptr<Parts> parts_;
+  class Scene;
+  std::unique_ptr<Scene> scene_;
 };
 
 }  // namespace trophic::film

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+// Definitions of footage.hpp.
+#include <tools/trophic/replay/footage.hpp>
+
+#ifdef TROPHIC_WITH_FILM
+#include <cmath>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <tools/analysis/data/csv_reader.hpp>
+#include <trophic/params/params.hpp>
+
+namespace trophic::command::replay {
+
+namespace {
+
+constexpr double trail_s = 60.0;  ///< length of a trail, ecology seconds
+
+Colour colour(const io::AgentRow& row) {
+  return row.active ? species_colour(row.species) : inactive_colour;
+}
+
+/// A line from each robot to the one that it hunts or flees.
+void add_sights(film::Picture& picture, std::span<const io::AgentRow> rows) {
+  for (std::size_t body = 0; body < rows.size(); ++body) {
+    if (!rows[body].adversary) continue;
+    const auto other = std::ranges::find(rows, *rows[body].adversary, &io::AgentRow::id);
+    if (other == rows.end()) continue;
+    const Eigen::Vector3d from = picture.robots[body].root.position_m;
+    const Eigen::Vector3d to = picture.robots[static_cast<std::size_t>(other - rows.begin())].root.position_m;
+    picture.lines.push_back({from.x(), from.y(), to.x(), to.y(), colour(rows[body]), 0.22F});
+  }
+}
+
+}  // namespace
+
+Footage::Footage(const RecordedRun& run, double from_s, double to_s, double flash_s)
+    : recording_{run.recording},
+      agents_{run, from_s, to_s, trail_s},
+      from_s_{from_s},
+      to_s_{to_s},
+      flash_s_{flash_s},
+      filled_tag_{std::ranges::max(run.manifest.at("tags").get<std::vector<int>>())},
+      species_{run.manifest.at("species").get<std::vector<std::string>>()} {
+  analysis::CsvReader events{run.folder / "events.csv", {"time_s", "event", "x_m", "y_m", "cause"}};
+  while (events.next()) {
+    const auto time_s = events.get<double>(0);
+    if (events.text(1) != "death" || time_s < from_s_ - flash_s_ || time_s > to_s_) continue;
+    deaths_.push_back({time_s, events.get<double>(2), events.get<double>(3), events.text(4) == "caught"});
+  }
+}
+
+film::Picture Footage::picture(double time_s, const Sights& sights) const {
+  film::Picture picture;
+  const std::span<const io::AgentRow> rows = agents_.at(sights.rows_s.value_or(time_s));
+  for (const io::AgentRow& row : rows) {
+    picture.robots.push_back(look(time_s, row));
+    picture.robots.back().is_marked = row.id == sights.marked;
+    if (sights.has_lines) add_trail(picture, time_s, row.body);
+    if (std::ranges::find(sights.named, row.id) == sights.named.end()) continue;
+    picture.names.push_back({picture.robots.back().root.position_m, species_.at(row.species) + " " + std::to_string(row.id)});
+  }
+  if (sights.has_lines) add_sights(picture, rows);
+  for (const Death& death : deaths_) {
+    const double age = (time_s - death.time_s) / flash_s_;
+    if (age < 0.0 || age >= 1.0) continue;
+    const double wide = death.is_catch ? 1.3 + 0.5 * age : 1.2 + 2.2 * age;
+    picture.flashes.push_back({death.x_m, death.y_m, film::ring_radius_m(head().robot, head().arena) * wide, death.is_catch});
+  }
+  return picture;
+}
+
+film::RobotLook Footage::look(double time_s, const io::AgentRow& row) const {
+  const auto [before, after, part] = around(time_s, row.body);
+  film::RobotLook look{
+      .root = root(time_s, row.body), .joint_angles_rad = {}, .colour = colour(row), .filled = row.tag == filled_tag_};
+  const bool differ = head().bodies_differ;
+  const std::size_t joints = differ ? recording_.robot(before, row.body).hinges.size() : head().joints;
+  for (std::size_t joint = 0; joint < joints; ++joint) {
+    const double a = recording_.joint_angle_rad(before, row.body, joint);
+    look.joint_angles_rad.push_back(a + part * (recording_.joint_angle_rad(after, row.body, joint) - a));
+  }
+  if (differ) look.body = {std::shared_ptr<void>{}, &recording_.robot(before, row.body)};  // the recording owns it
+  return look;
+}
+
+void Footage::add_trail(film::Picture& picture, double time_s, std::size_t body) const {
+  const double step_s = 2.0 * head().times.tick_s;
+  const double oldest_s = std::max(head().first_time_s, time_s - trail_s);
+  Eigen::Vector3d from = picture.robots[body].root.position_m;
+  for (double then_s = std::floor(time_s / step_s - 1e-9) * step_s; then_s >= oldest_s; then_s -= step_s) {
+    const io::AgentRow& row = agents_.at(then_s)[body];
+    const auto strength = static_cast<float>(0.8 * (1.0 - (time_s - then_s) / trail_s));
+    picture.lines.push_back({from.x(), from.y(), row.x_m, row.y_m, colour(row), strength});
+    from = {row.x_m, row.y_m, 0.0};
+  }
+}
+
+std::vector<film::LegendEntry> Footage::legend(double time_s, const Sights& sights) const {
+  using Mark = film::LegendEntry::Mark;
+  const std::span<const io::AgentRow> rows = agents_.at(sights.rows_s.value_or(time_s));
+  std::vector<film::LegendEntry> legend;
+  for (Species i = 0; i < species_.size(); ++i) {
+    const auto alive = std::ranges::count(rows, i, &io::AgentRow::species);
+    legend.push_back({Mark::species, species_colour(i), species_[i] + " " + std::to_string(alive)});
+  }
+  const std::string sign = filled_tag_ > 0 ? "+" : "";
+  legend.push_back({Mark::filled, ink, "tag " + sign + std::to_string(filled_tag_)});
+  legend.push_back({Mark::hollow, ink, "other tag"});
+  legend.push_back({Mark::species, inactive_colour, "not yet active"});
+  legend.push_back({Mark::catch_, film::catch_colour, "caught"});
+  legend.push_back({Mark::death, ink, "other death"});
+  legend.push_back({Mark::marked, ink, "selected"});
+  if (!sights.has_lines) return legend;
+  legend.push_back({Mark::trail, ink, "trail"});
+  legend.push_back({Mark::sight, ink, "perceives"});
+  return legend;
+}
+
+Pose Footage::root(double time_s, std::size_t body) const {
+  const auto [before, after, part] = around(time_s, body);
+  const Pose from = recording_.root(before, body);
+  const Pose to = recording_.root(after, body);
+  return {from.position_m + part * (to.position_m - from.position_m), from.orientation.slerp(part, to.orientation)};
+}
+
+std::size_t Footage::body_of(IndividualId id) const {
+  const double tick_s = head().times.tick_s;
+  const auto ticks = static_cast<std::size_t>(std::ceil((to_s_ - from_s_) / tick_s - 1e-9));
+  for (std::size_t tick = 0; tick <= ticks; ++tick) {
+    const auto rows = agents_.at(std::min(to_s_, from_s_ + static_cast<double>(tick) * tick_s));
+    const auto found = std::ranges::find(rows, id, &io::AgentRow::id);
+    if (found != rows.end()) return static_cast<std::size_t>(found - rows.begin());
+  }
+  throw std::invalid_argument{"--follow " + std::to_string(id) + ": no individual of that id lives between " +
+                              number_text(from_s_) + " and " + number_text(to_s_) + " s"};
+}
+
+std::tuple<std::size_t, std::size_t, double> Footage::around(double time_s, std::size_t body) const {
+  const std::size_t before = recording_.frame_at(time_s);
+  const std::size_t next = std::min(before + 1, recording_.frames() - 1);
+  const std::size_t after = recording_.is_set_down(next, body) ? before : next;
+  const double gap_s = recording_.time_s(after) - recording_.time_s(before);
+  return {before, after, gap_s > 0.0 ? (time_s - recording_.time_s(before)) / gap_s : 0.0};
+}
+
+}  // namespace trophic::command::replay
+#endif
