@@ -202,16 +202,40 @@ def pure_policies():
     return lines_with(impure, sources(*kinds))
 
 
-def complete_umbrella():
-    """trophic.hpp reaches every public header of the core; the command line, which is compiled, stands apart."""
-    reached, waiting = set(), [CORE / "trophic/trophic.hpp"]
+def reached_from(*names: str) -> set[pathlib.Path]:
+    """The library's headers that these include, directly or not, in a program that compiles all definitions."""
+    reached, waiting = set(), [CORE / name for name in names]
     while waiting:
         path = waiting.pop()
         if path not in reached and path.exists():
             reached.add(path)
-            waiting += [CORE / name for name in re.findall(r"#include <(trophic/[^>]+)>", path.read_text())]
+            waiting += included_by(path)
+    return reached
+
+
+@functools.cache
+def included_by(path: pathlib.Path) -> list[pathlib.Path]:
+    text = re.sub(r"^#if !TROPHIC_HEADER_ONLY.*?^#endif", "", path.read_text(), flags=re.M | re.S)
+    return [CORE / name for name in re.findall(r"#include <(trophic/[^>]+)>", text)]
+
+
+def complete_umbrella():
+    """trophic.hpp reaches every public header of the core; the command line, which is compiled, stands apart."""
+    umbrella = "trophic/trophic.hpp"
+    reached = reached_from(umbrella)
     missing = [path for path in sources("include") if path not in reached and not {"detail", "experiment", "experiment.hpp"} & set(path.parts)]
-    return [f"trophic.hpp lacks #include <{path.relative_to(CORE)}>" for path in missing]
+    return [f"{umbrella} lacks #include <{path.relative_to(CORE)}>" for path in missing]
+
+
+def small_library():
+    """The library has few lines that only include, few functions that are defined apart, and a small program reads little of it."""
+    texts = [path.read_text() for path in sources("include")]
+    lines, includes = (sum(len(re.findall(pattern, text, re.M)) for text in texts) for pattern in (r"^", r"^\s*#\s*include"))
+    apart = sum(path.read_text().count("TROPHIC_INLINE") for path in sources("include", "backends"))
+    read = sum(path.read_text().count("\n") for path in reached_from("trophic/run.hpp", "trophic/rules/paper.hpp", "trophic/backend/kinematic.hpp"))
+    bars = {"% of include/ are #include lines": (100 * includes / lines, 9), "times TROPHIC_INLINE": (apart, 150), "lines of the library in the smallest program": (read, 15600)}
+    print(*(f"{value:.0f} {what}, at most {most}" for what, (value, most) in bars.items()), sep="\n")
+    return [f"{value:.1f} {what}: must be <= {most}" for what, (value, most) in bars.items() if value > most]
 
 
 # Headers whose includes count as their reader's own, beside each folder's contract.hpp and the header of an .ipp.
