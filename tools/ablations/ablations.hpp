@@ -120,7 +120,7 @@ template <class Base, class Other>
                       &options.from,
                       "the table whose rules are swapped: " + one_of(std::vector{base, other, std::string{"both"}}) + " (both)",
                       {base, other, "both"}},
-                     {"--backend", &options.backend, "physics: " + one_of(backends) + " (kinematic)", backends},
+                     {"--backend", &options.backend, "physics: " + one_of(backends) + " (kinematic)"},
                      {"--seed", &options.seed, "the seeds of all replicates follow from it (1)"},
                      {"--duration", &options.duration_s, "length of each run, seconds of the ecology's clock (6000)"},
                      {"--replicates", &options.replicates, "runs of each set (30; 10 with an engine)"},

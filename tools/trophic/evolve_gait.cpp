@@ -162,7 +162,7 @@ Command evolve_gait() {
                    &options->fitness,
                    "displacement_minus_x or steered_displacement (displacement_minus_x)",
                    {"displacement_minus_x", "steered_displacement"}},
-                  {"--backend", &options->backend, backend_help(backends), backends},
+                  {"--backend", &options->backend, backend_help(backends)},
                   {"--seed", &options->seed, "every random number follows from it (1)"},
                   {"--generations", &options->generations, "after the founders (20)"},
                   {"--threads", &options->threads, "evaluations at a time; results do not depend on it (all cores)"},

@@ -133,7 +133,7 @@ Command measure_gait() {
               "5 s, turning rate (counter-clockwise); nothing where the simulation diverges.",
           .options = {{"--robot", &options->robot, "name or path of a robot file (spider)"},
                       {"--gait", &options->gait, "name or path of a gait file (the robot's own)"},
-                      {"--backend", &options->backend, backend_help(joint_driven_names()), joint_driven_names()},
+                      {"--backend", &options->backend, backend_help(joint_driven_names())},
                       {"--duration", &options->duration_s, "simulated seconds (50)"},
                       {"--walk", &options->walk,
                        "print the [walk] of a robot file instead: means of 8 tries with 0.7 and 8 with -0.7 rad"}},
