@@ -220,11 +220,13 @@ def included_by(path: pathlib.Path) -> list[pathlib.Path]:
 
 
 def complete_umbrella():
-    """trophic.hpp reaches every public header of the core; the command line, which is compiled, stands apart."""
+    """trophic.hpp reaches every public header of the core, and names none that another one includes; the command line, which is
+    compiled, stands apart."""
     umbrella = "trophic/trophic.hpp"
-    reached = reached_from(umbrella)
+    reached, named = reached_from(umbrella), re.findall(r"#include <(.+)>", (CORE / umbrella).read_text())
     missing = [path for path in sources("include") if path not in reached and not {"detail", "experiment", "experiment.hpp"} & set(path.parts)]
-    return [f"{umbrella} lacks #include <{path.relative_to(CORE)}>" for path in missing]
+    twice = [name for name in named if CORE / name in reached_from(*(other for other in named if other != name))]
+    return [f"{umbrella} lacks #include <{path.relative_to(CORE)}>" for path in missing] + [f"{umbrella}: another header includes {name}" for name in twice]
 
 
 def small_library():

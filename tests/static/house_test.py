@@ -30,6 +30,7 @@ PLANTED = (  # check, header, text, offence
     ("few_parameters", "run.hpp", "int unnamed(const A&, const B&, C*, D&&, const std::string&, int, double) { return 0; }", "unnamed: 7 parameters"),
     ("few_parameters", "run.hpp", "const auto lambda = [&](int a, int b, int c, int d, int e, int f, int g) { return a; };", "]: 7 parameters"),
     ("exported_includes", "death/senescence/old_age.hpp", "#include <trophic/population/view.hpp>", "trophic/death/senescence/contract.hpp exports #include <trophic/population/view.hpp>"),
+    ("complete_umbrella", "trophic.hpp", "#include <trophic/ecology/ecology.hpp>", "another header includes trophic/ecology/ecology.hpp"),
     ("small_library", "run.hpp", "#include <trophic/run.hpp>\n" * 800, "must be <= 9"),
     ("complete_umbrella", "support/lost.hpp", "#pragma once", "trophic.hpp lacks #include <trophic/support/lost.hpp>"),
 )

@@ -10,6 +10,9 @@ namespace trophic::checkpoint {
 /// The version of a checkpoint file's format.
 inline constexpr std::uint32_t format_version = 5;
 
+/// More than any manifest, bytes: what is read of one takes many times as much memory.
+inline constexpr std::uint64_t largest_manifest = std::uint64_t{16} << 20U;
+
 inline constexpr std::string_view file_name = "checkpoint.bin";
 /// The previous checkpoint, in case that the last one cannot be read.
 inline constexpr std::string_view predecessor_name = "checkpoint.old.bin";

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <filesystem>
-#include <trophic/run/checkpoint/resume.hpp>
+#include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/plain_text.hpp>
 #include <trophic/support/unreadable_file.hpp>

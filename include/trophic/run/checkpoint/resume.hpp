@@ -21,9 +21,6 @@ struct RunState {
   [[nodiscard]] Opening opening() const { return from ? Opening::resumed : Opening::created; }
 };
 
-/// More than any manifest, bytes: what is read of one takes many times as much memory.
-inline constexpr std::uint64_t largest_manifest = std::uint64_t{16} << 20U;
-
 /// The "status" in a run's manifest; "missing" without a folder, "unreadable" with a folder but no whole manifest.
 /// Throws UnreadableFile, as the functions below, if the system refuses to read a file of the folder.
 [[nodiscard]] std::string status_of(const std::filesystem::path& folder);
