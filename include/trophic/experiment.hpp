@@ -3,6 +3,7 @@
 // trophic::command, which has the definitions.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <trophic/experiment/offer.hpp>
 #include <trophic/experiment/table_experiment.hpp>
@@ -14,8 +15,9 @@ namespace trophic {
 
 namespace command {
 
-/// Reads the command line of a program that offers these tables and backends, does its work and returns the exit code.
-[[nodiscard]] int experiment_program(int argc, const char* const* argv, Offer offer);
+/// Reads the command line of a program that offers these tables and backends, does its work and returns the exit code. Errors of
+/// `offer` are reported as those of the work.
+[[nodiscard]] int experiment_program(int argc, const char* const* argv, const std::function<Offer()>& offer);
 
 }  // namespace command
 
@@ -26,10 +28,12 @@ namespace command {
 template <class... Rules>
 [[nodiscard]] int experiment(int argc, const char* const* argv, Offer offer = {}) {
   static_assert(sizeof...(Rules) > 0, "trophic::experiment needs at least one rule table");
-  offer.rule_tables = {{table_name<Rules>(), [](const BackendChoice& backend) -> std::unique_ptr<AnyExperiment> {
-                          return std::make_unique<TableExperiment<Rules>>(backend);
-                        }}...};
-  return command::experiment_program(argc, argv, std::move(offer));
+  return command::experiment_program(argc, argv, [&offer] {
+    offer.rule_tables = {{table_name<Rules>(), [](const BackendChoice& backend) -> std::unique_ptr<AnyExperiment> {
+                            return std::make_unique<TableExperiment<Rules>>(backend);
+                          }}...};
+    return std::move(offer);
+  });
 }
 
 /// The same with own tables alone: `experiment<MyRules>(argc, argv, io::own_tables<Distances>())`.

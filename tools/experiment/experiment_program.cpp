@@ -250,9 +250,9 @@ int run_options(ExperimentOptions& options, const Offer& offer) {
 
 }  // namespace detail
 
-int experiment_program(int argc, const char* const* argv, Offer own) {
+int experiment_program(int argc, const char* const* argv, const std::function<Offer()>& own) {
   return guarded(argv[0], [&] {
-    const Offer offer = with_backends(std::move(own));
+    const Offer offer = with_backends(own());
     ExperimentOptions options;
     options.program = program_name(argv[0]);
     options.provenance = provenance(argc, argv);
