@@ -68,7 +68,7 @@ export class Live {
     private readonly socket: WebSocket,
   ) {
     const { label, species, tags } = facts;
-    this.run = Run.growing({ label, status: "live", species, tags, hunters }, facts.head);
+    this.run = Run.growing({ label, status: "live", species, tags }, facts.head);
   }
 
   /** The newest moment of which robots are known. */
