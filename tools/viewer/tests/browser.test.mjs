@@ -310,7 +310,7 @@ test("the list of events has every catch, is searched by words, and a line plays
   const found = all.filter((one) => one.id === all[7].victim_id || one.victim_id === all[7].victim_id || one.time_s === all[7].victim_id || one.text.split(/[\s:,]+/).includes(all[7].victim_id));
   assert.equal(await opened.page.locator(".events li").count(), found.length);
   await opened.page.locator(".events li button", { hasText: all[7].text }).click();
-  assert.equal(await opened.evaluate(() => window.trophic.scene.event.time), all[7].time);
+  assert.equal(await opened.evaluate(() => window.trophic.scene.scene.time_s), all[7].time);
   await opened.page.locator(".events select").selectOption("birth");
   assert.match(await opened.page.locator(".events .hint").innerText(), /^0 events$|^\d+ events?$/);
   await leave(opened);
