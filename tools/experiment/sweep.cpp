@@ -2,7 +2,6 @@
 // Definitions of sweep.hpp.
 #include <algorithm>
 #include <map>
-#include <ranges>
 #include <thread>
 #include <tools/command/backends.hpp>
 #include <tools/command/output.hpp>
@@ -114,7 +113,9 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
   std::cout << runs - unfinished.size() << " of " << runs << " runs complete in " << options.out << "\n";
   flush_output();
   if (unfinished.empty()) return 0;
-  for (const auto& [run, sentence] : unfinished | std::views::take(most_sentences)) {
+  std::size_t printed = 0;
+  for (const auto& [run, sentence] : unfinished) {
+    if (printed++ == most_sentences) break;
     std::cerr << options.program << ": " << sentence << "\n";
   }
   if (unfinished.size() > most_sentences) std::cerr << "and " << unfinished.size() - most_sentences << " more\n";

@@ -28,7 +28,7 @@ namespace trophic::live {
 namespace {
 
 /// How long a run that has ended waits for a page that is loaded again.
-constexpr double grace_s = 2.0;
+constexpr double page_grace_s = 2.0;
 
 void put_in(std::string& page, std::string_view before, std::string_view text) {
   const std::size_t at = page.find(before);
@@ -84,7 +84,7 @@ class Session final : public command::LiveServer, private Listener {
       is_over_ = true;
     }
     server_.tell_state();
-    return steering_.wait_for_restart(grace_s);
+    return steering_.wait_for_restart(page_grace_s);
   }
 
  private:
