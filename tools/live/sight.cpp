@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 #include <trophic/io/agent_log.hpp>
+#include <trophic/io/event_log.hpp>
 #include <trophic/io/recording_head.hpp>
 #include <utility>
 
@@ -77,24 +78,8 @@ command::replay::Partner partner(const Individual& one, std::size_t body, const 
 
 void Sight::on_event(const observe::Event& event, const View& view) {
   const Individual& self = event.individual;
-  const bool is_catch = event.kind == observe::EventKind::capture;
-  sight_->events.push_back({.time_s = view.time_s,
-                            .tick = view.tick,
-                            .kind = event.kind,
-                            .id = self.id,
-                            .species = self.species,
-                            .body = event.body,
-                            .tag = self.tag,
-                            .active = self.active,
-                            .origin = self.origin,
-                            .parent = self.parent,
-                            .genome = self.genome->id,
-                            .cause = event.cause,
-                            .killer = is_catch ? std::nullopt : event.other,
-                            .victim = is_catch ? event.other : std::nullopt,
-                            .x_m = view.poses[event.body].x_m,
-                            .y_m = view.poses[event.body].y_m});
-  if (!is_catch) return;
+  sight_->events.push_back(io::event_row(event, view));
+  if (event.kind != observe::EventKind::capture) return;
   const auto victim = std::ranges::find(view.robots, *event.other, &Individual::id);
   const auto body = static_cast<std::size_t>(victim - view.robots.begin());
   sight_->scenes.push_back(scene_of(view.time_s, partner(self, event.body, view), partner(*victim, body, view)));

@@ -9,6 +9,28 @@
 
 namespace trophic::io {
 
+/// The row of an event in events.csv.
+[[nodiscard]] inline EventRow event_row(const observe::Event& event, const View& view) {
+  const Individual& self = event.individual;
+  const bool is_catch = event.kind == observe::EventKind::capture;
+  return {.time_s = view.time_s,
+          .tick = view.tick,
+          .kind = event.kind,
+          .id = self.id,
+          .species = self.species,
+          .body = event.body,
+          .tag = self.tag,
+          .active = self.active,
+          .origin = self.origin,
+          .parent = self.parent,
+          .genome = self.genome->id,
+          .cause = event.cause,
+          .killer = is_catch ? std::nullopt : event.other,
+          .victim = is_catch ? event.other : std::nullopt,
+          .x_m = view.poses[event.body].x_m,
+          .y_m = view.poses[event.body].y_m};
+}
+
 /// Writes an EventRow per event.
 class EventLog {
  public:
@@ -16,27 +38,7 @@ class EventLog {
 
   explicit EventLog(const std::filesystem::path& path, Opening opening = Opening::created) : file_{path, opening} {}
 
-  void on_event(const observe::Event& event, const View& view) {
-    const Individual& self = event.individual;
-    const bool is_catch = event.kind == observe::EventKind::capture;
-    file_.write({.time_s = view.time_s,
-                 .tick = view.tick,
-                 .kind = event.kind,
-                 .id = self.id,
-                 .species = self.species,
-                 .body = event.body,
-                 .tag = self.tag,
-                 .active = self.active,
-                 .origin = self.origin,
-                 .parent = self.parent,
-                 .genome = self.genome->id,
-                 .cause = event.cause,
-                 .killer = is_catch ? std::nullopt : event.other,
-                 .victim = is_catch ? event.other : std::nullopt,
-                 .x_m = view.poses[event.body].x_m,
-                 .y_m = view.poses[event.body].y_m},
-                view.web);
-  }
+  void on_event(const observe::Event& event, const View& view) { file_.write(event_row(event, view), view.web); }
   void on_tick(const View&) { file_.flush(); }
 
   void persist(Archive& archive) { archive(file_); }
