@@ -32,7 +32,7 @@ if(TROPHIC_BUILD_EXAMPLES)
   install(TARGETS trophic_program predator_prey ablations readings RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/trophic)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/python DESTINATION ${CMAKE_INSTALL_DATADIR}/trophic FILES_MATCHING PATTERN "*.py")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/python DESTINATION ${CMAKE_INSTALL_DATADIR}/trophic FILES_MATCHING PATTERN "*.py" PATTERN "*.j2")
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 get_property(trophic_mujoco_version GLOBAL PROPERTY TROPHIC_MUJOCO_VERSION)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/trophic-config.cmake.in ${PROJECT_BINARY_DIR}/trophic-config.cmake

@@ -172,7 +172,7 @@ def sources_cited():
     form = re.compile(rf'({own}|paper, Sec\. "[^"]*"(, Eq\. \d+)?)([;:].*)?')
     cited = {"kachler2023"}
     documents = [path for path in ROOT.rglob("*.md") if not any(part.startswith(("build", ".")) for part in path.relative_to(ROOT).parts)]
-    for path in [*sources("include", *PARTS, "examples", suffixes=(".hpp", ".ipp", ".cpp")), *documents]:
+    for path in [*sources("include", *PARTS, "examples", suffixes=(".hpp", ".ipp", ".cpp", ".py")), *documents]:
         name, text = path.relative_to(ROOT), path.read_text()
         prose = text if path.suffix == ".md" else " ".join(re.findall(r"//.*|\"(?:[^\"\\\n]|\\.)*\"", text))
         for source in re.findall(r'string_view source =\s*"((?:[^"\\]|\\.)*)"', text):

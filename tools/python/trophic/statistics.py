@@ -1,0 +1,321 @@
+# SPDX-License-Identifier: MIT
+"""Means over runs, their intervals and tests by Student's t, corrections for many comparisons, equivalence, effect sizes and power.
+
+Values are numbers, one a run; nan is a value that could not be computed and is left out. Functions that need more values than there are
+return None.
+
+Intervals are Student's, chosen by simulation. Share of 95 % intervals that leave out the true mean, in %, at 6 / 10 / 20 runs. 2000 samples
+each; 40,000 of t. "Kinematic": medians over eight metrics of 150 runs each of `paper` and `released`, drawn with replacement.
+
+                           Student's t       percentile          BCa                 studentised bootstrap
+      normal               5.0 / 5.2 / 4.9   15.8 / 10.8 / 7.8   14.9 / 10.7 / 8.2   5.1 / 5.3 / 5.2
+      uniform              6.0 / 5.4 / 5.1   13.1 /  9.8 / 7.4   12.9 /  7.7 / 5.5   3.9 / 3.0 / 3.6
+      gamma, skewness 0.5  5.3 / 5.4 / 5.3   13.7 / 10.9 / 7.5   14.2 / 11.7 / 8.2   6.8 / 5.6 / 6.5
+      gamma, skewness 1.0  6.7 / 6.5 / 5.7   14.0 / 10.6 / 7.1   15.3 / 10.8 / 8.8   6.7 / 5.8 / 6.1
+      kinematic            5.3 / 5.4 / 5.7   15.1 / 10.6 / 7.7   14.9 / 10.8 / 8.0   5.8 / 5.8 / 5.6
+
+So t: no worse than the studentised bootstrap, and without random draws. Of 58 metrics of those runs 48 are within 1.5 points at 6 and 10
+runs. Not so: tag symmetry (7.5 to 8.1 at 6 runs), velocity of predators (6.7 to 7.8), and counts that hardly vary but for single odd runs
+(deaths of predators and hunger in `paper`, 14 to 37), for which no method of so few runs is right."""
+from __future__ import annotations
+
+import dataclasses
+import math
+from collections.abc import Iterable, Sequence
+from typing import NamedTuple, Union
+
+import numpy
+from scipy import special  # scipy.stats takes three times as long to import
+
+MIN_RUNS_FOR_TEST = 6
+"""A set of fewer runs gets its mean and spread, but no interval and no test result."""
+SIGNIFICANCE = 0.05
+"""A corrected p value of at most this is significant."""
+USUAL_POWER = 0.8
+"""The share of studies that are to find what is there."""
+MOST_RUNS = 1_000_000
+"""A difference that needs more runs than this is called undetectable."""
+Values = Union[Sequence[float], numpy.ndarray]
+
+
+class Interval(NamedTuple):
+    lower: float
+    upper: float
+
+
+class Contrast(NamedTuple):
+    """A weighted sum of the means of independent sets, its standard error and the degrees of freedom of that error."""
+    value: float
+    error: float
+    freedom: float
+
+
+class Scatter(NamedTuple):
+    """With n runs in each set, or n pairs, the squared error of a comparison is `variance` / n, of `freedom` (n - 1) degrees of freedom."""
+    variance: float
+    freedom: float = 1.0
+
+
+class Estimate(NamedTuple):
+    """A mean over `runs` values, the deviation between them and, from MIN_RUNS_FOR_TEST on, the mean's 95 % interval."""
+    runs: int
+    mean: float | None
+    deviation: float | None
+    interval: Interval | None
+
+
+class EquivalenceTest(NamedTuple):
+    difference: float | None
+    interval: Interval | None
+    """of the difference, at 1 - 2 alpha"""
+    margin: float
+    conclusion: str
+    """equivalent: the difference is smaller than the margin. different: it is not zero, and not shown to be smaller than the margin.
+    inconclusive: the runs are too scattered for either. unknown: too few values."""
+
+
+def known(values: Values) -> numpy.ndarray:
+    """The values without nan."""
+    array = numpy.asarray(values, dtype=float)
+    return array[~numpy.isnan(array)]
+
+
+def mean_of(values: Values) -> float | None:
+    array = known(values)
+    return float(array.mean()) if len(array) else None
+
+
+def deviation_of(values: Values) -> float | None:
+    """The standard deviation between runs, with n - 1; None if there are fewer than two values."""
+    array = known(values)
+    return float(array.std(ddof=1)) if len(array) > 1 else None
+
+
+def is_rounding(spread: float, value: float) -> bool:
+    """Whether a spread is only the rounding of a value, and counts as none."""
+    return spread <= 1e-14 * max(1.0, abs(value))
+
+
+def contrast(*terms: tuple[float, Values]) -> Contrast | None:
+    """The contrast of (weight, values) terms: for one set Student's t with n - 1 degrees of freedom, for several Welch's approximation
+    [welch1947], which lets every set have its own spread. None if a set has fewer than MIN_RUNS_FOR_TEST values."""
+    value = variance = squares = 0.0
+    for weight, values in terms:
+        array = known(values)
+        if len(array) < MIN_RUNS_FOR_TEST:
+            return None
+        part = weight * weight * float(array.var(ddof=1)) / len(array)
+        value += weight * float(array.mean())
+        variance += part
+        squares += part * part / (len(array) - 1)
+    if is_rounding(math.sqrt(variance), value):
+        return Contrast(value, 0.0, 1.0)
+    return Contrast(value, math.sqrt(variance), variance * variance / squares)
+
+
+def t_quantile(probability: float, freedom: float) -> float:
+    """The value that a t of `freedom` > 0 degrees of freedom stays below with this probability, 0 < probability < 1."""
+    tail = min(probability, 1.0 - probability)
+    t = float(special.stdtrit(freedom, tail))  # right to 1e-9; a step of Newton's method makes it right to rounding
+    log_density = math.lgamma((freedom + 1.0) / 2.0) - math.lgamma(freedom / 2.0) - (freedom + 1.0) / 2.0 * math.log1p(t * t / freedom)
+    t -= (float(special.stdtr(freedom, t)) - tail) / (math.exp(log_density) / math.sqrt(freedom * math.pi))
+    return t if probability <= 0.5 else -t
+
+
+def t_two_sided(t: float, freedom: float) -> float:
+    """The probability that |t| is `t` >= 0 or more."""
+    return float(2.0 * special.stdtr(freedom, -t))
+
+
+def interval_of(of: Contrast | None, level: float = 0.95) -> Interval | None:
+    """The interval that holds the true value of a contrast with probability `level`; a point where no set has any spread."""
+    if of is None:
+        return None
+    half = of.error * t_quantile((1.0 + level) / 2.0, of.freedom) if of.error else 0.0
+    return Interval(of.value - half, of.value + half)
+
+
+def p_value(of: Contrast | None, origin: float = 0.0) -> float | None:
+    """Two-sided: how often a contrast this far from `origin` would come by chance alone. None where nothing varies and nothing differs."""
+    if of is None or (of.error == 0.0 and of.value == origin):
+        return None
+    return t_two_sided(abs(of.value - origin) / of.error, of.freedom) if of.error else 0.0
+
+
+def interval_of_mean(values: Values, level: float = 0.95) -> Interval | None:
+    return interval_of(contrast((1.0, values)), level)
+
+
+def interval_of_difference(a: Values, b: Values, level: float = 0.95) -> Interval | None:
+    """The interval of mean(b) - mean(a)."""
+    return interval_of(contrast((-1.0, a), (1.0, b)), level)
+
+
+def estimate(values: Values) -> Estimate:
+    return Estimate(len(known(values)), mean_of(values), deviation_of(values), interval_of_mean(values))
+
+
+def side_of(interval: Interval | None) -> str:
+    """The side of zero on which the interval of a difference lies: "above", "below", "not significant", which does not show that there is no
+    difference, or "not tested" without one."""
+    if interval is None:
+        return "not tested"
+    return "above" if interval.lower > 0.0 else "below" if interval.upper < 0.0 else "not significant"
+
+
+def holm(p_values: Values) -> numpy.ndarray:
+    """Holm's step-down correction [holm1979]: a corrected value <= 0.05 is found in at most 5 % of analyses in which nothing differs, however the
+    comparisons depend on each other. The k-th smallest of m values becomes the largest (m - j + 1) p_j of j = 1, ..., k."""
+    p = numpy.asarray(p_values, dtype=float)
+    order = numpy.argsort(p, kind="stable")
+    adjusted = numpy.empty(len(p))
+    adjusted[order] = numpy.minimum(1.0, numpy.maximum.accumulate((len(p) - numpy.arange(len(p))) * p[order]))
+    return adjusted
+
+
+def is_significant(p_holm: float | None) -> bool:
+    """Whether a p value that is corrected for all comparisons of an analysis is at most 0.05; None and nan are not."""
+    return p_holm is not None and p_holm <= SIGNIFICANCE
+
+
+def hedges_correction(freedom: float) -> float:
+    """Factor by which the standardised difference of two samples is unbiased; about 1 - 3 / (4 freedom - 1). `freedom` > 1: degrees of freedom
+    of the standard deviation that divides it."""
+    return math.exp(math.lgamma(freedom / 2.0) - math.lgamma((freedom - 1.0) / 2.0)) / math.sqrt(freedom / 2.0)
+
+
+def hedges_g(a: Values, b: Values) -> float | None:
+    """Hedges' g [hedges1981]: mean(b) - mean(a) over the pooled spread between runs of both sets, corrected for the number of runs.
+
+    Sets that are compared run by run are taken as if they were independent, so that paired and unpaired sweeps have the same measure: it says
+    how far apart runs are, not how sure the difference is. None with fewer than two values in a set, or without any spread."""
+    a, b = known(a), known(b)
+    if len(a) < 2 or len(b) < 2:
+        return None
+    freedom = len(a) + len(b) - 2
+    spread = math.sqrt(((len(a) - 1) * a.var(ddof=1) + (len(b) - 1) * b.var(ddof=1)) / freedom)
+    difference = float(b.mean() - a.mean())
+    return None if is_rounding(spread, difference) else hedges_correction(freedom) * difference / spread
+
+
+def test_equivalence(difference: Contrast | None, margin: float, alpha: float = 0.05) -> EquivalenceTest:
+    """Two one-sided tests [schuirmann1987], each at level `alpha`: equivalent iff the interval of the difference at 1 - 2 alpha lies within
+    +-margin; different iff it does not and the interval at 1 - alpha leaves out zero. Raises ValueError unless margin > 0 and 0 < alpha < 0.5."""
+    if not margin > 0.0:
+        raise ValueError(f"margin = {margin}: must be > 0")
+    if not 0.0 < alpha < 0.5:
+        raise ValueError(f"alpha = {alpha}: must be > 0 and < 0.5")
+    narrow, wide = interval_of(difference, 1.0 - 2.0 * alpha), interval_of(difference, 1.0 - alpha)
+    if difference is None or narrow is None or wide is None:
+        return EquivalenceTest(None, None, margin, "unknown")
+    within = narrow.lower > -margin and narrow.upper < margin
+    apart = wide.lower > 0.0 or wide.upper < 0.0
+    return EquivalenceTest(difference.value, narrow, margin, "equivalent" if within else "different" if apart else "inconclusive")
+
+
+def scatter_of(*sets: Values) -> Scatter | None:
+    """The scatter of the mean of one set of values, one a pair, or of a sum or difference of the means of independent sets, to be repeated with
+    equally many runs in each. None if a set has fewer than two. Sets without any spread have the freedom of one."""
+    arrays = [known(each) for each in sets]
+    if any(len(each) < 2 for each in arrays):
+        return None
+    variances = numpy.array([each.var(ddof=1) for each in arrays])
+    squares = float((variances * variances).sum())
+    total = float(variances.sum())
+    return Scatter(total, total * total / squares if squares > 0.0 else 1.0)
+
+
+def power_of_t(errors: float, freedom: float, level: float) -> float:
+    """How often a two-sided t test at `level` finds a difference of this many errors, by the noncentral t distribution [cohen1988].
+    `freedom` > 0,    0 < level < 1."""
+    critical = -t_quantile(level / 2.0, freedom)
+    errors = abs(errors)
+    if errors > 200.0:  # the normal part of the noncentral t is negligible next to the spread of the estimated error
+        return float(special.chdtr(freedom, min(freedom * (errors / critical) ** 2, 1e300)))
+    return float(1.0 - special.nctdtr(freedom, errors, critical) + special.nctdtr(freedom, errors, -critical))
+
+
+def errors_for_power(freedom: float, level: float, power: float = USUAL_POWER) -> float:
+    """How many errors a difference must have for a two-sided t test at `level` to find it with `power`. Bounds as power_of_t."""
+    if power_of_t(0.0, freedom, level) >= power:
+        return 0.0
+    from scipy import optimize
+    high = -t_quantile(level / 2.0, freedom) + max(0.0, t_quantile(power, freedom))
+    while power_of_t(high, freedom, level) < power:
+        high *= 2.0
+    return float(optimize.brentq(lambda errors: power_of_t(errors, freedom, level) - power, 0.0, high, xtol=1e-12, rtol=1e-12))
+
+
+def detectable_difference(of: Contrast, level: float, power: float = USUAL_POWER) -> float:
+    """The smallest difference that a comparison with this error and freedom would find with `power` at `level`, two-sided."""
+    return of.error * errors_for_power(of.freedom, level, power) if of.error else 0.0
+
+
+def runs_for_power(difference: float, scatter: Scatter, level: float, power: float = USUAL_POWER) -> int | None:
+    """The fewest runs in each set (or pairs), MIN_RUNS_FOR_TEST at least, with which a difference is found with `power` at `level`, two-sided,
+    if it and the scatter are what they are said to be. None for no difference, and where MOST_RUNS are too few. Asked of a difference that was
+    observed this says no more than its p value does [hoenig2001]: it is for the next study. Raises ValueError unless level and power lie
+    between 0 and 1."""
+    for name, value in (("level", level), ("power", power)):
+        if not 0.0 < value < 1.0:
+            raise ValueError(f"{name} = {value}: must be > 0 and < 1")
+    if difference == 0.0:
+        return None
+    if is_rounding(math.sqrt(scatter.variance), difference):
+        return MIN_RUNS_FOR_TEST
+    spreads = abs(difference) / math.sqrt(scatter.variance)
+
+    def suffices(runs: int) -> bool:
+        return power_of_t(spreads * math.sqrt(runs), scatter.freedom * (runs - 1), level) >= power
+
+    # The normal distribution asks for fewer runs than t does: from there upwards in growing steps, then back by halving.
+    fewest = (max(float(special.ndtri(power) - special.ndtri(level / 2.0)), 0.0) / spreads) ** 2
+    if fewest > MOST_RUNS:
+        return None
+    enough = max(MIN_RUNS_FOR_TEST, int(fewest))
+    few, step = enough - 1, 1
+    while not suffices(enough):
+        few, enough, step = enough, enough + step, 2 * step
+        if enough > MOST_RUNS:
+            return None
+    while enough - few > 1:
+        middle = (few + enough) // 2
+        few, enough = (few, middle) if suffices(middle) else (middle, enough)
+    return enough
+
+
+@dataclasses.dataclass
+class Difference:
+    """A difference of sets. The interval and `p` are of this difference alone; `adjusted` is p corrected for all that are compared."""
+    value: float | None = None
+    interval: Interval | None = None
+    p: float | None = None
+    adjusted: float | None = None
+    scatter: Scatter | None = None
+    """run by run; None if it was not asked for"""
+    level: float | None = None
+    """that Bonferroni leaves to this one of so many comparisons; Holm finds a little more"""
+
+    def differs(self) -> bool:
+        return is_significant(self.adjusted)
+
+    def runs_needed(self) -> int | None:
+        """The runs in each set with which a difference of this size is found in 80 % of studies, at `level`. None if it is significant, if it
+        cannot be known, or if MOST_RUNS are too few."""
+        if self.level is None or self.scatter is None or self.value is None or self.differs():
+            return None
+        return runs_for_power(self.value, self.scatter, self.level)
+
+
+def difference_of(value: float | None, of: Contrast | None, scatter: Scatter | None = None) -> Difference:
+    """`value` is given by the caller, as a contrast needs more runs than a difference does."""
+    return Difference(value, interval_of(of), p_value(of), None, scatter)
+
+
+def adjust_together(differences: Iterable[Difference]) -> None:
+    """Holm's correction over all of `differences` together. One without a p value, in which nothing varies, is not a comparison."""
+    differences = list(differences)
+    p_values = [each.p for each in differences if each.p is not None]
+    adjusted = iter(holm(p_values))
+    for each in differences:
+        each.adjusted, each.level = (None, None) if each.p is None else (float(next(adjusted)), SIGNIFICANCE / len(p_values))

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: MIT
+"""The data model of an analysis: measured values of a run, and sets of runs that are replicates."""
+from __future__ import annotations
+
+import dataclasses
+import functools
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy
+import pandas
+
+if TYPE_CHECKING:
+    from .runs import Run
+
+
+class Metric(NamedTuple):
+    """The name of a number, written METRIC:SPECIES:GROUP.
+
+    `species` of a metric of two is "prey+predator". `group`: all, random, inherited, active, inherited_active; of deaths a cause, of ticks_at a
+    number of members. `unit` is "1" for shares and counts."""
+    metric: str
+    species: str
+    group: str
+    unit: str
+
+    def __str__(self) -> str:
+        return f"{self.metric}:{self.species}:{self.group}"
+
+
+METRIC = list(Metric._fields)
+SHADOW = "shadow"
+"""The name of the baseline that a neutral shadow gives."""
+VALUE_COLUMNS = [*METRIC, "baseline", "role", "value"]
+CURVE_COLUMNS = [*METRIC, "baseline", "time_s", "value"]
+
+
+@dataclasses.dataclass
+class RunValues:
+    """The measured values and curves of a run."""
+    values: pandas.DataFrame
+    """columns VALUE_COLUMNS, in the order of all tables. `baseline` is empty for what was observed; `role` of a baseline: "null", the value that
+    chance alone would give, which is tested against, "paper" or "reference", which are not. `value` is nan if it could not be computed"""
+    curves: pandas.DataFrame = dataclasses.field(default_factory=lambda: pandas.DataFrame(columns=CURVE_COLUMNS))
+    """columns CURVE_COLUMNS; time_s: the end of a window, s"""
+    remarks: list[str] = dataclasses.field(default_factory=list)
+
+
+@dataclasses.dataclass
+class MeasuredSet:
+    """Runs that are replicates, with what was measured in each."""
+    label: str
+    """unique in an analysis: the rule table, or the changed table's own name"""
+    runs: list["Run"]
+    values: list[RunValues]
+    """one a run, with the same metrics and baselines in the same order"""
+    shadow: "MeasuredSet | None" = None
+    until_s: float = float("nan")
+    """simulated time that was measured, s"""
+    remarks: list[str] = dataclasses.field(default_factory=list)
+
+    @functools.cached_property
+    def table(self) -> dict[tuple[Metric, str], numpy.ndarray]:
+        """The values of each metric and baseline ("": observed), one a run, in the order of the runs' rows; nan in a run without one."""
+        table: dict[tuple[Metric, str], numpy.ndarray] = {}
+        for i, run in enumerate(self.values):
+            for *name, baseline, value in zip(*(run.values[column] for column in [*METRIC, "baseline", "value"])):
+                table.setdefault((Metric(*name), baseline), numpy.full(len(self.values), numpy.nan))[i] = value
+        return table
+
+    @functools.cached_property
+    def roles(self) -> dict[tuple[Metric, str], str]:
+        """The role of each metric's baselines."""
+        roles: dict[tuple[Metric, str], str] = {}
+        for run in self.values:
+            for *name, baseline, role in zip(*(run.values[column] for column in [*METRIC, "baseline", "role"])):
+                if baseline:
+                    roles.setdefault((Metric(*name), baseline), role)
+        return roles
+
+    def metrics(self) -> list[Metric]:
+        """The metrics of the runs, in the order of their rows."""
+        return [metric for metric, baseline in self.table if not baseline]
+
+    def matrix(self) -> pandas.DataFrame:
+        """Observed values: rows runs, columns metrics, a MultiIndex named METRIC."""
+        metrics = self.metrics()
+        columns = pandas.MultiIndex.from_tuples(metrics, names=METRIC)
+        return pandas.DataFrame(numpy.column_stack([self.table[metric, ""] for metric in metrics]), columns=columns)
+
+    def baseline(self, metric: Metric, name: str) -> numpy.ndarray:
+        """The values of a baseline, one a run; nan in a run without it."""
+        return self.table.get((metric, name), numpy.full(len(self.values), numpy.nan))

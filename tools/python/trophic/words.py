@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: MIT
+"""Numbers, metrics and tests as people read them, and texts as LaTeX, Markdown and the terminal show them."""
+from __future__ import annotations
+
+import decimal
+import re
+import unicodedata
+from collections.abc import Iterable, Sequence
+
+from .statistics import MOST_RUNS, Difference, Estimate, Interval
+from .values import Metric
+
+_PLAIN_UNITS = ("", "1", "ticks")  # shares and counts; hunger in ticks is a metric of trophic's own, whose unit the glossary gives
+
+
+def number_text(value: float | int | None) -> str:
+    """The fewest digits that read back as the same number, as trophic's tables have them; empty for None and nan."""
+    if value is None or value != value:
+        return ""
+    if isinstance(value, (bool, int)):
+        return str(int(value))
+    text = repr(float(value))
+    if "e" not in text and not text.endswith(".0") and abs(value) >= 0.001 or text in ("inf", "-inf"):
+        return text
+    sign, digits, exponent = decimal.Decimal(text).normalize().as_tuple()
+    first, rest = str(digits[0]), "".join(map(str, digits[1:]))
+    power = int(exponent) + len(rest)
+    scientific = f"{'-' * sign}{first}{'.' * bool(rest)}{rest}e{'-' if power < 0 else '+'}{abs(power):02}"
+    plain = format(decimal.Decimal(text).normalize(), "f")
+    return plain if len(plain) <= len(scientific) else scientific
+
+
+def metric_title(metric: Metric) -> str:
+    """The name and the unit that is not plain: "velocity prey (random), cm/s"."""
+    group = "" if metric.group in ("", "all") else f" ({metric.group})"
+    unit = ", cm/s" if metric.unit == "m/s" else "" if metric.unit in _PLAIN_UNITS else f", {metric.unit}"
+    return f"{metric.metric}{' ' * bool(metric.species)}{metric.species}{group}{unit}"
+
+
+class Reading:
+    """A metric's values in the unit that people read: velocities in cm/s, shares with three decimals, counts with one."""
+
+    def __init__(self, metric: Metric):
+        self.factor = 100.0 if metric.unit == "m/s" else 1.0
+        self.decimals = 2 if metric.unit == "m/s" else 1 if metric.unit == "ticks" or metric.metric in ("deaths", "population") else 3
+        self.unit = "cm/s" if metric.unit == "m/s" else "" if metric.unit in _PLAIN_UNITS else metric.unit
+
+    def __call__(self, value: float | None, sign: bool = False) -> str:
+        if value is None or value != value:
+            return "missing"
+        return f"{self.factor * value:{'+' * sign}.{self.decimals}f}"
+
+    def with_interval(self, value: float | None, interval: Sequence[float] | None, sign: bool = False) -> str:
+        """"+1.10 [+0.85, +1.35]"; an interval of None or nan is left out."""
+        if interval is None or value is None or value != value or interval[0] is None or interval[0] != interval[0]:
+            return self(value, sign)
+        return f"{self(value, sign)} [{self(interval[0], sign)}, {self(interval[1], sign)}]"
+
+    def of(self, estimate: Estimate | Sequence) -> str:
+        """A mean with its interval, or with the spread between runs if there are too few for one."""
+        _, mean, deviation, interval = estimate
+        if interval is not None and interval[0] == interval[0] or deviation is None or deviation != deviation:
+            return self.with_interval(mean, interval)
+        return f"{self(mean)} (sd {self(deviation)})"
+
+
+def p_text(p: float | None) -> str:
+    """"0.032", "<0.001"; empty without a p value."""
+    if p is None or p != p:
+        return ""
+    return "<0.001" if p < 0.0005 else f"{p:.3f}"
+
+
+def runs_text(runs: float | None) -> str:
+    """How many runs are needed: "34", or "more than 1000000" for None."""
+    return f"more than {MOST_RUNS}" if runs is None or runs != runs else str(int(runs))
+
+
+def runs_needed_text(difference: Difference) -> str:
+    """"34", or "more than 1000000"; empty for a difference that is significant or could not be tested."""
+    return "" if difference.level is None or difference.differs() else runs_text(difference.runs_needed())
+
+
+def markdown_text(text: str) -> str:
+    """The text as Markdown shows it letter by letter."""
+    return re.sub(r"([\\`*_<>\[\]|~])", r"\\\1", text)
+
+
+_LATEX = {"\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}", ">": r"\textgreater{}",
+          "|": r"\textbar{}", "_": r"\_\allowbreak{}", "/": r"/\allowbreak{}", **{letter: "\\" + letter for letter in "{}$&#%"}}
+
+
+def latex_text(text: str) -> str:
+    """The text as LaTeX shows it letter by letter. Quotation marks open and close, and a line may break after _ and /."""
+    quotes = iter(("``", "''") * text.count('"'))
+    return "".join(next(quotes) if letter == '"' else _LATEX.get(letter, letter) for letter in text)
+
+
+def width_of(text: str) -> int:
+    """Columns of a text on the terminal: wide characters take two, combining ones none."""
+    return sum(0 if unicodedata.combining(letter) else 2 if unicodedata.east_asian_width(letter) in "WF" else 1 for letter in text)
+
+
+def columns(rows: Iterable[Sequence[str]], indent: str = "") -> str:
+    """Rows of cells as lines, each column as wide as its widest cell and two blanks from the next. No line ends with a blank. A row of one cell
+    is a heading, which no column has to hold."""
+    rows = [list(row) for row in rows]
+    widths: list[int] = []
+    for row in rows:
+        if len(row) > 1:
+            widths += [0] * (len(row) - len(widths))
+            widths[: len(row)] = [max(width, width_of(cell)) for width, cell in zip(widths, row)]
+    lines = []
+    for row in rows:
+        cells = row if len(row) == 1 else [cell + " " * (width - width_of(cell)) for cell, width in zip(row, widths)]
+        lines.append((indent + "  ".join(cells)).rstrip(" ") + "\n")
+    return "".join(lines)
