@@ -35,7 +35,7 @@ class Start(unittest.TestCase):
         self.assertEqual((run.seed, run.manifest["rule_table"], run.complete), (7, "released", True))
         for name in ("events", "agents", "genomes"):
             self.assertEqual((self.folder / f"mine/{name}.csv").read_bytes(), (self.folder / f"its/{name}.csv").read_bytes())
-        self.assertIn("<td>released</td>", run._repr_html_())
+        self.assertIn("rule table `released`", run._repr_html_())
 
     def test_replicates_measures_and_analysis(self):
         runs = trophic.run(PREDATOR_PREY, rules="paper", backend="kinematic", duration=400, replicates=6, shadow=True, out=self.folder / "set")
@@ -48,7 +48,7 @@ class Start(unittest.TestCase):
         self.assertAlmostEqual(row["mean"], sum(of) / 6)
         self.assertAlmostEqual(row["difference"], sum(of) / 6 - sum(null) / 6)
         self.assertIn("runs", analysis._repr_html_())
-        self.assertIn("<td>6</td>", runs._repr_html_())
+        self.assertIn("6 runs of 400 s", runs._repr_html_())
         before = sorted(self.folder.rglob("*.csv"))
         for name, function, sentence in (("catches", lambda run: 1, "exists already; nothing is overwritten"),
                                          ("broken", lambda run: 1 / 0, "ZeroDivisionError"),

@@ -6,7 +6,6 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-import html
 import io
 import json
 import os
@@ -17,7 +16,7 @@ from collections.abc import Iterator
 
 import pandas
 
-from . import programs
+from . import description, programs
 
 TABLES = ("events", "agents", "phylogeny", "genomes", "senses", "states")
 # Columns of texts, whose empty cells are empty texts.
@@ -30,12 +29,6 @@ _CATEGORIES = ("event", "species", "cause", "cause_of_death", "origin", "tag_out
 
 class RunError(ValueError):
     """Raised for a folder that is not a run or a set of runs; the message names it."""
-
-
-def _card(title: str, facts: dict) -> str:
-    """A few facts as a small table for notebooks."""
-    rows = "".join(f"<tr><td>{html.escape(str(name))}</td><td>{html.escape(str(value))}</td></tr>" for name, value in facts.items())
-    return f"<b>{html.escape(title)}</b><table>{rows}</table>"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -62,8 +55,13 @@ class Run:
 
     @property
     def fingerprint(self) -> str:
-        """Identifies rules, parameters, models and backend: equal for runs in which these are equal."""
+        """Identifies rules, parameters, models and backend at the start: equal for runs in which these are equal."""
         return self.manifest["fingerprint"]
+
+    @property
+    def identity(self) -> str:
+        """The fingerprint, with a suffix if parameters changed while the run went on or it began from another run. Equal for replicates."""
+        return description.identity(self)
 
     def table(self, name: str, columns: list[str] | None = None, *, categories: bool = False) -> pandas.DataFrame:
         """Reads events, agents, phylogeny, genomes, senses (--senses), states (--states) or an own table; only `columns`, if given. With
@@ -96,9 +94,8 @@ class Run:
         return path
 
     def _repr_html_(self) -> str:
-        m = self.manifest
-        return _card(str(self.path), {"rules": m["rule_table"], "backend": m.get("backend"), "seed": self.seed, "status": m["status"],
-                                      "fingerprint": self.fingerprint, **m.get("result", {})})
+        one = description.describe(Runs(self.path, [self]))
+        return description.card(str(self.path), {**one.facts(), "seed": self.seed, "status": self.manifest["status"], **self.manifest.get("result", {})})
 
     @functools.cached_property
     def events(self) -> pandas.DataFrame:
@@ -190,9 +187,7 @@ class Runs:
             run.add_table(name, value)
 
     def _repr_html_(self) -> str:
-        first = self.runs[0]
-        return _card(str(self.path), {"rules": first.manifest["rule_table"], "backend": first.manifest.get("backend"), "runs": len(self.runs),
-                                      "shadow": len(self.shadow) if self.shadow else "none", "fingerprint": first.fingerprint})
+        return description.card(str(self.path), description.describe(self).facts())
 
 
 @dataclasses.dataclass(frozen=True)
@@ -213,7 +208,7 @@ class Analysis:
     def _repr_html_(self) -> str:
         frame = self.means[self.means.same_as == ""].dropna(subset=["p_holm"]).sort_values("p")
         shown = frame[["metric", "species", "group", "mean", "null", "null_mean", "difference", "p_holm", "n"]].head(10)
-        return _card(str(self.path), {s["set"]: f"{len(s['runs'])} runs" for s in self.summary["sets"]}) + shown.to_html(index=False, float_format="%.4g")
+        return description.card(str(self.path), {s["set"]: f"{len(s['runs'])} runs" for s in self.summary["sets"]}) + shown.to_html(index=False, float_format="%.4g")
 
 
 def read_run(path: str | os.PathLike) -> Run:
@@ -243,9 +238,9 @@ def read_runs(path: str | os.PathLike, *, incomplete: bool = False, accept_other
     runs = [run for folder in folders if (folder / "manifest.json").exists() and ((run := read_run(folder)).complete or incomplete)]
     if not runs:
         raise RunError(f"{path}: no {'' if incomplete else 'complete '}replicates")
-    fingerprints = {run.fingerprint for run in runs}
-    if len(fingerprints) > 1:
-        raise RunError(f"{path}: runs of different fingerprints: {', '.join(sorted(fingerprints))}")
+    identities = {run.identity for run in runs}
+    if len(identities) > 1:
+        raise RunError(f"{path}: runs of different fingerprints: {', '.join(sorted(identities))}")
     builds = {tuple(run.builds) for run in runs}
     if len(builds) > 1 and not accept_other_build:
         raise RunError(f"{path}: made by different builds: {', '.join(' and '.join(each) or 'unknown' for each in sorted(builds))}; accept_other_build=True reads them")

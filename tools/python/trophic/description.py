@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: MIT
+"""What a set of runs is, said once: rule table, parameters, changes during the run, branch, engine, builds, replicates, length, shadow.
+
+The program writes what it knows of a run's rules into the manifest (`identity`, `description`); terminal, page, tables and `trophic cite` print
+what stands here."""
+from __future__ import annotations
+
+import dataclasses
+import html
+import zlib
+from typing import Any, NamedTuple, Protocol, Sequence
+
+import pandas
+
+
+class Parameter(NamedTuple):
+    """A parameter that is not the rule table's."""
+
+    path: str
+    value: str
+    table: str
+    """The table's own value."""
+
+
+class Change(NamedTuple):
+    """A parameter that another value replaced while the run went on."""
+
+    time_s: float
+    number: str
+    value: str
+    before: str
+
+
+class SetOfRuns(Protocol):
+    """`trophic.runs.Runs` and `trophic.values.MeasuredSet`."""
+
+    @property
+    def runs(self) -> Sequence[Any]: ...
+    @property
+    def shadow(self) -> Any: ...
+
+
+@dataclasses.dataclass(frozen=True)
+class Description:
+    """A set of runs; `describe` makes it."""
+
+    label: str
+    """Short name of the rules: the rule table, with what differs from it in brackets. The `set` of tables."""
+    rules: str
+    """The same as a part of a sentence: "rule table `paper` and its parameters"."""
+    table: str
+    engine: str
+    parameters: tuple[Parameter, ...]
+    changes: tuple[Change, ...]
+    begins: str
+    """"at 700 s of runs/a (seed 7)"; empty for runs from time 0."""
+    identity: str
+    """The fingerprint, which a suffix follows if parameters changed during the run or it began from another one."""
+    builds: tuple[str, ...]
+    """Codes of the programs that made the runs."""
+    versions: tuple[str, ...]
+    replicates: int
+    shadow: int
+    """Runs of the neutral shadow; 0 without one."""
+    until_s: float
+    """Simulated time, s."""
+    whole_s: float
+    """Simulated time of the runs, of which `until_s` is measured, s."""
+
+    def title(self) -> str:
+        """ "paper on kinematic 1". """
+        return f"{self.label} on {self.engine}"
+
+    def length(self) -> str:
+        """ "10 runs of 6000 s", "A run of 20 s". """
+        cut = "" if self.until_s == self.whole_s else f"the first {self.until_s:.10g} of "
+        return f"{'A run' if self.replicates == 1 else f'{self.replicates} runs'} of {cut}{self.whole_s:.10g} s"
+
+    def sentence(self, made: str = "") -> str:
+        """One sentence; `made`: what comes behind the engine, such as version and seed."""
+        builds = f"; {len(self.builds)} builds of the program made them" if len(self.builds) > 1 else ""
+        return f"{self.length()} on {self.engine}{made and ' '}{made}, with the {self.rules}{builds}."
+
+    def facts(self) -> dict[str, str]:
+        """(what, which) for cards and pages."""
+        facts = {"runs": self.length() + (f", {self.shadow} of the shadow" if self.shadow else ""), "rules": self.rules, "engine": self.engine}
+        facts["fingerprint"] = self.identity
+        facts["program"] = f"trophic {', '.join(self.versions)}, {'builds' if len(self.builds) > 1 else 'build'} {' and '.join(self.builds) or 'unknown'}"
+        return facts
+
+
+def describe(of: SetOfRuns) -> Description:
+    """Describes replicates, or one run as `Runs(path, [run])`. Runs with other rules than the first one are not looked at: `trophic.pool` refuses them."""
+    first = of.runs[0]
+    manifest = first.manifest
+    said = manifest.get("description", {})
+    changes = tuple(Change(one["time_s"], one["number"], one["value"], one["before"]) for one in said["changes"]) if "changes" in said else _changes_in(first)
+    begins = _begins(manifest)
+    name, rules = said.get("name"), said.get("sentence")
+    if name is None:  # made by a program that did not describe it
+        parts = ([f"{len(changes)} change{'s'[: len(changes) != 1]}"] if changes else []) + ([f"from {manifest['origin']['at_s']} s"] if begins else [])
+        name = manifest["rule_table"] + (f" ({'; '.join(parts)})" if parts else "")
+        rules = f"rule table `{manifest['rule_table']}`" + "".join(f"; at {c.time_s:.10g} s {c.number} changes from {c.before} to {c.value}" for c in changes)
+        rules += f"; begins {begins}" if begins else ""
+    whole_s = float(manifest["clock"]["until_s"])
+    until_s = float(getattr(of, "until_s", whole_s))
+    return Description(label=name, rules=rules, table=manifest["rule_table"], engine=manifest.get("backend", "unknown"),
+                       parameters=tuple(Parameter(one["path"], one["value"], one["table"]) for one in said.get("parameters", ())),
+                       changes=changes, begins=begins, identity=identity(first),
+                       builds=tuple(sorted({build for run in of.runs for build in run.builds})),
+                       versions=tuple(sorted({run.manifest.get("trophic", "unknown") for run in of.runs})),
+                       replicates=len(of.runs), shadow=len(of.shadow.runs) if of.shadow else 0, until_s=until_s, whole_s=whole_s)
+
+
+def distinct(labels: Sequence[str]) -> list[str]:
+    """The labels; those that several sets have are told apart by (a), (b), ..."""
+    return [label if list(labels).count(label) == 1 else f"{label} ({chr(ord('a') + list(labels[:i]).count(label))})" for i, label in enumerate(labels)]
+
+
+def identity(run: Any) -> str:
+    """Name of a run's rules: its fingerprint, with a suffix if parameters changed while it ran or it began from another run. Runs are replicates if it is equal."""
+    manifest = run.manifest
+    if "identity" in manifest:
+        return manifest["identity"]
+    # The program's `identity` (trophic/observe/run_description.hpp), for runs made before manifests had it.
+    origin = manifest.get("origin")
+    text = f"{origin['at_s']} {origin['seed']} {origin['fingerprint']}\n" if origin else ""
+    text += "".join(f"{row.tick} {row.number}={row.value}\n" for row in _effective(run).itertuples())
+    return manifest["fingerprint"] + (f"+{zlib.crc32(text.encode()):08x}" if text else "")
+
+
+def card(title: str, facts: dict[str, Any]) -> str:
+    """A few facts as a small table for notebooks."""
+    rows = "".join(f"<tr><td>{html.escape(str(name))}</td><td>{html.escape(str(value))}</td></tr>" for name, value in facts.items())
+    return f"<b>{html.escape(title)}</b><table>{rows}</table>"
+
+
+def _begins(manifest: dict) -> str:
+    origin = manifest.get("origin")
+    return f"at {origin['at_s']} s of {origin['run']} (seed {origin['seed']})" if origin else ""
+
+
+def _changes_in(run: Any) -> tuple[Change, ...]:
+    return tuple(Change(row.time_s, row.number, row.value, row.before) for row in _effective(run).itertuples())
+
+
+def _effective(run: Any) -> pandas.DataFrame:
+    """The rows of changes.csv that had an effect: for each tick and parameter the last value, if it is not the first."""
+    file = run.path / "changes.csv"
+    if not file.exists():
+        return pandas.DataFrame(columns=["time_s", "tick", "number", "value", "before"])
+    rows = pandas.read_csv(file, dtype=str, keep_default_na=False).astype({"time_s": float, "tick": int})
+    rows = rows.groupby(["tick", "number"], as_index=False).agg(time_s=("time_s", "first"), value=("value", "last"), before=("before", "first"))
+    return rows[rows["value"] != rows["before"]]
