@@ -1,0 +1,111 @@
+# SPDX-License-Identifier: MIT
+"""Published numbers, and whether runs reproduce them."""
+import math
+
+import numpy
+import pytest
+from pytest import approx
+from sets import metric, set_of
+from trophic.published import (CLAIMS, ClaimConclusion, ClaimReading, ReadingConclusion, Spread, applies_to, conclusion_on, judge, judge_claims, less_published,
+                               margin_of, runs_to_decide, summary_of, value_of)
+from trophic.statistics import contrast, estimate, interval_of_mean
+
+TAGS = ClaimReading(metric("tag_symmetry", "prey+predator", "inherited"), 0.43, Spread(0.065, "published range"))
+YES, NO, OPEN, NONE = "reproduced", "not reproduced", "inconclusive", "no conclusion"
+
+
+def spread_out(count, mean, deviation):
+    scale = deviation * math.sqrt((count - 1) / count)
+    return [mean + (scale if i % 2 == 0 else -scale) for i in range(count)]
+
+
+@pytest.mark.parametrize("name, species, group, value", [
+    ("attribution_credited", "predator", "all", 0.725), ("attribution_caught", "prey", "all", 0.65), ("velocity_stored", "prey", "all", -0.0067),
+    ("tag_symmetry", "prey+predator", "inherited", 0.43), ("velocity", "predator", "all", 0.0195), ("velocity", "prey", "active", -0.0067),
+    ("velocity_points", "predator", "inherited", 0.0195), ("wall_sticking_gap", "prey-predator", "active", 0.21), ("attribution_catches", "predator", "all", None),
+    ("attribution_catchers", "predator", "all", None), ("attribution_died", "prey", "all", None), ("velocity", "prey", "random", None), ("wall_sticking", "wolf", "all", None)])
+def test_published_numbers_in_si_units_and_none_for_what_only_the_logs_count_in_another_way(name, species, group, value):
+    assert value_of(metric(name, species, group)) == value
+
+
+@pytest.mark.parametrize("label, applies", [("paper", True), ("released", True), ("paper_plus", False), ("mine", False)])
+def test_published_numbers_stand_next_to_published_tables_alone(label, applies):
+    assert applies_to(set_of({TAGS.metric: [0.4] * 6}, label=label)) is applies
+
+
+def test_readings_of_a_claim_have_different_words_and_a_margin():
+    for claim in CLAIMS:
+        words = {(reading.members, reading.counting) for reading in claim.readings}
+        assert len(words) == len(claim.readings) and (len(words) == 1) == (words == {("", "")}), claim.title
+        assert all(margin_of(reading) > 0 for reading in claim.readings)
+
+
+@pytest.mark.parametrize("mean, deviation, conclusion", [(0.43, 0.05, YES), (0.44, 0.01, YES), (0.46, 0.01, OPEN), (0.55, 0.05, NO), (0.50, 0.02, NO), (0.45, 0.15, OPEN)])
+def test_conclusion_from_mean_and_spread_of_ten_runs(mean, deviation, conclusion):
+    judged = judge(TAGS, spread_out(10, mean, deviation))
+    assert judged.conclusion == conclusion and judged.difference == approx(mean - 0.43) and judged.interval.lower < mean - 0.43
+
+
+def test_no_spread_known_gives_a_difference_and_no_conclusion():
+    values = spread_out(10, 0.55, 0.05)
+    judged = judge(TAGS._replace(spread=None), values)
+    assert judged.conclusion == NONE and judged.difference == approx(0.12) and judged.interval.lower == approx(interval_of_mean(values).lower - 0.43)
+
+
+def test_five_runs_give_numbers_and_no_conclusion():
+    few = judge(TAGS, spread_out(5, 0.43, 0.01))
+    assert (few.conclusion, few.ours.runs, few.interval, few.runs_needed) == (NONE, 5, None, None) and few.difference is not None
+    assert judge(TAGS, []).difference is None
+
+
+@pytest.mark.parametrize("mean, deviation, conclusion", [(0.435, 0.15, YES), (0.55, 0.25, NO)])
+def test_number_of_runs_that_would_decide_does(mean, deviation, conclusion):
+    needed = judge(TAGS, spread_out(10, mean, deviation)).runs_needed
+    enough = needed + needed % 2  # an even number has this mean and spread exactly
+    assert enough > 10 and judge(TAGS, spread_out(enough, mean, deviation)).conclusion == conclusion
+    assert judge(TAGS, spread_out(enough - 2, mean, deviation)).conclusion == OPEN
+
+
+def test_published_means_own_error_may_leave_it_open_for_any_number_of_runs():
+    assert runs_to_decide(TAGS, 0.43 + 0.6 * 0.065, 1e-6) is None
+    assert runs_to_decide(TAGS, 0.43, 1e-6) == runs_to_decide(TAGS, 0.63, 1e-6) == 6
+
+
+def test_claims_have_the_readings_that_runs_measured():
+    (claim,) = judge_claims(set_of({TAGS.metric: [0.43] * 6}))
+    assert claim.claim.title == "tag symmetry" and [each.conclusion for each in claim.readings] == [YES]
+
+
+ALL_A, ALL_B, FEW_A, FEW_B = (TAGS._replace(members=m, counting=c) for m in ("all count", "few count") for c in ("by a", "by b"))
+
+
+@pytest.mark.parametrize("readings, summary", [
+    ([(TAGS, OPEN)], "inconclusive"), ([(ALL_A, YES), (FEW_A, YES)], "reproduced under every reading"), ([(ALL_A, NO), (FEW_A, NO)], "not reproduced under any reading"),
+    ([(ALL_A, OPEN), (FEW_A, OPEN)], "inconclusive under every reading"), ([(ALL_A, NONE), (FEW_A, NONE)], "no conclusion under any reading"),
+    ([(ALL_A, NO), (ALL_B, NO), (FEW_A, YES), (FEW_B, YES)], "reproduced if few count"), ([(ALL_A, YES), (ALL_B, OPEN), (FEW_A, YES), (FEW_B, NO)], "reproduced if by a"),
+    ([(ALL_A, YES), (ALL_B, NO), (FEW_A, NO), (FEW_B, YES)], "reproduced if all count and by a, or few count and by b"),
+    ([(ALL_A, NO), (FEW_A, OPEN)], "reproduced under no reading, inconclusive if few count"), ([(ALL_A, NO), (FEW_A, NONE)], "reproduced under no reading")])
+def test_summary_of_a_claims_readings(readings, summary):
+    assert summary_of(ClaimConclusion(CLAIMS[0], tuple(ReadingConclusion(reading, estimate([]), conclusion=conclusion) for reading, conclusion in readings))) == summary
+
+
+SPREADS = {reading.spread.deviation / abs(reading.value): reading for claim in CLAIMS for reading in claim.readings}
+
+
+@pytest.mark.parametrize("reading", [SPREADS[min(SPREADS)], SPREADS[max(SPREADS)]])
+def test_published_system_is_rarely_not_reproduced_and_one_a_margin_away_rarely_reproduced(reading):
+    """1000 sets of ten of our runs beside ten published ones. Conclusions depend on numbers over the spread alone, so two readings stand for all."""
+    rng = numpy.random.default_rng(6)
+    deviation = reading.spread.deviation
+
+    def called(off):
+        found = []
+        for theirs, ours in zip(rng.normal(reading.value, deviation, (1000, 10)), rng.normal(reading.value + off * deviation, deviation, (1000, 10))):
+            estimated = reading._replace(value=theirs.mean())
+            found.append(conclusion_on(less_published(contrast((1.0, ours)), estimated), margin_of(estimated)))
+        return {conclusion: found.count(conclusion) for conclusion in (YES, NO, OPEN)}
+
+    same, away = called(0.0), called(1.0)
+    assert 0 < same[NO] <= 70 and same[YES] >= 300
+    assert 0 < away[YES] <= 60
+    assert called(2.0)[NO] >= 950

@@ -1,0 +1,348 @@
+# SPDX-License-Identifier: MIT
+"""The one judge: what is compared, corrected, the same, significant, inconclusive and a finding. Terminal, tables, pages and Python print what
+stands here and decide nothing.
+
+A family is all comparisons that answer one question: those of a set with its nulls, or those of two sets with each other. Holm's correction is
+over a family, and a comparison is significant if its corrected p value is at most 0.05."""
+from __future__ import annotations
+
+import difflib
+import math
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy
+import pandas
+
+from . import published
+from .runs import RunError
+from .statistics import (MIN_RUNS_FOR_TEST, Difference, adjust_together, contrast, difference_of, estimate, is_significant, known, mean_of,
+                         scatter_of)
+from .values import METRIC, SHADOW, MeasuredSet, Metric
+from .words import Reading, p_text
+
+NAN = float("nan")
+MOST_FINDINGS = 7
+"""Findings that are printed; tables have all."""
+
+
+class Count(NamedTuple):
+    """The size of a family: comparisons, and those that are significant."""
+    comparisons: int
+    significant: int
+
+    def sentence(self) -> str:
+        if self.comparisons == 0:
+            return "Nothing was compared with a null."
+        rest = "" if self.significant else " This does not show that nothing differs."
+        return f"{self.significant} of {self.comparisons} comparisons are significant (p <= 0.05, corrected for all of them: Holm).{rest}"
+
+
+class Finding(NamedTuple):
+    """A significant difference in words."""
+    sentence: str
+    metric: Metric
+    baseline: str
+    """the null, or for two sets what was compared: over_shadow or raw"""
+    effect: float
+    """ours - null, or b - a, in the metric's unit"""
+    interval: tuple[float, float]
+    """of the effect alone, 95 %"""
+    p_holm: float
+    set: str
+    """label of the set; empty for two sets"""
+
+
+# Comparisons
+
+def chosen(metrics: Sequence[Metric], choices: Sequence[str]) -> list[Metric]:
+    """Those of `metrics` that any of the choices names, METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP, in their order; all without a choice.
+    Raises RunError, with the names of all metrics, for a choice that names none."""
+    names = {metric: [metric.metric, f"{metric.metric}:{metric.species}", str(metric)] for metric in metrics}
+    for choice in choices:
+        if not any(choice in words for words in names.values()):
+            near = difflib.get_close_matches(choice, list(dict.fromkeys(word for words in names.values() for word in words)), 1, 0.7)
+            known_names = ", ".join(dict.fromkeys(metric.metric for metric in metrics))
+            raise RunError(f"metric {choice}: must be METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP of {known_names}"
+                           f"{f'; did you mean {near[0]}?' if near else ''}")
+    return [metric for metric, words in names.items() if not choices or any(choice in words for choice in choices)]
+
+
+def repeated(metrics: Sequence[Metric], sets: Sequence[MeasuredSet]) -> dict[Metric, Metric]:
+    """The first earlier metric that a metric repeats, for each that repeats one.
+
+    velocity_points and velocity_stored are other readings of velocity. Otherwise, in every run of every set both have a value, or neither, and
+    either their difference or their sum is the same in all runs: their tests are then one test. A metric repeats none if it is constant, or has
+    fewer than six values, of which two may agree by chance."""
+    missing = [numpy.full(len(one.values), NAN) for one in sets]
+    return repeated_values({metric: numpy.concatenate([one.table.get((metric, ""), lack) for one, lack in zip(sets, missing)] or [numpy.empty(0)])
+                            for metric in metrics})
+
+
+def repeated_values(values: dict[Metric, numpy.ndarray]) -> dict[Metric, Metric]:
+    """As `repeated`, of values by metric, one a run."""
+    repeats: dict[Metric, Metric] = {}
+    for place, (later, of_later) in enumerate(values.items()):
+        plain = later._replace(metric="velocity")
+        if later.metric in ("velocity_points", "velocity_stored") and plain in values:
+            repeats[later] = plain
+            continue
+        there = ~numpy.isnan(of_later)
+        if there.sum() < MIN_RUNS_FOR_TEST or numpy.ptp(of_later[there]) == 0.0:
+            continue
+        for earlier, of_earlier in list(values.items())[:place]:
+            if earlier in repeats or earlier.unit != later.unit or (there != ~numpy.isnan(of_earlier)).any():
+                continue
+            a, b = of_earlier[there], of_later[there]
+            if min(numpy.ptp(b - a), numpy.ptp(b + a)) <= 1e-12 * max(numpy.abs(a).max(), numpy.abs(b).max()):
+                repeats[later] = earlier
+                break
+    return repeats
+
+
+# Frames
+
+def summarize(of: MeasuredSet, choices: Sequence[str] = ()) -> pandas.DataFrame:
+    """Each metric of a set next to each of its baselines, one row each, the shadow first; one row for a metric without a baseline.
+
+    Columns: those of means.csv (docs/tables.md), of which `null` names any baseline; `role` of the baseline ("null" is tested against; "paper",
+    "reference" and "" are not), `scatter` (deviation of the difference, of one run), `level` (what Bonferroni leaves to a comparison) and
+    `conclusion`: above, below, inconclusive, too few runs, same, not compared. nan is what could not be computed.
+
+    Runs and shadows are independent sets (Welch). Runs and shadows of one seed are slightly alike (kinematic, 60 seeds, 41 metrics: correlation
+    0.13 in the median, 0.47 at most), so that intervals are rather too wide. Pairing would gain that, and at ten runs lose as much in degrees of
+    freedom. A baseline that each run has of its own is paired by run. Runs without a value are left out of its mean. Raises RunError for a choice
+    that names no metric, and for a shadow of other metrics."""
+    if of.shadow is not None and of.shadow.metrics() != of.metrics():
+        raise RunError(f"{of.label}: runs with different food webs cannot be pooled or compared with a shadow")
+    wanted = chosen(of.metrics(), choices)
+    repeats = repeated(wanted, [of, *([of.shadow] if of.shadow else [])])
+    has_published = published.applies_to(of)
+    rows: list[dict[str, Any]] = []
+    differences: list[Difference | None] = []
+    for metric in wanted:
+        values = of.table[metric, ""]
+        row = {"set": of.label, **metric._asdict(), **_estimated(values), "published": published.value_of(metric) if has_published else None,
+               "same_as": str(repeats.get(metric, ""))}
+        baselines: list[tuple[str, str, numpy.ndarray, Difference | None]] = []
+        if of.shadow:
+            shadow = of.shadow.table[metric, ""]
+            against = difference_of(_sum((1.0, values), (-1.0, shadow)), contrast((-1.0, shadow), (1.0, values)), scatter_of(shadow, values))
+            baselines.append((SHADOW, "null", shadow, against))
+        for (other, name), role in of.roles.items():
+            if other == metric:
+                paired = values - of.table[metric, name]
+                own = difference_of(mean_of(paired), contrast((1.0, paired)), scatter_of(paired))
+                baselines.append((name, role, of.table[metric, name], own if role == "null" else None))
+        for name, role, null, difference in baselines or [("", "", numpy.empty(0), None)]:
+            rows.append({**row, "null": name, "null_n": len(known(null)), "null_mean": mean_of(null), "role": role})
+            differences.append(difference)
+    return _judged(rows, differences, "difference_lower", "difference_upper")
+
+
+def compare(a: MeasuredSet, b: MeasuredSet, choices: Sequence[str] = ()) -> pandas.DataFrame:
+    """The difference b - a of every metric that both sets have, in the order of `a`.
+
+    Columns: those of differences.csv (docs/tables.md), `set_a`, `set_b`, the deviations and intervals of both means, and as in `summarize` role,
+    scatter, level and conclusion. If both sets have a shadow, the answer is the difference over the shadows, (b - its shadow) - (a - its shadow),
+    and the raw difference stands behind it without a test. Raises RunError for a choice that names no metric."""
+    wanted = chosen([metric for metric in a.metrics() if (metric, "") in b.table], choices)
+    repeats = repeated(wanted, [a, b, *(one.shadow for one in (a, b) if one.shadow)])
+    rows: list[dict[str, Any]] = []
+    differences: list[Difference | None] = []
+    for metric in wanted:
+        of_a, of_b = a.table[metric, ""], b.table[metric, ""]
+        row = {"set_a": a.label, "set_b": b.label, **metric._asdict(), **_estimated(of_a, "_a"), **_estimated(of_b, "_b"),
+               "same_as": str(repeats.get(metric, ""))}
+        if a.shadow and b.shadow:
+            null_a, null_b = a.shadow.baseline(metric, ""), b.shadow.baseline(metric, "")
+            over = ((-1.0, of_a), (1.0, null_a), (1.0, of_b), (-1.0, null_b))
+            if (value := _sum(*over)) is not None:
+                rows.append({**row, "compared": "over_shadow", "role": "null"})
+                differences.append(difference_of(value, contrast(*over), scatter_of(of_a, null_a, of_b, null_b)))
+        rows.append({**row, "compared": "raw", "role": "" if a.shadow and b.shadow else "null"})
+        differences.append(difference_of(_sum((-1.0, of_a), (1.0, of_b)), contrast((-1.0, of_a), (1.0, of_b)), scatter_of(of_a, of_b)))
+    return _judged(rows, differences, "lower", "upper")
+
+
+def _estimated(values: numpy.ndarray, suffix: str = "") -> dict[str, Any]:
+    n, mean, deviation, interval = estimate(values)
+    named = {"n": n, "mean": mean, "deviation": deviation, "lower": interval and interval.lower, "upper": interval and interval.upper}
+    return {name + suffix: value for name, value in named.items()}
+
+
+def _sum(*terms: tuple[float, numpy.ndarray]) -> float | None:
+    """The weighted sum of means; None if a set has no value."""
+    total = 0.0
+    for weight, values in terms:
+        mean = mean_of(values)
+        if mean is None:
+            return None
+        total += weight * mean
+    return total
+
+
+def _judged(rows: list[dict[str, Any]], differences: Sequence[Difference | None], lower: str, upper: str) -> pandas.DataFrame:
+    """The rows with their differences: corrects those with the role of a null that repeat no other, and concludes."""
+    adjust_together(one for row, one in zip(rows, differences) if one is not None and row["role"] == "null" and not row["same_as"])
+    for row, one in zip(rows, differences):
+        one = one or Difference()
+        row.update({"difference": one.value, lower: one.interval and one.interval.lower, upper: one.interval and one.interval.upper, "p": one.p,
+                    "p_holm": one.adjusted, "runs_needed": one.runs_needed(), "scatter": one.scatter and math.sqrt(one.scatter.variance),
+                    "level": one.level, "conclusion": _conclusion(row, one)})
+    frame = pandas.DataFrame(rows)
+    texts = {"set", "set_a", "set_b", *METRIC, "null", "same_as", "role", "compared", "conclusion", "n", "n_a", "n_b", "null_n"}
+    return frame.astype({column: float for column in frame.columns if column not in texts})
+
+
+def _conclusion(row: dict[str, Any], difference: Difference) -> str:
+    if row["role"] != "null":
+        return "not compared"
+    if row["same_as"]:
+        return "same"
+    if difference.adjusted is None:
+        return "too few runs" if difference.interval is None else "not compared"
+    if not is_significant(difference.adjusted):
+        return "inconclusive"
+    return "above" if difference.value is not None and difference.value > 0.0 else "below"
+
+
+def count(frame: pandas.DataFrame) -> Count:
+    """The size of a frame's family."""
+    return Count(int(frame["p_holm"].notna().sum()), int(frame["conclusion"].isin(("above", "below")).sum()))
+
+
+def too_few(of: MeasuredSet) -> list[str]:
+    """A sentence for a set, and one for its shadow, of too few runs for a test."""
+    return [f"too few runs for a test: {MIN_RUNS_FOR_TEST} are needed, {one.label} has {len(one.runs)}"
+            for one in (of, of.shadow) if one and len(one.runs) < MIN_RUNS_FOR_TEST]
+
+
+# Findings
+
+# The paper's questions: metric -> (place of its question, measure, how plain a reading of the measure it is).
+_MEASURES = {"velocity": (0, "velocity", 0), "velocity_stored": (0, "velocity", 1), "velocity_points": (0, "velocity", 2),
+             "attribution_credited": (1, "catches", 0), "attribution_catches": (1, "catches", 1), "attribution_catchers": (1, "catches", 2),
+             "attribution_caught": (1, "caught", 0), "attribution_died": (1, "caught", 1), "wall_sticking": (2, "walls", 0),
+             "wall_sticking_gap": (2, "walls gap", 0), "tag_symmetry": (3, "tags", 0)}
+_GROUPS = ("", "all", "inherited", "active", "inherited_active", "random")
+
+
+def _fact(row: Any) -> tuple[str, str]:
+    """Readings and groups of one measure of one species, next to any null, are one fact."""
+    return _MEASURES.get(row.metric, (9, row.metric, 0))[1], row.species
+
+
+def _plainness(row: Any) -> tuple:
+    group = _GROUPS.index(row.group) if row.group in _GROUPS else len(_GROUPS)
+    return _MEASURES.get(row.metric, (9, "", 0))[2], group, getattr(row, "null", SHADOW) != SHADOW
+
+
+def facts(frame: pandas.DataFrame, conclusions: Sequence[str]) -> list[Any]:
+    """The plainest row of each fact with one of these conclusions, the first of equally plain ones. A fact about all species is left out if it is
+    one about a species."""
+    plainest: dict[tuple[str, str], Any] = {}
+    for row in frame[frame["conclusion"].isin(conclusions)].itertuples(index=False):
+        fact = _fact(row)
+        if fact not in plainest or _plainness(row) < _plainness(plainest[fact]):
+            plainest[fact] = row
+    measures = {measure for measure, species in plainest if species != "all"}
+    return [row for (measure, species), row in plainest.items() if species != "all" or measure not in measures]
+
+
+def findings(frame: pandas.DataFrame) -> list[Finding]:
+    """The significant differences of a frame of `summarize` or `compare`: each fact once, in the words of its plainest row; velocity, attribution,
+    walls and tags first, then by strength."""
+    rows = facts(frame, ("above", "below"))
+    rows.sort(key=lambda row: (_MEASURES.get(row.metric, (9,))[0], row.p, -abs(row.difference) / row.scatter if row.scatter > 0.0 else -math.inf))
+    return [_finding(row) for row in rows]
+
+
+def inconclusive(frame: pandas.DataFrame) -> list[Any]:
+    """The rows of facts that are neither significant nor shown to be equal, of which a difference of the size that was observed needs the fewest
+    runs first."""
+    found = {_fact(row) for row in facts(frame, ("above", "below"))}
+    rows = [row for row in facts(frame, ("inconclusive",)) if _fact(row) not in found]
+    return sorted(rows, key=lambda row: math.inf if math.isnan(row.runs_needed) else row.runs_needed)
+
+
+def _finding(row: Any) -> Finding:
+    metric = Metric(row.metric, row.species, row.group, row.unit)
+    if hasattr(row, "compared"):
+        interval = (row.lower, row.upper)
+        sentence = _difference_sentence(metric, row)
+        return Finding(sentence, metric, row.compared, row.difference, interval, row.p_holm, "")
+    return Finding(_sentence(metric, row), metric, row.null, row.difference, (row.difference_lower, row.difference_upper), row.p_holm, row.set)
+
+
+# Words
+
+_PLURALS = {"predator": "predators", "all": "robots", "": ""}
+_NULLS = {SHADOW: "in the shadow", "permuted_tags": "with permuted tags", "drift": "under drift"}
+_NOUNS = {"velocity": "the velocity of {who} towards their adversaries", "velocity_stored": "the velocity of {who} towards their stored adversaries",
+          "velocity_points": "the velocity of {who} towards their adversaries, every 200 s,",
+          "attribution_credited": "the share of deaths of their prey that are credited to inherited {who}",
+          "attribution_catches": "the share of catches that inherited {who} make",
+          "attribution_catchers": "the share of the inherited among {who} that caught",
+          "attribution_caught": "the share of the inherited among {who} that are caught",
+          "attribution_died": "the share of the inherited among {who} that die",
+          "wall_sticking": "the share of {who} within 1 m of a wall", "wall_sticking_gap": "the excess of {first} over {second} within 1 m of a wall",
+          "tag_symmetry": "the tag symmetry of {who}", "population": "the number of {who}", "hunger": "the hunger of {who}",
+          "ticks_at": "the share of time with {group} {who}", "deaths": "the number of {who} that die in a run",
+          "stuck": "the share of {who} that are stuck"}
+_CAUSES = {"caught": "are caught", "starved": "starve", "sacrificed": "are sacrificed", "senescence": "die of senescence"}
+
+
+def noun_of(metric: Metric) -> str:
+    """The metric as the subject of a sentence: "the velocity of inherited prey towards their adversaries"."""
+    name, species, group, _ = metric
+    who = " and ".join(_PLURALS.get(one, one) for one in species.split("+"))
+    if group in _GROUPS[2:]:
+        who = f"{group.replace('_', ' ')} {who}"
+    if name in _NOUNS:
+        first, _, second = (_PLURALS.get(one, one) for one in species.partition("-"))
+        noun = _NOUNS[name].format(who=who, group=group, first=first, second=second)
+        if name == "deaths" and group != "all":
+            return f"the number of {who} that {_CAUSES.get(group, f'die ({group})')} in a run"
+        return noun + (f" ({group})" if name == "wall_sticking_gap" and group != "all" else "")
+    noun = name.replace("_", " ") + (f" of {who}" if who else "")
+    return noun + (f" ({group})" if group not in _GROUPS else "")
+
+
+def _magnitude(metric: Metric, effect: float, lower: float, upper: float) -> tuple[str, str]:
+    """An effect and its interval without their sign: "0.45 cm/s", "[0.30, 0.60]"."""
+    reading = Reading(metric)
+    low, high = (lower, upper) if effect >= 0.0 else (-upper, -lower)
+    return _amount(metric, abs(effect)), f"[{reading(low)}, {reading(high)}]"
+
+
+def _amount(metric: Metric, value: float) -> str:
+    reading = Reading(metric)
+    return f"{reading(value)}{' ' * bool(reading.unit)}{reading.unit}" + (" ticks" if metric.unit == "ticks" else "")
+
+
+def _sentence(metric: Metric, row: Any) -> str:
+    size, interval = _magnitude(metric, row.difference, row.difference_lower, row.difference_upper)
+    runs = f"{row.n}+{row.null_n}" if row.null == SHADOW else row.null_n
+    test = f"{interval} (p {p_text(row.p_holm)}, {runs} runs)."
+    null = _NULLS.get(row.null, f"in its null, {row.null.replace('_', ' ')},")
+    if metric.metric.startswith("velocity") and metric.species in ("prey", "predator"):
+        other = "predators" if metric.species == "prey" else "prey"
+        whom = _PLURALS.get(metric.species, metric.species)
+        whom = whom if metric.group == "all" else f"{metric.group} {whom}"
+        begin = f"{whom.capitalize()} move {'towards' if row.mean >= 0.0 else 'away from'} {other} at {_amount(metric, abs(row.mean))}"
+        if row.mean * row.null_mean >= 0.0:
+            return f"{begin}, {size} {'faster' if abs(row.mean) >= abs(row.null_mean) else 'slower'} than {null} {test}"
+        back = "towards" if row.null_mean >= 0.0 else "away from"
+        return f"{begin}; {null} they move {back} them at {_amount(metric, abs(row.null_mean))}: a difference of {size} {test}"
+    noun = noun_of(metric)
+    return f"{noun[0].upper()}{noun[1:]} is {_amount(metric, row.mean)}, {size} {'higher' if row.difference > 0.0 else 'lower'} than {null} {test}"
+
+
+def _difference_sentence(metric: Metric, row: Any) -> str:
+    size, interval = _magnitude(metric, row.difference, row.lower, row.upper)
+    noun = noun_of(metric)
+    over = ", each over its shadow" if row.compared == "over_shadow" else ""
+    side = "higher" if row.difference > 0.0 else "lower"
+    return (f"{noun[0].upper()}{noun[1:]} is {size} {side} in runs of {row.set_b} than in runs of {row.set_a}{over} {interval} "
+            f"(p {p_text(row.p_holm)}, {row.n_a}+{row.n_b} runs).")
