@@ -8,8 +8,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <filesystem>
-#include <stdexcept>
 #include <system_error>
 #include <tools/command/output.hpp>
 #include <tools/command/provenance.hpp>
