@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Construction of policies from their parameters.
+// Construction of policies from their parameters. A policy holds nothing but its parameters, so that its manifest is all of it:
+//   struct OldAge { struct Params { ...; static constexpr auto fields() { ... } }; Params params; ... };
+// or it is empty. A State (population/state.hpp), which the population keeps and saves, holds what changes during a run. Other
+// members, structs of other names and mutable members do not compile. C++ shows a library neither static variables, of a class
+// or in a function, nor mutable members of Params with texts or optional numbers: the conformance suites find the former.
 #pragma once
 
 #include <trophic/params/params.hpp>
@@ -53,9 +57,79 @@ template <class Policy>
   return {};
 }
 
-}  // namespace detail
+/// The type with the data of a policy: its Params. Specialised for policies that are made of policies.
+template <class Policy>
+struct held_by {
+  using type = ParamsOf<Policy>;
+};
+/// The data of a policy made of policies: these in its base, and its Params.
+template <class Base, class Params>
+struct HeldWithParams : Base {
+  Params params;
+};
 
-namespace detail {
+template <class Policy>
+concept HasParamsMember = requires {
+  requires std::same_as<std::remove_cv_t<decltype(Policy::params)>, ParamsOf<Policy>>;
+};
+
+/// A policy without data other than `Params params;`, or without any. A member more makes it larger.
+template <class Policy>
+[[nodiscard]] consteval bool holds_params_only() {
+  if constexpr (HasParamsMember<Policy>) return sizeof(Policy) == sizeof(typename held_by<Policy>::type);
+  return !HasParams<Policy> && std::is_empty_v<Policy>;
+}
+
+template <auto>
+struct TemplateArgument;
+template <class T>
+concept ConstantDefault = requires {
+  typename std::bool_constant<(static_cast<void>(T{}), true)>;
+};
+/// A type of template arguments, as are structs of numbers without a mutable member.
+template <class T>
+concept IsTemplateArgument = std::is_arithmetic_v<T> || requires {
+  typename TemplateArgument<T{}>;
+};
+
+/// Whether no member of a struct with fields() is mutable. Assumes so if a member's type cannot be a template argument, or if
+/// the defaults are not constants.
+template <class T>
+[[nodiscard]] consteval bool has_no_mutable_member() {
+  if constexpr (ListsFields<T>) {
+    bool judged = ConstantDefault<T>;
+    bool none = true;
+    const auto judge = [&]<class Owner, class Member>(const Field<Owner, Member>&) {
+      none = none && has_no_mutable_member<Member>();
+      judged = judged && IsTemplateArgument<Member>;
+    };
+    std::apply([&](const auto&... fields) { (judge(fields), ...); }, T::fields());
+    return none && (!judged || IsTemplateArgument<T>);
+  }
+  return true;
+}
+
+/// A policy whose parameters do not change during a run.
+template <class Policy>
+[[nodiscard]] consteval bool params_are_constant() {
+  if constexpr (HasParamsMember<Policy>) {
+    return std::is_const_v<std::remove_reference_t<decltype((std::declval<const Policy&>().params))>> &&
+           has_no_mutable_member<ParamsOf<Policy>>();
+  }
+  return true;
+}
+
+/// Fails to compile, with one sentence, if a policy in another policy has data outside its Params.
+template <class Policy>
+struct CheckHeld {
+  static_assert(!std::is_class_v<Policy> || holds_params_only<Policy>(),
+                "a sensor, or a policy in another policy, has data outside `Params params;`: its parameters are a struct Params "
+                "in a member params, and what changes is in a State; see trophic/params/policy.hpp");
+  static_assert(params_are_constant<Policy>(),
+                "a sensor, or a policy in another policy, has mutable parameters: what changes is in a State; see "
+                "trophic/params/policy.hpp");
+  static constexpr bool ok = true;
+};
 
 /// Throws RuleError: the policy (in this slot, if given) holds another number under `path` than it was made from.
 [[noreturn]] void reject_policy(std::string_view policy, std::string_view slot, const std::string& path);
@@ -75,7 +149,7 @@ template <class Policy>
 [[nodiscard]] Policy make_policy([[maybe_unused]] const ParamsOf<Policy>& params, [[maybe_unused]] std::string_view slot = {}) {
   if constexpr (detail::HasParams<Policy>) {
     Policy policy{params};
-    if constexpr (requires { requires std::same_as<std::remove_cv_t<decltype(Policy::params)>, ParamsOf<Policy>>; }) {
+    if constexpr (detail::HasParamsMember<Policy>) {
       const std::string lost = first_difference(params, policy.params);
       if (!lost.empty()) detail::reject_policy(detail::policy_name<Policy>(), slot, lost);
     }

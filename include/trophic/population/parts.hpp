@@ -20,6 +20,7 @@ namespace trophic {
 template <class... Ps>
 class Parts {
  public:
+  static_assert((detail::CheckHeld<Ps>::ok && ...));
   static constexpr std::size_t part_count = sizeof...(Ps);
   template <std::size_t place>
   using Part = std::tuple_element_t<place, std::tuple<Ps...>>;
@@ -50,6 +51,12 @@ concept MadeOfParts = requires {
 };
 
 namespace detail {
+
+template <template <class...> class Whole, class... Ps>
+requires MadeOfParts<Whole<Ps...>>
+struct held_by<Whole<Ps...>> {
+  using type = HeldWithParams<Parts<Ps...>, ParamsOf<Whole<Ps...>>>;
+};
 
 /// Lists the parts that are not of the type `LeftOut`, as in: PART: POLICY, PART: POLICY.
 template <class LeftOut, class Names, class... Ps>

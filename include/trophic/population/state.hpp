@@ -123,6 +123,7 @@ struct answers_for_species<P> {
     policy.hook(own, BodyIndex{}, what, view);                                                                                   \
   };
 TROPHIC_STATE_HOOKS(TROPHIC_PROBE_HOOK)
+TROPHIC_PROBE_HOOK(born, Vacancy, )
 #undef TROPHIC_PROBE_HOOK
 
 /// A policy with a State that has `born`.
@@ -142,6 +143,8 @@ struct CheckStateHooks {
   static_assert(!StateNames_##hook<Policy> || !Stateful<Policy> || StateTakes_##hook<Policy>,                \
                 "a policy's " #hook " must be callable as " signature " const; see trophic/population/state.hpp");
   TROPHIC_STATE_HOOKS(TROPHIC_CHECK_STATE_HOOK)
+  static_assert(!StateNames_born<Policy> || Stateful<Policy>,
+                "a policy has born but no State, so it would never be called; see trophic/population/state.hpp");
 #undef TROPHIC_CHECK_STATE_HOOK
   static constexpr bool ok = true;
 };
@@ -157,6 +160,8 @@ struct CheckStateHooks {
   static_assert(!Stateful<Policy> || only_state_members<StateOf<Policy>>(),                                                   \
                 "the State of " who                                                                                           \
                 " may hold numbers, enumerations, Ancestors, each also optional, and vectors of numbers: what can be saved"); \
+  static_assert(!Stateful<Policy> || has_no_mutable_member<StateOf<Policy>>(),                                                \
+                "the State of " who " has a mutable member: only hooks and brains change a state");                           \
   static_assert(!Stateful<Policy> || BornWithState<Policy>, who                                                               \
                 " has a State, so it needs State born(const Individual& newborn, const State* parent, const State& body) "    \
                 "const: what a newborn starts with; see trophic/population/state.hpp");                                       \

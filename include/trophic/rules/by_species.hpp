@@ -66,6 +66,7 @@ class by_species<Policy, void> : public detail::BySpecies<Policy> {};
 template <class Policy, class Community>
 class by_species : public detail::BySpecies<Policy> {
  public:
+  static_assert(trophic::detail::CheckHeld<Policy>::ok);
   static_assert(detail::NamesSpecies<Community>,
                 "rules::by_species needs a community that lists static constexpr std::array<std::string_view, N> species_names");
   static constexpr std::size_t count = Community::species_names.size();
@@ -87,3 +88,12 @@ class by_species : public detail::BySpecies<Policy> {
 };
 
 }  // namespace trophic::rules
+
+namespace trophic::detail {
+
+template <class Policy, class Community>
+struct held_by<rules::by_species<Policy, Community>> {
+  using type = rules::by_species<Policy, Community>;
+};
+
+}  // namespace trophic::detail

@@ -53,7 +53,22 @@ struct in_table<Whole<Ps...>, Rules> {
 };
 
 /// The first error in a slot. Later ones are not checked, so that one mistake is one error.
-enum class Fault { none, missing, by_species, part, contract, name, fields, open, listed, twice, made, made_from_nothing };
+enum class Fault {
+  none,
+  missing,
+  by_species,
+  part,
+  contract,
+  name,
+  fields,
+  open,
+  listed,
+  twice,
+  made,
+  made_from_nothing,
+  held,
+  changing
+};
 
 /// Whether each part of a policy satisfies the contract of that part.
 template <class Policy>
@@ -83,10 +98,14 @@ template <class Policy, bool fits_contract, bool may_differ_by_species>
     return Fault::listed;
   } else if constexpr (!listed_once<Params>()) {
     return Fault::twice;
-  } else if constexpr (HasParams<Policy>) {
-    return MadeFromParams<Policy> ? Fault::none : Fault::made;
+  } else if constexpr (HasParams<Policy> && !MadeFromParams<Policy>) {
+    return Fault::made;
+  } else if constexpr (!HasParams<Policy> && !std::default_initializable<Policy>) {
+    return Fault::made_from_nothing;
+  } else if constexpr (!holds_params_only<Policy>()) {
+    return Fault::held;
   } else {
-    return std::default_initializable<Policy> ? Fault::none : Fault::made_from_nothing;
+    return params_are_constant<Policy>() ? Fault::none : Fault::changing;
   }
 }
 
@@ -168,7 +187,15 @@ struct CheckRules {
                 " has Params but cannot be made from them: it needs `Params params;` as its first "                          \
                 "member or a constructor from Params");                                                                      \
   static_assert(member##_fault != Fault::made_from_nothing,                                                                  \
-                "the policy in Rules::" #Slot " has no Params, so it needs a default constructor");
+                "the policy in Rules::" #Slot " has no Params, so it needs a default constructor");                          \
+  static_assert(member##_fault != Fault::held,                                                                               \
+                "the policy in Rules::" #Slot                                                                                \
+                " has data outside `Params params;`, which no manifest would contain: its parameters are a struct Params "   \
+                "in a member params, and what changes is in a State; see trophic/params/policy.hpp");                        \
+  static_assert(member##_fault != Fault::changing,                                                                           \
+                "the policy in Rules::" #Slot                                                                                \
+                " has mutable parameters, which no checkpoint would contain: what changes is in a State; see "               \
+                "trophic/population/state.hpp");
   TROPHIC_RULE_SLOTS(TROPHIC_CHECK_SLOT)
 #undef TROPHIC_CHECK_SLOT
 };

@@ -13,6 +13,12 @@
 using trophic::perception::sensors::SideOfAdversary;
 using trophic::rules::Paper;
 
+struct Merciful {
+  static constexpr std::string_view name = "merciful";
+  double within_m = 3.0;
+  bool is_exempt(trophic::BodyIndex, const trophic::View&, const trophic::perception::Perceives&) const { return within_m > 1.0; }
+};
+
 using Mutating = trophic::with_mutation<Paper, trophic::reproduction::mutation::UniformMutation>;
 using Ageing = trophic::with_senescence<Paper, trophic::death::senescence::OldAge>;
 using Five = trophic::with_params<Paper, [](auto& params) { params.floor.floor = 5; }>;

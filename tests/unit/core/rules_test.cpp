@@ -23,15 +23,6 @@ struct Deaf {
   Params params;
 };
 
-/// The first member takes the numbers, the one that is used does not.
-struct Misplaced {
-  static constexpr std::string_view name = "misplaced";
-  using Params = death::senescence::OldAge::Params;
-  Params spare;
-  Params params{};
-  bool dies(const Individual& one, const View& view, Rng&) const { return view.age_s(one) > params.max_age_s; }
-};
-
 struct Kept {
   static constexpr std::string_view name = "kept";
   using Params = death::senescence::OldAge::Params;
@@ -239,7 +230,6 @@ TEST_CASE("rules: policy with other numbers than given -> RuleError with name an
   CHECK(made_with_50_s<death::senescence::OldAge>() == "50");
   CHECK(made_with_50_s<Kept>() == "50");
   CHECK(made_with_50_s<Deaf>() == "the policy deaf in rules.senescence holds another max_age_s than it was made from");
-  CHECK(made_with_50_s<Misplaced>() == "the policy misplaced in rules.senescence holds another max_age_s than it was made from");
 }
 
 TEST_CASE("rules: visit of slots -> each one that is not neutral, once, in order, with its policy") {

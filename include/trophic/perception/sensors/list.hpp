@@ -56,6 +56,7 @@ template <class One>
 template <class... Sensors>
 class Held {
  public:
+  static_assert((trophic::detail::CheckHeld<Sensors>::ok && ...));
   explicit Held(Sensors... sensors) : sensors_{std::move(sensors)...} {}
 
  protected:
@@ -201,3 +202,13 @@ class List : public detail::HeldSensors<Sensors...> {
 };
 
 }  // namespace trophic::perception::sensors
+
+namespace trophic::detail {
+
+template <class... Sensors>
+struct held_by<perception::sensors::List<Sensors...>> {
+  using type = HeldWithParams<perception::sensors::detail::HeldSensors<Sensors...>,
+                              typename perception::sensors::List<Sensors...>::Params>;
+};
+
+}  // namespace trophic::detail
