@@ -217,7 +217,7 @@ def read_run(path: str | os.PathLike) -> Run:
     if not (path / "manifest.json").exists():
         raise RunError(f"{path}: is not a run: it has no manifest.json")
     try:
-        manifest = json.loads(_content(path / "manifest.json").decode())
+        manifest = json.loads(content(path / "manifest.json").decode())
     except (UnicodeDecodeError, json.JSONDecodeError, RecursionError) as error:
         raise RunError(f"{path}/manifest.json: broken: {error}") from None
     kinds = {"status": str, "seed": int, "fingerprint": str, "rule_table": str}
@@ -266,7 +266,7 @@ def read_analysis(path: str | os.PathLike) -> Analysis:
         raise RunError(f"{path}: not what trophic analyze writes: {error}") from None
 
 
-def _content(path: pathlib.Path) -> bytes:
+def content(path: pathlib.Path) -> bytes:
     """Reads a whole file. Raises RunError if it cannot be read, or if it is a pipe, on which reading would wait."""
     try:
         if path.exists() and not path.is_file():
@@ -286,32 +286,38 @@ def _check_rows(path: pathlib.Path, table: pandas.DataFrame, species: list[str] 
             raise RunError(f"{path}: {column}: must be finite numbers")
 
 
-def _whole_lines(path: pathlib.Path, expected: dict | None) -> bytes:
-    """Reads a table without the incomplete last line of a killed program. Raises RunError if it was changed, or is not a table."""
-    content = _content(path)
-    found = {"rows": max(0, content.count(b"\n") - 1), "crc32": zlib.crc32(content)}
-    if expected is not None and found != expected:
+def check_sum(path: pathlib.Path, whole: bytes, expected: dict) -> None:
+    """Raises RunError for a table that does not have the rows and the checksum that its run's manifest lists."""
+    found = {"rows": max(0, whole.count(b"\n") - 1), "crc32": zlib.crc32(whole)}
+    if found != {"rows": expected["rows"], "crc32": expected["crc32"]}:
         raise RunError(f"{path}: has {found['rows']} rows and checksum {found['crc32']}: must be {expected['rows']} and {expected['crc32']}, as its manifest says; the table was cut or changed after the run")
-    content = content[: content.rfind(b"\n") + 1]
-    if content.startswith(b"\xef\xbb\xbf"):
+
+
+def whole_lines(path: pathlib.Path, expected: dict | None, whole: bytes | None = None) -> bytes:
+    """The lines of a table without the incomplete last one of a killed program. Raises RunError if it was changed, or is not a table. `whole`:
+    the file's bytes, if they were read. A table with the checksum that the manifest lists is as the program wrote it; the lines of any other are checked."""
+    whole = content(path) if whole is None else whole
+    if expected is not None:
+        check_sum(path, whole, expected)
+    lines = whole[: whole.rfind(b"\n") + 1]
+    if lines.startswith(b"\xef\xbb\xbf"):
         raise RunError(f"{path}:1: begins with a byte order mark; another kind of file?")
-    if not content:
+    if not lines:
         raise RunError(f"{path}: has no header")
-    lines = content[:-1].split(b"\n")
-    commas = lines[0].count(b",")
-    for number, line in enumerate(lines, 1):
+    commas = lines[: lines.index(b"\n")].count(b",")
+    for number, line in enumerate(lines[:-1].split(b"\n") if expected is None else (), 1):
         cells = line if b'"' not in line else b"".join(line.split(b'"')[::2])  # commas in quotes separate nothing
         if cells.count(b",") != commas:
             raise RunError(f"{path}:{number}: {cells.count(b',') + 1} cells, the header has {commas + 1}")
-    return content
+    return lines
 
 
 def _table(path: pathlib.Path, columns: list[str] | None = None, expected: dict | None = None) -> pandas.DataFrame:
-    content = _whole_lines(path, expected)
-    header = pandas.read_csv(io.BytesIO(content), nrows=0).columns
+    lines = whole_lines(path, expected)
+    header = pandas.read_csv(io.BytesIO(lines), nrows=0).columns
     texts = {name: str for name in header if name in _TEXT or name == "run"}
     numbers = {name: [""] for name in header if name not in texts}
-    table = pandas.read_csv(io.BytesIO(content), usecols=columns, dtype=texts, keep_default_na=False, na_values=numbers,
+    table = pandas.read_csv(io.BytesIO(lines), usecols=columns, dtype=texts, keep_default_na=False, na_values=numbers,
                             float_precision="round_trip")  # else the last bit of a number may be another
     if "tick" in table and len(table) > 0 and not (pandas.api.types.is_numeric_dtype(table["tick"]) and table["tick"].is_monotonic_increasing):
         raise RunError(f"{path}: tick: must be >= that of the row before")
