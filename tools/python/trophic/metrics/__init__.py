@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: MIT
+"""What is measured in a run. Each module answers one question; measure_run puts their values into the order of all tables."""
+from __future__ import annotations
+
+import dataclasses
+import difflib
+import math
+import pathlib
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+import pandas
+
+from ..runs import RunError
+from ..values import METRIC, Metric, RunValues
+from ..words import number_text
+from . import attribution, demography, own, stuck, tags, velocity, walls
+from .own import OwnColumn, OwnMetric, metric
+from .tables import Agents, Results, Web
+
+if TYPE_CHECKING:
+    from ..pool import PooledRun
+
+__all__ = ["Agents", "Measuring", "OwnColumn", "OwnMetric", "Results", "Web", "chosen", "lost_to_thinning", "measure_run", "metric", "names", "shipped"]
+
+EVENTS = ("time_s", "event", "id", "species", "body", "origin", "cause", "victim_id")
+AGENTS = ("time_s", "tick", "body", "id", "species", "origin", "active", "tag", "x_m", "y_m", "adversary_id", "hunger_ticks")
+
+
+@dataclasses.dataclass
+class Measuring:
+    """How runs are measured."""
+
+    until_s: float | None = None
+    """Only the first seconds."""
+    accept_other_build: bool = False
+    columns: Sequence[OwnColumn | str] = ()
+    """Columns of tables, as "FILE:COLUMN" or "FILE:COLUMN:UNIT"."""
+    functions: Sequence = ()
+    """Own metrics: functions of a Run."""
+    bodies: pathlib.Path | None = None
+    """The program's file plan_distances.csv: measures of bodies, and no others but own ones."""
+    lineages: pathlib.Path | None = None
+    """The program's file signatures.csv: measures of lineages, and no others."""
+    window_s: float | None = None
+    """Of lineages: the length of windows, s."""
+    jobs: int | None = None
+    """Runs measured at a time; as many as there are cores if None. Results do not depend on it."""
+    metrics: Sequence[str] = ()
+    """Choices: METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP; all metrics if empty."""
+
+    def __post_init__(self) -> None:
+        self.columns = [own.own_column(column) for column in self.columns]
+        self.functions = [own.own_metric(function) for function in self.functions]
+        if self.until_s is not None and not 0 < self.until_s < math.inf:
+            raise RunError(f"--until {number_text(self.until_s)}: must be > 0")
+        if self.jobs is not None and self.jobs < 1:
+            raise RunError(f"--jobs {self.jobs}: must be >= 1")
+
+
+def shipped(web: Web, events: pandas.DataFrame, agents: pandas.DataFrame, *, until_s: float, half_side_m: float, every_ticks: int = 1,
+            tag_values: Sequence[int] = (-1, 1)) -> Results:
+    """All metrics of tables with the columns EVENTS and AGENTS, for any number of species, in an order that depends only on the food web and
+    the tags. A metric whose table has no row or lacks the ticks for it is there with the value nan.
+
+    `until_s`: the time of the run that is measured, s. `half_side_m`: of the flat floor, m. `every_ticks`: agents has the ticks that are
+    multiples of it. `tag_values`: the tags that the brains may choose."""
+    results = Results()
+    robots = Agents(agents, web)
+    attribution.measure(events, web, results)
+    demography.measure_deaths(events, web, until_s, results)
+    velocity.measure(robots, web, every_ticks, results)
+    walls.measure(robots, web, half_side_m, results)
+    tags.measure(robots, web, tag_values, results)
+    demography.measure_populations(robots, web, results)
+    stuck.measure(robots, web, results)
+    demography.measure_extinction(robots, web, results)
+    return results
+
+
+def measure_run(run: PooledRun, how: Measuring) -> RunValues:
+    """Reads and measures a run. Raises RunError, naming the file, for a table that cannot be read or is not what the run wrote."""
+    if how.lineages is not None:
+        from . import lineages  # type: ignore[attr-defined]
+        return lineages.measure_run(run, how.lineages, how.window_s)
+    run.check_files()
+    status = run.manifest["status"]
+    remarks = [] if status == "complete" else [f'{run.path}/manifest.json: status "{status}": the run did not reach its end']
+    events, agents = run.load("events.csv", EVENTS, remarks), run.load("agents.csv", AGENTS, remarks)
+    if lost := lost_to_thinning(run.every_ticks):
+        remarks.append(f"{run.path}/{lost}")
+    if how.bodies is not None:
+        from . import bodies
+        results = bodies.measure_run(run, how.bodies, events, agents)
+    else:
+        results = shipped(run.web, events, agents, until_s=run.until_s, half_side_m=run.half_side_m, every_ticks=run.every_ticks, tag_values=run.tags)
+    results.remarks[:0] = remarks
+    for column in how.columns:
+        own.measure_column(column, run, results)  # type: ignore[arg-type]
+    for function in how.functions:
+        own.measure_function(function, run, results)
+    return results.run_values()
+
+
+def lost_to_thinning(every: int) -> str:
+    """Half a sentence about the metrics that a run loses if agents.csv has only the ticks that are multiples of `every`; empty if it loses
+    none. All other metrics are means over ticks or come from events."""
+    if every == 1:
+        return ""
+    lost = "no velocity_stored, which needs every tick"
+    for name, apart in (("velocity", velocity.TICKS), ("velocity_points", velocity.TICKS), ("stuck", stuck.TICKS)):
+        if apart % every != 0:
+            lost += f", no {name}, which needs rows {apart} ticks apart"
+    return f"agents.csv: has the ticks that are multiples of {every}: {lost}"
+
+
+def names(run: PooledRun, how: Measuring | None = None) -> list[Metric]:
+    """The shipped metrics that a run is measured by, in the order of all tables."""
+    if how is not None and how.lineages is not None:
+        from . import lineages  # type: ignore[attr-defined]
+        return lineages.metric_names(run.web.species)
+    if how is not None and how.bodies is not None:
+        from . import bodies
+        return bodies.names(run.web)
+    nothing = [pandas.DataFrame(columns=list(columns), dtype=float) for columns in (EVENTS, AGENTS)]
+    found = shipped(run.web, *nothing, until_s=0.0, half_side_m=1.0, tag_values=run.tags)
+    return [Metric(*row[:4]) for row in found.rows if row[4] == ""]
+
+
+def check_names(shipped_names: Sequence[Metric], how: Measuring) -> None:
+    """Raises RunError unless own metrics have names of their own and each choice names a metric, before anything is measured."""
+    own.check(how.columns, how.functions, [name.metric for name in shipped_names])  # type: ignore[arg-type]
+    own_names = [*(column.column for column in how.columns), *(function.name for function in how.functions)]  # type: ignore[union-attr]
+    # The species and groups of an own metric are known when it is measured.
+    others = [choice for choice in how.metrics if choice.split(":")[0] not in own_names]
+    chosen([*shipped_names, *(Metric(name, "", "all", "1") for name in own_names)], others)
+
+
+def chosen(of: Iterable[Metric], choices: Sequence[str]) -> list[Metric]:
+    """Those that any of the choices names, all if there is no choice, in their order. Raises RunError, with the names of all metrics, for a
+    choice that names none."""
+    of = list(of)
+
+    def chooses(choice: str, name: Metric) -> bool:
+        parts = choice.split(":")
+        return tuple(parts) == name[:3][:len(parts)]
+    for choice in choices:
+        if not any(chooses(choice, name) for name in of):
+            words = dict.fromkeys(word for name in of for word in (name.metric, f"{name.metric}:{name.species}", str(name)))
+            near = difflib.get_close_matches(choice, words, 1)
+            known = ", ".join(dict.fromkeys(name.metric for name in of))
+            raise RunError(f"metric {choice}: must be METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP of {known}{f'; did you mean {near[0]}?' if near else ''}")
+    return [name for name in of if not choices or any(chooses(choice, name) for choice in choices)]
+
+
+def same_metrics(runs: Sequence[RunValues], choices: Sequence[str] = ()) -> None:
+    """Makes all runs measure the same: what one lacks, such as a species of an own column, it gets without a value. The extinction of a
+    species that dies out in none of the runs goes, unless a choice names it."""
+    if not {choice.split(":")[0] for choice in choices} & set(demography.EXTINCTION):
+        gone = {species for run in runs for species in run.values.species[(run.values.metric == "extinct_at") & run.values.value.notna()]}
+        for run in runs:
+            run.values, run.curves = (frame[~frame.metric.isin(demography.EXTINCTION) | frame.species.isin(gone)].reset_index(drop=True)
+                                      for frame in (run.values, run.curves))
+    keys = [*METRIC, "baseline", "role"]
+    if all(run.values[keys].equals(runs[0].values[keys]) for run in runs):
+        return
+    every = pandas.concat([run.values[keys] for run in runs]).drop_duplicates(ignore_index=True)
+    for run in runs:
+        run.values = every.merge(run.values, how="left", on=keys)
