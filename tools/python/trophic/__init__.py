@@ -7,14 +7,14 @@ import importlib
 # The module of each name. Modules are imported at first use, because numpy, pandas or matplotlib may be missing.
 _MODULES = {"Recording": "recording", "RecordingError": "recording", "read_replay": "recording",
             "Run": "runs", "Runs": "runs", "Analysis": "runs", "RunError": "runs", "read_run": "runs", "read_runs": "runs", "read_study": "runs",
-            "read_analysis": "runs", "study_frames": "runs", "to_parquet": "runs", "show": "start", "run": "start", "analyze": "start", "ProgramError": "programs"}
+            "read_analysis": "runs", "study_frames": "runs", "to_parquet": "runs", "metric": "metrics.own", "show": "start", "run": "start", "analyze": "start", "ProgramError": "programs"}
 __all__ = sorted(_MODULES)
 
 
 def __getattr__(name):
     if name in _MODULES:
         return getattr(importlib.import_module(f".{_MODULES[name]}", __name__), name)
-    if name in ("figures", "programs", "recording", "runs", "start"):
+    if name in ("figures", "metrics", "pool", "programs", "recording", "runs", "start"):
         return importlib.import_module(f".{name}", __name__)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 

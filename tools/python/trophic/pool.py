@@ -1,0 +1,447 @@
+# SPDX-License-Identifier: MIT
+"""Which folders of runs are one set, and why not; their shadows; and what is read of a run."""
+from __future__ import annotations
+
+import concurrent.futures
+import dataclasses
+import io
+import json
+import multiprocessing
+import os
+import pathlib
+import re
+import sys
+import zlib
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import pandas
+
+from . import metrics, runs
+from .metrics import Measuring, Web, bodies, own
+from .runs import Run, RunError
+from .values import MeasuredSet, RunValues
+from .words import number_text
+
+SHADOW_SLOT, SHADOW_POLICY = "heredity", "nothing_inherited"
+"""The slot in which a table and its shadow differ, and the policy that the shadow has there."""
+MOST_TIME_S = 1e8
+"""The longest run that is analysed: three years of its clock."""
+_LONGEST_TICK_S = 3600.0  # a run's last tick may end after its duration, by less than this
+_MOST_SPECIES = 1000
+_NAMES = {"event": ("birth", "activation", "tag_switch", "catch", "death"), "origin": ("random", "inherited"),
+          "cause": ("", "caught", "starved", "sacrificed", "senescence", "diverged")}
+
+
+@dataclasses.dataclass(frozen=True)
+class PooledRun(Run):
+    """A run with a manifest that was checked. Its tables end at `until_s`."""
+
+    until_s: float
+    """s: planned, or where --until cuts it"""
+
+    @property
+    def web(self) -> Web:
+        return Web(self.manifest["species"], [(link["hunter"], link["victim"]) for link in self.manifest["food_web"]])
+
+    @property
+    def half_side_m(self) -> float:
+        return float(self.manifest["arena"]["half_side_m"])
+
+    @property
+    def every_ticks(self) -> int:
+        """agents.csv has the ticks whose number is a multiple of it."""
+        return self.manifest.get("agents_every_ticks", 1)
+
+    @property
+    def tags(self) -> list[int]:
+        """The tags that the rule table's brains may choose."""
+        return self.manifest.get("tags", [-1, 1])
+
+    @property
+    def reached_s(self) -> float | None:
+        """None for a run that was killed or is still running."""
+        return self.manifest.get("result", {}).get("reached_s")
+
+    @property
+    def end_s(self) -> float | None:
+        if self.manifest["status"] == "complete" and self.reached_s is None:
+            return self.manifest["clock"]["until_s"]
+        return self.reached_s
+
+    @property
+    def begins(self) -> str:
+        """ "at 700 s of runs/a (seed 7)" for a run that begins at a moment of another one, else empty."""
+        origin = self.manifest.get("origin")
+        return "" if origin is None else f"at {origin['at_s']} s of {origin['run']} (seed {origin['seed']})"
+
+    @property
+    def changes(self) -> tuple[int, int]:
+        """Number and checksum of the changes of parameters; equal for runs with the same changes, and for those without."""
+        found = self.manifest.get("tables", {}).get("changes.csv", {"rows": 0})
+        return (found["rows"], found["crc32"]) if found["rows"] else (0, 0)
+
+    def table(self, name: str, columns: list[str] | None = None, *, categories: bool = False) -> pandas.DataFrame:
+        """As Run.table, without the rows after `until_s`, if the table has times."""
+        table = super().table(name, columns, categories=categories)
+        return table[table.time_s <= self.until_s] if "time_s" in table else table
+
+    def check_files(self) -> None:
+        """Raises RunError, naming the file, for a table or a recording that is not what the run wrote. `load` checks those that it reads."""
+        for name, expected in self.manifest.get("tables", {}).items():
+            if name not in ("events.csv", "agents.csv"):
+                runs.check_sum(self.path / name, runs.content(self.path / name), expected)
+        if "recording" in self.manifest:
+            path, expected = self.path / "replay.trp", self.manifest["recording"]["crc32"]
+            if (found := zlib.crc32(runs.content(path))) != expected:
+                raise RunError(f"{path}: has checksum {found}: must be {expected}, as its manifest says; the recording was cut or changed after the run")
+
+    def load(self, file: str, columns: Sequence[str], remarks: list[str]) -> pandas.DataFrame:
+        """Reads columns of events.csv or agents.csv up to `until_s`; the incomplete end that a killed program left goes, with a remark. A table
+        whose checksum is in the manifest is what the program wrote; the cells of any other are checked. Raises RunError, naming file, line and
+        column, for a cell that cannot be."""
+        content, is_whole = self._lines(file, remarks)
+        header = _header(self.path / file, content, columns)
+        if file in self.manifest.get("tables", {}):
+            types = {name: _TYPES.get(name, "float64") for name in columns}
+            # The parser is exact for at most 15 digits, which all numbers but times have; those are few, as texts.
+            frame = pandas.read_csv(io.BytesIO(content), usecols=list(columns), dtype=types, keep_default_na=False,
+                                    na_values={name: [""] for name in columns if types[name] == "float64"}, float_precision="high")
+            frame["time_s"] = frame.time_s.astype("category").cat.rename_categories(float).astype(float)
+        else:
+            frame = _checked(self, file, pandas.read_csv(io.BytesIO(content), usecols=list({*columns, "tick"} & set(header)), dtype=str, keep_default_na=False))
+            if file == "agents.csv" and not is_whole and len(frame):
+                frame = frame[frame.tick != frame.tick.iloc[-1]]
+        return frame[frame.time_s <= self.until_s] if len(frame) and frame.time_s.iloc[-1] > self.until_s else frame
+
+    def texts(self, file: str, columns: Sequence[str], optional: Sequence[str], remarks: list[str]) -> pandas.DataFrame:
+        """The cells of any table in the folder as texts: `columns`, and those of `optional` that it has."""
+        content, _ = self._lines(file, remarks)
+        header = _header(self.path / file, content, columns)
+        return pandas.read_csv(io.BytesIO(content), usecols=[*columns, *(set(optional) & set(header))], dtype=str, keep_default_na=False)
+
+    def _lines(self, file: str, remarks: list[str]) -> tuple[bytes, bool]:
+        path = self.path / file
+        whole = runs.content(path)
+        content = runs.whole_lines(path, self.manifest.get("tables", {}).get(file), whole)
+        if len(content) < len(whole):
+            remarks.append(f"{path}:{content.count(10) + 1}: truncated in the middle of a line (killed run?); everything before it is used")
+        return content, len(content) == len(whole)
+
+
+_TYPES = {"time_s": "category", "tick": "int64", "id": "int64", "body": "int64", "tag": "int64", "active": "int8", "species": "category", "origin": "category",
+          "event": "category", "cause": "category"}
+_OPTIONAL = ("victim_id", "adversary_id", "hunger_ticks")
+_DECIMAL = ("time_s", "x_m", "y_m")
+
+
+def read_set(paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | None = None, how: Measuring | None = None) -> MeasuredSet:
+    """Reads and measures runs that may be pooled, and their neutral shadow: the one named, or else what is in the folders PATH/shadow.
+
+    Raises RunError before anything is measured for runs that are not replicates, a shadow that is not one, an own column that a run lacks, a
+    name that is taken, and a choice that names no metric; and for a run that cannot be read."""
+    how = how or Measuring()
+    folders = [pathlib.Path(path) for path in paths]
+    pooled, remarks = pooled_runs(folders, how)
+    shadows = [pathlib.Path(shadow)] if shadow is not None else shadow_folders(folders)
+    its_pooled, its_remarks = pooled_runs(shadows, how) if shadows else ([], [])
+    if its_pooled:
+        check_shadow(pooled[0], its_pooled[0])
+        if pooled[0].builds != its_pooled[0].builds and not how.accept_other_build:
+            raise RunError(f"{its_pooled[0].path}: made by {builds_text(its_pooled[0].builds)}: must be made by {builds_text(pooled[0].builds)}, as "
+                           f"{pooled[0].path} (--accept-other-build takes it)")
+    for run in [*pooled, *its_pooled]:
+        for column in how.columns:
+            own.check_column(column, run)  # type: ignore[arg-type]
+        if how.bodies is not None:
+            bodies.check(run)
+    metrics.check_names(metrics.names(pooled[0], how), how)
+    values = measure([*pooled, *its_pooled], how)
+    metrics.same_metrics(values, how.metrics)
+    label = pooled[0].manifest["rule_table"]
+
+    def measured(these: list[PooledRun], values: list[RunValues], remarks: list[str], shadow: MeasuredSet | None) -> MeasuredSet:
+        return MeasuredSet(label, list(these), values, shadow, these[0].until_s, [*remarks, *(remark for run in values for remark in run.remarks)])
+    its_set = measured(its_pooled, values[len(pooled):], its_remarks, None) if its_pooled else None
+    return measured(pooled, values[:len(pooled)], remarks, its_set)
+
+
+def measure(of: Sequence[PooledRun], how: Measuring) -> list[RunValues]:
+    """Measures runs, several at a time in processes, with a line of progress on a terminal. Raises the RunError of the first run, in their
+    order, that cannot be measured, and gives up the others."""
+    shows = sys.stderr.isatty()
+
+    def counted(found: Iterable[RunValues]) -> list[RunValues]:
+        values = []
+        for value in found:
+            values.append(value)
+            if shows:
+                last = len(values) == len(of)
+                print(f"\r{'' if last else f'measured {len(values)} of {len(of)} runs'}\033[K", end="", file=sys.stderr, flush=True)
+        return values
+    jobs = min(how.jobs or len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else how.jobs or os.cpu_count() or 1, len(of))
+    if jobs <= 1:
+        return counted(metrics.measure_run(run, how) for run in of)
+    # A forked process has the functions of a user, which need not be importable.
+    executor = concurrent.futures.ProcessPoolExecutor(jobs, multiprocessing.get_context("fork"), _share, (of, how))
+    try:
+        return counted(executor.map(_measure_shared, range(len(of))))
+    finally:
+        executor.shutdown(wait=True, cancel_futures=True)
+
+
+_shared: tuple[Sequence[PooledRun], Measuring]
+
+
+def _share(of: Sequence[PooledRun], how: Measuring) -> None:
+    global _shared
+    _shared = of, how
+
+
+def _measure_shared(place: int) -> RunValues:
+    of, how = _shared
+    return metrics.measure_run(of[place], how)
+
+
+def pooled_runs(paths: Iterable[pathlib.Path], how: Measuring) -> tuple[list[PooledRun], list[str]]:
+    """The runs of some folders, which may be pooled, and remarks. Raises RunError if they differ in fingerprint, build, beginning, changes,
+    status, duration or the ticks in agents.csv, if one is there twice, if a manifest cannot be read, or if there is no run."""
+    remarks: list[str] = []
+    found: list[PooledRun] = []
+    for folder in [folder for path in paths for folder in run_folders(path, remarks)]:
+        run = read_pooled(folder)
+        for other in found:
+            if why := why_not_pooled(run, other, how.until_s is not None, how.accept_other_build):
+                raise RunError(why)
+        found.append(run)
+    if not found:
+        raise RunError(f"no run is there{': ' + remarks[0] if remarks else ''}")
+    builds = sorted({build for run in found for build in run.builds})
+    if len(builds) > 1:
+        remarks.append(f"{len(builds)} builds of a program made these runs: {builds_text(builds)}; their rules may be other code under the same names")
+    if len(found) > 1 and found[0].begins:
+        remarks.append(f"all runs begin {found[0].begins}: they share that past, so that intervals are over its futures, not over runs")
+    return [run if how.until_s is None else _cut(run, how.until_s) for run in found], remarks
+
+
+def run_folders(path: pathlib.Path, remarks: list[str]) -> list[pathlib.Path]:
+    """The folders of the runs that a path stands for: the path itself, or the replicates that its replicates.json lists. A listed folder that
+    is missing gets a remark. Raises RunError for a path that is not a folder or a broken list."""
+    if not path.is_dir():
+        raise RunError(f"{path}: {'is not a folder' if path.exists() else 'does not exist'}")
+    listing = path / "replicates.json"
+    if not listing.exists():
+        return [path]
+    try:
+        names = [replicate["folder"] for replicate in json.loads(runs.content(listing))["replicates"]]
+    except (json.JSONDecodeError, UnicodeDecodeError, RecursionError, TypeError, KeyError) as error:
+        raise RunError(f"{listing}: is not a list of replicates: {type(error).__name__}: {error}") from None
+    for name in names:
+        if not isinstance(name, str) or not _is_plain(name):
+            raise RunError(f"{listing}: folder = {json.dumps(name)}: must be text without control characters")
+        if pathlib.PurePath(name).name != name or name in ("", ".."):
+            raise RunError(f"{listing}: folder = {name}: must be the name of a folder next to it")
+    remarks += [f"{path / name}: missing, the replicate was not run" for name in names if not (path / name).is_dir()]
+    return [path / name for name in names if (path / name).is_dir()]
+
+
+def read_pooled(folder: pathlib.Path) -> PooledRun:
+    """Reads a run's manifest. Raises RunError "FILE: FIELD ..." for one that is not of a run that can be analysed."""
+    path = folder / "manifest.json"
+    if not path.exists():
+        raise RunError(f"{path}: cannot be read: No such file or directory; is {folder} a run's folder?")
+    run = runs.read_run(folder)
+    manifest = run.manifest
+
+    def refuse(what: str) -> None:
+        raise RunError(f"{path}: {what}")
+
+    def whole(value: Any, name: str, least: int, most: int) -> None:
+        if type(value) is not int or not least <= value <= most:
+            refuse(f"{name} = {json.dumps(value)}: must be a whole number from {least} to {most}")
+
+    def number(section: str, name: str, least: float, most: float) -> None:
+        value = manifest[section][name]
+        if type(value) not in (int, float) or not least <= value <= most:
+            refuse(f"{section}.{name} = {json.dumps(value)}: must be >= {number_text(least)} and <= {number_text(most)}")
+    if text := _not_plain({key: value for key, value in manifest.items() if key not in ("command_line", "error")}):
+        refuse(f"{json.dumps(text)}: must be text without control characters")
+    try:
+        whole(manifest["seed"], "seed", 0, 2**64 - 1)
+        if type(manifest["backend"]) is not str:
+            refuse(f"backend = {json.dumps(manifest['backend'])}: must be text")
+        number("clock", "until_s", 0.0, MOST_TIME_S)
+        number("arena", "half_side_m", 0.0, sys.float_info.max)
+        if "result" in manifest:
+            number("result", "reached_s", 0.0, MOST_TIME_S + _LONGEST_TICK_S)
+        whole(manifest.get("agents_every_ticks", 1), "agents_every_ticks", 1, 2**63 - 1)
+        species = manifest["species"]
+        if not isinstance(species, list) or len(species) > _MOST_SPECIES or not all(isinstance(name, str) for name in species):
+            refuse(f"species: must be <= {_MOST_SPECIES} names")
+        for link in manifest["food_web"]:
+            for end in ("hunter", "victim"):
+                if link[end] not in species:
+                    refuse(f"food_web: {end} = {json.dumps(link[end])}: must be one of {', '.join(species)}")
+        for tag in manifest.get("tags", []):
+            whole(tag, "tags", -2**31, 2**31 - 1)
+        for file, expected in manifest.get("tables", {}).items():
+            if pathlib.PurePath(file).name != file:
+                refuse(f"tables: {file}: must be the name of a file")
+            whole(expected["rows"], "rows", 0, 2**64 - 1)
+            whole(expected["crc32"], "crc32", 0, 2**32 - 1)
+        if "recording" in manifest:
+            whole(manifest["recording"]["crc32"], "crc32", 0, 2**32 - 1)
+        for key in ("at_s", "run", "seed") if "origin" in manifest else ():
+            manifest["origin"][key]
+    except (KeyError, TypeError, AttributeError) as error:
+        refuse(f"{error}: must be there, as trophic writes it" if isinstance(error, KeyError) else f"is not what trophic writes: {error}")
+    return PooledRun(folder, manifest, manifest["clock"]["until_s"])
+
+
+def why_not_pooled(run: PooledRun, other: PooledRun, is_cut: bool, any_build: bool = False) -> str:
+    """Why two runs are not pooled, a sentence that names both; empty if they may be. `is_cut`: all will be cut to one duration. `any_build`:
+    also runs that different builds of a program made."""
+    here, there = f"{run.path}: ", other.path
+    if run.fingerprint != other.fingerprint:
+        def named(of: PooledRun) -> str:
+            return f"{of.fingerprint} ({of.manifest['rule_table']} on {of.manifest['backend']})"
+        return f"{here}fingerprint {named(run)}, but {there} has {named(other)}; runs of different rules or parameters are not pooled: use --compare"
+    if run.builds != other.builds and not any_build:
+        return (f"{here}made by {builds_text(run.builds)}, but {there} by {builds_text(other.builds)}; builds of a program may have other rules under the same "
+                "names: --accept-other-build pools them")
+    if run.seed == other.seed:
+        return f"{here}seed {run.seed} as in {there}; the same run twice is not a second replicate"
+    if run.begins != other.begins:
+        begins, others = (f"begins {of.begins or 'at its beginning'}" for of in (run, other))
+        return f"{here}{begins}, but {there} {others}; futures of one moment are not pooled with other runs"
+    if run.changes != other.changes:
+        return (f"{here}{run.changes[0]} changes of parameters (changes.csv), but {there} has {other.changes[0]}, or others; runs with different changes are "
+                "not pooled")
+    if run.every_ticks != other.every_ticks:
+        return f"{here}agents_every_ticks {run.every_ticks}, but {there} has {other.every_ticks}; runs that say more and less of their robots are not pooled"
+    if not is_cut and (run.manifest["status"] != other.manifest["status"] or not lasted_alike(run, other)):
+        return (f"{here}{lasted_text(run)}, but {there} has {lasted_text(other)}; runs of different length are not pooled: leave some out, or cut all with "
+                "--until")
+    return ""
+
+
+def lasted_text(run: PooledRun) -> str:
+    """How a run ended and when, of how much."""
+    end = "an unknown time" if run.end_s is None else number_text(run.end_s)
+    return f'status "{run.manifest["status"]}" at {end} of {number_text(run.until_s)} s'
+
+
+def lasted_alike(a: PooledRun, b: PooledRun) -> bool:
+    """Whether two runs are known to have lasted equally long, of the same time."""
+    return a.until_s == b.until_s and a.end_s is not None and a.end_s == b.end_s
+
+
+def builds_text(builds: Sequence[str]) -> str:
+    """ "0aaa, 0bbb and 0ccc"; "an unknown build" if there is none."""
+    return " and ".join(filter(None, [", ".join(builds[:-1]), *builds[-1:]])) or "an unknown build"
+
+
+def shadow_folders(paths: Iterable[pathlib.Path]) -> list[pathlib.Path]:
+    """The folders PATH/shadow that exist, into which --shadow puts the shadows of these runs."""
+    return [path / "shadow" for path in paths if (path / "shadow").is_dir()]
+
+
+def check_shadow(run: PooledRun, shadow: PooledRun, any_parent: bool = False) -> None:
+    """Raises RunError, naming both runs and what differs, unless `shadow` is a run of the same rules, parameters, engine and duration with
+    nothing inherited. Seeds may differ. With `any_parent` the rule in slot parent may differ too: if nothing is inherited, it changes parents
+    and labels, and no genome and no motion."""
+    def refuse(why: str) -> None:
+        raise RunError(f"{shadow.path}: is not a neutral shadow of {run.path}: {why}")
+    policy = shadow.manifest.get("rules", {}).get(SHADOW_SLOT, "unknown")
+    if policy != SHADOW_POLICY:
+        refuse(f"its rule in slot {SHADOW_SLOT} is {policy}: must be {SHADOW_POLICY}")
+    free = {SHADOW_SLOT, "parent"} if any_parent else {SHADOW_SLOT}
+
+    def rest(of: PooledRun) -> dict:
+        params = {key: value for key, value in of.manifest.get("params", {}).items() if key != "seed"}
+        if "rules" in params:
+            params["rules"] = {slot: value for slot, value in params["rules"].items() if slot not in free}
+        return {"backend": of.manifest["backend"], "params": params, "rules": {slot: rule for slot, rule in of.manifest.get("rules", {}).items() if slot not in free}}
+    if why := first_difference(rest(run), rest(shadow)):
+        refuse(why)
+    if not lasted_alike(run, shadow):
+        refuse(f"it has {lasted_text(shadow)}: must be as {lasted_text(run)}")
+
+
+def first_difference(a: dict, b: dict) -> str:
+    """The first value in which two objects differ, as "KEY = THAT OF b: must be THAT OF a", a's keys first; empty if none does."""
+    flat_a, flat_b = _flat(a), _flat(b)
+    for key in [*flat_a, *flat_b]:
+        here, there = flat_a.get(key, "missing"), flat_b.get(key, "missing")
+        if here != there:
+            return f"{key} = {there}: must be {here}"
+    return ""
+
+
+def _cut(run: PooledRun, until_s: float) -> PooledRun:
+    reached_s = run.reached_s
+    if reached_s is None:
+        times = run.load("agents.csv", metrics.AGENTS, [])["time_s"]
+        reached_s = float(times.iloc[-1]) if len(times) else 0.0
+    if reached_s < until_s:
+        raise RunError(f"{run.path}: reached {number_text(reached_s)} s (status {run.manifest['status']}): must be >= {number_text(until_s)} s, as --until asks")
+    return dataclasses.replace(run, until_s=until_s)
+
+
+def _flat(of: Any, at: str = "") -> dict[str, str]:
+    if not isinstance(of, (dict, list)) or not of:
+        return {at: json.dumps(of)}
+    items = of.items() if isinstance(of, dict) else enumerate(of)
+    return {key: value for name, part in items for key, value in _flat(part, f"{at}/{name}" if at else str(name)).items()}
+
+
+def _is_plain(text: str) -> bool:
+    return re.search("[\x00-\x1f\x7f-\x9f]", text) is None
+
+
+def _not_plain(value: Any) -> str | None:
+    """The first text with a control character in a value of a JSON file."""
+    if isinstance(value, str):
+        return None if _is_plain(value) else value
+    parts = [part for item in value.items() for part in item] if isinstance(value, dict) else value if isinstance(value, list) else []
+    return next((found for part in parts if (found := _not_plain(part)) is not None), None)
+
+
+def _header(path: pathlib.Path, content: bytes, columns: Sequence[str]) -> list[str]:
+    header = content[: content.index(b"\n")].decode(errors="replace").rstrip("\r").split(",")
+    for name in columns:
+        if name not in header:
+            raise RunError(f'{path}:1: no column "{name}"; another kind of file?')
+    return header
+
+
+def _checked(run: PooledRun, file: str, texts: pandas.DataFrame) -> pandas.DataFrame:
+    """Texts of events.csv or agents.csv as numbers and names. Raises RunError for the first cell of a column that cannot be."""
+    frame = pandas.DataFrame(index=texts.index)
+
+    def refuse_first(wrong: pandas.Series, must: str) -> None:
+        if wrong.any():
+            place = wrong.idxmax()
+            raise RunError(f'{run.path / file}:{place + 2}: {wrong.name} = "{texts[wrong.name][place]}": must be {must}')
+    for name in texts:
+        cells = texts[name]
+        if name == "species":
+            refuse_first(~cells.isin(run.web.species), "a species of the run's manifest")
+        elif name in _NAMES:
+            refuse_first(~cells.isin(_NAMES[name]), "one of the names that the program writes")
+        elif name == "active":
+            refuse_first(~cells.isin(["0", "1"]), "0 or 1")
+        elif name in _DECIMAL:
+            numbers = pandas.to_numeric(cells, errors="coerce")
+            refuse_first(cells.str.lower().isin(["nan", "-nan", "inf", "-inf"]) | (numbers.abs() == float("inf")), "finite")
+            refuse_first(numbers.isna(), "a number")
+        else:
+            is_whole = cells.str.fullmatch(r"-?\d{1,18}" if name == "tag" else r"\d{1,18}")
+            refuse_first(~(is_whole | ((cells == "") & (name in _OPTIONAL))), "a whole number in range")
+        is_text = name == "species" or name in _NAMES
+        frame[name] = cells if is_text else cells.replace("", "nan").astype(float if name in _DECIMAL or name in _OPTIONAL else "int64")
+    refuse_first(~frame.time_s.between(0.0, MOST_TIME_S + _LONGEST_TICK_S), f">= 0 and <= {number_text(MOST_TIME_S)}")
+    if file == "agents.csv":
+        refuse_first(frame.tick % run.every_ticks != 0, f"a multiple of {run.every_ticks}, as its manifest says")
+    refuse_first(frame.tick.diff() < 0, ">= that of the row before")
+    return frame
