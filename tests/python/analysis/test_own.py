@@ -115,7 +115,7 @@ def test_what_goes_wrong_in_a_function_names_metric_and_run(function, why):
 
 
 @pytest.mark.parametrize("function", [lambda run: NAN, lambda run: pandas.DataFrame({"odd": []}), lambda run: pandas.DataFrame({"odd": [NAN, NAN], "time_s": [0.0, 1.0]})])
-def test_nan_is_no_value_and_gets_a_remark(function):
+def test_a_run_with_nan_alone_gets_a_remark(function):
     write_run("run")
     values, _, remarks = measured(functions=[metric(name="odd")(function)])
     assert math.isnan(values["", "all"]) and remarks == ["run: odd has no value; the run is left out of its mean"]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Which folders of runs are one set, and why not; their shadows; and what is read of a run."""
+"""Sets of runs: the folders that may be pooled, and why others may not; their shadows; and the tables of a run."""
 from __future__ import annotations
 
 import concurrent.futures
@@ -10,6 +10,7 @@ import multiprocessing
 import os
 import pathlib
 import re
+import signal
 import sys
 import zlib
 from collections.abc import Iterable, Sequence
@@ -18,6 +19,7 @@ from typing import Any
 import pandas
 
 from . import metrics, runs
+from .description import describe
 from .metrics import Measuring, Web, bodies, own
 from .runs import Run, RunError
 from .values import MeasuredSet, RunValues
@@ -29,8 +31,12 @@ MOST_TIME_S = 1e8
 """The longest run that is analysed: three years of its clock."""
 _LONGEST_TICK_S = 3600.0  # a run's last tick may end after its duration, by less than this
 _MOST_SPECIES = 1000
+# The cells of events.csv and agents.csv.
 _NAMES = {"event": ("birth", "activation", "tag_switch", "catch", "death"), "origin": ("random", "inherited"),
           "cause": ("", "caught", "starved", "sacrificed", "senescence", "diverged")}
+_NUMBERS = ("time_s", "x_m", "y_m")
+_OPTIONAL = ("victim_id", "adversary_id", "hunger_ticks")
+_TYPES = {**dict.fromkeys(("time_s", "species", *_NAMES), "category"), **dict.fromkeys(("tick", "id", "body", "tag", "active"), "int64")}  # others: numbers
 
 
 @dataclasses.dataclass(frozen=True)
@@ -129,12 +135,6 @@ class PooledRun(Run):
         return content, len(content) == len(whole)
 
 
-_TYPES = {"time_s": "category", "tick": "int64", "id": "int64", "body": "int64", "tag": "int64", "active": "int8", "species": "category", "origin": "category",
-          "event": "category", "cause": "category"}
-_OPTIONAL = ("victim_id", "adversary_id", "hunger_ticks")
-_DECIMAL = ("time_s", "x_m", "y_m")
-
-
 def read_set(paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | None = None, how: Measuring | None = None) -> MeasuredSet:
     """Reads and measures runs that may be pooled, and their neutral shadow: the one named, or else what is in the folders PATH/shadow.
 
@@ -158,12 +158,14 @@ def read_set(paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | Non
     metrics.check_names(metrics.names(pooled[0], how), how)
     values = measure([*pooled, *its_pooled], how)
     metrics.same_metrics(values, how.metrics)
-    label = pooled[0].manifest["rule_table"]
 
     def measured(these: list[PooledRun], values: list[RunValues], remarks: list[str], shadow: MeasuredSet | None) -> MeasuredSet:
-        return MeasuredSet(label, list(these), values, shadow, these[0].until_s, [*remarks, *(remark for run in values for remark in run.remarks)])
+        return MeasuredSet("", list(these), values, shadow, these[0].until_s, [*remarks, *(remark for run in values for remark in run.remarks)])
     its_set = measured(its_pooled, values[len(pooled):], its_remarks, None) if its_pooled else None
-    return measured(pooled, values[:len(pooled)], remarks, its_set)
+    found = measured(pooled, values[:len(pooled)], remarks, its_set)
+    for each in filter(None, (found, its_set)):
+        each.label = describe(found).label
+    return found
 
 
 def measure(of: Sequence[PooledRun], how: Measuring) -> list[RunValues]:
@@ -179,7 +181,8 @@ def measure(of: Sequence[PooledRun], how: Measuring) -> list[RunValues]:
                 last = len(values) == len(of)
                 print(f"\r{'' if last else f'measured {len(values)} of {len(of)} runs'}\033[K", end="", file=sys.stderr, flush=True)
         return values
-    jobs = min(how.jobs or len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else how.jobs or os.cpu_count() or 1, len(of))
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    jobs = min(how.jobs or cores, len(of))
     if jobs <= 1:
         return counted(metrics.measure_run(run, how) for run in of)
     # A forked process has the functions of a user, which need not be importable.
@@ -196,6 +199,7 @@ _shared: tuple[Sequence[PooledRun], Measuring]
 def _share(of: Sequence[PooledRun], how: Measuring) -> None:
     global _shared
     _shared = of, how
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that waits for them ends them
 
 
 def _measure_shared(place: int) -> RunValues:
@@ -431,7 +435,7 @@ def _checked(run: PooledRun, file: str, texts: pandas.DataFrame) -> pandas.DataF
             refuse_first(~cells.isin(_NAMES[name]), "one of the names that the program writes")
         elif name == "active":
             refuse_first(~cells.isin(["0", "1"]), "0 or 1")
-        elif name in _DECIMAL:
+        elif name in _NUMBERS:
             numbers = pandas.to_numeric(cells, errors="coerce")
             refuse_first(cells.str.lower().isin(["nan", "-nan", "inf", "-inf"]) | (numbers.abs() == float("inf")), "finite")
             refuse_first(numbers.isna(), "a number")
@@ -439,7 +443,7 @@ def _checked(run: PooledRun, file: str, texts: pandas.DataFrame) -> pandas.DataF
             is_whole = cells.str.fullmatch(r"-?\d{1,18}" if name == "tag" else r"\d{1,18}")
             refuse_first(~(is_whole | ((cells == "") & (name in _OPTIONAL))), "a whole number in range")
         is_text = name == "species" or name in _NAMES
-        frame[name] = cells if is_text else cells.replace("", "nan").astype(float if name in _DECIMAL or name in _OPTIONAL else "int64")
+        frame[name] = cells if is_text else cells.replace("", "nan").astype(float if name in _NUMBERS + _OPTIONAL else "int64")
     refuse_first(~frame.time_s.between(0.0, MOST_TIME_S + _LONGEST_TICK_S), f">= 0 and <= {number_text(MOST_TIME_S)}")
     if file == "agents.csv":
         refuse_first(frame.tick % run.every_ticks != 0, f"a multiple of {run.every_ticks}, as its manifest says")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is measured in a run. Each module answers one question; measure_run puts their values into the order of all tables."""
+"""The metrics of a run. Each module answers one question; measure_run puts their values into the order of all tables."""
 from __future__ import annotations
 
 import dataclasses
@@ -43,7 +43,7 @@ class Measuring:
     lineages: pathlib.Path | None = None
     """The program's file signatures.csv: measures of lineages, and no others."""
     window_s: float | None = None
-    """Of lineages: the length of windows, s."""
+    """The length of the windows of lineages, s."""
     jobs: int | None = None
     """Runs measured at a time; as many as there are cores if None. Results do not depend on it."""
     metrics: Sequence[str] = ()

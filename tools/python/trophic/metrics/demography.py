@@ -12,7 +12,7 @@ from .tables import WINDOW_S, Agents, Means, Results, Web, means, window_of
 CROWD_AT_FLOOR = 8
 """Hunters that the released rules leave when they starve and rescue at their floor: the authors' runs have 8 for 30 % of the time."""
 CAUSES = ("caught", "starved", "sacrificed", "senescence")
-"""Of deaths by rules; a body that diverges dies of none."""
+"""The causes of deaths by rules; a body that diverges dies of none."""
 EXTINCTION = ("extinct", "extinct_at")
 
 

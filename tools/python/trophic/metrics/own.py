@@ -113,7 +113,7 @@ def check(columns: Sequence[OwnColumn], functions: Sequence[OwnMetric], shipped:
 
 def measure_column(column: OwnColumn, run: PooledRun, results: Results) -> None:
     """Adds the means of a column over the run for each species and group, in the order in which they come, and its curves. Empty cells and
-    nan are no value. Raises RunError, naming file and line, for a cell that is not a number."""
+    nan have no value. Raises RunError, naming file and line, for a cell that is not a number."""
     path = run.path / column.file
     check_column(column, run)
     table = run.texts(column.file, [column.column], ["time_s", "species", "group"], results.remarks)

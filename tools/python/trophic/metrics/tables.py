@@ -35,9 +35,9 @@ class Means(NamedTuple):
     """Means over windows (k w, (k + 1) w], k = 0, 1, ...; time 0 belongs to the first. nan where there is no value."""
 
     mean: float
-    """Of all values, each with the same weight."""
+    """The mean of all values, each with the same weight."""
     mean_of_points: float
-    """Of the windows' means, each with the same weight."""
+    """The mean of the windows' means, each with the same weight."""
     time_s: numpy.ndarray
     """The ends of the windows."""
     points: numpy.ndarray
@@ -48,7 +48,7 @@ def window_of(time_s: numpy.ndarray, window_s: float = WINDOW_S) -> numpy.ndarra
 
 
 def means(window: numpy.ndarray, values: numpy.ndarray, window_s: float = WINDOW_S) -> Means:
-    """Means of values by their windows, as window_of returns them; nan is no value."""
+    """Means of values by their windows, as window_of returns them; nan is left out."""
     if not window_s > 0:
         raise ValueError(f"window_s = {window_s:g}: must be > 0")
     known = ~numpy.isnan(values)
