@@ -1,21 +1,15 @@
 // SPDX-License-Identifier: MIT
-// docs/tables.md is made from the columns that the files are written by.
+// docs/tables.md is made from the columns that the files are written by: the programs' first, then those of the Python module.
 #include <doctest/doctest.h>
 
 #include <concepts>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <tools/analysis/report/ablation_tables.hpp>
-#include <tools/analysis/report/axis_rows.hpp>
-#include <tools/analysis/report/means_table.hpp>
-#include <tools/analysis/report/metrics_table.hpp>
 #include <tools/analysis/report/progress_table.hpp>
-#include <tools/analysis/report/sweep_rows.hpp>
 #include <tools/changes/change.hpp>
 #include <tools/gait_evolution/history.hpp>
 #include <tools/trophic/cross_check/gait_report.hpp>
-#include <tools/trophic/cross_check/report.hpp>
 #include <trophic/io/column.hpp>
 #include <trophic/io/tables.hpp>
 
@@ -69,7 +63,8 @@ std::string section(std::string_view file, std::string_view what) {
 
 constexpr std::string_view introduction = R"(# Tables
 
-Every column of every table that trophic writes. The program `docs_tables` makes this page from the code.
+Every column of every table that trophic writes. The program `docs_tables` and the module
+`trophic.report.columns` make this page from the code.
 
 CSV with one header row. Numbers marked "exact" read back as the same bits. Times are in seconds of the ecology's clock, which is
 simulated time in the paper's rules.
@@ -118,25 +113,7 @@ brains grow.)");
                                       "The rule parameters that changed during a run, in the order of their changes. Written "
                                       "only with --changes and --live; --changes reads it.");
   text += bodies;
-  text += section<analysis::MetricRow>("metrics.csv",
-                                       "Results of the analysis: every value and every curve of every run, one value per row.");
-  text += section<analysis::MeanRow>("means.csv", "Each metric of a set next to each of its nulls, for tables of a paper.");
-  text += section<analysis::SetDifferenceRow>("differences.csv", "Each metric of two sets that were compared.");
-  text += section<analysis::SwapRow>("ablations.csv", "The effects of rule swaps, one per row.");
-  text += section<analysis::CellRow>(
-      "cells.csv",
-      "The cells of a sweep. After these columns there is one for each setting that varies between cells, named by its path.");
-  text += section<analysis::SweepRunRow>("runs.csv", "Results of the analysis of a sweep: one value of one run per row.");
-  text +=
-      section<analysis::SweepMetricRow>("sweep_metrics.csv", "Each metric of each cell of a sweep, alone and over its shadow.");
-  text += section<analysis::SweepDifferenceRow>("sweep_differences.csv",
-                                                "Each metric of each cell of a sweep, compared with the reference cell.");
-  text += section<analysis::AxisEffectRow>("sweep_effects.csv",
-                                           "The effect of each value of an axis on each metric, averaged over the other axes.");
   text += section<analysis::ContestRow>("contests.csv", "Results of `trophic contest`: one row per contest of two teams.");
-  text +=
-      section<analysis::ProgressRow>("progress.csv", "Progress that the contests show, and its test over the neutral shadow.");
-  text += section<command::cross_check::CheckRow>("cross_check.csv", "Results of `trophic cross-check` for gaits and ecologies.");
   text += section<command::cross_check::TrajectoryRow>("trajectories.csv", "The paths of the robots in a cross-check of gaits.");
   text += section<gait_evolution::GenerationRow>("generations.csv of a gait's evolution", "One row per generation.");
   text += section<gait_evolution::TaxonRow>("phylogeny.csv of a gait's evolution",
@@ -151,10 +128,10 @@ std::string content(const std::filesystem::path& path) {
 
 }  // namespace
 
-TEST_CASE("docs/tables.md: columns of the code -> the same columns") {
+TEST_CASE("docs/tables.md: columns of the code -> the page begins with them") {
   const std::string now = document();
   std::ofstream{WRITTEN_TABLES} << now;
   INFO("current page: " WRITTEN_TABLES "; cmake --build BUILD --target docs_tables_md copies it to docs/");
-  const bool same = content(TABLES_MD) == now;
-  CHECK(same);
+  const bool begins_with_it = content(TABLES_MD).starts_with(now);
+  CHECK(begins_with_it);
 }

@@ -1,0 +1,259 @@
+# SPDX-License-Identifier: MIT
+"""The tables that the module writes: every column with its unit, its cells and its meaning. docs/tables.md is made from them:
+`python3 -m trophic.report.columns` prints its part."""
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import NamedTuple
+
+_CELLS = {"text": "text", "whole": "whole number", "exact": "number, exact", "flag": "0 or 1"}
+# Columns that several tables have.
+_SHARED = """
+metric text: what was measured
+species text: of whom; of a metric of two: prey+predator
+group text: as in metrics.csv
+unit text: of means, differences and intervals
+p: of this comparison alone
+significant text: yes where p_holm <= 0.05, else no; empty without a p value
+"""
+# Of each file what it has, and a line for each column, "name cells unit: meaning"; cells are exact numbers or empty, and there is no unit, unless
+# the line says so. A ? stands for cells that may be empty; a name alone for a column of _SHARED.
+_TABLES = {
+    "metrics.csv": ("Results of the analysis: every value and every curve of every run, one value per row.", """
+set text: name of the rule table
+run text: name of the run's folder
+seed whole: of the run
+metric
+species
+group text: all, random, inherited, active (at that tick) or inherited_active; of deaths a cause, of ticks_at a number of members
+baseline text: empty: observed; shadow: observed in the shadow of that seed
+time_s exact? s: of a curve the end of its window; empty: of the whole run
+value: in `unit`; empty: could not be computed
+unit text: of the value; 1 for shares and counts
+"""),
+    "means.csv": ("Each metric of a set next to each of its nulls, for tables of a paper.", """
+set text: name of the rule table
+metric
+species
+group
+unit
+n whole: runs in which it could be measured
+mean: over these runs
+deviation: between these runs
+lower: of the mean's 95 % interval; empty for fewer than 6 runs
+upper: of the mean's 95 % interval
+published: the paper's mean; empty if it has none
+null text: shadow, or the name of a null that each run has of its own; empty: no null
+null_n whole: runs that give the null
+null_mean: over these runs
+difference: mean - null_mean; of a run's own null over the runs that have both
+difference_lower: of its own 95 % interval
+difference_upper: of its own 95 % interval
+p
+p_holm: corrected for all comparisons of the set
+runs_needed whole?: if p_holm > 0.05: runs in each set that would find a difference of this size in 80 % of studies
+same_as text: an earlier metric that says the same (other reading, or the same in every run); then not compared again
+"""),
+    "differences.csv": ("Each metric of two sets that were compared.", """
+metric
+species
+group
+unit
+compared text: over_shadow: (b - its shadow) - (a - its shadow), the answer; raw: b - a
+n_a whole: runs of the first set
+n_b whole: runs of the second set
+mean_a: of the first set, raw
+mean_b: of the second set, raw
+difference: as `compared` says
+lower: of this comparison's own 95 % interval; empty for fewer than 6 runs
+upper: of this comparison's own 95 % interval
+p
+p_holm: corrected for all metrics
+runs_needed whole?: if p_holm > 0.05: runs in each set that would find a difference of this size in 80 % of studies
+same_as text: an earlier metric that says the same (other reading, or the same in every run); then not compared again
+"""),
+    "ablations.csv": ("The effects of rule swaps, one per row.", """
+swap text: the slot or group of slots that was swapped
+direction text: the set of swaps, or from which table to which
+metric
+species
+group
+unit text: of base, swapped, difference and its interval
+compared text: raw, or over_shadow: each set over its shadow first
+runs_base whole: runs in which nothing was swapped
+runs_swapped whole: runs with the swap
+base: their mean, not over a shadow
+swapped: their mean, not over a shadow
+difference: raw: swapped - base; over_shadow: of each less its shadow
+lower: of the difference's 95 % interval
+upper: of the difference's 95 % interval
+p
+p_holm: corrected for all swaps and metrics of the direction
+significant
+"""),
+    "cells.csv": ("The cells of a sweep. After these columns there is one for each setting that varies between cells, named by its path.", """
+cell whole: its number
+rule_table text: of its runs
+engine text: of its runs
+runs whole: that were measured
+runs_planned whole: that the plan has
+shadow_runs whole: of its neutral shadow that were measured
+until_s exact s: how much of each run was measured
+"""),
+    "runs.csv": ("Results of the analysis of a sweep: one value of one run per row.", """
+run whole: its index in the plan
+cell whole: the number of its cell
+replicate whole: its number in the cell
+shadow flag: 1: a run of the cell's neutral shadow
+seed whole: of the run
+metric text: what was measured; what could not be has no row
+species
+group
+value exact: in the metric's unit, as in sweep_metrics.csv
+"""),
+    "sweep_metrics.csv": ("Each metric of each cell of a sweep, alone and over its shadow.", """
+cell whole: the number of the cell
+metric
+species
+group
+unit text: of all values of the row; 1 for shares and counts
+runs whole: in which it could be measured
+mean: over these runs
+deviation: between these runs
+lower: of the mean's 95 % interval; empty for fewer than 6 runs
+upper: of the mean's 95 % interval
+shadow_runs whole: runs of the neutral shadow in which it could be measured
+shadow: the mean over these runs
+pairs whole: runs and shadows of one seed that both have a value
+over_shadow: the mean over these pairs of run - shadow
+over_lower: of the 95 % interval of over_shadow; empty for fewer than 6 pairs
+over_upper: of the 95 % interval of over_shadow
+"""),
+    "sweep_differences.csv": ("Each metric of each cell of a sweep, compared with the reference cell.", """
+cell whole: the number of the cell
+reference whole: the number of the reference cell
+metric
+species
+group
+unit
+compared text: raw, or over_shadow: each run over its shadow first
+design text: paired: seed by seed, Student's t; independent: other seeds in each cell, Welch's t
+runs whole: of the cell that were compared; of a paired sweep the pairs
+runs_reference whole: of the reference cell that were compared
+mean: over the cell's runs
+mean_reference: over the reference cell's
+difference: mean - mean_reference
+lower: of this comparison's own 95 % interval; empty for fewer than 6 runs
+upper: of this comparison's own 95 % interval
+lower_corrected: of the interval that holds in all comparisons at once with 95 % (Bonferroni)
+upper_corrected: of the same interval
+p
+p_holm: corrected for all comparisons of the analysis
+significant
+hedges_g: the difference over the pooled standard deviation between runs of both cells, corrected for small numbers
+runs_needed whole?: runs in each cell that would show this difference with 80 % power at the corrected level, if it and the spread are what they seem
+smallest_detectable: the difference that the runs at hand would show with 80 % power at the corrected level
+"""),
+    "sweep_effects.csv": ("The effect of each value of an axis on each metric, averaged over the other axes.", """
+axis text: what varies: a setting's path, rule_table or engine
+value text: its value here
+reference text: its value in the reference cell
+metric
+species
+group
+unit
+compared text: raw, or over_shadow: each run over its shadow first
+settings whole: of the other axes, over which was averaged
+seeds whole: with a value in all of these cells
+mean: with the axis at this value, over settings and seeds
+mean_reference: with the axis at the reference cell's value
+difference: mean - mean_reference
+lower: of this effect's own 95 % interval, over seeds; empty for fewer than 6
+upper: of this effect's own 95 % interval
+p: of this effect alone
+p_holm: corrected for all effects of the analysis
+significant
+"""),
+    "progress.csv": ("Progress that the contests show, and its test over the neutral shadow.", """
+against own,others: own: opponents from the same run (historical); others: of another replicate (global)
+species text: whose progress it is
+role text: hunter or victim
+opponent text: the species that it meets
+period early,late: early: up to the split; late: from there on
+from_s exact s: the epoch at which the period begins
+to_s exact s: the epoch at which it ends
+runs whole: replicates
+mean_s exact? s: progress, mean over replicates: contact that much sooner (hunter) or later (victim)
+lower_s exact? s: 95 % interval of the mean; empty with fewer than six replicates
+upper_s exact? s: its other end
+shadow_runs whole: replicates of the shadow; 0 without one
+shadow_s exact? s: the same of the neutral shadow
+over_shadow_s exact? s: mean_s - shadow_s
+over_shadow_lower_s exact? s: 95 % interval of that difference, uncorrected
+over_shadow_upper_s exact? s: its other end
+p: of that difference, two-sided
+p_holm: corrected for both roles of a link, period and kind of opponents (Holm)
+"""),
+    "cross_check.csv": ("Results of `trophic cross-check` for gaits and ecologies.", """
+part text: gait or ecology
+engine text: name of the physics engine
+settings text: which parameters of the engine; of gaits
+timestep_s exact? s: of the engine; of gaits
+target_angle_rad exact? rad: that the robots were steered by; of gaits
+quantity text: what was measured
+species text: of metrics
+group text: of metrics, as in metrics.csv
+unit text: of mean, margin, difference and intervals
+mean: over robots or runs
+lower: of its 95 % interval
+upper: of its 95 % interval
+n whole: robots or runs
+margin: within which engines are equivalent
+difference: of gaits: to MuJoCo's mean at its default timestep; of ecologies: the second set's less the first's
+difference_lower: of its 90 % interval
+difference_upper: of its 90 % interval
+conclusion text: equivalent, different, inconclusive or unknown
+"""),
+}
+
+
+class Column(NamedTuple):
+    """A column of a table."""
+
+    name: str
+    unit: str
+    cells: str
+    meaning: str
+
+
+def _read(text: str, shared: dict[str, Column]) -> Iterable[Column]:
+    for line in text.strip().splitlines():
+        head, colon, meaning = line.partition(": ")
+        if not colon:
+            yield shared[line]
+            continue
+        name, kind, unit = (*head.split(), *("exact?", "")[head.count(" "):])[:3]
+        cells = kind.rstrip("?")
+        yield Column(name, unit, _CELLS.get(cells, cells.replace(",", ", ")) + (", or empty" if kind.endswith("?") else ""), meaning)
+
+
+_shared = {column.name: column for column in _read(_SHARED, {})}
+TABLES: dict[str, tuple[str, list[Column]]] = {file: (what, list(_read(lines, _shared))) for file, (what, lines) in _TABLES.items()}
+
+
+def names(file: str) -> list[str]:
+    """The names of a file's columns, in their order."""
+    return [column.name for column in TABLES[file][1]]
+
+
+def document() -> str:
+    """The part of docs/tables.md about these tables."""
+    text = ""
+    for file, (what, columns) in TABLES.items():
+        text += f"\n## {file}\n\n{what}\n\n| column | unit | cells | meaning |\n|---|---|---|---|\n"
+        text += "".join(f"| {column.name} | {column.unit} | {column.cells} | {column.meaning} |\n" for column in columns)
+    return text
+
+
+if __name__ == "__main__":
+    print(document(), end="")
