@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import importlib
 import json
+import os
 import shutil
 import signal
 import sys
 
 # The module whose run(request) does a command.
-MODULES = {"plot": "plot"}
+MODULES = {"analyze": "report.analyze", "analyze-sweep": "sweeps.report", "plot": "plot"}
+SYSTEM = "/usr/bin/python3"  # has the packages of apt-get
 
 
 def run(request: dict) -> int:
@@ -22,19 +24,33 @@ def run(request: dict) -> int:
     except ModuleNotFoundError as error:
         if str(error.name).startswith("trophic"):
             raise
-        why = (f"needs the Python module {error.name}, which {sys.executable} lacks: apt-get install python3-matplotlib python3-pandas "
-               "python3-scipy, or TROPHIC_PYTHON=/usr/bin/python3 if it is installed there")
+        _continue_with_system()
+        code, why = 2, (f"needs the Python module {error.name}, which {sys.executable} lacks: apt-get install python3-jinja2 python3-matplotlib "
+                        "python3-pandas python3-scipy, or let TROPHIC_PYTHON name a Python that has it")
+    except OSError as error:
+        code, why = 1, f"{error.filename or 'cannot write to standard output'}: {error.strerror}"
+    except MemoryError:
+        code, why = 1, "there is not enough memory"
     except KeyboardInterrupt:
         return 128 + signal.SIGINT
     except Exception as error:
         if type(error).__name__ != "RunError":  # compared by name: its module needs pandas
             raise
-        why = str(error)
+        code, why = 2, str(error)
     print(f"{request['who']}: {why}", file=sys.stderr)
-    return 2
+    return code
+
+
+def _continue_with_system() -> None:
+    """Begins again in the system's Python if nobody named another: python3 may be one of a virtual environment that lacks packages."""
+    if "TROPHIC_PYTHON" not in os.environ and os.access(SYSTEM, os.X_OK):
+        os.environ["TROPHIC_PYTHON"] = SYSTEM
+        os.lseek(0, 0, os.SEEK_SET)
+        os.execv(SYSTEM, [SYSTEM, "-m", __package__ + ".command"])
 
 
 def main() -> int:
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))  # an exit, which removes the temporary folder
     request = json.load(sys.stdin)
     try:
@@ -45,4 +61,6 @@ def main() -> int:
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    code = main()
+    sys.stderr.flush()
+    os._exit(code)  # standard output was flushed; a second failure to write it would be reported again
