@@ -33,7 +33,13 @@ def read(path, **how):
 
 
 BRANCH = {"run": "tape", "at_s": "700", "seed": "7", "fingerprint": "aa"}
-CHANGED = {"tables": {"changes.csv": {"rows": 1, "crc32": 6}}}
+
+
+def with_changes(rows):
+    return {"files": {"changes.csv": "time_s,tick,number,value,before\n" + rows}}
+
+
+CHANGED = with_changes("5,5,rules.a,2,1\n")
 
 
 @pytest.mark.parametrize("a, b, why", [
@@ -47,7 +53,7 @@ CHANGED = {"tables": {"changes.csv": {"rows": 1, "crc32": 6}}}
      "not pooled with other runs"),
     ({"origin": BRANCH}, {}, "b: begins at its beginning, but a begins at 700 s of tape (seed 7); "),
     ({}, CHANGED, "b: 1 changes of parameters (changes.csv), but a has 0, or others; runs with different changes are not pooled"),
-    (CHANGED, {"tables": {"changes.csv": {"rows": 1, "crc32": 7}}}, "b: 1 changes of parameters (changes.csv), but a has 1, or others; "),
+    (CHANGED, with_changes("5,5,rules.a,3,1\n"), "b: 1 changes of parameters (changes.csv), but a has 1, or others; "),
     ({}, {"agents_every_ticks": 5}, "b: agents_every_ticks 5, but a has 1; runs that say more and less of their robots are not pooled")])
 def test_runs_that_are_not_replicates_are_refused_also_if_they_are_cut(a, b, why):
     write_run("a", **a)
@@ -56,7 +62,7 @@ def test_runs_that_are_not_replicates_are_refused_also_if_they_are_cut(a, b, why
         assert refusal(pooled, "a", "b", until_s=until_s).startswith(why)
 
 
-@pytest.mark.parametrize("a, b", [({}, {}), ({}, {"tables": {"changes.csv": {"rows": 0, "crc32": 5}}}), (CHANGED, CHANGED)])
+@pytest.mark.parametrize("a, b", [({}, {}), ({}, with_changes("")), ({}, with_changes("5,5,rules.a,1,1\n")), (CHANGED, CHANGED)])
 def test_replicates_are_pooled(a, b):
     write_run("a", **a)
     write_run("b", 2, **b)

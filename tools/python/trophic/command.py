@@ -10,7 +10,7 @@ import signal
 import sys
 
 # The module whose run(request) does a command.
-MODULES = {"analyze": "report.analyze", "analyze-sweep": "sweeps.report", "plot": "plot"}
+MODULES = {"analyze": "report.analyze", "analyze-sweep": "sweeps.report", "cite": "cite", "plot": "plot"}
 SYSTEM = "/usr/bin/python3"  # has the packages of apt-get
 
 

@@ -94,7 +94,7 @@ def describe(of: SetOfRuns) -> Description:
     first = of.runs[0]
     manifest = first.manifest
     said = manifest.get("description", {})
-    changes = tuple(Change(one["time_s"], one["number"], one["value"], one["before"]) for one in said["changes"]) if "changes" in said else _changes_in(first)
+    changes = changes_of(first)
     begins = _begins(manifest)
     name, rules = said.get("name"), said.get("sentence")
     if name is None:  # made by a program that did not describe it
@@ -140,7 +140,11 @@ def _begins(manifest: dict) -> str:
     return f"at {origin['at_s']} s of {origin['run']} (seed {origin['seed']})" if origin else ""
 
 
-def _changes_in(run: Any) -> tuple[Change, ...]:
+def changes_of(run: Any) -> tuple[Change, ...]:
+    """The changes of a run's parameters that had an effect, in the order of time."""
+    said = run.manifest.get("description", {})
+    if "changes" in said:
+        return tuple(Change(one["time_s"], one["number"], one["value"], one["before"]) for one in said["changes"])
     return tuple(Change(row.time_s, row.number, row.value, row.before) for row in _effective(run).itertuples())
 
 

@@ -19,7 +19,7 @@ from typing import Any
 import pandas
 
 from . import metrics, runs
-from .description import describe
+from .description import changes_of, describe
 from .metrics import Measuring, Web, bodies, own
 from .runs import Run, RunError
 from .values import MeasuredSet, RunValues
@@ -80,12 +80,6 @@ class PooledRun(Run):
         """ "at 700 s of runs/a (seed 7)" for a run that begins at a moment of another one, else empty."""
         origin = self.manifest.get("origin")
         return "" if origin is None else f"at {origin['at_s']} s of {origin['run']} (seed {origin['seed']})"
-
-    @property
-    def changes(self) -> tuple[int, int]:
-        """Number and checksum of the changes of parameters; equal for runs with the same changes, and for those without."""
-        found = self.manifest.get("tables", {}).get("changes.csv", {"rows": 0})
-        return (found["rows"], found["crc32"]) if found["rows"] else (0, 0)
 
     def table(self, name: str, columns: list[str] | None = None, *, categories: bool = False) -> pandas.DataFrame:
         """As Run.table, without the rows after `until_s`, if the table has times."""
@@ -318,9 +312,9 @@ def why_not_pooled(run: PooledRun, other: PooledRun, is_cut: bool, any_build: bo
     if run.begins != other.begins:
         begins, others = (f"begins {of.begins or 'at its beginning'}" for of in (run, other))
         return f"{here}{begins}, but {there} {others}; futures of one moment are not pooled with other runs"
-    if run.changes != other.changes:
-        return (f"{here}{run.changes[0]} changes of parameters (changes.csv), but {there} has {other.changes[0]}, or others; runs with different changes are "
-                "not pooled")
+    if run.identity != other.identity:
+        return (f"{here}{len(changes_of(run))} changes of parameters (changes.csv), but {there} has {len(changes_of(other))}, or others; runs with different changes "
+                "are not pooled")
     if run.every_ticks != other.every_ticks:
         return f"{here}agents_every_ticks {run.every_ticks}, but {there} has {other.every_ticks}; runs that say more and less of their robots are not pooled"
     if not is_cut and (run.manifest["status"] != other.manifest["status"] or not lasted_alike(run, other)):
@@ -368,6 +362,8 @@ def check_shadow(run: PooledRun, shadow: PooledRun, any_parent: bool = False) ->
         return {"backend": of.manifest["backend"], "params": params, "rules": {slot: rule for slot, rule in of.manifest.get("rules", {}).items() if slot not in free}}
     if why := first_difference(rest(run), rest(shadow)):
         refuse(why)
+    if changes_of(run) != changes_of(shadow):
+        refuse("its parameters change otherwise during the run (changes.csv)")
     if not lasted_alike(run, shadow):
         refuse(f"it has {lasted_text(shadow)}: must be as {lasted_text(run)}")
 

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: MIT
+"""`trophic cite`: how a paper cites a run or a set of runs."""
+from __future__ import annotations
+
+import pathlib
+from collections.abc import Sequence
+
+from . import description
+from .pool import read_pooled, run_folders
+from .runs import RunError, Runs
+
+ENTRIES = """@misc{trophic,
+  title = {trophic: ecologies of simulated robots with rules at compile time and physics behind an adapter},
+  author = {{The trophic authors}},
+  year = {2026},
+  note = {Software, version %s, revision %s}
+}
+@article{kachler2023,
+  title = {Open-endedness induced through a predator-prey scenario using modular robots},
+  author = {Kachler, Dimitri and Miras, Karine},
+  journal = {arXiv:2309.11275},
+  year = {2023},
+  doi = {10.48550/arXiv.2309.11275}
+}
+"""
+
+
+def run(request: dict) -> int:
+    """Prints a sentence about the run or the replicates in the folder `run` of the request, and BibTeX entries."""
+    folder = pathlib.Path(request["run"])
+    if (folder / "plan.jsonl").exists():
+        raise RunError(f"{folder}: is a sweep; name one of its cells")
+    folders = run_folders(folder, [])
+    if not folders:
+        raise RunError(f"{folder}: no run is there")
+    runs = [read_pooled(one) for one in folders if one == folder or (one / "manifest.json").exists()]
+    if not runs:
+        raise RunError(f"{folder}: no run is there")
+    others = sorted({one.identity for one in runs} - {runs[0].identity})
+    if others:
+        raise RunError(f"{folder}: runs of different fingerprints: {', '.join([runs[0].identity, *others])}; cite them one by one")
+    first = runs[0].manifest
+    versions, revisions = (sorted({one.manifest.get(key, "unknown") for one in runs}) for key in ("trophic", "source_revision"))
+    seed = f"master seed {first['master_seed']}" if "master_seed" in first else f"seed {first['seed']}"
+    one = description.describe(Runs(folder, list(runs)))
+    made = f"in trophic {_all(versions)} (revision {_all(revisions)}, fingerprint {one.identity}, {seed})"
+    also = "" if "description" in first else " The parameters are in manifest.json."
+    print(f"{one.sentence(made)}{also}\n\n{ENTRIES % (_all(versions), _all(revisions))}", end="")
+    return 0
+
+
+def _all(texts: Sequence[str]) -> str:
+    return " and ".join(texts)
