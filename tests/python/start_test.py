@@ -41,7 +41,7 @@ class Start(unittest.TestCase):
         runs = trophic.run(PREDATOR_PREY, rules="paper", backend="kinematic", duration=400, replicates=6, shadow=True, out=self.folder / "set")
         self.assertEqual((len(runs), len(runs.shadow)), (6, 6))
         runs.measure("catches", lambda run: (run.events.event == "catch").sum())
-        analysis = trophic.analyze(runs, out=self.folder / "analysis", options=["--column", "catches.csv:catches"])
+        analysis = trophic.analyze(runs, out=self.folder / "analysis", columns=["catches.csv:catches"])
         row = analysis.means[analysis.means.metric == "catches"].iloc[0]
         of = [float((run.events.event == "catch").sum()) for run in runs]
         null = [float((run.events.event == "catch").sum()) for run in runs.shadow]
@@ -58,7 +58,7 @@ class Start(unittest.TestCase):
                 runs.measure(name, function)
         self.assertEqual(sorted(self.folder.rglob("*.csv")), before)
         runs.measure("odd", lambda run: float("nan") if run is runs[0] else 1.0)
-        odd = trophic.analyze(runs, out=self.folder / "odd", options=["--column", "odd.csv:odd"])
+        odd = trophic.analyze(runs, out=self.folder / "odd", columns=["odd.csv:odd"])
         self.assertEqual(odd.means[odd.means.metric == "odd"].n.iloc[0], 5)
 
     def test_categories(self):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 
+__version__ = "0.1.0"
 # The module of each name. Modules are imported at first use, because numpy, pandas or matplotlib may be missing.
 _MODULES = {"Recording": "recording", "RecordingError": "recording", "read_replay": "recording",
             "Run": "runs", "Runs": "runs", "Analysis": "runs", "RunError": "runs", "read_run": "runs", "read_runs": "runs", "read_study": "runs",

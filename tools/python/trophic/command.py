@@ -10,7 +10,8 @@ import signal
 import sys
 
 # The module whose run(request) does a command.
-MODULES = {"analyze": "report.analyze", "analyze-sweep": "sweeps.report", "cite": "cite", "plot": "plot"}
+MODULES = {"ablation-table": "ablations", "analyze": "report.analyze", "analyze-sweep": "sweeps.report", "cite": "cite", "contest": "contests",
+           "cross-check": "cross_check", "plot": "plot"}
 SYSTEM = "/usr/bin/python3"  # has the packages of apt-get
 
 
@@ -34,7 +35,7 @@ def run(request: dict) -> int:
     except KeyboardInterrupt:
         return 128 + signal.SIGINT
     except Exception as error:
-        if type(error).__name__ != "RunError":  # compared by name: its module needs pandas
+        if type(error).__name__ not in ("RunError", "ProgramError"):  # compared by name: its module needs pandas
             raise
         code, why = 2, str(error)
     print(f"{request['who']}: {why}", file=sys.stderr)

@@ -6,7 +6,6 @@ A family is all comparisons that answer one question: those of a set with its nu
 over a family, and a comparison is significant if its corrected p value is at most 0.05."""
 from __future__ import annotations
 
-import difflib
 import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
@@ -15,6 +14,7 @@ import numpy
 import pandas
 
 from . import published
+from .metrics import chosen
 from .runs import RunError
 from .statistics import (MIN_RUNS_FOR_TEST, Difference, adjust_together, contrast, difference_of, estimate, is_significant, known, mean_of,
                          scatter_of)
@@ -54,19 +54,6 @@ class Finding(NamedTuple):
 
 
 # Comparisons
-
-def chosen(metrics: Sequence[Metric], choices: Sequence[str]) -> list[Metric]:
-    """Those of `metrics` that any of the choices names, METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP, in their order; all without a choice.
-    Raises RunError, with the names of all metrics, for a choice that names none."""
-    names = {metric: [metric.metric, f"{metric.metric}:{metric.species}", str(metric)] for metric in metrics}
-    for choice in choices:
-        if not any(choice in words for words in names.values()):
-            near = difflib.get_close_matches(choice, list(dict.fromkeys(word for words in names.values() for word in words)), 1, 0.7)
-            known_names = ", ".join(dict.fromkeys(metric.metric for metric in metrics))
-            raise RunError(f"metric {choice}: must be METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP of {known_names}"
-                           f"{f'; did you mean {near[0]}?' if near else ''}")
-    return [metric for metric, words in names.items() if not choices or any(choice in words for choice in choices)]
-
 
 def repeated(metrics: Sequence[Metric], sets: Sequence[MeasuredSet]) -> dict[Metric, Metric]:
     """The first earlier metric that a metric repeats, for each that repeats one.
@@ -259,11 +246,15 @@ def findings(frame: pandas.DataFrame) -> list[Finding]:
 
 
 def inconclusive(frame: pandas.DataFrame) -> list[Any]:
-    """The rows of facts that are neither significant nor shown to be equal, of which a difference of the size that was observed needs the fewest
-    runs first."""
-    found = {_fact(row) for row in facts(frame, ("above", "below"))}
-    rows = [row for row in facts(frame, ("inconclusive",)) if _fact(row) not in found]
-    return sorted(rows, key=lambda row: math.inf if math.isnan(row.runs_needed) else row.runs_needed)
+    """A row of each fact that is not a finding: the one of which a difference of the size that was observed needs the fewest runs. Those that need
+    the fewest come first. Inconclusive does not mean equal."""
+    seen = {_fact(row) for row in facts(frame, ("above", "below"))}
+    rows = []
+    for row in frame[frame["conclusion"] == "inconclusive"].sort_values("runs_needed", kind="stable").itertuples(index=False):
+        if _fact(row) not in seen:
+            seen.add(_fact(row))
+            rows.append(row)
+    return rows
 
 
 def _finding(row: Any) -> Finding:

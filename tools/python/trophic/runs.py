@@ -6,6 +6,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
+import html
 import io
 import json
 import os
@@ -192,23 +193,39 @@ class Runs:
 
 @dataclasses.dataclass(frozen=True)
 class Analysis:
-    """A folder that `trophic analyze` wrote."""
+    """Results of `trophic analyze`, as `trophic.analyze` returns and `read_analysis` reads them."""
 
-    path: pathlib.Path
+    path: pathlib.Path | None
+    """The folder of the tables; None for an analysis in memory."""
     metrics: pandas.DataFrame = dataclasses.field(repr=False)
     """metrics.csv: every value and every curve of every run, one value a row."""
     summary: dict = dataclasses.field(repr=False)
-    """summary.json: means, intervals and test results of each set."""
+    """summary.json: means, intervals, test results and findings of each set."""
 
     @functools.cached_property
     def means(self) -> pandas.DataFrame:
         """means.csv: each metric next to each of its nulls."""
-        return _table(self.path / "means.csv")
+        return _table(self._file("means.csv"))
+
+    @functools.cached_property
+    def differences(self) -> pandas.DataFrame:
+        """differences.csv, of two sets that were compared. Raises RunError for an analysis of one set."""
+        return _table(self._file("differences.csv"))
+
+    @property
+    def findings(self) -> list[str]:
+        """The findings in sentences: each fact once, the paper's questions first."""
+        return [finding["sentence"] for finding in self.summary["findings"]]
+
+    def _file(self, name: str) -> pathlib.Path:
+        if self.path is None:
+            raise RunError(f"{name}: this analysis has no such table")
+        return self.path / name
 
     def _repr_html_(self) -> str:
-        frame = self.means[self.means.same_as == ""].dropna(subset=["p_holm"]).sort_values("p")
-        shown = frame[["metric", "species", "group", "mean", "null", "null_mean", "difference", "p_holm", "n"]].head(10)
-        return description.card(str(self.path), {s["set"]: f"{len(s['runs'])} runs" for s in self.summary["sets"]}) + shown.to_html(index=False, float_format="%.4g")
+        sets = {one["set"]: one["description"] for one in self.summary["sets"]}
+        sentences = [*self.findings, self.summary["family"]["sentence"]]
+        return description.card(str(self.path or "analysis"), sets) + "<ul>" + "".join(f"<li>{html.escape(one)}</li>" for one in sentences) + "</ul>"
 
 
 def read_run(path: str | os.PathLike) -> Run:

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""Starts trophic's programs. The rules are theirs: here are none."""
+"""Starts trophic's programs, whose rules are theirs, and analyses what they write."""
 from __future__ import annotations
 
 import os
 import pathlib
+from collections.abc import Callable, Sequence
+from typing import Any
 
 from .programs import Page, ProgramError, call, find_program
-from .runs import Analysis, Run, Runs, read_analysis, read_run, read_runs
+from .runs import Analysis, Run, Runs, read_run, read_runs
 
 __all__ = ["Page", "ProgramError", "analyze", "find_program", "run", "show"]
 
@@ -39,12 +41,35 @@ def run(experiment: str | os.PathLike = "paper", *, out: str | os.PathLike, back
     return read_run(out) if replicates is None else read_runs(out)
 
 
-def analyze(runs: Run | Runs | str | os.PathLike, *, out: str | os.PathLike, options: list[str] | None = None) -> Analysis:
-    """`trophic analyze` of a run or replicates into the new folder `out`, read. `options`: further arguments, ["--metric", "deaths"]."""
-    if pathlib.Path(out).exists():
-        raise ProgramError(f"out={out}: exists already; nothing is overwritten")
-    call(find_program("trophic"), ["analyze", getattr(runs, "path", runs), *(options or []), "--out", out], "trophic analyze")
-    return read_analysis(out)
+def analyze(runs: Run | Runs | str | os.PathLike | Sequence, compare: Run | Runs | str | os.PathLike | None = None, *,
+            out: str | os.PathLike | None = None, shadow: Runs | str | os.PathLike | None = None, until: float | None = None,
+            metrics: Sequence[str | Callable[[Run], Any]] = (), columns: Sequence[str] = (), accept_other_build: bool = False,
+            jobs: int | None = None) -> Analysis:
+    """Measures runs, or two sets that are compared, and judges them: what `trophic analyze` does, in this process.
+
+    `out` is a new folder for the tables; without it the analysis is in memory alone. `shadow`: the neutral shadow, if it is not in RUNS/shadow.
+    `until`: only the first seconds of every run. `metrics`: choices, as "velocity:prey", and own metrics, functions of a Run (`trophic.metric`
+    names them and their units); without a choice all are tested. `columns`: own metrics that are columns of tables, "FILE:COLUMN:UNIT". `jobs`:
+    runs measured at a time. Raises RunError, with a sentence that names it, for what cannot be analysed."""
+    from .metrics import Measuring
+    from .report import analyze as report
+    from .report.tables import result_folder
+    paths = [_path(each) for each in (runs if isinstance(runs, (list, tuple)) else [runs])]
+    sets = [] if compare is None else [*paths, _path(compare)]
+    its_shadow = None if shadow is None else _path(shadow)
+    how = Measuring(until_s=until, accept_other_build=accept_other_build, columns=columns, functions=[each for each in metrics if callable(each)],
+                    metrics=[each for each in metrics if not callable(each)], jobs=jobs)
+    if out is None:
+        return report.analyse(paths, sets, its_shadow, how).analysis(None)
+    with result_folder(out) as folder:
+        outcome = report.analyse(paths, sets, its_shadow, how)
+        report.write_tables(folder, outcome)
+    return outcome.analysis(folder)
+
+
+def _path(of: Any) -> str | os.PathLike:
+    """The folder of a run or of runs, or the path itself."""
+    return getattr(of, "path", of)
 
 
 def show(run: Run, out: str | os.PathLike | None = None) -> Page:

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: MIT
+"""`trophic analyze` and `trophic.analyze`: from runs to results."""
+from __future__ import annotations
+
+import contextlib
+import os
+import pathlib
+import sys
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+import pandas
+
+from .. import judge, pool
+from ..description import describe, distinct
+from ..metrics import Measuring, own
+from ..runs import Analysis, RunError
+from ..values import MeasuredSet
+from . import tables, tex, text
+
+
+class Outcome(NamedTuple):
+    """Measured sets and what the judge made of them."""
+    sets: list[MeasuredSet]
+    frames: list[pandas.DataFrame]
+    """of judge.summarize, one a set"""
+    compared: pandas.DataFrame | None
+    """of judge.compare, of two sets"""
+
+    @property
+    def answer(self) -> pandas.DataFrame:
+        """The frame whose family and findings answer what was asked."""
+        return self.frames[0] if self.compared is None else self.compared
+
+    def remarks(self) -> list[str]:
+        return [remark for one in self.sets for of in (one, one.shadow) if of for remark in of.remarks]
+
+    def analysis(self, path: pathlib.Path | None) -> Analysis:
+        """As `read_analysis` has it; `path` is the folder of the tables, None for an analysis in memory."""
+        content = tables.summary(self.sets, self.frames, self.compared)
+        made = Analysis(path, tables.metrics(self.sets), content)
+        made.__dict__["means"] = tables.means(pandas.concat(self.frames, ignore_index=True))
+        if self.compared is not None:
+            made.__dict__["differences"] = tables.differences(self.compared)
+        return made
+
+
+def analyse(runs: Sequence[str | os.PathLike], compare: Sequence[str | os.PathLike] = (), shadow: str | os.PathLike | None = None,
+            how: Measuring | None = None) -> Outcome:
+    """Measures the runs of some folders, or of two sets that are compared, and judges them. Raises RunError, naming what is wrong."""
+    how = how or Measuring()
+    groups = [[folder] for folder in compare] or [list(runs)]
+    if compare:
+        first, second = (pool.pooled_runs([pathlib.Path(folder)], how)[0][0] for folder in compare)
+        if how.until_s is None and not pool.lasted_alike(first, second):
+            raise RunError(f"{second.path}: {pool.lasted_text(second)}, but {first.path} has {pool.lasted_text(first)}; runs of different length "
+                           "are not compared: use --until")
+    sets = [pool.read_set(group, shadow, how) for group in groups]
+    for of, label in zip(sets, distinct([describe(of).label for of in sets])):
+        of.label = label
+        if of.shadow:
+            of.shadow.label = describe(of.shadow).label
+    frames = [judge.summarize(of, how.metrics) for of in sets]
+    return Outcome(sets, frames, judge.compare(sets[0], sets[1], how.metrics) if compare else None)
+
+
+def measuring_of(request: Mapping[str, Any]) -> Measuring:
+    """How the runs of a request are measured."""
+    functions = [function for file in request.get("metric_file") or () for function in own.read_metrics(file)]
+    return Measuring(until_s=request.get("until"), accept_other_build=bool(request.get("accept_other_build")), columns=request.get("column") or (),
+                     functions=functions, bodies=request.get("plan_distances"), lineages=request.get("signatures"), jobs=request.get("jobs"),
+                     metrics=request.get("metric") or ())
+
+
+def run(request: Mapping[str, Any]) -> int:
+    """The command. Raises RunError before any work for options that do not go together, and for a file or folder that exists."""
+    how = measuring_of(request)
+    if request.get("html"):
+        from . import page  # type: ignore[attr-defined]
+        if os.path.lexists(request["html"]):
+            raise RunError(f"--html {request['html']}: exists already; nothing is overwritten")
+        if request.get("figures"):
+            page.read_figures(request["figures"])
+    wants_tables = request.get("out") is not None or not request.get("html")
+    with tables.result_folder(request.get("out")) if wants_tables else contextlib.nullcontext() as folder:
+        outcome = analyse(request.get("runs") or (), request.get("compare") or (), request.get("shadow"), how)
+        for remark in outcome.remarks():
+            print(f"{request['who']}: {remark}", file=sys.stderr)
+        whole, brief = texts(outcome, bool(request.get("published")))
+        print(whole if request.get("all") or how.metrics else brief, end="")
+        if folder is not None:
+            print(f"files   {folder}/{{{','.join(write_tables(folder, outcome))}}}")
+        if request.get("html"):
+            frames = outcome.frames if outcome.compared is None else [outcome.compared]
+            downloads = {"metrics.csv": tables.csv_text(tables.metrics(outcome.sets))}
+            print(page.write(request["html"], outcome.sets, frames, judge.findings(outcome.answer), request, text=whole, downloads=downloads), end="")
+        sys.stdout.flush()
+    return 0
+
+
+def texts(outcome: Outcome, is_published: bool = False) -> tuple[str, str]:
+    """The text of the terminal with --all, and without."""
+    sets, compared = outcome.sets, outcome.compared
+    if compared is not None:
+        return text.difference_table(sets[0], sets[1], compared), text.difference_findings(sets[0], sets[1], compared)
+    if is_published:
+        claims = text.claims(sets[0])
+        return claims, claims
+    return text.table(sets[0], outcome.frames[0]), text.findings(sets[0], outcome.frames[0])
+
+
+def write_tables(folder: pathlib.Path, outcome: Outcome) -> list[str]:
+    """Writes every table of an analysis into a folder. Returns the names of the files."""
+    sets, compared = outcome.sets, outcome.compared
+    made = outcome.analysis(folder)
+    files = {"metrics.csv": tables.csv_text(made.metrics), "means.csv": tables.csv_text(made.means),
+             "means.tex": "".join(tex.means(of, frame) for of, frame in zip(sets, outcome.frames))}
+    if compared is not None:
+        files |= {"differences.csv": tables.csv_text(made.differences), "differences.tex": tex.differences(sets[0], sets[1], compared)}
+    files["summary.json"] = tables.json_text(made.summary)
+    for name, content in files.items():
+        tables.write_new(folder / name, content)
+    return list(files)

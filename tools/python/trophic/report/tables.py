@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: MIT
+"""Results for machines: metrics.csv, means.csv, differences.csv and summary.json, and the folder that they are in."""
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import pathlib
+import shutil
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import pandas
+
+from .. import __version__, judge, published
+from ..runs import RunError
+from ..statistics import MIN_RUNS_FOR_TEST, is_significant
+from ..values import METRIC, SHADOW, MeasuredSet
+from ..words import number_text
+
+METRICS = ["set", "run", "seed", *METRIC[:3], "baseline", "time_s", "value", "unit"]
+MEANS = ["set", *METRIC, "n", "mean", "deviation", "lower", "upper", "published", "null", "null_n", "null_mean", "difference", "difference_lower",
+         "difference_upper", "p", "p_holm", "runs_needed", "same_as"]
+DIFFERENCES = [*METRIC, "compared", "n_a", "n_b", "mean_a", "mean_b", "difference", "lower", "upper", "p", "p_holm", "runs_needed", "same_as"]
+
+
+# Files
+
+@contextlib.contextmanager
+def result_folder(out: str | os.PathLike | None) -> Iterator[pathlib.Path]:
+    """A new folder for results: `out`, or "analysis", "analysis-1", ... It goes again if the work fails. Raises RunError for one that exists."""
+    path = pathlib.Path(out if out is not None else "analysis")
+    if out is None and os.path.lexists(path):
+        path = next(free for free in (pathlib.Path(f"analysis-{i}") for i in range(1, 1_000_000)) if not os.path.lexists(free))
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.mkdir()
+    except FileExistsError:
+        raise RunError(f"--out {path}: exists already; nothing is overwritten") from None
+    except OSError as error:
+        raise RunError(f"--out {path}: cannot be made: {error.strerror}") from None
+    try:
+        yield path
+    except BaseException:
+        shutil.rmtree(path, ignore_errors=True)
+        raise
+
+
+def write_new(path: str | os.PathLike, content: str | bytes) -> None:
+    """Writes a new file, whole or not at all. Raises RunError, naming it, if it exists or cannot be written."""
+    path = pathlib.Path(path)
+    part = path.with_name(path.name + ".part")
+    try:
+        part.write_bytes(content.encode() if isinstance(content, str) else content)
+        os.link(part, path)  # unlike a renaming, it never replaces a file
+    except OSError as error:
+        why = "exists already; nothing is overwritten" if isinstance(error, FileExistsError) else f"cannot be written: {error.strerror}"
+        raise RunError(f"{path}: {why}") from None
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def csv_text(frame: pandas.DataFrame) -> str:
+    """A frame as trophic's CSV: exact numbers, empty cells for nan and None, and texts in quotes if they have a comma."""
+    columns = []
+    for name in frame:
+        if name == "runs_needed":
+            columns.append(["" if value != value else str(int(value)) for value in frame[name].tolist()])
+        elif frame[name].dtype.kind in "fiu":
+            columns.append([number_text(value) for value in frame[name].tolist()])
+        else:
+            texts = ["" if value is None or value != value else str(value) for value in frame[name].tolist()]
+            columns.append([f'"{text}"' if "," in text else text for text in texts])
+    return "".join(",".join(cells) + "\n" for cells in [tuple(frame.columns), *zip(*columns)])
+
+
+# Tables
+
+def metrics(sets: Sequence[MeasuredSet]) -> pandas.DataFrame:
+    """metrics.csv: every value and every curve of every run, one value a row. The shadow's own baselines are left out: they say nothing about the
+    set."""
+    parts = []
+    for one in sets:
+        for of, is_shadow in ((one, False), *(((one.shadow, True),) if one.shadow else ())):
+            for run, measured in zip(of.runs, of.values):
+                rows = pandas.concat([measured.values, measured.curves]).reset_index(drop=True)
+                if is_shadow:
+                    rows = rows[rows["baseline"] == ""].assign(baseline=SHADOW)
+                parts.append(rows.assign(set=one.label, run=run.path.resolve().name.replace(",", "_"), seed=run.seed).reindex(columns=METRICS))
+    frame = pandas.concat(parts, ignore_index=True)
+    return frame.astype({"time_s": float, "value": float, "seed": "uint64"})
+
+
+def means(frame: pandas.DataFrame) -> pandas.DataFrame:
+    """means.csv of a frame of judge.summarize, or of several below each other: each metric next to each of its nulls, one row each; one row for a
+    metric without a null."""
+    is_null = frame["role"] == "null"
+    key = ["set", *METRIC]
+    has_null = frame.assign(is_null=is_null).groupby(key, sort=False)["is_null"].transform("any")
+    table = frame[is_null | (~has_null & ~frame.duplicated(key))].copy()
+    alone = table["role"] != "null"
+    table.loc[alone, "null"], table.loc[alone, "null_n"], table.loc[alone, "null_mean"] = "", 0, float("nan")
+    return table[MEANS].reset_index(drop=True)
+
+
+def differences(frame: pandas.DataFrame) -> pandas.DataFrame:
+    """differences.csv of a frame of judge.compare."""
+    return frame[DIFFERENCES].reset_index(drop=True)
+
+
+# summary.json
+
+def summary(sets: Sequence[MeasuredSet], frames: Sequence[pandas.DataFrame], compared: pandas.DataFrame | None = None) -> dict[str, Any]:
+    """summary.json: each set with its runs, means, every baseline, the size of its family and its findings; of two sets their differences. The
+    top's `family` and `findings` answer what was asked: of one set its own, of two sets those of their differences. null is what could not be
+    computed."""
+    answer = frames[0] if compared is None else compared
+    content: dict[str, Any] = {"trophic": __version__, "family": _family(answer), "findings": _findings(answer),
+                               "sets": [_set(of, frame) for of, frame in zip(sets, frames)]}
+    if compared is not None:
+        content["differences"] = [_difference(rows) for _, rows in compared.groupby(METRIC, sort=False)]
+    return _without_nan(content)
+
+
+def json_text(content: Any) -> str:
+    return json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+
+
+def _family(frame: pandas.DataFrame) -> dict[str, Any]:
+    size = judge.count(frame)
+    return {**size._asdict(), "sentence": size.sentence()}
+
+
+def _findings(frame: pandas.DataFrame) -> list[dict[str, Any]]:
+    return [{"sentence": one.sentence, **one.metric._asdict(), "baseline": one.baseline, "effect": one.effect, "lower": one.interval[0],
+             "upper": one.interval[1], "p_holm": one.p_holm} for one in judge.findings(frame)]
+
+
+def _set(of: MeasuredSet, frame: pandas.DataFrame) -> dict[str, Any]:
+    from ..description import describe
+    said = describe(of)
+    return {"set": of.label, "description": said.sentence(), "backend": said.engine, "fingerprint": of.runs[0].fingerprint, "identity": said.identity,
+            "min_runs_for_test": MIN_RUNS_FOR_TEST, "family": _family(frame), "findings": _findings(frame), "runs": _runs(of),
+            "shadow_runs": _runs(of.shadow) if of.shadow else [],
+            "metrics": [_metric(rows) for _, rows in frame.groupby(METRIC, sort=False)],
+            "claims": _claims(of) if published.applies_to(of) else [],
+            "remarks": [*of.remarks, *(of.shadow.remarks if of.shadow else [])]}
+
+
+def _runs(of: MeasuredSet) -> list[dict[str, Any]]:
+    return [{"folder": os.path.abspath(run.path), "seed": run.seed, "status": run.manifest["status"], "builds": run.builds,
+             "half_side_m": run.manifest.get("arena", {}).get("half_side_m"), "until_s": of.until_s} for run in of.runs]
+
+
+def _test(row: Any) -> dict[str, Any]:
+    tested = row.p_holm == row.p_holm
+    return {"p": row.p, "p_adjusted": row.p_holm, "differs": is_significant(row.p_holm) if tested else None,
+            "runs_needed": None if row.runs_needed != row.runs_needed else int(row.runs_needed)}
+
+
+def _metric(rows: pandas.DataFrame) -> dict[str, Any]:
+    first = next(rows.itertuples(index=False))
+    baselines = [{"name": row.null, "role": row.role, "value": row.null_mean, "runs": row.null_n, "difference": row.difference,
+                  "lower": row.difference_lower, "upper": row.difference_upper, **_test(row),
+                  "conclusion": row.conclusion if row.role == "null" else None} for row in rows.itertuples(index=False) if row.null]
+    return {**{name: getattr(first, name) for name in METRIC}, "runs": first.n, "mean": first.mean, "deviation": first.deviation,
+            "lower": first.lower, "upper": first.upper, "same_as": first.same_as or None, "published": first.published, "baselines": baselines}
+
+
+def _difference(rows: pandas.DataFrame) -> dict[str, Any]:
+    parts = {row.compared: row for row in rows.itertuples(index=False)}
+    raw = parts["raw"]
+    nothing = {"value": None, "lower": None, "upper": None, "p": None, "p_adjusted": None, "differs": None, "runs_needed": None, "conclusion": None}
+    return {**{name: getattr(raw, name) for name in METRIC}, "same_as": raw.same_as or None,
+            **{side: {"runs": getattr(raw, f"n_{side}"), **{name: getattr(raw, f"{name}_{side}") for name in ("mean", "deviation", "lower", "upper")}}
+               for side in "ab"},
+            **{kind: {"value": row.difference, "lower": row.lower, "upper": row.upper, **_test(row), "conclusion": row.conclusion}
+               if (row := parts.get(kind)) else nothing for kind in ("raw", "over_shadow")}}
+
+
+def _claims(of: MeasuredSet) -> list[dict[str, Any]]:
+    return [{"claim": claim.claim.title, "summary": published.summary_of(claim), "readings": [_reading(each) for each in claim.readings]}
+            for claim in published.judge_claims(of)]
+
+
+def _reading(each: published.ReadingConclusion) -> dict[str, Any]:
+    lower, upper = each.interval or (None, None)
+    ours = each.ours.interval or (None, None)
+    return {**each.reading.metric._asdict(), "members": each.reading.members, "counting": each.reading.counting, "published": each.reading.value,
+            "source": each.reading.source, "margin": published.margin_of(each.reading),
+            "margin_from": each.reading.spread and each.reading.spread.origin,
+            "runs": each.ours.runs, "mean": each.ours.mean, "deviation": each.ours.deviation, "lower": ours[0], "upper": ours[1],
+            "difference": each.difference, "difference_lower": lower, "difference_upper": upper, "conclusion": each.conclusion,
+            "runs_needed": each.runs_needed}
+
+
+def _without_nan(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _without_nan(part) for key, part in value.items()}
+    if isinstance(value, list):
+        return [_without_nan(part) for part in value]
+    return None if value != value else value

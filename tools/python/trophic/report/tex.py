@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: MIT
+"""Results for papers: LaTeX tables (booktabs, tabularx) as wide as the line that they are put into."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import pandas
+
+from ..description import describe
+from ..judge import count
+from ..values import SHADOW, MeasuredSet, Metric
+from ..words import Reading, latex_text, metric_title, p_text
+from .text import estimate_of
+
+_PACKAGES = "% \\usepackage{booktabs,tabularx}; \\input{} this file in a table, or in a table* of two columns.\n"
+
+
+def means(of: MeasuredSet, frame: pandas.DataFrame) -> str:
+    """The table of a set, each metric next to each null once; `frame`: of judge.summarize."""
+    rows = []
+    for row in frame[(frame["role"] == "null") & (frame["same_as"] == "") & frame["difference"].notna()].itertuples(index=False):
+        metric = Metric(row.metric, row.species, row.group, row.unit)
+        reading = Reading(metric)
+        null = "" if row.null == SHADOW else f" (null: {row.null})"
+        rows.append([latex_text(metric_title(metric) + null), math(reading.of(estimate_of(row))), math(reading(row.null_mean)),
+                     math(reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True)), math(p_text(row.p_holm)),
+                     math(f"{row.n}{{+}}{row.null_n}")])
+    about = f"% {heading(of)}. Null: the neutral shadow, unless another is named. {_family(frame)}\n"
+    return _PACKAGES + about + _table(["metric", "mean [95\\,\\%]", "null", "mean $-$ null [95\\,\\%]", "$p$", "$n$"], rows)
+
+
+def differences(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:
+    """The answer of a comparison: over the shadows if both sets have one, else raw; `frame`: of judge.compare."""
+    over = bool(a.shadow and b.shadow)
+    rows = []
+    for row in frame[(frame["role"] == "null") & (frame["same_as"] == "") & frame["difference"].notna()].itertuples(index=False):
+        metric = Metric(row.metric, row.species, row.group, row.unit)
+        reading = Reading(metric)
+        rows.append([latex_text(metric_title(metric)), math(reading(row.mean_a)), math(reading(row.mean_b)),
+                     math(reading.with_interval(row.difference, (row.lower, row.upper), True)), math(p_text(row.p_holm)),
+                     math(f"{row.n_a}{{+}}{row.n_b}")])
+    what = "over shadows: (b - its shadow) - (a - its shadow)" if over else "b - a"
+    about = f"% a: {heading(a)}; b: {heading(b)}; {what}. {_family(frame)}\n"
+    column = "over shadows [95\\,\\%]" if over else "difference [95\\,\\%]"
+    return _PACKAGES + about + _table(["metric", latex_text(a.label), latex_text(b.label), column, "$p$", "$n$"], rows)
+
+
+def heading(of: MeasuredSet) -> str:
+    """A set in half a line of a comment."""
+    said = describe(of)
+    return f"{of.label} on {said.engine}, {said.length()}".replace("\n", " ")
+
+
+def math(text: Any) -> str:
+    """A number with its interval in mathematics; a dash if there is none."""
+    return "--" if text in ("", "missing") else "$" + str(text).replace(" ", "\\ ") + "$"
+
+
+def _family(frame: pandas.DataFrame) -> str:
+    return f"p: Holm, corrected for {count(frame).comparisons} comparisons."
+
+
+def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """Numbers behind a first column of names, which takes the rest of the line."""
+    lines = [" & ".join(cells) + " \\\\\n" for cells in (head, *rows)]
+    return ("{\\scriptsize\\setlength{\\tabcolsep}{3pt}%\n\\begin{tabularx}{\\linewidth}{@{}>{\\raggedright\\arraybackslash}X*{" + str(len(head) - 1)
+            + "}{r}@{}}\n\\toprule\n" + lines[0] + "\\midrule\n" + "".join(lines[1:]) + "\\bottomrule\n\\end{tabularx}}\n")

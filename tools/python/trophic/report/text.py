@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: MIT
+"""Results for people, on the terminal."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import pandas
+
+from .. import judge, published
+from ..description import describe
+from ..statistics import Estimate, Interval
+from ..values import SHADOW, MeasuredSet, Metric
+from ..words import Reading, columns, metric_title, number_text, p_text, runs_text
+
+MOST_INCONCLUSIVE = 3
+_OVER = "over shadows: (b - shadow) - (a - shadow)"
+_NEEDED = "runs needed: in each set, to find a difference of this size in 80 % of studies. Inconclusive does not mean equal\n"
+_UNATTRIBUTED = "without a shadow of each set no difference can be attributed to inheritance\n"
+
+
+def estimate_of(row: Any, side: str = "") -> Estimate:
+    """The mean of a row of a judge's frame; side: "", "_a" or "_b"."""
+    n, mean, deviation, lower, upper = (getattr(row, name + side) for name in ("n", "mean", "deviation", "lower", "upper"))
+    return Estimate(n, mean, deviation, Interval(lower, upper) if lower == lower else None)
+
+
+def _metric(row: Any) -> Metric:
+    return Metric(row.metric, row.species, row.group, row.unit)
+
+
+def described(of: MeasuredSet) -> str:
+    """ "LABEL on ENGINE, N runs of T s". """
+    said = describe(of)
+    length = said.length()
+    return f"{of.label} on {said.engine}, {length[0].lower()}{length[1:]}"
+
+
+def _heading(of: MeasuredSet) -> str:
+    text = f"{described(of)}, fingerprint {describe(of).identity}\n"
+    return text + (f"shadow: {described(of.shadow)}\n" if of.shadow
+                   else "no shadow: attribution and velocity have no null (--replicates with --shadow makes one)\n")
+
+
+def _too_few(*sets: MeasuredSet) -> str:
+    return "".join(sentence + "\n" for of in sets for sentence in judge.too_few(of))
+
+
+def _conclusion(row: Any) -> str:
+    """"above", "below", or "inconclusive, 34 runs needed"."""
+    if row.conclusion == "inconclusive":
+        return f"inconclusive, {runs_text(row.runs_needed)} runs needed"
+    return row.conclusion if row.conclusion in ("above", "below") else ""
+
+
+def findings_text(frame: pandas.DataFrame) -> str:
+    """How many comparisons are significant, and each finding in a sentence."""
+    found = judge.findings(frame)
+    text = judge.count(frame).sentence() + "\n" + "".join(f"  {finding.sentence}\n" for finding in found[: judge.MOST_FINDINGS])
+    return text + (f"  and {len(found) - judge.MOST_FINDINGS} more findings (--all)\n" if len(found) > judge.MOST_FINDINGS else "")
+
+
+def _inconclusive(frame: pandas.DataFrame, head: Sequence[str], cells: Any) -> str:
+    """The inconclusive facts that need the fewest runs; `cells` gives those of a row in front of p and the runs needed."""
+    rows = judge.inconclusive(frame)
+    if not rows:
+        return ""
+    lines = [["inconclusive", *head, "p", "runs needed"]]
+    lines += [[metric_title(_metric(row)), *cells(row), p_text(row.p_holm), runs_text(row.runs_needed)] for row in rows[:MOST_INCONCLUSIVE]]
+    more = f"  and {len(rows) - MOST_INCONCLUSIVE} more (--all)\n" if len(rows) > MOST_INCONCLUSIVE else ""
+    return columns(lines, "  ") + more + _NEEDED
+
+
+def findings(of: MeasuredSet, frame: pandas.DataFrame) -> str:
+    """The findings about a set, then the inconclusive comparisons that would need the fewest runs. The whole table if there is no shadow or nothing
+    was tested."""
+    if of.shadow is None or judge.count(frame).comparisons == 0:
+        return table(of, frame)
+
+    def cells(row: Any) -> list[str]:
+        reading = Reading(_metric(row))
+        return [reading.of(estimate_of(row)), row.null, reading(row.null_mean), f"{row.n}+{row.null_n}" if row.null == SHADOW else str(row.n),
+                reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True)]
+
+    head = ["ours [95 %]", "null", "its mean", "runs", "ours - null [95 %]"]
+    return _heading(of) + findings_text(frame) + _inconclusive(frame, head, cells) + _too_few(of)
+
+
+def table(of: MeasuredSet, frame: pandas.DataFrame) -> str:
+    """The whole table. One line for each metric: ours with its 95 % interval over runs (or its spread, if runs are too few) and the paper's value.
+    Below it one line for each null with the difference and its test, and one for each reference without; causes from which no individual died
+    are left out. The findings stand behind it."""
+    has_published = bool(frame["published"].notna().any())
+    lines = [["metric", "ours [95 %]", *(["published"] if has_published else []), "ours - null [95 %]", "p", "conclusion"]]
+    gap = [""] * has_published
+    last = None
+    for row in frame.itertuples(index=False):
+        metric, reading = _metric(row), Reading(_metric(row))
+        if metric.metric == "deaths" and metric.group != "all" and row.mean == 0.0:
+            continue
+        if metric != last:
+            note = f"same as {_title_of(frame, row.same_as)}" if row.same_as else ""
+            if 0 < row.n < len(of.runs):
+                note = f"({row.n} of {len(of.runs)} runs)"
+            its = [reading(row.published) if row.published == row.published else "-"] if has_published else []
+            lines.append([metric_title(metric), reading.of(estimate_of(row)), *its, "", "", note])
+        last = metric
+        if not row.null:
+            continue
+        line = [f"    {'*' if row.role == 'paper' else '=' if row.role == 'null' else ' '} {row.null}", reading(row.null_mean)]
+        if row.role == "null":
+            line += [*gap, reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True), p_text(row.p_holm),
+                     _conclusion(row)]
+        lines.append(line)
+    size = judge.count(frame)
+    return (_heading(of) + columns(lines)
+            + "= a null: what the rules give without the effect   * the paper's own baseline, for reference: not tested against\n"
+            f"p: corrected for {size.comparisons} comparisons (Holm); intervals are those of single comparisons\n"
+            + (findings_text(frame) if size.comparisons else "") + _too_few(of))
+
+
+def _title_of(frame: pandas.DataFrame, choice: str) -> str:
+    metric, species, group = choice.split(":", 2)
+    unit = frame.loc[(frame["metric"] == metric) & (frame["species"] == species) & (frame["group"] == group), "unit"]
+    return metric_title(Metric(metric, species, group, unit.iloc[0]))
+
+
+def _sets(a: MeasuredSet, b: MeasuredSet) -> str:
+    return "".join(f"{letter}: {described(of)}{f'; shadow: {len(of.shadow.runs)} runs' if of.shadow else ''}\n"
+                   for letter, of in (("a", a), ("b", b)))
+
+
+def difference_findings(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:
+    """The findings of a comparison, then the inconclusive differences that would need the fewest runs."""
+    over = a.shadow is not None and b.shadow is not None
+
+    def cells(row: Any) -> list[str]:
+        reading = Reading(_metric(row))
+        return [reading(row.mean_a), reading(row.mean_b), f"{row.n_a}+{row.n_b}", reading.with_interval(row.difference, (row.lower, row.upper), True)]
+
+    about = (f"the answer is the difference {_OVER}: what inheritance does. Raw differences, which the rules alone can make, are in --all\n" if over
+             else f"the differences are raw: {_UNATTRIBUTED}")
+    head = ["a", "b", "runs", ("over shadows" if over else "b - a") + " [95 %]"]
+    return _sets(a, b) + about + findings_text(frame) + _inconclusive(frame, head, cells) + _too_few(a, b)
+
+
+def difference_table(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:
+    """The whole comparison. One line for each metric: a, b, b - a with its 95 % interval and, as the answer with its test, what each has over its
+    shadow; without a shadow of both the raw difference is the answer."""
+    over = a.shadow is not None and b.shadow is not None
+    lines = [["metric", "a", "b", "raw: b - a [95 %]", *([f"{_OVER} [95 %]"] if over else []), "p", ""]]
+    rows = list(frame.itertuples(index=False))
+    answers = {_metric(row): row for row in rows if row.role == "null"}
+    for row in rows:
+        if row.compared != "raw" or (row.metric == "deaths" and row.mean_a == row.mean_b == 0.0):
+            continue
+        reading, answer = Reading(_metric(row)), answers.get(_metric(row))
+        line = [metric_title(_metric(row)), reading(row.mean_a), reading(row.mean_b)]
+        line.append(reading.with_interval(row.difference, (row.lower, row.upper), True))
+        if over:
+            line.append(reading.with_interval(answer.difference, (answer.lower, answer.upper), True) if answer else "missing")
+        note = f"same as {_title_of(frame, row.same_as)}" if row.same_as else ""
+        if answer and not note:
+            note = f"{runs_text(answer.runs_needed)} runs" if answer.conclusion == "inconclusive" else "*" if _conclusion(answer) else ""
+        lines.append([*line, p_text(answer.p_holm) if answer else "", note])
+    about = "those over the shadows are the answer: what inheritance does\n" if over else _UNATTRIBUTED
+    return (_sets(a, b) + columns(lines) + f"p: corrected for {judge.count(frame).comparisons} comparisons (Holm); * significant, p <= 0.05, else the "
+            "runs in each set that would find a difference of this size in 80 % of studies; intervals are those of single comparisons\n"
+            f"raw differences also show how the populations are composed; {about}" + findings_text(frame) + _too_few(a, b))
+
+
+def claims(of: MeasuredSet) -> str:
+    """For each published claim one line that says under which readings it is reproduced, then one line for each reading: the published value, the
+    margin and its origin, ours and the difference with 95 % intervals, the conclusion."""
+    lines = [["claim and its readings", "published", "", "margin", "margin from", "ours [95 %]", "ours - published [95 %]", "conclusion"]]
+    for claim in published.judge_claims(of):
+        lines.append([f"{claim.claim.title}: {published.summary_of(claim)}"])
+        lines += [_claim_line(each) for each in claim.readings]
+    said = describe(of)
+    text = f"{described(of)}, fingerprint {said.identity}\n{_what_was_published(of)}\n{columns(lines)}"
+    text += ("reproduced: two one-sided tests at 5 % place ours within the margin of the published system\n"
+             "not reproduced: they do not, and ours - published is not 0 at 5 %   inconclusive: neither\n"
+             "margin: one standard deviation between runs. The published mean is one of ten runs; its error is in the interval\n"
+             "published: text: in the paper; logs: counted in the event logs of its ten runs\n"
+             "The paper does not say whether inactive prey count. Leaving them out (active) is an inference: the authors' log marks them.\n"
+             "Each reading is tested alone: a claim with more readings is more easily reproduced under one of them.\n")
+    if of.until_s != published.DURATION_S:
+        text += f"the claims are about runs of {number_text(published.DURATION_S)} s: counts of deaths in other times do not compare (--until)\n"
+    return text + _too_few(of)
+
+
+def _claim_line(each: published.ReadingConclusion) -> list[str]:
+    reading, margin = Reading(each.reading.metric), published.margin_of(each.reading)
+    conclusion = each.conclusion
+    if each.conclusion == "inconclusive":
+        conclusion += f" (about {each.runs_needed} runs would decide)" if each.runs_needed else " (1000 runs would not decide)"
+    return [f"  {metric_title(each.reading.metric)}", reading(each.reading.value), each.reading.source, "-" if margin is None else reading(margin),
+            each.reading.spread.origin if each.reading.spread else "unknown", reading.of(each.ours),
+            reading.with_interval(each.difference, each.interval, True), conclusion]
+
+
+def _what_was_published(of: MeasuredSet) -> str:
+    """The published system, and how this set differs from it."""
+    said = describe(of)
+    text = f"published: ten runs of `released` with bodies in MuJoCo, {number_text(published.DURATION_S)} s"
+    if said.engine.startswith("kinematic"):
+        text += "; these are points without bodies, so velocities and walls compare the rules only"
+    if said.label == "released" and said.engine.startswith("mujoco"):
+        return text + ", as here"
+    return text if said.engine.startswith("kinematic") and published.applies_to(of) else f"{text}; here: {said.label} on {said.engine}"
