@@ -76,7 +76,7 @@ def run(request: Mapping[str, Any]) -> int:
     """The command. Raises RunError before any work for options that do not go together, and for a file or folder that exists."""
     how = measuring_of(request)
     if request.get("html"):
-        from . import page  # type: ignore[attr-defined]
+        from . import page
         if os.path.lexists(request["html"]):
             raise RunError(f"--html {request['html']}: exists already; nothing is overwritten")
         if request.get("figures"):

@@ -70,7 +70,7 @@ def write(path: str | os.PathLike, sets: Sequence[MeasuredSet], frames: Sequence
         raise RunError(f"--html {path}: exists already; nothing is overwritten") from None
     except OSError as error:
         raise RunError(f"--html {path}: {error.strerror}") from None
-    return f"page    {path}: {len(figures)} figures, {len(replays)} replays, {len(page.encode()) / 1e6:.1f} MB"
+    return f"page    {path}: {len(figures)} figures, {len(replays)} replays, {len(page.encode()) / 1e6:.1f} MB\n"
 
 
 def command_of(request: Mapping[str, Any]) -> str:
