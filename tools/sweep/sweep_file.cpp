@@ -2,6 +2,7 @@
 // Definitions of sweep_file.hpp.
 #include <cmath>
 #include <tools/command/read_parameters.hpp>
+#include <tools/command/words.hpp>
 #include <tools/sweep/sweep_file.hpp>
 #include <trophic/support/whole_file.hpp>
 
@@ -134,6 +135,18 @@ inline void check(const SweepFile& sweep) {
   for (const Axis& axis : sweep.grid) multiply(axis.values.size());
 }
 
+/// Throws std::invalid_argument for a misspelt section or parameter, with the nearest one.
+inline void check_keys(const toml::table& table, const ParamRefs& params) {
+  std::vector<std::string> known{"set", "grid", "zip", "runs", "rule_table", "engine"};
+  for (const ParamRef& param : params) known.push_back(param.path);
+  for (const auto& [key, node] : table) {
+    const auto nearest = command::nearest_word(key.str(), known);
+    if (!nearest) continue;
+    const std::string name = node.is_table() ? "[" + std::string{key.str()} + "]" : std::string{key.str()};
+    throw std::invalid_argument{name + ": unknown key" + command::did_you_mean(nearest)};
+  }
+}
+
 [[nodiscard]] inline SweepFile sweep_of(toml::table table) {
   SweepFile sweep;
   take_section(table, "set", [&](const toml::table& section) { sweep.set = settings_of(section); });
@@ -145,6 +158,7 @@ inline void check(const SweepFile& sweep) {
     if (name && sweep.set.contains(choice)) throw std::invalid_argument{std::string{choice} + ": is there twice"};
     if (name) sweep.set[choice] = *name;
   }
+  check_keys(table, param_refs(sweep.params));
   command::read_parameters(sweep.params, table);
   validate(sweep.params, "");
   constexpr std::array rates{0.0, 5.0, 10.0, 30.0};

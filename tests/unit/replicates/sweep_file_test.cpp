@@ -90,7 +90,9 @@ TEST_CASE("sweep file: not a sweep -> refused in one line") {
   CHECK(refusal_of("engine = \"ode\"\n[grid]\nengine = [\"ode\"]\n") == ": engine: is in [set] and in [grid]");
   CHECK(refusal_of("[grid]\nseed = [1, 2]\n") == ": [grid] seed: is not a setting of a sweep");
   CHECK(refusal_of("replicates = 0\n[grid]\na = [1]\n") == ": replicates = 0: must be >= 1 and <= 1e+06");
-  CHECK(refusal_of("replicate = 3\n[grid]\na = [1]\n").starts_with(": replicate: unknown key"));
+  CHECK(refusal_of("replicate = 3\n[grid]\na = [1]\n") == ": replicate: unknown key; did you mean replicates?");
+  CHECK(refusal_of("[gird]\na = [1]\n") == ": [gird]: unknown key; did you mean grid?");
+  CHECK(refusal_of("color = 3\n[grid]\na = [1]\n").starts_with(": color: unknown key; known here: "));
   CHECK(refusal_of("replay_hz = 7\n[grid]\na = [1]\n") == ": replay_hz = 7: must be 0, 5, 10 or 30");
   CHECK(refusal_of("agents_every = 0\n[grid]\na = [1]\n") == ": agents_every = 0: must be >= 1 and <= 1e+06");
   CHECK(refusal_of("senses = 3\n[grid]\na = [1]\n").starts_with(": senses = 3: must be"));
