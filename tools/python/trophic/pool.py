@@ -13,7 +13,7 @@ import re
 import signal
 import sys
 import zlib
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import pandas
@@ -162,12 +162,12 @@ def read_set(paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | Non
     return found
 
 
-def measure(of: Sequence[PooledRun], how: Measuring) -> list[RunValues]:
-    """Measures runs, several at a time in processes, with a line of progress on a terminal. Raises the RunError of the first run, in their
-    order, that cannot be measured, and gives up the others."""
+def measure(of: Sequence[PooledRun], how: Measuring, keep: Callable[[RunValues], Any] = lambda values: values) -> list[Any]:
+    """Measures runs, several at a time in processes, with a line of progress on a terminal. Returns what `keep` keeps of each, all of it by
+    default. Raises the RunError of the first run, in their order, that cannot be measured, and gives up the others."""
     shows = sys.stderr.isatty()
 
-    def counted(found: Iterable[RunValues]) -> list[RunValues]:
+    def counted(found: Iterable[Any]) -> list[Any]:
         values = []
         for value in found:
             values.append(value)
@@ -178,27 +178,27 @@ def measure(of: Sequence[PooledRun], how: Measuring) -> list[RunValues]:
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     jobs = min(how.jobs or cores, len(of))
     if jobs <= 1:
-        return counted(metrics.measure_run(run, how) for run in of)
+        return counted(keep(metrics.measure_run(run, how)) for run in of)
     # A forked process has the functions of a user, which need not be importable.
-    executor = concurrent.futures.ProcessPoolExecutor(jobs, multiprocessing.get_context("fork"), _share, (of, how))
+    executor = concurrent.futures.ProcessPoolExecutor(jobs, multiprocessing.get_context("fork"), _share, (of, how, keep))
     try:
         return counted(executor.map(_measure_shared, range(len(of))))
     finally:
         executor.shutdown(wait=True, cancel_futures=True)
 
 
-_shared: tuple[Sequence[PooledRun], Measuring]
+_shared: tuple[Sequence[PooledRun], Measuring, Callable[[RunValues], Any]]
 
 
-def _share(of: Sequence[PooledRun], how: Measuring) -> None:
+def _share(*what: Any) -> None:
     global _shared
-    _shared = of, how
+    _shared = what  # type: ignore[assignment]
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that waits for them ends them
 
 
-def _measure_shared(place: int) -> RunValues:
-    of, how = _shared
-    return metrics.measure_run(of[place], how)
+def _measure_shared(place: int) -> Any:
+    of, how, keep = _shared
+    return keep(metrics.measure_run(of[place], how))
 
 
 def pooled_runs(paths: Iterable[pathlib.Path], how: Measuring) -> tuple[list[PooledRun], list[str]]:

@@ -3,22 +3,38 @@
 None."""
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy
 from scipy import special
 
-from ..statistics import MIN_RUNS_FOR_TEST, MOST_RUNS, USUAL_POWER, Contrast, Interval, Scatter
+from ..statistics import MIN_RUNS_FOR_TEST, MOST_RUNS, USUAL_POWER
 
-Array = numpy.ndarray
+Array = Any  # of floats
 
 
 class Moments(NamedTuple):
     """Of each column of a matrix of values, one row a run, without nan."""
-    count: Array
+    runs: Array
     mean: Array
     variance: Array
     """with n - 1"""
+
+
+class Contrast(NamedTuple):
+    value: Array
+    error: Array
+    freedom: Array
+
+
+class Interval(NamedTuple):
+    lower: Array
+    upper: Array
+
+
+class Scatter(NamedTuple):
+    variance: Array
+    freedom: Array
 
 
 def moments(values: Array) -> Moments:
@@ -39,12 +55,12 @@ def is_rounding(spread: Array, value: Array) -> Array:
 def contrast(*terms: tuple[float, Moments]) -> Contrast:
     """As statistics.contrast."""
     with numpy.errstate(all="ignore"):
-        parts = [weight * weight * of.variance / of.count for weight, of in terms]
+        parts = [weight * weight * of.variance / of.runs for weight, of in terms]
         value, variance = sum(weight * of.mean for weight, of in terms), sum(parts)
-        squares = sum(part * part / (of.count - 1.0) for part, (_, of) in zip(parts, terms))
+        squares = sum(part * part / (of.runs - 1.0) for part, (_, of) in zip(parts, terms))
         is_point = is_rounding(numpy.sqrt(variance), value)
         error, freedom = numpy.where(is_point, 0.0, numpy.sqrt(variance)), numpy.where(is_point, 1.0, variance * variance / squares)
-    enough = numpy.all([of.count >= MIN_RUNS_FOR_TEST for _, of in terms], axis=0)
+    enough = numpy.all([of.runs >= MIN_RUNS_FOR_TEST for _, of in terms], axis=0)
     return Contrast(*(numpy.where(enough, each, numpy.nan) for each in (value, error, freedom)))
 
 
@@ -80,8 +96,8 @@ def scatter_of(*sets: Moments) -> Scatter:
 def hedges_g(a: Moments, b: Moments) -> Array:
     """As statistics.hedges_g."""
     with numpy.errstate(all="ignore"):
-        freedom = a.count + b.count - 2.0
-        spread = numpy.sqrt(((a.count - 1) * a.variance + (b.count - 1) * b.variance) / freedom)
+        freedom = a.runs + b.runs - 2.0
+        spread = numpy.sqrt(((a.runs - 1) * a.variance + (b.runs - 1) * b.variance) / freedom)
         correction = numpy.exp(special.gammaln(freedom / 2.0) - special.gammaln((freedom - 1.0) / 2.0)) / numpy.sqrt(freedom / 2.0)
         g = correction * (b.mean - a.mean) / spread
     return numpy.where(is_rounding(spread, b.mean - a.mean), numpy.nan, g)

@@ -10,10 +10,10 @@ import numpy
 import pandas
 
 from ..judge import Count
-from ..statistics import SIGNIFICANCE, Contrast, Scatter, holm
+from ..statistics import SIGNIFICANCE, holm
 from ..values import METRIC, Metric
 from . import arrays
-from .arrays import Array
+from .arrays import Array, Contrast, Scatter
 from .grid import Cell, Grid, is_paired
 
 ANSWER, RAW = "over_shadow", "raw"
@@ -104,8 +104,8 @@ def _compared(base: Cell, of_base: Array, cell: Cell, of_cell: Array, metrics: S
     varies = ~arrays.is_rounding(numpy.sqrt(scatter.variance), b.mean) | ~arrays.is_rounding(numpy.abs(difference), b.mean)
     is_comparison = varies & ~numpy.isnan(scatter.variance) & ~numpy.isnan(difference)
     interval = arrays.interval_of(of)
-    columns = {"cell": cell.number, **dict(zip(METRIC, zip(*metrics))), "design": "paired" if paired else "independent", "runs": b.count,
-               "runs_reference": a.count, "mean": b.mean, "mean_reference": a.mean, "difference": difference, "lower": interval.lower,
+    columns = {"cell": cell.number, **dict(zip(METRIC, zip(*metrics))), "design": "paired" if paired else "independent", "runs": b.runs,
+               "runs_reference": a.runs, "mean": b.mean, "mean_reference": a.mean, "difference": difference, "lower": interval.lower,
                "upper": interval.upper, "p": numpy.where(is_comparison, arrays.p_value(of), numpy.nan), "hedges_g": arrays.hedges_g(a, b),
                "is_comparison": is_comparison, "scatter": numpy.sqrt(scatter.variance)}
     return pandas.DataFrame({**columns, **dict(zip(_STATISTICS, (*of, *scatter)))}, index=range(len(metrics)))

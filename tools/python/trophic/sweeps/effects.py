@@ -53,7 +53,7 @@ def _effects(grid: Grid, values: SweepValues, place: int, over_shadow: bool) -> 
             interval = arrays.interval_of(contrast)
             means = [arrays.moments(numpy.where(missing, numpy.nan, each)).mean for each in (after, before)]
             blocks.append(pandas.DataFrame({"axis": axis.name, "value": value, "reference": reference, **dict(zip(METRIC, zip(*values.metrics))), "compared": "",
-                                            "settings": len(pairs), "seeds": of.count, "mean": means[0], "mean_reference": means[1], "difference": of.mean,
+                                            "settings": len(pairs), "seeds": of.runs, "mean": means[0], "mean_reference": means[1], "difference": of.mean,
                                             "lower": interval.lower, "upper": interval.upper, "p": arrays.p_value(contrast)}, index=range(len(values.metrics))))
     return blocks
 

@@ -110,14 +110,14 @@ def run(request: dict) -> int:
         for remark in [*analysis.remarks[:5], *([f"and {len(analysis.remarks) - 5} more"] if len(analysis.remarks) > 5 else [])]:
             print(f"{request['who']}: {remark}", file=sys.stderr)
         print(text_of(analysis), end="")
-        files = write(analysis, out)
+        files = write(analysis, out, request.get("version"))
         print(f"files   {out}/{{{','.join(files)}}}")
     return 0
 
 
 # Tables
 
-def write(analysis: SweepAnalysis, out: pathlib.Path, version: str = "") -> list[str]:
+def write(analysis: SweepAnalysis, out: pathlib.Path, version: str | None = None) -> list[str]:
     """Writes the tables and summary.json into a folder; returns their names. Nothing is overwritten."""
     content: dict[str, tuple[pandas.DataFrame, Sequence[str]]] = {
         "cells.csv": (cells_table(analysis), [*CELLS, *(axis.name for axis in _settings(analysis.sweep.grid))]),
@@ -126,8 +126,8 @@ def write(analysis: SweepAnalysis, out: pathlib.Path, version: str = "") -> list
         "sweep_differences.csv": (with_significance(analysis.differences), DIFFERENCES),
         "sweep_effects.csv": (with_significance(analysis.effects), EFFECTS)}
     for name, (frame, names) in content.items():
-        tables.write_csv(out / name, frame, names)
-    tables.write_json(out / "summary.json", {"trophic": version, "sweep": summary_of(analysis)})
+        tables.write_new(out / name, tables.csv_text(frame[list(names)]))
+    tables.write_new(out / "summary.json", tables.json_text({"trophic": version, "sweep": summary_of(analysis)}))
     return [*content, "summary.json"]
 
 
@@ -166,8 +166,8 @@ def metrics_table(grid: Grid, values: SweepValues) -> pandas.DataFrame:
         alone, its_shadow, over = (arrays.moments(each) for each in (raw, shadow, raw - shadow))
         intervals = [arrays.interval_of(arrays.contrast((1.0, of))) for of in (alone, over)]
         frames.append(pandas.DataFrame({
-            "cell": cell.number, **dict(zip(METRIC, zip(*values.metrics))), "runs": alone.count, "mean": alone.mean, "deviation": numpy.sqrt(alone.variance),
-            "lower": intervals[0].lower, "upper": intervals[0].upper, "shadow_runs": its_shadow.count, "shadow": its_shadow.mean, "pairs": over.count,
+            "cell": cell.number, **dict(zip(METRIC, zip(*values.metrics))), "runs": alone.runs, "mean": alone.mean, "deviation": numpy.sqrt(alone.variance),
+            "lower": intervals[0].lower, "upper": intervals[0].upper, "shadow_runs": its_shadow.runs, "shadow": its_shadow.mean, "pairs": over.runs,
             "over_shadow": over.mean, "over_lower": intervals[1].lower, "over_upper": intervals[1].upper}, index=range(len(values.metrics))))
     return pandas.concat(frames, ignore_index=True)
 
@@ -180,7 +180,7 @@ def summary_of(analysis: SweepAnalysis) -> dict[str, Any]:
     def named(row: Any) -> dict[str, str]:
         return {name: getattr(row, name) for name in METRIC}
     significant = [{"cell": row.cell, **named(row), "over_shadow": row.compared == ANSWER, "value": row.difference, "lower": row.lower, "upper": row.upper, "p": row.p,
-                    "p_adjusted": row.p_holm, "differs": True, "hedges_g": row.hedges_g}
+                    "p_adjusted": row.p_holm, "differs": True, "hedges_g": None if math.isnan(row.hedges_g) else row.hedges_g}
                    for row in of[of["conclusion"].isin(("above", "below"))].itertuples(index=False)]
     asked = [{**named(row), "difference": row.difference, "over_shadow": row.over_shadow,
               **{name: None if math.isnan(runs) else int(runs) for name, runs in (("runs", row.runs), ("fewest", row.fewest), ("most", row.most))}}

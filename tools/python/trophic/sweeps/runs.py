@@ -85,7 +85,7 @@ def read_sweep(folder: pathlib.Path, accept_other_build: bool = False) -> Sweep:
     for cell in sweep.grid.cells:  # the first shadow of each
         for one in cell.replicates:
             if one.run is not None and one.shadow is not None and sweep.is_there[one.run] and sweep.is_there[one.shadow]:
-                pool.check_shadow(*(pool.read_pooled(sweep.folder_of(place)) for place in (one.run, one.shadow)))
+                pool.check_shadow(pool.read_pooled(sweep.folder_of(one.run)), pool.read_pooled(sweep.folder_of(one.shadow)))
                 break
     return sweep
 
