@@ -18,6 +18,7 @@ from ..description import describe
 from ..judge import Finding
 from ..metrics import Measuring
 from ..report import tables
+from ..report.columns import names as column_names
 from ..runs import RunError, Runs, read_run
 from ..statistics import MIN_RUNS_FOR_TEST, USUAL_POWER, is_significant
 from ..values import METRIC, Metric
@@ -30,13 +31,6 @@ from .runs import Sweep, check_sweep, measure_sweep, read_sweep
 
 SHOWN = 20
 """Lines of a table on the terminal; CSV tables have all."""
-CELLS = ["cell", "rule_table", "engine", "runs", "runs_planned", "shadow_runs", "until_s"]
-RUNS = ["run", "cell", "replicate", "shadow", "seed", "metric", "species", "group", "value"]
-METRICS = ["cell", *METRIC, "runs", "mean", "deviation", "lower", "upper", "shadow_runs", "shadow", "pairs", "over_shadow", "over_lower", "over_upper"]
-DIFFERENCES = ["cell", "reference", *METRIC, "compared", "design", "runs", "runs_reference", "mean", "mean_reference", "difference", "lower", "upper",
-               "lower_corrected", "upper_corrected", "p", "p_holm", "significant", "hedges_g", "runs_needed", "smallest_detectable"]
-EFFECTS = ["axis", "value", "reference", *METRIC, "compared", "settings", "seeds", "mean", "mean_reference", "difference", "lower", "upper", "p", "p_holm",
-           "significant"]
 
 
 @dataclasses.dataclass
@@ -119,14 +113,12 @@ def run(request: dict) -> int:
 
 def write(analysis: SweepAnalysis, out: pathlib.Path, version: str | None = None) -> list[str]:
     """Writes the tables and summary.json into a folder; returns their names. Nothing is overwritten."""
-    content: dict[str, tuple[pandas.DataFrame, Sequence[str]]] = {
-        "cells.csv": (cells_table(analysis), [*CELLS, *(axis.name for axis in _settings(analysis.sweep.grid))]),
-        "runs.csv": (runs_table(analysis.sweep, analysis.values), RUNS),
-        "sweep_metrics.csv": (metrics_table(analysis.sweep.grid, analysis.values), METRICS),
-        "sweep_differences.csv": (with_significance(analysis.differences), DIFFERENCES),
-        "sweep_effects.csv": (with_significance(analysis.effects), EFFECTS)}
-    for name, (frame, names) in content.items():
-        tables.write_new(out / name, tables.csv_text(frame[list(names)]))
+    content = {"cells.csv": cells_table(analysis), "runs.csv": runs_table(analysis.sweep, analysis.values),
+               "sweep_metrics.csv": metrics_table(analysis.sweep.grid, analysis.values), "sweep_differences.csv": with_significance(analysis.differences),
+               "sweep_effects.csv": with_significance(analysis.effects)}
+    settings = [axis.name for axis in _settings(analysis.sweep.grid)]
+    for name, frame in content.items():
+        tables.write_new(out / name, tables.csv_text(frame[[*column_names(name), *(settings if name == "cells.csv" else [])]]))
     tables.write_new(out / "summary.json", tables.json_text({"trophic": version, "sweep": summary_of(analysis)}))
     return [*content, "summary.json"]
 
