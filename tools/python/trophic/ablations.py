@@ -6,6 +6,7 @@ import dataclasses
 import os
 import pathlib
 from collections.abc import Sequence
+from typing import Any
 
 import pandas
 
@@ -54,52 +55,64 @@ def effects_of(base: MeasuredSet, swapped: dict[str, MeasuredSet], direction: st
 
 
 def read_study(folder: str | os.PathLike, jobs: int | None = None) -> list[Direction]:
-    """Measures the sets of a study, FOLDER/from_TABLE/SWAP, of one table or two. Raises RunError for a study without a base, of more than two tables,
-    and for sets that are incomplete or cannot be compared."""
+    """Measures the sets of a study, FOLDER/from_TABLE/SWAP, of one table or two. Raises RunError, before anything is measured, for a study without a
+    base, of more than two tables, and for sets that are incomplete or cannot be compared."""
     folder = pathlib.Path(folder)
-    names = sorted(path.name for path in folder.glob(f"{PREFIX}*") if (path / BASE).is_dir())
-    if not names:
+    tables_ = sorted(path for path in folder.glob(f"{PREFIX}*") if (path / BASE).is_dir())
+    if not tables_:
         raise RunError(f"{folder}: has no folder from_TABLE with a base")
-    if len(names) > 2:
+    if len(tables_) > 2:
         raise RunError(f"{folder}: has more than two folders from_TABLE")
-    return [_read_direction(folder / name, Measuring(jobs=jobs)) for name in names]
+    names = {table: sorted(path.parent.name for path in table.glob("*/replicates.json") if path.parent.name != BASE) for table in tables_}
+    first = None
+    for table in tables_:
+        base, shadow = _complete_runs(table / BASE)
+        first = first or base
+        check_comparable(first, base)
+        for name in names[table]:
+            try:
+                swapped, its_shadow = _complete_runs(table / name)
+                check_comparable(base, swapped)
+                if (shadow is None) != (its_shadow is None):
+                    raise RunError(f"{table / name}: one of it and its base has a shadow, the other has none")
+            except RunError as error:
+                raise RunError(f"{name}: {error}") from None
+    return [_measure(table, names[table], Measuring(jobs=jobs)) for table in tables_]
 
 
-def _read_direction(folder: pathlib.Path, how: Measuring) -> Direction:
-    base = _complete(pool.read_set([folder / BASE], how=how))
-    swapped = {}
-    for swap in sorted(path.parent.name for path in folder.glob("*/replicates.json") if path.parent.name != BASE):
-        try:
-            swapped[swap] = _complete(pool.read_set([folder / swap], how=how))
-            check_comparable(base, swapped[swap])
-        except RunError as error:
-            raise RunError(f"{swap}: {error}") from None
-        if (base.shadow is None) != (swapped[swap].shadow is None):
-            raise RunError(f"{swap}: {folder / swap}: one of it and its base has a shadow, the other has none")
-    return Direction(folder.name, base, effects_of(base, swapped, folder.name))
-
-
-def _complete(of: MeasuredSet) -> MeasuredSet:
-    for one in filter(None, (of, of.shadow)):
-        for run in one.runs:
+def _complete_runs(path: pathlib.Path) -> tuple[pool.PooledRun, pool.PooledRun | None]:
+    """The first runs of a set and of its shadow, if there is one."""
+    firsts: list[pool.PooledRun] = []
+    for folder in [path, *pool.shadow_folders([path])]:
+        found, remarks = pool.pooled_runs([folder], Measuring())
+        for run in found:
             if not run.complete:
                 raise RunError(f'{run.path}: status "{run.manifest["status"]}": must be complete')
-        if one.remarks:
-            raise RunError(one.remarks[0])
-    return of
+        if remarks:
+            raise RunError(remarks[0])
+        firsts.append(found[0])
+    return firsts[0], firsts[1] if len(firsts) > 1 else None
 
 
-def check_comparable(a: MeasuredSet, b: MeasuredSet) -> None:
-    """Raises RunError, naming both, if runs of two sets did not last equally long, or it is not known."""
-    first, second = a.runs[0], b.runs[0]
-    if not pool.lasted_alike(first, second):  # type: ignore[arg-type]
-        raise RunError(f"{second.path}: {pool.lasted_text(second)}, but {first.path} has {pool.lasted_text(first)}; "  # type: ignore[arg-type]
-                       "runs of different length are not compared: use --until")
+def check_comparable(a: pool.PooledRun, b: pool.PooledRun) -> None:
+    """Raises RunError, naming both, if two runs did not last equally long, or it is not known."""
+    if not pool.lasted_alike(a, b):
+        raise RunError(f"{b.path}: {pool.lasted_text(b)}, but {a.path} has {pool.lasted_text(a)}; runs of different length are not compared: use --until")
+
+
+def _measure(folder: pathlib.Path, names: Sequence[str], how: Measuring) -> Direction:
+    def read(name: str) -> MeasuredSet:
+        of = pool.read_set([folder / name], how=how)
+        for one in filter(None, (of, of.shadow)):
+            if one.remarks:
+                raise RunError(one.remarks[0])
+        return of
+    base = read(BASE)
+    return Direction(folder.name, base, effects_of(base, {name: read(name) for name in names}, folder.name))
 
 
 def whole_difference(first: Direction, second: Direction) -> pandas.DataFrame:
     """The effects of all rules of the second table at once, as `effects_of` has them."""
-    check_comparable(first.base, second.base)
     here, there = (one.name.removeprefix(PREFIX) for one in (first, second))
     return effects_of(first.base, {there: second.base}, f"{here}_to_{there}")
 
@@ -183,5 +196,5 @@ def shares_table(whole: pandas.DataFrame, forward: pandas.DataFrame, backward: p
     return _table(("metric", "first", "second", "whole difference [95 %]", *head, "sum into first", "sum out of second"), rows)
 
 
-def _by_swap(effects: pandas.DataFrame) -> dict[tuple[str, Metric], object]:
+def _by_swap(effects: pandas.DataFrame) -> dict[tuple[str, Metric], Any]:
     return {(row.swap, metric_of(row)): row for row in answers(effects).itertuples(index=False)}

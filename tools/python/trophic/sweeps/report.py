@@ -37,6 +37,8 @@ SHOWN = 20
 class SweepAnalysis:
     """A measured sweep and what its cells differ in."""
     sweep: Sweep
+    label: str
+    """rules and engine of the reference cell's runs"""
     values: SweepValues
     """of all metrics"""
     reference: int
@@ -90,8 +92,14 @@ def analyze_sweep(folder: str | os.PathLike, *, reference: int | None = None, di
     compared = values.only(names)
     differences = compare_cells(sweep.grid, compared, reference)
     asked = runs_for_difference(differences, difference) if difference is not None else pandas.DataFrame()
-    return SweepAnalysis(sweep, values, reference, sweep.plan[0].until_s if how.until_s is None else how.until_s, bool(how.metrics), differences,
+    return SweepAnalysis(sweep, _label_of(sweep, reference), values, reference, sweep.plan[0].until_s if how.until_s is None else how.until_s, bool(how.metrics), differences,
                          axis_effects(sweep.grid, compared, reference), asked, [*filter(None, lost), *remarks])
+
+
+def _label_of(sweep: Sweep, reference: int) -> str:
+    cell = sweep.grid.cells[sweep.grid.place(reference)]
+    folder = sweep.folder_of(next(one.run for one in cell.replicates if one.run is not None and sweep.is_there[one.run]))
+    return describe(Runs(folder.parent, [read_run(folder)])).title()
 
 
 def run(request: dict) -> int:
@@ -177,7 +185,7 @@ def summary_of(analysis: SweepAnalysis) -> dict[str, Any]:
     asked = [{**named(row), "difference": row.difference, "over_shadow": row.over_shadow,
               **{name: None if math.isnan(runs) else int(runs) for name, runs in (("runs", row.runs), ("fewest", row.fewest), ("most", row.most))}}
              for row in analysis.asked.itertuples(index=False)]
-    return {"label": label_of(analysis), "cells": len(sweep.grid.cells), "runs_planned": len(sweep.plan), "missing": sweep.missing, "builds": sweep.builds,
+    return {"label": analysis.label, "cells": len(sweep.grid.cells), "runs_planned": len(sweep.plan), "missing": sweep.missing, "builds": sweep.builds,
             "axes": [{"name": axis.name, "values": axis.values} for axis in sweep.grid.axes], "reference": analysis.reference,
             "min_runs_for_test": MIN_RUNS_FOR_TEST, "comparisons": size.comparisons, "significant_comparisons": size.significant, "level": level_of(of),
             "power": USUAL_POWER, "findings": [finding.sentence for finding, _ in analysis.findings()], "significant": significant, "asked": asked}
@@ -191,14 +199,6 @@ def text_of(analysis: SweepAnalysis) -> str:
     if len(analysis.differences):
         text += differences_text(analysis) + (named_text(analysis) if analysis.is_chosen else "")
     return text + effects_text(analysis.effects) + asked_text(analysis)
-
-
-def label_of(analysis: SweepAnalysis) -> str:
-    """The rules and engine of the reference cell's runs."""
-    place = analysis.sweep.grid.place(analysis.reference)
-    first = next(one.run for one in analysis.sweep.grid.cells[place].replicates if one.run is not None and analysis.sweep.is_there[one.run])
-    folder = analysis.sweep.folder_of(first)
-    return describe(Runs(folder.parent, [read_run(folder)])).title()
 
 
 def counted(count: int, noun: str) -> str:
@@ -217,7 +217,7 @@ def header_text(analysis: SweepAnalysis) -> str:
     grid = sweep.grid
     lines = [f"sweep of {counted(len(grid.cells), 'cell')}, {counted(sum(sweep.is_there), 'run')} of {number_text(analysis.until_s)} s"]
     lines += [f"axis {axis.name}: {values_text(axis)}" for axis in grid.axes]
-    lines.append(f"reference: {grid.cell_name(analysis.reference)}, {label_of(analysis)}")
+    lines.append(f"reference: {grid.cell_name(analysis.reference)}, {analysis.label}")
     if not len(differences):
         return "\n".join([*lines, "one cell alone: there is nothing to compare\n"])
     designs = set(differences["design"])
