@@ -459,7 +459,8 @@ def test_a_fact_is_one_line_of_the_cell_that_differs_most():
     assert "in runs of cell 2 (y 1.0) than in runs of cell 0 (y 0.0)" in found[0][0].sentence
     assert "and 2 metrics more, such as other groups and readings of these" in report.text_of(analysis)
     summary = report.summary_of(analysis)
-    assert (summary["comparisons"], summary["significant_comparisons"], len(summary["significant"]), len(summary["findings"])) == (8, 8, 8, 2)
+    assert (summary["family"]["comparisons"], summary["family"]["significant"], len(summary["sweep"]["significant"])) == (8, 8, 8)
+    assert [(one["metric"], one["cell"]) for one in summary["findings"]] == [("velocity", 2), ("hunger", 2)]
 
 
 def test_effects_of_axes_are_counted_and_their_largest_shown():

@@ -79,7 +79,7 @@ metric
 species
 group
 unit text: of base, swapped, difference and its interval
-compared text: raw, or over_shadow: each set over its shadow first
+compared text: over_shadow: each set over its shadow first, the answer; raw: the answer without shadows, else next to it
 runs_base whole: runs in which nothing was swapped
 runs_swapped whole: runs with the swap
 base: their mean, not over a shadow
@@ -88,7 +88,7 @@ difference: raw: swapped - base; over_shadow: of each less its shadow
 lower: of the difference's 95 % interval
 upper: of the difference's 95 % interval
 p
-p_holm: corrected for all swaps and metrics of the direction
+p_holm: corrected for all swaps and metrics of the direction that repeat no other; raw differences next to an answer apart
 significant
 """),
     "cells.csv": ("The cells of a sweep. After these columns there is one for each setting that varies between cells, named by its path.", """
@@ -136,7 +136,7 @@ metric
 species
 group
 unit
-compared text: raw, or over_shadow: each run over its shadow first
+compared text: over_shadow: each run over its shadow first, the answer; raw: the answer without shadows, else next to it
 design text: paired: seed by seed, Student's t; independent: other seeds in each cell, Welch's t
 runs whole: of the cell that were compared; of a paired sweep the pairs
 runs_reference whole: of the reference cell that were compared
@@ -148,7 +148,7 @@ upper: of this comparison's own 95 % interval
 lower_corrected: of the interval that holds in all comparisons at once with 95 % (Bonferroni)
 upper_corrected: of the same interval
 p
-p_holm: corrected for all comparisons of the analysis
+p_holm: corrected for all comparisons of the analysis; raw differences next to an answer apart
 significant
 hedges_g: the difference over the pooled standard deviation between runs of both cells, corrected for small numbers
 runs_needed whole?: runs in each cell that would show this difference with 80 % power at the corrected level, if it and the spread are what they seem
@@ -162,7 +162,7 @@ metric
 species
 group
 unit
-compared text: raw, or over_shadow: each run over its shadow first
+compared text: over_shadow: each run over its shadow first, the answer; raw: the answer without shadows, else next to it
 settings whole: of the other axes, over which was averaged
 seeds whole: with a value in all of these cells
 mean: with the axis at this value, over settings and seeds
@@ -171,7 +171,7 @@ difference: mean - mean_reference
 lower: of this effect's own 95 % interval, over seeds; empty for fewer than 6
 upper: of this effect's own 95 % interval
 p: of this effect alone
-p_holm: corrected for all effects of the analysis
+p_holm: corrected for all effects of the analysis; raw differences next to an answer apart
 significant
 """),
     "progress.csv": ("Progress that the contests show, and its test over the neutral shadow.", """

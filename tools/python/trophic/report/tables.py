@@ -123,7 +123,7 @@ def summary(sets: Sequence[MeasuredSet], frames: Sequence[pandas.DataFrame], com
 
 
 def json_text(content: Any) -> str:
-    return json.dumps(content, indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    return json.dumps(_without_nan(content), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def _family(frame: pandas.DataFrame) -> dict[str, Any]:
@@ -131,9 +131,14 @@ def _family(frame: pandas.DataFrame) -> dict[str, Any]:
     return {**size._asdict(), "sentence": size.sentence()}
 
 
+def finding(one: judge.Finding) -> dict[str, Any]:
+    """As summary.json has it."""
+    return {"sentence": one.sentence, **one.metric._asdict(), "baseline": one.baseline, "effect": one.effect, "lower": one.interval[0],
+            "upper": one.interval[1], "p_holm": one.p_holm}
+
+
 def _findings(frame: pandas.DataFrame) -> list[dict[str, Any]]:
-    return [{"sentence": one.sentence, **one.metric._asdict(), "baseline": one.baseline, "effect": one.effect, "lower": one.interval[0],
-             "upper": one.interval[1], "p_holm": one.p_holm} for one in judge.findings(frame)]
+    return [finding(one) for one in judge.findings(frame)]
 
 
 def _set(of: MeasuredSet, frame: pandas.DataFrame) -> dict[str, Any]:

@@ -164,16 +164,16 @@ def metrics_in(frame: pandas.DataFrame) -> Iterable[tuple[Metric, pandas.DataFra
 def runs_for_difference(frame: pandas.DataFrame, difference: float) -> pandas.DataFrame:
     """How many runs in each cell a difference of a size, in the metric's unit, would need in each metric at the level of one comparison.
 
-    Columns: METRIC, `difference`, `over_shadow`, `runs` by the scatter that cells have on average, `fewest` and `most` by that of the least and
-    of the most scattered cell (nan: more than MOST_RUNS), and `cells` whose scatter is known."""
+    Columns: METRIC, `compared`, `difference`, `runs` by the scatter that cells have on average, `fewest` and `most` by that of the least and of the
+    most scattered cell (nan: more than MOST_RUNS), and `cells` whose scatter is known."""
     of, rows = answers(frame), []
     for metric, its in metrics_in(of):
         known = its[its["variance"].notna()]
-        row = {**metric._asdict(), "difference": difference, "over_shadow": bool((known["compared"] == ANSWER).any()), "cells": len(known)}
+        row = {**metric._asdict(), "compared": its["compared"].iloc[0], "difference": difference, "cells": len(known)}
         if len(known):
             order = known["variance"].to_numpy().argsort(kind="stable")
             each = [known[column].to_numpy()[[order[0], order[-1]]] for column in _STATISTICS[3:]]
             scatter = Scatter(*(numpy.append(known[column].mean(), values) for column, values in zip(_STATISTICS[3:], each)))
             row.update(zip(("runs", "fewest", "most"), arrays.runs_for_power(numpy.full(3, difference), scatter, level_of(of))))
         rows.append({"runs": numpy.nan, "fewest": numpy.nan, "most": numpy.nan, **row})
-    return pandas.DataFrame(rows, columns=[*METRIC, "difference", "over_shadow", "runs", "fewest", "most", "cells"])
+    return pandas.DataFrame(rows, columns=[*METRIC, "compared", "difference", "runs", "fewest", "most", "cells"])

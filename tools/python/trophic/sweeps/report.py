@@ -13,11 +13,12 @@ from typing import Any
 import numpy
 import pandas
 
-from .. import judge, metrics, pool
+from .. import __version__, judge, metrics, pool
 from ..description import describe
 from ..judge import Finding
 from ..metrics import Measuring
 from ..report import tables
+from ..report.analyze import measuring_of
 from ..report.columns import names as column_names
 from ..runs import RunError, Runs, read_run
 from ..statistics import MIN_RUNS_FOR_TEST, USUAL_POWER, is_significant
@@ -79,7 +80,7 @@ def analyze_sweep(folder: str | os.PathLike, *, reference: int | None = None, di
     check_sweep(sweep, reference, allow_missing, how)
     values, remarks = measure_sweep(sweep, how)
     if how.metrics:
-        names = judge.chosen(values.metrics, how.metrics)
+        names = metrics.chosen(values.metrics, how.metrics)
     else:
         repeats = judge.repeated_values({metric: values.runs[:, number] for number, metric in enumerate(values.metrics)})
         names = [metric for metric in values.metrics if metric not in repeats]
@@ -104,22 +105,20 @@ def _label_of(sweep: Sweep, reference: int) -> str:
 
 def run(request: dict) -> int:
     """The command, from its options by name."""
-    how = Measuring(until_s=request.get("until"), accept_other_build=bool(request.get("accept_other_build")), columns=request.get("column") or (),
-                    jobs=request.get("jobs"), metrics=request.get("metric") or (), bodies=request.get("bodies_tables"))
     with tables.result_folder(request.get("out")) as out:
         analysis = analyze_sweep(request["runs"][0], reference=request.get("reference"), difference=request.get("difference"),
-                                 allow_missing=bool(request.get("allow_missing")), how=how)
+                                 allow_missing=bool(request.get("allow_missing")), how=measuring_of(request))
         for remark in [*analysis.remarks[:5], *([f"and {len(analysis.remarks) - 5} more"] if len(analysis.remarks) > 5 else [])]:
             print(f"{request['who']}: {remark}", file=sys.stderr)
         print(text_of(analysis), end="")
-        files = write(analysis, out, request.get("version"))
+        files = write(analysis, out)
         print(f"files   {out}/{{{','.join(files)}}}")
     return 0
 
 
 # Tables
 
-def write(analysis: SweepAnalysis, out: pathlib.Path, version: str | None = None) -> list[str]:
+def write(analysis: SweepAnalysis, out: pathlib.Path) -> list[str]:
     """Writes the tables and summary.json into a folder; returns their names. Nothing is overwritten."""
     content = {"cells.csv": cells_table(analysis), "runs.csv": runs_table(analysis.sweep, analysis.values),
                "sweep_metrics.csv": metrics_table(analysis.sweep.grid, analysis.values), "sweep_differences.csv": with_significance(analysis.differences),
@@ -127,7 +126,7 @@ def write(analysis: SweepAnalysis, out: pathlib.Path, version: str | None = None
     settings = [axis.name for axis in _settings(analysis.sweep.grid)]
     for name, frame in content.items():
         tables.write_new(out / name, tables.csv_text(frame[[*column_names(name), *(settings if name == "cells.csv" else [])]]))
-    tables.write_new(out / "summary.json", tables.json_text({"trophic": version, "sweep": summary_of(analysis)}))
+    tables.write_new(out / "summary.json", tables.json_text(summary_of(analysis)))
     return [*content, "summary.json"]
 
 
@@ -173,22 +172,22 @@ def metrics_table(grid: Grid, values: SweepValues) -> pandas.DataFrame:
 
 
 def summary_of(analysis: SweepAnalysis) -> dict[str, Any]:
-    """What no table has: the grid, missing runs, the correction of comparisons, findings, significant differences, and the answer to --difference."""
+    """What no table has: findings, the grid, missing runs, the correction of comparisons, significant differences, and the answer to --difference."""
     sweep, of = analysis.sweep, answers(analysis.differences)
     size = count(analysis.differences)
 
-    def named(row: Any) -> dict[str, str]:
-        return {name: getattr(row, name) for name in METRIC}
-    significant = [{"cell": row.cell, **named(row), "over_shadow": row.compared == ANSWER, "value": row.difference, "lower": row.lower, "upper": row.upper, "p": row.p,
-                    "p_adjusted": row.p_holm, "differs": True, "hedges_g": None if math.isnan(row.hedges_g) else row.hedges_g}
-                   for row in of[of["conclusion"].isin(("above", "below"))].itertuples(index=False)]
-    asked = [{**named(row), "difference": row.difference, "over_shadow": row.over_shadow,
-              **{name: None if math.isnan(runs) else int(runs) for name, runs in (("runs", row.runs), ("fewest", row.fewest), ("most", row.most))}}
+    def named(row: Any) -> dict[str, Any]:
+        return {**metric_of(row)._asdict(), "over_shadow": row.compared == ANSWER}
+    significant = [{"cell": row.cell, **named(row), "value": row.difference, "lower": row.lower, "upper": row.upper, "p": row.p, "p_adjusted": row.p_holm,
+                    "differs": True, "hedges_g": row.hedges_g} for row in of[of["conclusion"].isin(("above", "below"))].itertuples(index=False)]
+    asked = [{**named(row), "difference": row.difference, **{name: None if math.isnan(runs) else int(runs) for name, runs in zip(("runs", "fewest", "most"), row[-4:])}}
              for row in analysis.asked.itertuples(index=False)]
-    return {"label": analysis.label, "cells": len(sweep.grid.cells), "runs_planned": len(sweep.plan), "missing": sweep.missing, "builds": sweep.builds,
-            "axes": [{"name": axis.name, "values": axis.values} for axis in sweep.grid.axes], "reference": analysis.reference,
-            "min_runs_for_test": MIN_RUNS_FOR_TEST, "comparisons": size.comparisons, "significant_comparisons": size.significant, "level": level_of(of),
-            "power": USUAL_POWER, "findings": [finding.sentence for finding, _ in analysis.findings()], "significant": significant, "asked": asked}
+    content = {"label": analysis.label, "cells": len(sweep.grid.cells), "runs_planned": len(sweep.plan), "missing": sweep.missing, "builds": sweep.builds,
+               "axes": [{"name": axis.name, "values": axis.values} for axis in sweep.grid.axes], "reference": analysis.reference,
+               "min_runs_for_test": MIN_RUNS_FOR_TEST, "comparisons": size.comparisons, "level": level_of(of), "power": USUAL_POWER, "significant": significant,
+               "asked": asked}
+    return {"trophic": __version__, "family": {**size._asdict(), "sentence": size.sentence()},
+            "findings": [{**tables.finding(one), "cell": int(row.cell)} for one, row in analysis.findings()], "sweep": content}
 
 
 # The terminal
@@ -318,7 +317,7 @@ def asked_text(analysis: SweepAnalysis) -> str:
     text = ""
     for row in analysis.asked.itertuples(index=False):
         reading = Reading(metric_of(row))
-        over = ", over shadow" if row.over_shadow else ""
+        over = ", over shadow" if row.compared == ANSWER else ""
         text += f"a difference of {reading(row.difference)} in {metric_title(metric_of(row))}{over} needs "
         text += ("an unknown number of replicates: fewer than two were compared\n" if row.cells == 0 else
                  f"{runs_text(row.runs)} replicates a cell ({runs_text(row.fewest)} to {runs_text(row.most)}, cell by cell) for 80 % power\n")
