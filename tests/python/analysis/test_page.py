@@ -24,7 +24,7 @@ def set_of(folder, label, mean, shadow=None, runs=10):
     rng = numpy.random.default_rng(len(label) + (0 if shadow else 1))
     manifest = {"rule_table": label, "backend": "kinematic 1", "fingerprint": f"{label:0>16}", "seed": 1, "status": "complete", "trophic": "0.1.0", "code": "c0de",
                 "clock": {"until_s": 600.0}, "rules": {"capture": "catch_within_reach", "floor": f"{label}_floor"}, "command_line": "predator_prey --out a"}
-    values = [RunValues(pandas.DataFrame([[*VELOCITY, "", "", mean + 0.001 * rng.normal()], [*STARVED, "", "", 0.0]], columns=VALUE_COLUMNS)) for _ in range(runs)]
+    values = [RunValues(pandas.DataFrame([[*VELOCITY, "", "", mean + 0.001 * rng.normal()], [*STARVED, "", "", 0.0], [*VELOCITY, "zero", "reference", 0.0]], columns=VALUE_COLUMNS)) for _ in range(runs)]
     return MeasuredSet(label, [Run(folder / label / f"replicate-{i:02}", manifest) for i in range(runs)], values, shadow, 600.0)
 
 

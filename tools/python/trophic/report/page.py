@@ -125,8 +125,14 @@ def _replays(recordings: Mapping[str, Any] | None, sets: Sequence[MeasuredSet]) 
 
 
 def _table(frame: pandas.DataFrame) -> dict[str, Any]:
-    """Headings and rows of cells (text, what it is sorted by, bar)."""
+    """Headings and rows of cells (text, what it is sorted by, bar). Each metric has a row with each null, or one if it has none; the terminal's table
+    has other baselines too."""
     compares = "compared" in frame
+    if not compares:
+        name = ["set", *METRIC]
+        is_null = frame["role"] == "null"
+        has_null = is_null.groupby([frame[column] for column in name]).transform("any")
+        frame = frame[is_null | ~has_null & ~frame.duplicated(name)]
     sets = set() if compares else set(frame["set"])
     if compares:
         first = frame.iloc[0] if len(frame) else {"set_a": "a", "set_b": "b"}
