@@ -101,15 +101,15 @@ class PooledRun(Run):
         whose checksum is in the manifest is what the program wrote; the cells of any other are checked. Raises RunError, naming file, line and
         column, for a cell that cannot be."""
         content, is_whole = self._lines(file, remarks)
-        header = _header(self.path / file, content, columns)
+        _header(self.path / file, content, [*columns, "tick"])
         if file in self.manifest.get("tables", {}):
             types = {name: _TYPES.get(name, "float64") for name in columns}
             # The parser is exact for at most 15 digits, which all numbers but times have; those are few, as texts.
-            frame = pandas.read_csv(io.BytesIO(content), usecols=list(columns), dtype=types, keep_default_na=False,
-                                    na_values={name: [""] for name in columns if types[name] == "float64"}, float_precision="high")
+            frame = _parsed(self.path / file, content, usecols=list(columns), dtype=types, float_precision="high",
+                            na_values={name: [""] for name in columns if types[name] == "float64"})
             frame["time_s"] = frame.time_s.astype("category").cat.rename_categories(float).astype(float)
         else:
-            frame = _checked(self, file, pandas.read_csv(io.BytesIO(content), usecols=list({*columns, "tick"} & set(header)), dtype=str, keep_default_na=False))
+            frame = _checked(self, file, _parsed(self.path / file, content, usecols=list({*columns, "tick"}), dtype=str))
             if file == "agents.csv" and not is_whole and len(frame):
                 frame = frame[frame.tick != frame.tick.iloc[-1]]
         return frame[frame.time_s <= self.until_s] if len(frame) and frame.time_s.iloc[-1] > self.until_s else frame
@@ -118,7 +118,7 @@ class PooledRun(Run):
         """The cells of any table in the folder as texts: `columns`, and those of `optional` that it has."""
         content, _ = self._lines(file, remarks)
         header = _header(self.path / file, content, columns)
-        return pandas.read_csv(io.BytesIO(content), usecols=[*columns, *(set(optional) & set(header))], dtype=str, keep_default_na=False)
+        return _parsed(self.path / file, content, usecols=[*columns, *(set(optional) & set(header))], dtype=str)
 
     def _lines(self, file: str, remarks: list[str]) -> tuple[bytes, bool]:
         path = self.path / file
@@ -262,14 +262,17 @@ def read_pooled(folder: pathlib.Path) -> PooledRun:
         value = manifest[section][name]
         if type(value) not in (int, float) or not least <= value <= most:
             refuse(f"{section}.{name} = {json.dumps(value)}: must be >= {number_text(least)} and <= {number_text(most)}")
+    def texts(of: list[dict], key: str, is_needed: bool = False) -> None:
+        for value in [one[key] for one in of if is_needed or key in one]:
+            if type(value) is not str:
+                refuse(f"{key} = {json.dumps(value)}: must be text")
     if text := _not_plain({key: value for key, value in manifest.items() if key not in ("command_line", "error")}):
         refuse(f"{json.dumps(text)}: must be text without control characters")
     try:
         whole(manifest["seed"], "seed", 0, 2**64 - 1)
-        if type(manifest["backend"]) is not str:
-            refuse(f"backend = {json.dumps(manifest['backend'])}: must be text")
+        texts([manifest], "backend", is_needed=True)
         number("clock", "until_s", 0.0, MOST_TIME_S)
-        number("arena", "half_side_m", 0.0, sys.float_info.max)
+        number("arena", "half_side_m", sys.float_info.min, sys.float_info.max)
         if "result" in manifest:
             number("result", "reached_s", 0.0, MOST_TIME_S + _LONGEST_TICK_S)
         whole(manifest.get("agents_every_ticks", 1), "agents_every_ticks", 1, 2**63 - 1)
@@ -289,8 +292,10 @@ def read_pooled(folder: pathlib.Path) -> PooledRun:
             whole(expected["crc32"], "crc32", 0, 2**32 - 1)
         if "recording" in manifest:
             whole(manifest["recording"]["crc32"], "crc32", 0, 2**32 - 1)
-        for key in ("at_s", "run", "seed") if "origin" in manifest else ():
-            manifest["origin"][key]
+        origin = [manifest["origin"]] if "origin" in manifest else []
+        for key in ("at_s", "run", "seed", "fingerprint"):
+            texts(origin, key, is_needed=True)
+        texts([manifest, *origin, *manifest.get("continued", [])], "code")
     except (KeyError, TypeError, AttributeError) as error:
         refuse(f"{error}: must be there, as trophic writes it" if isinstance(error, KeyError) else f"is not what trophic writes: {error}")
     return PooledRun(folder, manifest, manifest["clock"]["until_s"])
@@ -413,6 +418,13 @@ def _header(path: pathlib.Path, content: bytes, columns: Sequence[str]) -> list[
         if name not in header:
             raise RunError(f'{path}:1: no column "{name}"; another kind of file?')
     return header
+
+
+def _parsed(path: pathlib.Path, content: bytes, **how: Any) -> pandas.DataFrame:
+    try:
+        return pandas.read_csv(io.BytesIO(content), keep_default_na=False, **how)
+    except (ValueError, OverflowError) as error:
+        raise RunError(f"{path}: cannot be read: {error}") from None
 
 
 def _checked(run: PooledRun, file: str, texts: pandas.DataFrame) -> pandas.DataFrame:

@@ -44,7 +44,8 @@ class Means(NamedTuple):
 
 
 def window_of(time_s: numpy.ndarray, window_s: float = WINDOW_S) -> numpy.ndarray:
-    return numpy.maximum(0.0, numpy.ceil(time_s / window_s) - 1.0).astype(int)
+    with numpy.errstate(invalid="ignore"):  # numpy 1.24 may report a flag that another operation left
+        return numpy.maximum(0.0, numpy.ceil(time_s / window_s) - 1.0).astype(int)
 
 
 def means(window: numpy.ndarray, values: numpy.ndarray, window_s: float = WINDOW_S) -> Means:
