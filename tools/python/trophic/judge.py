@@ -280,7 +280,8 @@ _NOUNS = {"velocity": "the velocity of {who} towards their adversaries", "veloci
           "wall_sticking": "the share of {who} within 1 m of a wall", "wall_sticking_gap": "the excess of {first} over {second} within 1 m of a wall",
           "tag_symmetry": "the tag symmetry of {who}", "population": "the number of {who}", "hunger": "the hunger of {who}",
           "ticks_at": "the share of time with {group} {who}", "deaths": "the number of {who} that die in a run",
-          "stuck": "the share of {who} that are stuck"}
+          "stuck": "the share of {who} that are stuck", "extinct": "the share of runs in which {who} die out",
+          "extinct_at": "the time at which {who} die out"}
 _CAUSES = {"caught": "are caught", "starved": "starve", "sacrificed": "are sacrificed", "senescence": "die of senescence"}
 
 

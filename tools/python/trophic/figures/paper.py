@@ -13,7 +13,7 @@ import numpy as np
 import pandas as pd
 from scipy import stats
 
-from ..runs import read_analysis
+from ..runs import Analysis, RunError, read_analysis
 from .pictures import catches, film_strip, phylogeny, trajectories
 from .style import COLOURS, NULL_COLOUR, Missing, caption, colour, legend_above, line, width_in
 
@@ -63,7 +63,7 @@ class Data:
 
     def own_metrics(self):
         """Metrics that `trophic analyze --column` read."""
-        known = {"attribution", "deaths", "velocity", "wall", "tag", "population", "hunger", "ticks", "stuck"}
+        known = {"attribution", "deaths", "velocity", "wall", "tag", "population", "hunger", "ticks", "stuck", "extinct"}
         return [name for name in dict.fromkeys(self.metrics.metric) if name.split("_")[0] not in known]
 
     @property
@@ -332,13 +332,31 @@ def forest(summary):
 FIGURES = [attribution, velocity, wall_sticking, tag_symmetry, population, phylogeny, catches, trajectories, film_strip]
 
 
-def sets_of(folder, run=0, trophic="trophic"):
-    """The sets of an analysis, each as Data. Raises RunError for a folder that is not one, and IndexError for a `run` that is not there."""
-    analysis = read_analysis(folder)
+def analysis_of(analysis):
+    """The Analysis itself, or the one in a folder."""
+    return analysis if isinstance(analysis, Analysis) else read_analysis(analysis)
+
+
+def sets_of(analysis, run=0, trophic="trophic"):
+    """The sets of an Analysis, or of its folder, each as Data. Raises RunError for a folder that is not one, and IndexError for a `run` that is not
+    there."""
+    analysis = analysis_of(analysis)
     sets = [Data(analysis.metrics[analysis.metrics["set"] == s["set"]], s, run, trophic) for s in analysis.summary["sets"]]
     if any(not 0 <= run < len(data.folders) for data in sets):
         raise IndexError(f"--run {run}: must be >= 0 and < the number of runs")
     return sets
+
+
+def data_of(analysis, set=None, run=0):
+    """One set of an Analysis, or of its folder: the one with the label `set`, which need not be named if it is the only one. Raises RunError."""
+    if isinstance(analysis, Data):
+        return analysis
+    sets = {data.summary["set"]: data for data in sets_of(analysis, run)}
+    if set is None and len(sets) == 1:
+        return next(iter(sets.values()))
+    if set not in sets:
+        raise RunError(f"set={set}: must be {' or '.join(sets)}")
+    return sets[set]
 
 
 def figures_of(folder, run=0, trophic="trophic"):

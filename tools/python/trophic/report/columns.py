@@ -20,7 +20,7 @@ significant text: yes where p_holm <= 0.05, else no; empty without a p value
 # the line says so. A ? stands for cells that may be empty; a name alone for a column of _SHARED.
 _TABLES = {
     "metrics.csv": ("Results of the analysis: every value and every curve of every run, one value per row.", """
-set text: name of the rule table
+set text: name of the rule table, with what differs from it
 run text: name of the run's folder
 seed whole: of the run
 metric
@@ -32,7 +32,7 @@ value: in `unit`; empty: could not be computed
 unit text: of the value; 1 for shares and counts
 """),
     "means.csv": ("Each metric of a set next to each of its nulls, for tables of a paper.", """
-set text: name of the rule table
+set text: name of the rule table, with what differs from it
 metric
 species
 group
@@ -42,7 +42,7 @@ mean: over these runs
 deviation: between these runs
 lower: of the mean's 95 % interval; empty for fewer than 6 runs
 upper: of the mean's 95 % interval
-published: the paper's mean; empty if it has none
+published: the paper's mean, for its own rule tables; empty if it has none
 null text: shadow, or the name of a null that each run has of its own; empty: no null
 null_n whole: runs that give the null
 null_mean: over these runs
@@ -50,7 +50,7 @@ difference: mean - null_mean; of a run's own null over the runs that have both
 difference_lower: of its own 95 % interval
 difference_upper: of its own 95 % interval
 p
-p_holm: corrected for all comparisons of the set
+p_holm: corrected for all comparisons of the set; at most 0.05: significant
 runs_needed whole?: if p_holm > 0.05: runs in each set that would find a difference of this size in 80 % of studies
 same_as text: an earlier metric that says the same (other reading, or the same in every run); then not compared again
 """),
@@ -68,7 +68,7 @@ difference: as `compared` says
 lower: of this comparison's own 95 % interval; empty for fewer than 6 runs
 upper: of this comparison's own 95 % interval
 p
-p_holm: corrected for all metrics
+p_holm: corrected for all comparisons; at most 0.05: significant; empty for a raw difference next to the answer over the shadows
 runs_needed whole?: if p_holm > 0.05: runs in each set that would find a difference of this size in 80 % of studies
 same_as text: an earlier metric that says the same (other reading, or the same in every run); then not compared again
 """),

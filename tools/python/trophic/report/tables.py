@@ -17,11 +17,7 @@ from ..runs import RunError
 from ..statistics import MIN_RUNS_FOR_TEST, is_significant
 from ..values import METRIC, SHADOW, MeasuredSet
 from ..words import number_text
-
-METRICS = ["set", "run", "seed", *METRIC[:3], "baseline", "time_s", "value", "unit"]
-MEANS = ["set", *METRIC, "n", "mean", "deviation", "lower", "upper", "published", "null", "null_n", "null_mean", "difference", "difference_lower",
-         "difference_upper", "p", "p_holm", "runs_needed", "same_as"]
-DIFFERENCES = [*METRIC, "compared", "n_a", "n_b", "mean_a", "mean_b", "difference", "lower", "upper", "p", "p_holm", "runs_needed", "same_as"]
+from .columns import names
 
 
 # Files
@@ -86,7 +82,7 @@ def metrics(sets: Sequence[MeasuredSet]) -> pandas.DataFrame:
                 rows = pandas.concat([measured.values, measured.curves]).reset_index(drop=True)
                 if is_shadow:
                     rows = rows[rows["baseline"] == ""].assign(baseline=SHADOW)
-                parts.append(rows.assign(set=one.label, run=run.path.resolve().name.replace(",", "_"), seed=run.seed).reindex(columns=METRICS))
+                parts.append(rows.assign(set=one.label, run=run.path.resolve().name.replace(",", "_"), seed=run.seed).reindex(columns=names("metrics.csv")))
     frame = pandas.concat(parts, ignore_index=True)
     return frame.astype({"time_s": float, "value": float, "seed": "uint64"})
 
@@ -100,12 +96,12 @@ def means(frame: pandas.DataFrame) -> pandas.DataFrame:
     table = frame[is_null | (~has_null & ~frame.duplicated(key))].copy()
     alone = table["role"] != "null"
     table.loc[alone, "null"], table.loc[alone, "null_n"], table.loc[alone, "null_mean"] = "", 0, float("nan")
-    return table[MEANS].reset_index(drop=True)
+    return table[names("means.csv")].reset_index(drop=True)
 
 
 def differences(frame: pandas.DataFrame) -> pandas.DataFrame:
     """differences.csv of a frame of judge.compare."""
-    return frame[DIFFERENCES].reset_index(drop=True)
+    return frame[names("differences.csv")].reset_index(drop=True)
 
 
 # summary.json
