@@ -2,13 +2,11 @@
 // `trophic help`: the help of a command, or a topic.
 #include <memory>
 #include <sstream>
-#include <tools/analysis/metrics/sweep_values.hpp>
-#include <tools/analysis/report/columns.hpp>
 #include <tools/command/output.hpp>
 #include <tools/command/run_command.hpp>
+#include <tools/command/run_python.hpp>
 #include <tools/command/words.hpp>
 #include <tools/trophic/slots.hpp>
-#include <trophic/population/food_web.hpp>
 
 #include "commands.hpp"
 #include "shipped_policies.hpp"
@@ -41,31 +39,6 @@ struct Options {
   return print_text(out.str());
 }
 
-[[nodiscard]] int print_metrics() {
-  const FoodWeb web{{"prey", "predator"}, {{1, 0}}};
-  analysis::Columns columns{{"metric", "unit", "of"}};
-  std::string metric;
-  std::string of;
-  std::string unit;
-  const auto finish = [&] {
-    if (!metric.empty()) columns.add({metric, unit, of});
-  };
-  for (const analysis::MetricName& name : analysis::metric_names({&web, 1})) {
-    if (name.metric != metric) {
-      finish();
-      metric = name.metric;
-      of.clear();
-      unit = name.unit;
-    }
-    of += (of.empty() ? "" : " ") + name.species + ":" + name.group;
-  }
-  finish();
-  std::ostringstream out;
-  out << "METRIC:SPECIES:GROUP as --metric takes them, in a food web of prey and predators; docs/GLOSSARY.md defines them\n";
-  columns.print(out);
-  return print_text(out.str());
-}
-
 }  // namespace detail::help
 
 /// Prints the help of one of `program`'s commands, the slots of a rule table or the metrics.
@@ -81,7 +54,7 @@ Command help(const std::function<Command()>& program) {
             for (const Command& command : all.subcommands) topics.push_back(command.name);
             if (options->word && options->topic != "slots") throw std::invalid_argument{*options->word + ": unexpected argument"};
             if (options->topic == "slots") return detail::help::print_slots(options->word);
-            if (options->topic == "metrics") return detail::help::print_metrics();
+            if (options->topic == "metrics") return run_python({{"command", "metrics"}, {"who", "trophic help metrics"}});
             if (options->topic && std::ranges::find(topics, *options->topic) == topics.end()) {
               throw std::invalid_argument{must_be_one_of(*options->topic, topics) +
                                           did_you_mean(nearest_word(*options->topic, topics))};

@@ -122,8 +122,13 @@ def names(run: PooledRun, how: Measuring | None = None) -> list[Metric]:
     if how is not None and how.bodies is not None:
         from . import bodies
         return bodies.names(run.web)
+    return names_of(run.web, run.tags)
+
+
+def names_of(web: Web, tag_values: Sequence[int] = (-1, 1)) -> list[Metric]:
+    """The metrics of a run of these species and tags, in the order of all tables."""
     nothing = [pandas.DataFrame(columns=list(columns), dtype=float) for columns in (EVENTS, AGENTS)]
-    found = shipped(run.web, *nothing, until_s=0.0, half_side_m=1.0, tag_values=run.tags)
+    found = shipped(web, *nothing, until_s=0.0, half_side_m=1.0, tag_values=tag_values)
     return [Metric(*row[:4]) for row in found.rows if row[4] == ""]
 
 
