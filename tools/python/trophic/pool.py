@@ -150,6 +150,9 @@ def read_set(paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | Non
         if how.bodies is not None:
             bodies.check(run)
     metrics.check_names(metrics.names(pooled[0], how), how)
+    if how.lineages is not None:
+        from .metrics import lineages  # type: ignore[attr-defined]
+        how = dataclasses.replace(how, window_s=lineages.window_of([*pooled, *its_pooled], how.window_s))
     values = measure([*pooled, *its_pooled], how)
     metrics.same_metrics(values, how.metrics)
 

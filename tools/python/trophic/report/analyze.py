@@ -68,8 +68,8 @@ def measuring_of(request: Mapping[str, Any]) -> Measuring:
     """How the runs of a request are measured."""
     functions = [function for file in request.get("metric_file") or () for function in own.read_metrics(file)]
     return Measuring(until_s=request.get("until"), accept_other_build=bool(request.get("accept_other_build")), columns=request.get("column") or (),
-                     functions=functions, bodies=request.get("plan_distances"), lineages=request.get("signatures"), jobs=request.get("jobs"),
-                     metrics=request.get("metric") or ())
+                     functions=functions, bodies=request.get("plan_distances"), lineages=request.get("signatures"), window_s=request.get("window"),
+                     jobs=request.get("jobs"), metrics=request.get("metric") or ())
 
 
 def run(request: Mapping[str, Any]) -> int:
