@@ -17,7 +17,8 @@ NONE = float("nan")
 
 def robot(tick, id, species, x_m=0.0, y_m=0.0, adversary_id=NONE, origin="inherited", tag=1, active=1, hunger_ticks=NONE, body=None):
     """A row of agents.csv; the body has the number of the individual unless it is named."""
-    return {**dict.fromkeys(AGENT_COLUMNS, 0.0), "time_s": 2.0 * tick, "tick": tick, "body": id if body is None else body, "id": id, "species": species,
+    return {**dict.fromkeys(AGENT_COLUMNS, 0.0), "time_s": 2.0 * tick, "tick": tick, "body": id if body is None else body, "id": id,
+            "species": species,
             "origin": origin, "active": active, "tag": tag, "x_m": x_m, "y_m": y_m, "adversary_id": adversary_id, "adversary_distance_m": NONE,
             "hunger_ticks": hunger_ticks}
 
@@ -40,19 +41,22 @@ def events(*rows):
 
 
 CATCH = (event("birth", 0, 0, "prey", origin="inherited"), event("birth", 0, 1, "predator", origin="inherited"),
-         event("catch", 2, 1, "predator", origin="inherited", victim_id=0), event("death", 2, 0, "prey", origin="inherited", cause="caught", killer_id=1),
+         event("catch", 2, 1, "predator", origin="inherited", victim_id=0),
+         event("death", 2, 0, "prey", origin="inherited", cause="caught", killer_id=1),
          event("birth", 2, 2, "predator", body=0))
 """A predator catches a prey; both inherited their genomes. The prey's body goes to a random predator."""
 WALK = (robot(0, 0, "prey", 9.5, 2.0), robot(0, 1, "predator", 1.0, 2.0, adversary_id=0, hunger_ticks=0),
         robot(1, 2, "predator", 1.0, 2.0, origin="random", hunger_ticks=0, body=0), robot(1, 1, "predator", 1.0, 2.0, hunger_ticks=0))
 
 
-def write_run(folder, seed=1, *, heredity="own_copy", of_agents=WALK, of_events=CATCH, status="complete", until_s=6000.0, sums=False, files=(), **manifest):
+def write_run(folder, seed=1, *, heredity="own_copy", of_agents=WALK, of_events=CATCH, status="complete", until_s=6000.0, sums=False, files=(),
+              **manifest):
     """Writes the folder of a run and returns it. `sums`: the manifest has the checksums of the tables, as that of a complete run. `files`: more
     of them, frames or texts by name. Further entries of the manifest by name; None leaves one out."""
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True)
-    frames = {"events.csv": pandas.DataFrame(of_events, columns=EVENT_COLUMNS), "agents.csv": pandas.DataFrame(of_agents, columns=AGENT_COLUMNS), **dict(files)}
+    frames = {"events.csv": pandas.DataFrame(of_events, columns=EVENT_COLUMNS), "agents.csv": pandas.DataFrame(of_agents, columns=AGENT_COLUMNS),
+              **dict(files)}
     for file, frame in frames.items():
         whole = ("id", "body", "parent_id", "killer_id", "victim_id", "adversary_id", "hunger_ticks")
         if not isinstance(frame, str):

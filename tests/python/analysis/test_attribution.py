@@ -6,7 +6,8 @@ from hand_written import WEB, event, events
 from trophic.metrics import Web, attribution
 
 # Prey 0 and 1 (random) and 2 (inherited), hunters 3 (random) and 4 (inherited). Hunter 4 catches 0 and 2, hunter 3 catches 1.
-HISTORY = (event("birth", 0, 0, "prey"), event("birth", 0, 1, "prey"), event("birth", 0, 2, "prey", origin="inherited"), event("birth", 0, 3, "predator"),
+HISTORY = (event("birth", 0, 0, "prey"), event("birth", 0, 1, "prey"), event("birth", 0, 2, "prey", origin="inherited"),
+           event("birth", 0, 3, "predator"),
            event("birth", 0, 4, "predator", origin="inherited"),
            event("catch", 2, 4, "predator", origin="inherited", victim_id=0), event("death", 2, 0, "prey", cause="caught"),
            event("birth", 2, 5, "predator", body=0, origin="inherited"),
@@ -26,7 +27,8 @@ QUIET = (event("birth", 0, 0, "prey"), event("birth", 0, 1, "predator"), event("
     (NEVER_CAUGHT, math.nan, math.nan, math.nan, 0.0, 1.0),  # a body that was never caught has the killer in body 1
     (QUIET, *[math.nan] * 5), ((), *[math.nan] * 5)])
 def test_shares_of_the_inherited(rows, caught, catches, catchers, died, credited):
-    found = (attribution.caught(events(*rows), "prey"), attribution.catches(events(*rows), "predator"), attribution.catchers(events(*rows), "predator"),
+    found = (attribution.caught(events(*rows), "prey"), attribution.catches(events(*rows), "predator"),
+             attribution.catchers(events(*rows), "predator"),
              attribution.died(events(*rows), "prey"), attribution.credited(events(*rows), WEB, "predator"))
     assert found == pytest.approx((caught, catches, catchers, died, credited), nan_ok=True)
 

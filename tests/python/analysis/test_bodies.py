@@ -10,7 +10,8 @@ from trophic import pool
 from trophic.metrics import Measuring, bodies
 from trophic.runs import RunError
 
-COLUMNS = "id time_s species plan parent_plan edit_distance modules_text modules hinges bricks mass_kg reach_m size proportion coverage branching limbs length_of_limbs symmetry joints".split()
+COLUMNS = ("id time_s species plan parent_plan edit_distance modules_text modules hinges bricks mass_kg reach_m size proportion coverage branching "
+           "limbs length_of_limbs symmetry joints").split()
 
 
 def body(id, text, modules, symmetry):
@@ -23,7 +24,8 @@ def run(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     rows = [body(0, "core[left:hinge0]", 2, 0.0), body(1, "core[left:hinge0]", 2, 0.0), body(3, "core[left:hinge0 right:hinge0]", 3, 1.0)]
     genes = [(0, "brain")] * 2 + [(0, "gait")] + [(1, "brain")] * 2 + [(3, "brain")] * 4
-    write_run("run", until_s=40.0, of_events=[event("birth", 0, 0, "prey"), event("birth", 0, 1, "prey"), event("death", 10, 1, "prey", cause="starved"),
+    write_run("run", until_s=40.0, of_events=[event("birth", 0, 0, "prey"), event("birth", 0, 1, "prey"),
+                                              event("death", 10, 1, "prey", cause="starved"),
                                               event("birth", 10, 3, "prey", body=1)],
               of_agents=[robot(0, 0, "prey", 1.0, 2.0), robot(1, 0, "prey", 1.1, 2.0), robot(2, 0, "prey", 1.1, 2.3)],
               files={"bodies.csv": pandas.DataFrame(rows), "genes.csv": pandas.DataFrame(genes, columns=["id", "part"]).assign(index=0, value=1.0)})
@@ -38,8 +40,10 @@ def measured():
 
 
 # Four of ten early windows of 2 s end before the death. The robot walks 0.1 m and 0.3 m in 2 s each.
-@pytest.mark.parametrize("metric, early, late", [("body_modules", 2.3, 2.5), ("body_symmetry", 0.3, 0.5), ("body_plans", 1.6, 2.0), ("body_plans_shannon", 1.6, 2.0),
-                                                 ("body_change", 0.3, 0.5), ("brain_genes", 2.6, 3.0), ("gait_genes", 0.5, 0.5), ("walked", 0.1, numpy.nan)])
+@pytest.mark.parametrize("metric, early, late", [("body_modules", 2.3, 2.5), ("body_symmetry", 0.3, 0.5), ("body_plans", 1.6, 2.0),
+                                                 ("body_plans_shannon", 1.6, 2.0),
+                                                 ("body_change", 0.3, 0.5), ("brain_genes", 2.6, 3.0), ("gait_genes", 0.5, 0.5),
+                                                 ("walked", 0.1, numpy.nan)])
 def test_means_over_the_living_in_the_windows_of_each_half(run, metric, early, late):
     values = measured().values
     found = values[(values.metric == metric) & (values.species == "prey")]
@@ -66,7 +70,8 @@ def test_the_names_are_those_of_the_values(run):
 
 @pytest.mark.parametrize("change, why", [
     (lambda run: [(run / file).unlink() for file in ("bodies.csv", "genes.csv")], "run: has neither bodies.csv nor genes.csv"),
-    (lambda run: (run / "bodies.csv").write_text((run / "bodies.csv").read_text().replace(",2,", ",many,", 1)), 'run/bodies.csv:2: modules = "many": must be a number'),
+    (lambda run: (run / "bodies.csv").write_text((run / "bodies.csv").read_text().replace(",2,", ",many,", 1)),
+     'run/bodies.csv:2: modules = "many": must be a number'),
     (lambda run: (run / "bodies.csv").write_text((run / "bodies.csv").read_text()[:-3]), "run/bodies.csv: the last line is truncated"),
     (lambda run: pathlib.Path("plan_distances.csv").write_text("run,id,distance\nrun,0,0\n"), "plan_distances.csv: has not the bodies of run")])
 def test_tables_that_are_missing_or_damaged_are_refused(run, change, why):

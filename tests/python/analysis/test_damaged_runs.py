@@ -12,7 +12,8 @@ from trophic.runs import RunError
 
 VALUES = [None, True, -1, 0, 1e300, math.nan, math.inf, "", [], {}, "x", "\x1b", [1], {"a": 1}, 10**30, [[]], [None]]
 BYTES = b'0123456789,.-"\n\r\x00\xffnaeinf '
-MORE = {"code": "a", "origin": {"at_s": "1", "run": "x", "seed": "1", "fingerprint": "a"}, "tables": {}, "result": {"reached_s": 6000.0}, "continued": [{"code": "b"}],
+MORE = {"code": "a", "origin": {"at_s": "1", "run": "x", "seed": "1", "fingerprint": "a"}, "tables": {}, "result": {"reached_s": 6000.0},
+        "continued": [{"code": "b"}],
         "agents_every_ticks": 1}
 
 

@@ -35,13 +35,15 @@ def test_rows_are_found_by_tick_and_individual_or_body():
 
 @pytest.mark.parametrize("group, members", [("all", 4), ("random", 2), ("inherited", 2), ("active", 2), ("inherited_active", 1)])
 def test_groups(group, members):
-    robots = agents(*(robot(1, 2 * active + (origin == "random"), "prey", origin=origin, active=active) for active in (0, 1) for origin in ("random", "inherited")))
+    robots = agents(*(robot(1, 2 * active + (origin == "random"), "prey", origin=origin, active=active)
+                      for active in (0, 1) for origin in ("random", "inherited")))
     assert robots.of("prey", group).sum() == members and robots.of("predator", group).sum() == 0
 
 
 def test_within_1_m_of_any_wall_sticks():
     robots = agents(robot(1, 0, "prey", 9.0, 0.0), robot(1, 1, "prey", 0.0, -9.5), robot(1, 2, "prey", 8.99, 8.99), robot(1, 3, "predator"),
-                    robot(2, 0, "prey"), robot(2, 1, "prey", 11.0, 0.0, active=0), robot(2, 3, "predator", -9.9, 9.9), robot(3, 3, "predator", 9.9, 0.0))
+                    robot(2, 0, "prey"), robot(2, 1, "prey", 11.0, 0.0, active=0), robot(2, 3, "predator", -9.9, 9.9),
+                    robot(3, 3, "predator", 9.9, 0.0))
     assert walls.wall_sticking(robots, "prey", "all", 10.0).mean == pytest.approx((2 / 3 + 1 / 2) / 2)  # no prey at tick 3
     assert walls.wall_sticking(robots, "prey", "active", 10.0).mean == pytest.approx((2 / 3 + 0) / 2)
     assert walls.wall_sticking(robots, "prey", "all", 10.0, 2.0).mean == pytest.approx((1 + 1 / 2) / 2)
@@ -51,7 +53,8 @@ def test_within_1_m_of_any_wall_sticks():
 
 
 def test_populations_hunger_and_crowds():
-    robots = agents(robot(1, 0, "prey"), robot(1, 1, "predator", hunger_ticks=4), robot(1, 2, "predator", origin="random", hunger_ticks=10), robot(2, 0, "prey"))
+    robots = agents(robot(1, 0, "prey"), robot(1, 1, "predator", hunger_ticks=4), robot(1, 2, "predator", origin="random", hunger_ticks=10),
+                    robot(2, 0, "prey"))
     assert [demography.population_size(robots, "predator", group).mean for group in ("all", "random")] == [1.0, 0.5]
     assert demography.hunger(robots, "predator").mean == 7.0 and math.isnan(demography.hunger(robots, "prey").mean)
     assert [demography.ticks_at(robots, "predator", members).mean for members in (2, 0, 1)] == [0.5, 0.5, 0.0]
@@ -69,13 +72,15 @@ def test_extinction_as_a_share_and_as_a_curve():
     rows = [robot(tick, 0, "prey") for tick in range(0, 301, 50)] + [robot(tick, 1, "predator") for tick in range(0, 151, 50)]
     found = shipped(WEB, events(), pandas.DataFrame(sorted(rows, key=lambda row: row["tick"]), columns=list(AGENTS)), until_s=600.0, half_side_m=10.0)
     values = {(row[0], row[1]): row[6] for row in found.rows if row[0] in demography.EXTINCTION}
-    assert values == pytest.approx({("extinct", "prey"): 0.0, ("extinct_at", "prey"): NAN, ("extinct", "predator"): 1.0, ("extinct_at", "predator"): 400.0}, nan_ok=True)
+    assert values == pytest.approx({("extinct", "prey"): 0.0, ("extinct_at", "prey"): NAN, ("extinct", "predator"): 1.0,
+                                    ("extinct_at", "predator"): 400.0}, nan_ok=True)
     curve = [points.tolist() for name, _, points in found.curves if name[:2] == ("extinct", "predator")]
     assert curve == [[0.0, 1.0, 1.0]]  # at 200, 400 and 600 s
 
 
 def test_deaths_by_cause_in_all_and_per_window():
-    rows = events(event("death", 0, 0, "prey", cause="caught"), event("death", 200, 1, "prey", cause="sacrificed"), event("death", 202, 2, "prey", cause="caught"),
+    rows = events(event("death", 0, 0, "prey", cause="caught"), event("death", 200, 1, "prey", cause="sacrificed"),
+                  event("death", 202, 2, "prey", cause="caught"),
                   event("death", 202, 3, "predator", cause="starved"))
     assert [len(demography.deaths(rows, *of)) for of in (("prey",), ("prey", "caught"), ("predator", "caught"))] == [3, 2, 0]
     times = demography.deaths(rows, "prey")
@@ -84,7 +89,8 @@ def test_deaths_by_cause_in_all_and_per_window():
 
 
 def test_stuck_is_less_than_5_cm_away_after_10_s_wherever_it_was_meanwhile():
-    rows = [row for t in range(6) for row in (robot(t, 0, "prey", 0.0, 0.0098 * t), robot(t, 1, "prey", 3 + 0.0102 * t), robot(t, 2, "predator", 5.0 if t == 3 else 1.0),
+    rows = [row for t in range(6) for row in (robot(t, 0, "prey", 0.0, 0.0098 * t), robot(t, 1, "prey", 3 + 0.0102 * t),
+                                              robot(t, 2, "predator", 5.0 if t == 3 else 1.0),
                                               robot(t, 3, "predator", 9 - 0.5 * t, 9.0), robot(t, 4, "predator", 9 - 0.5 * t, 2.0))]
     assert [stuck.stuck(agents(*rows), species).mean for species in ("prey", "predator", None)] == pytest.approx([1 / 2, 1 / 3, 2 / 5])
     assert stuck.stuck(agents(*rows), "prey", 0.06).mean == 1.0
@@ -108,8 +114,10 @@ def test_an_empty_run_has_every_metric_and_no_value():
     rows = measured()
     assert all(math.isnan(row[6]) for row in rows if row[4] == "")
     names = {row[:3] for row in rows}
-    expected = {("attribution_caught", "prey", "all"), ("attribution_catchers", "predator", "all"), ("ticks_at", "predator", "8"), ("stuck", "all", "all"),
-                *((metric, "prey", group) for metric in ("velocity", "velocity_points", "velocity_stored") for group in ("all", "random", "inherited", "active")),
+    expected = {("attribution_caught", "prey", "all"), ("attribution_catchers", "predator", "all"), ("ticks_at", "predator", "8"),
+                ("stuck", "all", "all"),
+                *((metric, "prey", group) for metric in ("velocity", "velocity_points", "velocity_stored")
+                  for group in ("all", "random", "inherited", "active")),
                 *(("wall_sticking_gap", "prey-predator", group) for group in ("all", "active")),
                 *(("tag_symmetry", "prey+predator", group) for group in ("inherited", "inherited_active"))}
     assert expected <= names and not names & {("attribution_caught", "predator", "all"), ("ticks_at", "prey", "8")}
@@ -131,9 +139,11 @@ def test_each_link_of_three_species_is_measured():
 @pytest.mark.parametrize("every", [1, 2, 3, 4, 5, 6, 10])
 def test_a_thinned_table_gives_the_same_velocities_from_fewer_starts_or_none(every):
     # A predator that walks 0.1 m a tick towards a prey at rest: 0.05 m/s, and neither is stuck.
-    rows = measured(of_agents=[row for tick in range(0, 61, every) for row in (robot(tick, 0, "prey"), robot(tick, 1, "predator", 9 - 0.1 * tick, adversary_id=0))],
+    rows = measured(of_agents=[row for tick in range(0, 61, every)
+                              for row in (robot(tick, 0, "prey"), robot(tick, 1, "predator", 9 - 0.1 * tick, adversary_id=0))],
                     every_ticks=every)
-    expected = {"velocity": 0.05 if velocity.TICKS % every == 0 else NAN, "velocity_stored": 0.05 if every == 1 else NAN, "stuck": 0.0 if stuck.TICKS % every == 0 else NAN,
+    expected = {"velocity": 0.05 if velocity.TICKS % every == 0 else NAN, "velocity_stored": 0.05 if every == 1 else NAN,
+                "stuck": 0.0 if stuck.TICKS % every == 0 else NAN,
                 "wall_sticking": 1 / 61 if every == 1 else None}
     for metric, number in expected.items():
         assert number is None or metric == "wall_sticking" or value(rows, metric, "predator", "all") == pytest.approx(number, nan_ok=True), metric
@@ -141,7 +151,8 @@ def test_a_thinned_table_gives_the_same_velocities_from_fewer_starts_or_none(eve
 
 
 @pytest.mark.parametrize("every, lost", [
-    (1, ""), (3, "agents.csv: has the ticks that are multiples of 3: no velocity_stored, which needs every tick, no stuck, which needs rows 5 ticks apart"),
+    (1, ""),
+    (3, "agents.csv: has the ticks that are multiples of 3: no velocity_stored, which needs every tick, no stuck, which needs rows 5 ticks apart"),
     (5, "agents.csv: has the ticks that are multiples of 5: no velocity_stored, which needs every tick, no velocity, which needs rows 6 ticks apart, "
         "no velocity_points, which needs rows 6 ticks apart")])
 def test_what_a_thinned_table_loses_is_said(every, lost):

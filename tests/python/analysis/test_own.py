@@ -57,7 +57,8 @@ def test_a_column_is_its_means_and_curves(table, until_s, values, curve):
 @pytest.mark.parametrize("table, why", [
     ("y\n1\n", 'run/own.csv:1: no column "x"; another kind of file?'), ("x\n1\nmany\n", 'run/own.csv:3: x = "many": must be a number'),
     ("x\ninf\n", 'run/own.csv:2: x = "inf": must be finite'), ("time_s,x\nnan,1\n", 'run/own.csv:2: time_s = "nan": must be finite'),
-    ("x,y\n1\n", "run/own.csv:2: 1 cells, the header has 2"), ("species,x\n" + "".join(f"s{i},1\n" for i in range(1001)), "--column own.csv:x: must be of at most 1000")])
+    ("x,y\n1\n", "run/own.csv:2: 1 cells, the header has 2"),
+    ("species,x\n" + "".join(f"s{i},1\n" for i in range(1001)), "--column own.csv:x: must be of at most 1000")])
 def test_a_cell_that_cannot_be_is_refused_by_file_and_line(table, why):
     write_run("run", files={"own.csv": table})
     assert refusal(columns=["own.csv:x"]).startswith(why)
@@ -78,7 +79,8 @@ def from_centre(run):
 
 
 def test_a_function_of_a_run_has_a_value_for_each_species_and_a_curve():
-    write_run("run", of_agents=[robot(0, 0, "prey", 3.0, 4.0), robot(0, 1, "predator", 0.0, 2.0), robot(200, 1, "predator", 0.0, 4.0)], until_s=600.0, result={"reached_s": 600.0})
+    write_run("run", of_agents=[robot(0, 0, "prey", 3.0, 4.0), robot(0, 1, "predator", 0.0, 2.0), robot(200, 1, "predator", 0.0, 4.0)], until_s=600.0,
+              result={"reached_s": 600.0})
     assert own.own_metric(from_centre)[:2] == ("from_centre", "m")
     values, curve, remarks = measured(functions=[from_centre])
     assert (values, remarks) == ({("prey", "all"): 5.0, ("predator", "all"): 3.0}, [])
@@ -105,16 +107,20 @@ def raises(run):
 
 
 @pytest.mark.parametrize("function, why", [
-    (raises, "RuntimeError: no robot is there"), (lambda run: math.inf, "value = inf: must be finite, or nan if there is none"), (lambda run: "many", "ValueError: "),
-    (lambda run: None, "TypeError: "), (one(time_s=600.5), "time_s = 600.5: must be >= 0 and <= 600"), (one(time_s=NAN), "time_s = nan: must be >= 0 and <= 600"),
+    (raises, "RuntimeError: no robot is there"), (lambda run: math.inf, "value = inf: must be finite, or nan if there is none"),
+    (lambda run: "many", "ValueError: "),
+    (lambda run: None, "TypeError: "), (one(time_s=600.5), "time_s = 600.5: must be >= 0 and <= 600"),
+    (one(time_s=NAN), "time_s = nan: must be >= 0 and <= 600"),
     (one(species="wolf"), 'species = "wolf": must be one of prey, predator'), (one(group="a,b"), 'group = "a,b": must be letters, digits and _'),
-    (lambda run: pandas.DataFrame({"old": [1.0]}), "the frame has no column odd; did you mean old?"), (lambda run: run.senses, "run/senses.csv: cannot be read: ")])
+    (lambda run: pandas.DataFrame({"old": [1.0]}), "the frame has no column odd; did you mean old?"),
+    (lambda run: run.senses, "run/senses.csv: cannot be read: ")])
 def test_what_goes_wrong_in_a_function_names_metric_and_run(function, why):
     write_run("run", until_s=600.0)
     assert refusal(functions=[metric(name="odd")(function)]).startswith(f"metric odd: run: {why}")
 
 
-@pytest.mark.parametrize("function", [lambda run: NAN, lambda run: pandas.DataFrame({"odd": []}), lambda run: pandas.DataFrame({"odd": [NAN, NAN], "time_s": [0.0, 1.0]})])
+@pytest.mark.parametrize("function", [lambda run: NAN, lambda run: pandas.DataFrame({"odd": []}),
+                                      lambda run: pandas.DataFrame({"odd": [NAN, NAN], "time_s": [0.0, 1.0]})])
 def test_a_run_with_nan_alone_gets_a_remark(function):
     write_run("run")
     values, _, remarks = measured(functions=[metric(name="odd")(function)])
@@ -122,8 +128,10 @@ def test_a_run_with_nan_alone_gets_a_remark(function):
 
 
 @pytest.mark.parametrize("name, unit, why", [
-    ("hunger", "1", "metric hunger: trophic has a metric of this name; choose another"), ("a b", "1", "metric a b: its name must be letters, digits and _"),
-    ("a", "m,s", 'metric a: unit "m,s": must be letters, digits and _ . / ^ % -'), ("a", "", 'metric a: unit "": must be '), ("close", "1", "metric close: trophic has a metric"),
+    ("hunger", "1", "metric hunger: trophic has a metric of this name; choose another"),
+    ("a b", "1", "metric a b: its name must be letters, digits and _"),
+    ("a", "m,s", 'metric a: unit "m,s": must be letters, digits and _ . / ^ % -'), ("a", "", 'metric a: unit "": must be '),
+    ("close", "1", "metric close: trophic has a metric"),
     ("from_centre", "1", "metric from_centre: is there twice")])
 def test_names_that_are_taken_or_not_words_are_refused_before_anything_is_measured(name, unit, why, monkeypatch):
     write_run("run", files={"crowd.csv": "close\n1\n"})
@@ -166,7 +174,8 @@ def test_a_file_of_metrics_has_the_marked_functions():
     assert [each[:2] for each in found] == [("height", "m"), ("width", "1")]
     values = pool.read_set(["run"], how=Measuring(functions=found)).matrix()
     assert (values["height", "", "all", "m"][0], values["width", "", "all", "1"][0]) == (2.0, 1.0)
-    for text, why in (("x = 1\n", "has no metric: mark a function of a run with @trophic.metric"), ("import nothing_of_that_name\n", "ModuleNotFoundError: "),
+    for text, why in (("x = 1\n", "has no metric: mark a function of a run with @trophic.metric"),
+                      ("import nothing_of_that_name\n", "ModuleNotFoundError: "),
                       ("def f(:\n", "SyntaxError: "), (None, "cannot be read: No such file or directory")):
         pathlib.Path("bad.py").write_text(text) if text else pathlib.Path("bad.py").unlink()
         with pytest.raises(RunError, match=f"^--metric-file bad.py: {why}"):

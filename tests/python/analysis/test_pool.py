@@ -9,7 +9,6 @@ from hand_written import CATCH, NONE, WALK, robot, sum_of, write_run, write_set
 from trophic import pool
 from trophic.metrics import AGENTS, EVENTS, Measuring
 from trophic.runs import RunError
-from trophic.values import Metric
 
 
 @pytest.fixture(autouse=True)
@@ -43,13 +42,16 @@ CHANGED = with_changes("5,5,rules.a,2,1\n")
 
 
 @pytest.mark.parametrize("a, b, why", [
-    ({}, {"fingerprint": "bb", "rule_table": "released"}, "b: fingerprint bb (released on kinematic 1), but a has aa (paper on kinematic 1); runs of different rules or "
+    ({}, {"fingerprint": "bb", "rule_table": "released"},
+     "b: fingerprint bb (released on kinematic 1), but a has aa (paper on kinematic 1); runs of different rules or "
      "parameters are not pooled: use --compare"),
-    ({"code": "0aaa"}, {"code": "0bbb"}, "b: made by 0bbb, but a by 0aaa; builds of a program may have other rules under the same names: --accept-other-build pools them"),
+    ({"code": "0aaa"}, {"code": "0bbb"},
+     "b: made by 0bbb, but a by 0aaa; builds of a program may have other rules under the same names: --accept-other-build pools them"),
     ({"code": "0aaa"}, {"code": "0aaa", "continued": [{"code": "0bbb"}]}, "b: made by 0aaa and 0bbb, but a by 0aaa; "),
     ({"code": "0aaa"}, {}, "b: made by an unknown build, but a by 0aaa; "),
     ({}, {"seed": 1}, "b: seed 1 as in a; the same run twice is not a second replicate"),
-    ({"origin": BRANCH}, {"origin": {**BRANCH, "at_s": "900"}}, "b: begins at 900 s of tape (seed 7), but a begins at 700 s of tape (seed 7); futures of one moment are "
+    ({"origin": BRANCH}, {"origin": {**BRANCH, "at_s": "900"}},
+     "b: begins at 900 s of tape (seed 7), but a begins at 700 s of tape (seed 7); futures of one moment are "
      "not pooled with other runs"),
     ({"origin": BRANCH}, {}, "b: begins at its beginning, but a begins at 700 s of tape (seed 7); "),
     ({}, CHANGED, "b: 1 changes of parameters (changes.csv), but a has 0, or others; runs with different changes are not pooled"),
@@ -85,8 +87,9 @@ def test_status_and_duration_must_be_alike_unless_all_are_cut():
     write_run("c", 3, status="stopped", result={"reached_s": 200.0})
     write_run("d", 4, status="running")
     write_run("e", 5, status="running")
-    assert refusal(pooled, "a", "b") == ('b: status "stopped" at 100 of 6000 s, but a has status "complete" at 6000 of 6000 s; runs of different length are not pooled: '
-                                         "leave some out, or cut all with --until")
+    assert refusal(pooled, "a", "b") == (
+        'b: status "stopped" at 100 of 6000 s, but a has status "complete" at 6000 of 6000 s; runs of different length are not pooled: '
+        "leave some out, or cut all with --until")
     assert "at 200 of 6000 s, but b has " in refusal(pooled, "b", "c")
     assert 'status "running" at an unknown time of 6000 s' in refusal(pooled, "d", "e")
     assert len(pooled("d")[0]) == 1
@@ -119,7 +122,8 @@ def test_a_folder_of_replicates_is_the_runs_of_its_list():
     ("nothing_inherited", {"rules": None}, "its rule in slot heredity is unknown: must be nothing_inherited"),
     ("nothing_inherited", {"params": {"seed": 9, "rules": {"floor": {"floor": 6}}}}, "params/rules/floor/floor = 6: must be 7"),
     ("nothing_inherited", {"backend": "mujoco"}, 'backend = "mujoco": must be "kinematic 1"'),
-    ("nothing_inherited", {"status": "stopped"}, 'it has status "stopped" at an unknown time of 6000 s: must be as status "complete" at 6000 of 6000 s')])
+    ("nothing_inherited", {"status": "stopped"},
+     'it has status "stopped" at an unknown time of 6000 s: must be as status "complete" at 6000 of 6000 s')])
 def test_a_run_that_is_not_the_shadow_is_refused(heredity, more, why):
     write_run("run")
     write_run("shadow", 9, heredity=heredity, **more)
@@ -142,9 +146,12 @@ def test_the_shadow_in_the_folder_is_found_and_another_can_be_named():
 
 
 @pytest.mark.parametrize("entry, why", [
-    ({"seed": -1}, "seed = -1: must be a whole number from 0 to 18446744073709551615"), ({"clock": {"until_s": -1}}, "clock.until_s = -1: must be >= 0 and <= 1e+08"),
-    ({"clock": {"until_s": 1e300}}, "clock.until_s = 1e+300: must be >= 0 and <= 1e+08"), ({"clock": {"until_s": NONE}}, "clock.until_s = NaN: must be "),
-    ({"agents_every_ticks": 0}, "agents_every_ticks = 0: must be a whole number from 1 to 9223372036854775807"), ({"species": None}, "'species': must be there"),
+    ({"seed": -1}, "seed = -1: must be a whole number from 0 to 18446744073709551615"),
+    ({"clock": {"until_s": -1}}, "clock.until_s = -1: must be >= 0 and <= 1e+08"),
+    ({"clock": {"until_s": 1e300}}, "clock.until_s = 1e+300: must be >= 0 and <= 1e+08"),
+    ({"clock": {"until_s": NONE}}, "clock.until_s = NaN: must be "),
+    ({"agents_every_ticks": 0}, "agents_every_ticks = 0: must be a whole number from 1 to 9223372036854775807"),
+    ({"species": None}, "'species': must be there"),
     ({"food_web": [{"hunter": "wolf", "victim": "prey"}]}, 'food_web: hunter = "wolf": must be one of prey, predator'),
     ({"tables": {"../x.csv": {"rows": 1, "crc32": 1}}}, "tables: ../x.csv: must be the name of a file"),
     ({"tables": {"a.csv": {"rows": 1, "crc32": 2**32}}}, "crc32 = 4294967296: must be a whole number from 0 to 4294967295"),
@@ -196,12 +203,15 @@ AGENT = "0,0,0,9,prey,random,0,-1,0.5,1.5,0,0.7,,,\n"
 
 
 @pytest.mark.parametrize("file, row, why", [
-    ("events", EVENT[:-3] + "\n", ":3: 15 cells, the header has 16"), ("events", EVENT.replace(",0,prey", ",x,prey"), ':3: id = "x": must be a whole number in range'),
-    ("events", EVENT.replace(",0,prey", ",,prey"), ':3: id = "": must be a whole number in range'), ("events", "nan" + EVENT[1:], ':3: time_s = "nan": must be finite'),
+    ("events", EVENT[:-3] + "\n", ":3: 15 cells, the header has 16"),
+    ("events", EVENT.replace(",0,prey", ",x,prey"), ':3: id = "x": must be a whole number in range'),
+    ("events", EVENT.replace(",0,prey", ",,prey"), ':3: id = "": must be a whole number in range'),
+    ("events", "nan" + EVENT[1:], ':3: time_s = "nan": must be finite'),
     *(("events", time_s + EVENT[1:], f':3: time_s = "{time_s}": must be >= 0 and <= 1e+08') for time_s in ("-1", "1e9", "1e300")),
     ("events", EVENT.replace("prey", "wolf"), ':3: species = "wolf": must be a species of the run\'s manifest'),
     ("events", EVENT.replace("random,,0,", "random,,0,old"), ':3: cause = "old": must be one of the names that the program writes'),
-    ("agents", AGENT.replace(",0,-1", ",2,-1"), ':3: active = "2": must be 0 or 1'), ("agents", AGENT.replace("0.5", "far"), ':3: x_m = "far": must be a number'),
+    ("agents", AGENT.replace(",0,-1", ",2,-1"), ':3: active = "2": must be 0 or 1'),
+    ("agents", AGENT.replace("0.5", "far"), ':3: x_m = "far": must be a number'),
     ("agents", AGENT.replace("0.5", "inf"), ':3: x_m = "inf": must be finite')])
 def test_a_fault_in_a_table_without_checksum_is_an_error_with_line_and_column(file, row, why):
     write_run("run")
@@ -218,7 +228,8 @@ def test_ticks_must_rise_and_be_those_of_the_manifest():
     assert refusal(read, "thin") == 'thin/agents.csv:4: tick = "1": must be a multiple of 2, as its manifest says'
 
 
-@pytest.mark.parametrize("text, why", [("", ": has no header"), ("time_s", ": has no header"), ("generation,fitness\n1,2\n", ':1: no column "time_s"; another kind of file?'),
+@pytest.mark.parametrize("text, why", [("", ": has no header"), ("time_s", ": has no header"),
+                                       ("generation,fitness\n1,2\n", ':1: no column "time_s"; another kind of file?'),
                                        ("\ufefftime_s\n", ":1: begins with a byte order mark; another kind of file?")])
 def test_another_kind_of_file_is_refused(text, why):
     pathlib.Path(write_run("run"), "events.csv").write_text(text)
@@ -235,7 +246,8 @@ def test_columns_are_read_by_name_and_empty_cells_as_none():
         run.manifest["tables"]["agents.csv"] = sum_of(path)
         run.manifest["tables"] = run.manifest["tables"] if sums else {}
         found = run.load("agents.csv", AGENTS, [])
-        assert found.adversary_id.tolist() == pytest.approx([NONE, 9.0], nan_ok=True) and found.hunger_ticks.tolist() == pytest.approx([NONE, 12.0], nan_ok=True)
+        assert found.adversary_id.tolist() == pytest.approx([NONE, 9.0], nan_ok=True)
+        assert found.hunger_ticks.tolist() == pytest.approx([NONE, 12.0], nan_ok=True)
         assert (found.tag.tolist(), found.active.tolist(), found.x_m.tolist(), found.time_s.tolist()) == ([-1, 1], [0, 1], [0.5, 0.0], [2.0, 2.0])
         assert run.load("events.csv", EVENTS, []).cause.astype(str).tolist() == ["", "", "", "caught", ""]
 
@@ -252,7 +264,8 @@ def test_the_incomplete_end_of_a_killed_run_is_left_out_and_reported():
         path = pathlib.Path("run", file)
         path.write_text(path.read_text()[:-4])
     end = "truncated in the middle of a line (killed run?); everything before it is used"
-    assert read("run").remarks == ['run/manifest.json: status "running": the run did not reach its end', f"run/events.csv:6: {end}", f"run/agents.csv:6: {end}"]
+    assert read("run").remarks == ['run/manifest.json: status "running": the run did not reach its end', f"run/events.csv:6: {end}",
+                                   f"run/agents.csv:6: {end}"]
     run = pool.read_pooled(pathlib.Path("run"))
     assert len(run.load("events.csv", EVENTS, [])) == len(CATCH) - 1
     assert run.load("agents.csv", AGENTS, []).tick.tolist() == [0, 0]  # the whole last tick goes: who is missing in it is unknown
@@ -276,7 +289,8 @@ def test_results_do_not_depend_on_the_processes_and_all_runs_have_the_same_metri
         assert a.values[["metric", "species"]].equals(found[0].values[0].values[["metric", "species"]])
     prey, bird = (name for name in found[0].metrics() if name.metric == "x")
     assert (prey.species, bird.species) == ("prey", "bird")
-    assert found[0].matrix()[prey].tolist() == [0, 1, 2, 3, 4, 5] and found[0].matrix()[bird].tolist() == pytest.approx([NONE] * 3 + [1] + [NONE] * 2, nan_ok=True)
+    assert found[0].matrix()[prey].tolist() == [0, 1, 2, 3, 4, 5]
+    assert found[0].matrix()[bird].tolist() == pytest.approx([NONE] * 3 + [1] + [NONE] * 2, nan_ok=True)
 
 
 def test_extinction_has_rows_only_if_a_species_is_gone_in_some_run_or_is_asked_for():
@@ -286,16 +300,20 @@ def test_extinction_has_rows_only_if_a_species_is_gone_in_some_run_or_is_asked_f
     write_run("c", 3, of_agents=[row for row in alive if row["id"] == 0 or row["tick"] == 0])
 
     def found(*paths, **how):
-        return {name.species: of.tolist() for name, of in pool.read_set(paths, how=Measuring(**how)).matrix().items() for name in [Metric(*name)] if name.metric == "extinct"}
+        matrix = pool.read_set(paths, how=Measuring(**how)).matrix()
+        return {species: of.tolist() for (metric, species, *_), of in matrix.items() if metric == "extinct"}
     assert found("a", "b") == {}
     assert found("a", "c") == {"predator": [0.0, 1.0]}
     assert found("a", "b", metrics=["extinct"]) == {"prey": [0.0, 0.0], "predator": [0.0, 0.0]}
 
 
 @pytest.mark.parametrize("how, why", [
-    ({"metrics": ["hungr"]}, "did you mean hunger?"), ({"metrics": ["deaths:wolf"]}, "metric deaths:wolf: must be METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP of attribution_caught, "),
-    ({"metrics": ["tag_symmetry"]}, "metric tag_symmetry: must be "), ({"columns": ["own.csv:hunger"]}, "--column own.csv:hunger: there is a metric of this name; rename the column"),
-    ({"columns": ["none.csv:x"]}, "--column none.csv:x: run has no such file"), ({"until_s": -1}, "--until -1: must be > 0"), ({"jobs": 0}, "--jobs 0: must be >= 1")])
+    ({"metrics": ["hungr"]}, "did you mean hunger?"),
+    ({"metrics": ["deaths:wolf"]}, "metric deaths:wolf: must be METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP of attribution_caught, "),
+    ({"metrics": ["tag_symmetry"]}, "metric tag_symmetry: must be "),
+    ({"columns": ["own.csv:hunger"]}, "--column own.csv:hunger: there is a metric of this name; rename the column"),
+    ({"columns": ["none.csv:x"]}, "--column none.csv:x: run has no such file"), ({"until_s": -1}, "--until -1: must be > 0"),
+    ({"jobs": 0}, "--jobs 0: must be >= 1")])
 def test_what_cannot_be_is_said_before_anything_is_measured(how, why, monkeypatch):
     write_run("run", tags=[1, 2, 3], files={"own.csv": "hunger\n1\n"})
     monkeypatch.setattr(pool, "measure", lambda *_: pytest.fail("measured"))

@@ -36,7 +36,8 @@ _NAMES = {"event": ("birth", "activation", "tag_switch", "catch", "death"), "ori
           "cause": ("", "caught", "starved", "sacrificed", "senescence", "diverged")}
 _NUMBERS = ("time_s", "x_m", "y_m")
 _OPTIONAL = ("victim_id", "adversary_id", "hunger_ticks")
-_TYPES = {**dict.fromkeys(("time_s", "species", *_NAMES), "category"), **dict.fromkeys(("tick", "id", "body", "tag", "active"), "int64")}  # others: numbers
+_TYPES = {**dict.fromkeys(("time_s", "species", *_NAMES), "category"),
+          **dict.fromkeys(("tick", "id", "body", "tag", "active"), "int64")}  # others: numbers
 
 
 @dataclasses.dataclass(frozen=True)
@@ -94,7 +95,8 @@ class PooledRun(Run):
         if "recording" in self.manifest:
             path, expected = self.path / "replay.trp", self.manifest["recording"]["crc32"]
             if (found := zlib.crc32(runs.content(path))) != expected:
-                raise RunError(f"{path}: has checksum {found}: must be {expected}, as its manifest says; the recording was cut or changed after the run")
+                raise RunError(f"{path}: has checksum {found}: must be {expected}, as its manifest says; the recording was cut or "
+                               "changed after the run")
 
     def load(self, file: str, columns: Sequence[str], remarks: list[str]) -> pandas.DataFrame:
         """Reads columns of events.csv or agents.csv up to `until_s`; the incomplete end that a killed program left goes, with a remark. A table
@@ -219,7 +221,8 @@ def pooled_runs(paths: Iterable[pathlib.Path], how: Measuring) -> tuple[list[Poo
         raise RunError(f"no run is there{': ' + remarks[0] if remarks else ''}")
     builds = sorted({build for run in found for build in run.builds})
     if len(builds) > 1:
-        remarks.append(f"{len(builds)} builds of a program made these runs: {builds_text(builds)}; their rules may be other code under the same names")
+        remarks.append(f"{len(builds)} builds of a program made these runs: {builds_text(builds)}; their rules may be other code under the same "
+                       "names")
     if len(found) > 1 and found[0].begins:
         remarks.append(f"all runs begin {found[0].begins}: they share that past, so that intervals are over its futures, not over runs")
     return [run if how.until_s is None else _cut(run, how.until_s) for run in found], remarks
@@ -313,21 +316,22 @@ def why_not_pooled(run: PooledRun, other: PooledRun, is_cut: bool, any_build: bo
             return f"{of.fingerprint} ({of.manifest['rule_table']} on {of.manifest['backend']})"
         return f"{here}fingerprint {named(run)}, but {there} has {named(other)}; runs of different rules or parameters are not pooled: use --compare"
     if run.builds != other.builds and not any_build:
-        return (f"{here}made by {builds_text(run.builds)}, but {there} by {builds_text(other.builds)}; builds of a program may have other rules under the same "
-                "names: --accept-other-build pools them")
+        return (f"{here}made by {builds_text(run.builds)}, but {there} by {builds_text(other.builds)}; builds of a program may have other rules "
+                "under the same names: --accept-other-build pools them")
     if run.seed == other.seed:
         return f"{here}seed {run.seed} as in {there}; the same run twice is not a second replicate"
     if run.begins != other.begins:
         begins, others = (f"begins {of.begins or 'at its beginning'}" for of in (run, other))
         return f"{here}{begins}, but {there} {others}; futures of one moment are not pooled with other runs"
     if run.identity != other.identity:
-        return (f"{here}{len(changes_of(run))} changes of parameters (changes.csv), but {there} has {len(changes_of(other))}, or others; runs with different changes "
-                "are not pooled")
+        return (f"{here}{len(changes_of(run))} changes of parameters (changes.csv), but {there} has {len(changes_of(other))}, or others; runs with "
+                "different changes are not pooled")
     if run.every_ticks != other.every_ticks:
-        return f"{here}agents_every_ticks {run.every_ticks}, but {there} has {other.every_ticks}; runs that say more and less of their robots are not pooled"
+        return (f"{here}agents_every_ticks {run.every_ticks}, but {there} has {other.every_ticks}; runs that say more and less of their robots are "
+                "not pooled")
     if not is_cut and (run.manifest["status"] != other.manifest["status"] or not lasted_alike(run, other)):
-        return (f"{here}{lasted_text(run)}, but {there} has {lasted_text(other)}; runs of different length are not pooled: leave some out, or cut all with "
-                "--until")
+        return (f"{here}{lasted_text(run)}, but {there} has {lasted_text(other)}; runs of different length are not pooled: leave some out, or "
+                "cut all with --until")
     return ""
 
 
@@ -367,7 +371,8 @@ def check_shadow(run: PooledRun, shadow: PooledRun, any_parent: bool = False) ->
         params = {key: value for key, value in of.manifest.get("params", {}).items() if key != "seed"}
         if "rules" in params:
             params["rules"] = {slot: value for slot, value in params["rules"].items() if slot not in free}
-        return {"backend": of.manifest["backend"], "params": params, "rules": {slot: rule for slot, rule in of.manifest.get("rules", {}).items() if slot not in free}}
+        return {"backend": of.manifest["backend"], "params": params,
+                "rules": {slot: rule for slot, rule in of.manifest.get("rules", {}).items() if slot not in free}}
     if why := first_difference(rest(run), rest(shadow)):
         refuse(why)
     if changes_of(run) != changes_of(shadow):
@@ -392,7 +397,8 @@ def _cut(run: PooledRun, until_s: float) -> PooledRun:
         times = run.load("agents.csv", metrics.AGENTS, [])["time_s"]
         reached_s = float(times.iloc[-1]) if len(times) else 0.0
     if reached_s < until_s:
-        raise RunError(f"{run.path}: reached {number_text(reached_s)} s (status {run.manifest['status']}): must be >= {number_text(until_s)} s, as --until asks")
+        raise RunError(f"{run.path}: reached {number_text(reached_s)} s (status {run.manifest['status']}): must be >= {number_text(until_s)} s, as "
+                       "--until asks")
     return dataclasses.replace(run, until_s=until_s)
 
 

@@ -21,7 +21,8 @@ from .tables import Agents, Results, Web
 if TYPE_CHECKING:
     from ..pool import PooledRun
 
-__all__ = ["Agents", "Measuring", "OwnColumn", "OwnMetric", "Results", "Web", "chosen", "lost_to_thinning", "measure_run", "metric", "names", "shipped"]
+__all__ = ["Agents", "Measuring", "OwnColumn", "OwnMetric", "Results", "Web", "chosen", "lost_to_thinning", "measure_run", "metric", "names",
+           "shipped"]
 
 EVENTS = ("time_s", "event", "id", "species", "body", "origin", "cause", "victim_id")
 AGENTS = ("time_s", "tick", "body", "id", "species", "origin", "active", "tag", "x_m", "y_m", "adversary_id", "hunger_ticks")
@@ -154,7 +155,8 @@ def chosen(of: Iterable[Metric], choices: Sequence[str]) -> list[Metric]:
             words = dict.fromkeys(word for name in of for word in (name.metric, f"{name.metric}:{name.species}", str(name)))
             near = difflib.get_close_matches(choice, words, 1)
             known = ", ".join(dict.fromkeys(name.metric for name in of))
-            raise RunError(f"metric {choice}: must be METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP of {known}{f'; did you mean {near[0]}?' if near else ''}")
+            hint = f"; did you mean {near[0]}?" if near else ""
+            raise RunError(f"metric {choice}: must be METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP of {known}{hint}")
     return [name for name in of if not choices or any(chooses(choice, name) for choice in choices)]
 
 

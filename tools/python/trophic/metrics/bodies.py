@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 
 _WINDOW_S = 200.0
 _WINDOWS_OF_A_SHORT_RUN = 20
-_SHAPES = {"size": "1", "proportion": "1", "coverage": "1", "branching": "1", "limbs": "1", "length_of_limbs": "1", "symmetry": "1", "joints": "1", "modules": "1",
-           "hinges": "1", "mass_kg": "kg"}
+_SHAPES = {"size": "1", "proportion": "1", "coverage": "1", "branching": "1", "limbs": "1", "length_of_limbs": "1", "symmetry": "1", "joints": "1",
+           "modules": "1", "hinges": "1", "mass_kg": "kg"}
 """Columns of bodies.csv that are measures, with their units: the descriptors of docs/bodies.md, modules, hinges and mass."""
 _MEASURES = {**{f"body_{column.removesuffix('_kg')}": unit for column, unit in _SHAPES.items()},
              # different plans, their Shannon number, and the tree edit distance from the plan of the species' first individual
@@ -44,7 +44,7 @@ def names(web: Web) -> list[Metric]:
 
 
 def measure_run(run: PooledRun, distances: str | os.PathLike, events: pandas.DataFrame, agents: pandas.DataFrame) -> Results:
-    """Measures a run. `distances`: the file plan_distances.csv of the program. Raises RunError for a table that is cut or was changed after the run."""
+    """Measures a run. `distances`: the program's file plan_distances.csv. Raises RunError for a table that is cut or was changed after the run."""
     check(run)
     end_s = run.until_s
     window_s = min(_WINDOW_S, end_s / _WINDOWS_OF_A_SHORT_RUN)
@@ -102,7 +102,8 @@ def _alive(lives: pandas.DataFrame, times_s: numpy.ndarray) -> dict[str, numpy.n
 def _lives(events: pandas.DataFrame) -> pandas.DataFrame:
     """Species, birth and death of each individual, by id."""
     births, deaths = (events[events.event == kind].drop_duplicates("id", keep="last").set_index("id") for kind in ("birth", "death"))
-    return pandas.DataFrame({"species": births.species.astype(str), "birth_s": births.time_s.astype(float), "death_s": deaths.time_s.reindex(births.index).fillna(numpy.inf)})
+    return pandas.DataFrame({"species": births.species.astype(str), "birth_s": births.time_s.astype(float),
+                             "death_s": deaths.time_s.reindex(births.index).fillna(numpy.inf)})
 
 
 def _bodies(run: PooledRun, distances: str | os.PathLike) -> pandas.DataFrame:
@@ -112,7 +113,8 @@ def _bodies(run: PooledRun, distances: str | os.PathLike) -> pandas.DataFrame:
     if not path.exists():
         return pandas.DataFrame(columns=[*columns, "plan", "body_change"], dtype=float)
     table = _whole(run, "bodies.csv", ["id", "modules_text", *_SHAPES])
-    frame = pandas.DataFrame({name: numbers(path, table[column]) for name, column in zip(columns, _SHAPES)}, index=numbers(path, table["id"]).astype(int))
+    frame = pandas.DataFrame({name: numbers(path, table[column]) for name, column in zip(columns, _SHAPES)},
+                             index=numbers(path, table["id"]).astype(int))
     frame["plan"] = pandas.factorize(table["modules_text"])[0]
     frame["body_change"] = plan_distances(os.fspath(distances)).get(run.path.resolve(), pandas.Series(dtype=float)).reindex(frame.index)
     if frame.body_change.isna().any():
@@ -126,7 +128,8 @@ def _genes(run: PooledRun) -> pandas.DataFrame:
         return pandas.DataFrame(columns=["brain_genes", "gait_genes"], dtype=float)
     table = _whole(run, "genes.csv", ["id", "part"])
     ids = numbers(run.path / "genes.csv", table["id"]).astype(int)
-    return pandas.DataFrame({f"{part}_genes": pandas.Series((table["part"] == part).to_numpy(float)).groupby(ids).sum() for part in ("brain", "gait")})
+    return pandas.DataFrame({f"{part}_genes": pandas.Series((table["part"] == part).to_numpy(float)).groupby(ids).sum()
+                             for part in ("brain", "gait")})
 
 
 def _whole(run: PooledRun, file: str, columns: Sequence[str]) -> pandas.DataFrame:

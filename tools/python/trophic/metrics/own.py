@@ -80,7 +80,8 @@ def read_metrics(path: str | pathlib.Path) -> list[OwnMetric]:
     """The functions of a Python file that are marked with @trophic.metric, in their order. Raises RunError, naming the file, if there is none
     or the file fails."""
     if not pathlib.Path(path).is_file():
-        raise RunError(f"--metric-file {path}: cannot be read: {'is not a regular file' if pathlib.Path(path).exists() else 'No such file or directory'}")
+        why = "is not a regular file" if pathlib.Path(path).exists() else "No such file or directory"
+        raise RunError(f"--metric-file {path}: cannot be read: {why}")
     try:
         values = runpy.run_path(str(path)).values()
     except Exception as error:

@@ -72,7 +72,8 @@ def mean_of(values: numpy.ndarray) -> float:
 
 
 def numbers(path: pathlib.Path, texts: pandas.Series, none: Sequence[str] = ()) -> numpy.ndarray:
-    """The cells of a table's column as numbers; those of `none` are nan. Raises RunError, naming file and line, for the first other cell that is not a finite number."""
+    """The cells of a table's column as numbers; those of `none` are nan. Raises RunError, naming file and line, for the first other cell that
+    is not a finite number."""
     is_none = texts.isin(none).to_numpy()
     found = pandas.to_numeric(texts.where(~is_none, "nan"), errors="coerce").to_numpy(float)
     wrong = ~numpy.isfinite(found) & ~is_none

@@ -60,7 +60,8 @@ def velocity(of: Samples, agents: Agents, species: str, group: str) -> Means:
 def measure(agents: Agents, web: Web, every_ticks: int, results: Results) -> None:
     walks = samples(agents)
     nothing = Samples(*(part[:0] for part in walks))
-    kinds = {"velocity": walks, "velocity_points": at_marks(walks, agents), "velocity_stored": stored_samples(agents) if every_ticks == 1 else nothing}
+    kinds = {"velocity": walks, "velocity_points": at_marks(walks, agents),
+             "velocity_stored": stored_samples(agents) if every_ticks == 1 else nothing}
     for metric, of in kinds.items():
         for species in web.species:
             for group in GROUPS:
