@@ -6,7 +6,7 @@ import numpy
 import pandas
 import pytest
 from hand_written import WEB, agents, event, events, robot
-from trophic.metrics import AGENTS, EVENTS, Web, demography, lost_to_thinning, shipped, stuck, velocity, walls
+from trophic.metrics import AGENTS, EVENTS, Web, demography, help, lost_to_thinning, shipped, stuck, velocity, walls
 from trophic.metrics.tables import means, window_of
 
 NAN = math.nan
@@ -134,6 +134,13 @@ def test_each_link_of_three_species_is_measured():
     rows = measured(web, [robot(0, 0, "grass", 9.5), robot(0, 1, "sheep"), robot(0, 2, "wolf", tag=-1)])
     assert value(rows, "wall_sticking_gap", "grass-sheep", "all") == 1.0
     assert (value(rows, "tag_symmetry", "grass+sheep", "inherited"), value(rows, "tag_symmetry", "sheep+wolf", "inherited")) == (2.0, 0.0)
+
+
+def test_the_help_lists_every_metric_once_with_its_unit(capsys):
+    assert help.run({}) == 0
+    lines = [line.split() for line in capsys.readouterr().out.splitlines()]
+    assert lines[1] == ["metric", "unit", "of"] and ["hunger", "ticks", "predator:all"] in lines
+    assert sorted(line[0] for line in lines[2:]) == sorted({row[0] for row in measured()})
 
 
 @pytest.mark.parametrize("every", [1, 2, 3, 4, 5, 6, 10])

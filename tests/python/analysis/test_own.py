@@ -68,6 +68,8 @@ def test_a_run_without_any_value_gets_a_remark_and_a_table_of_the_run_may_not_be
     write_run("run", files={"own.csv": "x\nnan\nNA\n"}, sums=True)
     values, _, remarks = measured(columns=["own.csv:x"])
     assert math.isnan(values["", "all"]) and remarks == ["run/own.csv: x has no value; the run is left out of its mean"]
+    write_run("two", files={"own.csv": "species,group,x\nprey,all,nan\nprey,old,nan\n"})
+    assert [remark.split(" has")[0] for remark in measured("two", columns=["own.csv:x"])[2]] == ["two/own.csv: x prey", "two/own.csv: x prey old"]
     pathlib.Path("run/own.csv").write_text("x\n1\n")
     assert refusal(columns=["own.csv:x"]).startswith("run/own.csv: has 1 rows and checksum ")
 

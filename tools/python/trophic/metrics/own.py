@@ -183,7 +183,8 @@ def _add(name: str, unit: str, frame: pandas.DataFrame, who: str, where: str, re
     for (species, group), of in parts or ([(("", "all"), samples)] if is_one else []):
         found = means(of.window.to_numpy(), of.value.to_numpy())
         if numpy.isnan(found.mean):
-            results.remarks.append(f"{where}: {name} has no value; the run is left out of its mean")
+            named = " ".join([name, *filter(None, [species, group if group != "all" else ""])])
+            results.remarks.append(f"{where}: {named} has no value; the run is left out of its mean")
         results.add(name, species, group, unit, found.mean)
         if has_times:
             results.add_curve(name, species, group, unit, found.time_s, found.points)
