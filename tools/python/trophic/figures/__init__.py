@@ -5,8 +5,8 @@
     figures.use("ieee")
     figures.velocity(trophic.analyze("runs/paper"))
 
-Each figure takes an Analysis, the folder of one, or a set of one (sets_of). Of two sets that were compared `set` names one, `run` is the number
-of the run whose phylogeny, paths and catch are drawn. Needs matplotlib, pandas and scipy (Debian: python3-matplotlib, python3-pandas,
+Each figure takes an Analysis, the folder of one, or a set of one (sets_of). `set` names one of two sets that were compared, `run` is the number of
+the run whose phylogeny, paths and catch are drawn. Needs matplotlib, pandas and scipy (Debian: python3-matplotlib, python3-pandas,
 python3-scipy)."""
 import functools
 
