@@ -6,7 +6,7 @@ import re
 import numpy
 import pytest
 from pytest import approx
-from sets import around, metric, quick_set, set_of
+from sets import around, metric, set_of
 from trophic import judge
 from trophic.runs import RunError
 
@@ -218,22 +218,3 @@ def test_inconclusive_facts_are_those_without_a_finding_the_nearest_to_significa
                                             ((39, 0), "0 of 39 comparisons are significant (p <= 0.05, corrected for all of them: Holm). This does not show that nothing differs.")])
 def test_count_in_words(size, sentence):
     assert judge.Count(*size).sentence() == sentence
-
-
-# Calibration
-
-def test_runs_that_are_all_alike_differ_in_at_most_7_percent_of_analyses_metric_by_metric_and_as_few_after_correction():
-    rng = numpy.random.default_rng(5)
-    names = [metric(f"m{i}") for i in range(8)]
-    # Skewed, correlated values, as of metrics of short runs.
-    common = rng.gamma(8, 1, (400, 20, 1))
-    values = 0.5 * common + rng.gamma(8, 1, (400, 20, 8))
-    single, any_found = numpy.zeros(8), 0
-    for analysis in values:
-        ours, null = ({name: analysis[part, i] for i, name in enumerate(names)} for part in (slice(10), slice(10, 20)))
-        frame = judge.summarize(quick_set(ours, quick_set(null)))
-        single += frame.p <= 0.05
-        any_found += judge.count(frame).significant > 0
-        assert len(judge.findings(frame)) == judge.count(frame).significant
-    assert (single <= 0.09 * len(values)).all() and 0.03 < single.mean() / len(values) < 0.07
-    assert any_found <= 0.07 * len(values)
