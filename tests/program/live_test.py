@@ -28,6 +28,12 @@ def rows_of(path):
     return list(csv.DictReader(path.read_text().splitlines()))
 
 
+
+def changed(page, number=1):
+    """Waits for a change; returns it."""
+    return page.until(lambda message: message["kind"] == "state" and len(message["changes"]) == number)["changes"][-1]
+
+
 class Live(InFolder):
     def start(self, *options):
         return self.enterContext(LiveRun([*RUN, "--out", "run", *options], self.folder))
@@ -39,12 +45,12 @@ class Live(InFolder):
             page.send({"do": "pause"})
             page.until(lambda message: message["kind"] == "state" and message["paused"])
             page.send({"do": "set", "number": "rules.capture.reach_m", "value": "0.5"})
-            first = page.until_kind("changed")
+            first = changed(page, 1)
             for _ in range(5):
                 page.send({"do": "tick"})
                 page.until_kind("tick")
             page.send({"do": "set", "number": "rules.mutation.sd", "value": "0.7"})
-            second = page.until_kind("changed")
+            second = changed(page, 2)
             self.assertEqual([first["value"], second["value"]], ["0.5", "0.7"])
             self.assertEqual(second["time_s"] - first["time_s"], 10.0)
             page.send({"do": "speed", "value": 0})
@@ -165,7 +171,7 @@ class Live(InFolder):
         with run.page() as page:
             page.send({"do": "pause"})
             page.send({"do": "set", "number": "rules.capture.reach_m", "value": "0.5"})
-            page.until_kind("changed")
+            changed(page)
             page.send({"do": "restart", "seed": 9, "rules": "paper"})
             facts = page.until_kind("run")
             self.assertEqual(facts["head"]["seed"], 9)
@@ -189,7 +195,7 @@ class Live(InFolder):
         run = self.start("--duration", "60")
         with run.page() as page:
             page.send({"do": "set", "number": "rules.capture.reach_m", "value": "0.5"})
-            page.until_kind("changed")
+            changed(page)
             page.send({"do": "pause"})
             page.until(lambda message: message["kind"] == "state" and message["paused"])
             run.process.terminate()

@@ -17,7 +17,7 @@ struct Change {
   friend bool operator==(const Change&, const Change&) = default;
 };
 
-/// changes.csv: one row per change, in the order in which they were made. --changes reads it.
+/// changes.csv: one row per observe::ParameterChange, in the order in which they were made. --changes reads it.
 struct ChangeRow {
   double time_s = 0.0;
   std::int64_t tick = 0;
@@ -32,9 +32,6 @@ struct ChangeRow {
         io::column("number", &ChangeRow::number, "", "its path, as --set has it"),
         io::column("value", &ChangeRow::value, "", "the new value"),
         io::column("before", &ChangeRow::before, "", "the value that it replaced")};
-  }
-  static constexpr auto saved() {
-    return std::tuple{&ChangeRow::time_s, &ChangeRow::tick, &ChangeRow::number, &ChangeRow::value, &ChangeRow::before};
   }
 };
 

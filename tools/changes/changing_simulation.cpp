@@ -21,8 +21,8 @@ namespace detail {
 class ChangeTable {
  public:
   ChangeTable(const std::filesystem::path& folder, Opening opening) : file_{folder / file_name, opening} {}
-  void write(const ChangeRow& row) {
-    file_.write(row);
+  void write(const observe::ParameterChange& change) {
+    file_.write({change.time_s, change.tick, change.number, change.value, change.before});
     file_.flush();
   }
   void on_end(const View&) { file_.finish(); }
@@ -54,6 +54,7 @@ class ChangingSimulation::Relay final : public observe::Audience {
     if (!std::exchange(is_started_, true)) audience_.start(whole_.describe(until_s_), view);
   }
   void event(const observe::Event& event, const View& view) override { audience_.event(event, view); }
+  void change(const observe::RunDescription& run, const View& view) override { audience_.change(run, view); }
   void tick(const View& view) override { audience_.tick(view); }
   void between_ticks(Simulation&, bool last) override {
     if (!last) audience_.between_ticks(whole_, false);
@@ -111,6 +112,7 @@ observe::RunDescription ChangingSimulation::describe(double until_s) const {
   observe::RunDescription run = first_;
   run.until_s = until_s;
   run.remarks = current_->describe(until_s).remarks;
+  run.changes = made_;
   return run;
 }
 
@@ -148,7 +150,7 @@ io::MakeOwnTable ChangingSimulation::table() const {
 }
 
 void ChangingSimulation::persist(Archive& archive) {
-  std::vector<ChangeRow> made = made_;
+  std::vector<observe::ParameterChange> made = made_;
   std::vector<Change> schedule = schedule_;
   archive(made, schedule);
   if (archive.reads()) {
@@ -168,7 +170,7 @@ void ChangingSimulation::run(double until_s, observe::Audience& audience) {
       current_->run_before(relay, until_s);
       const std::vector<Change> due = relay.take();
       if (due.empty()) break;
-      make(due);
+      make(due, audience, until_s);
     }
     audience.between_ticks(*this, true);
     audience.end(view());
@@ -187,7 +189,8 @@ std::vector<Change> ChangingSimulation::scheduled_until(double time_s) {
 
 /// Whether these changes, made and to come, are those of the schedule. A row has its number's value after all changes of its
 /// tick.
-bool ChangingSimulation::are_scheduled(const std::vector<ChangeRow>& made, const std::vector<Change>& to_come) const {
+bool ChangingSimulation::are_scheduled(const std::vector<observe::ParameterChange>& made,
+                                       const std::vector<Change>& to_come) const {
   if (made.size() > schedule_.size()) return false;
   const auto first_to_come = schedule_.begin() + static_cast<std::ptrdiff_t>(made.size());
   if (!std::ranges::equal(first_to_come, schedule_.end(), to_come.begin(), to_come.end())) return false;
@@ -207,10 +210,10 @@ bool ChangingSimulation::are_scheduled(const std::vector<ChangeRow>& made, const
 }
 
 /// The ecology of the parameters after changes, at its start.
-std::unique_ptr<Simulation> ChangingSimulation::changed(const std::vector<ChangeRow>& rows,
+std::unique_ptr<Simulation> ChangingSimulation::changed(const std::vector<observe::ParameterChange>& rows,
                                                         const std::vector<Change>& more) const {
   std::vector<Change> all;
-  for (const ChangeRow& row : rows) all.push_back({row.time_s, row.number, row.value});
+  for (const observe::ParameterChange& row : rows) all.push_back({row.time_s, row.number, row.value});
   all.insert(all.end(), more.begin(), more.end());
   std::unique_ptr<Simulation> ecology = make_(all);
   const observe::RunDescription run = ecology->describe(0.0);
@@ -224,7 +227,7 @@ std::unique_ptr<Simulation> ChangingSimulation::changed(const std::vector<Change
   return ecology;
 }
 
-void ChangingSimulation::make(const std::vector<Change>& changes) {
+void ChangingSimulation::make(const std::vector<Change>& changes, observe::Audience& audience, double until_s) {
   std::unique_ptr<Simulation> next;
   try {
     next = changed(made_, changes);
@@ -242,15 +245,16 @@ void ChangingSimulation::make(const std::vector<Change>& changes) {
   same.finish();
   current_ = std::move(next);
   for (const Change& change : changes) {
-    const ChangeRow row{.time_s = current_->time_s(),
-                        .tick = current_->tick(),
-                        .number = change.number,
-                        .value = detail::value_in(after, change.number),
-                        .before = detail::value_in(before, change.number)};
+    const observe::ParameterChange row{.time_s = current_->time_s(),
+                                       .tick = current_->tick(),
+                                       .number = change.number,
+                                       .value = detail::value_in(after, change.number),
+                                       .before = detail::value_in(before, change.number)};
     made_.push_back(row);
     if (journal_->table != nullptr) journal_->table->write(row);
     if (conductor_ != nullptr) conductor_->made(row);
   }
+  audience.change(describe(until_s), view());
 }
 
 io::OwnTablesOf with_changes(const io::OwnTables& own_tables) {

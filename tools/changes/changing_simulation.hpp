@@ -22,7 +22,7 @@ class Conductor {
   [[nodiscard]] virtual std::vector<Change> due(double time_s) = 0;
   /// Whether the run ends at the moment of the last call of `due`.
   [[nodiscard]] virtual bool ends() const = 0;
-  virtual void made(const ChangeRow& row) = 0;
+  virtual void made(const observe::ParameterChange& row) = 0;
   /// The experiment does not accept a change; the run continues without it.
   virtual void refused(const Change& change, const std::string& why) = 0;
 };
@@ -33,7 +33,8 @@ using MakeChanged = std::function<std::unique_ptr<Simulation>(const std::vector<
 
 /// Runs the ecology of an experiment and replaces it, between two ticks, by one with other rule parameters in the same state. So
 /// a run with changes is the same to the byte whether they are scheduled or made by a conductor. Its description is that of the
-/// first parameters; changes.csv has the rest. A checkpoint contains the changes that were made and those that are still to come.
+/// first parameters, with the changes that were made. A checkpoint contains the changes that were made and those that are still
+/// to come.
 class ChangingSimulation final : public Simulation {
  public:
   /// `schedule` is in the order of time. Throws std::invalid_argument for a change that the experiment does not accept, as it
@@ -58,14 +59,15 @@ class ChangingSimulation final : public Simulation {
 
   void run(double until_s, observe::Audience& audience) override;
   [[nodiscard]] std::vector<Change> scheduled_until(double time_s);
-  [[nodiscard]] std::unique_ptr<Simulation> changed(const std::vector<ChangeRow>& rows, const std::vector<Change>& more) const;
-  void make(const std::vector<Change>& changes);
-  [[nodiscard]] bool are_scheduled(const std::vector<ChangeRow>& made, const std::vector<Change>& to_come) const;
+  [[nodiscard]] std::unique_ptr<Simulation> changed(const std::vector<observe::ParameterChange>& rows,
+                                                    const std::vector<Change>& more) const;
+  void make(const std::vector<Change>& changes, observe::Audience& audience, double until_s);
+  [[nodiscard]] bool are_scheduled(const std::vector<observe::ParameterChange>& made, const std::vector<Change>& to_come) const;
 
   MakeChanged make_;
   Conductor* conductor_;
   std::vector<Change> schedule_;  ///< changes still to come
-  std::vector<ChangeRow> made_;
+  std::vector<observe::ParameterChange> made_;
   std::shared_ptr<Journal> journal_;
   std::unique_ptr<Simulation> current_;
   observe::RunDescription first_;  ///< of the first parameters

@@ -25,7 +25,7 @@ void restart(const Restart& restart, const std::string& old_table, const std::fi
   options.resume = false;
   options.out = io::next_free_folder(first_out).string();
   if (restart.rule_table == old_table) {
-    for (const changes::ChangeRow& row : restart.made) config.assignments.push_back(row.number + "=" + row.value);
+    for (const observe::ParameterChange& row : restart.made) config.assignments.push_back(row.number + "=" + row.value);
     return;
   }
   options.rules = restart.rule_table;
@@ -60,7 +60,8 @@ int run_live(std::unique_ptr<AnyExperiment> chosen, ExperimentOptions options, C
                    .rule_tables = table_names(offer),
                    .seed = experiment->seed(),
                    .until_s = experiment->ecology().duration_s,
-                   .numbers = detail::rule_parameters(*experiment)});
+                   .numbers = detail::rule_parameters(*experiment),
+                   .table = detail::rule_parameters(*chosen->fresh())});
     const int code = detail::run_once(options, *experiment,
                                       detail::simulations(*chosen, options, config, *experiment, false, &server->conductor()),
                                       std::nullopt, server.get());

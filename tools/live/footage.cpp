@@ -17,11 +17,14 @@ bool acts_at_start(const std::string& path) {
   return path.starts_with("rules.community.") || path.starts_with("rules.placement.");
 }
 
-/// A number with its meaning and bounds; null for none.
-Json json_of(const NamedParam& number) {
+/// A number with its meaning and bounds, null for none, and the rule table's own value.
+Json json_of(const NamedParam& number, const std::string& table) {
   const auto finite = [](double bound) { return std::isfinite(bound) ? Json(bound) : Json(nullptr); };
-  Json json{
-      {"path", number.path}, {"value", value_text(number)}, {"help", number.help}, {"acts_at_start", acts_at_start(number.path)}};
+  Json json{{"path", number.path},
+            {"value", value_text(number)},
+            {"table", table},
+            {"help", number.help},
+            {"acts_at_start", acts_at_start(number.path)}};
   const bool is_whole = std::holds_alternative<std::int64_t>(number.value);
   if (std::holds_alternative<bool>(number.value)) {
     json["kind"] = "switch";
@@ -154,7 +157,10 @@ SharedMessage message_of(const Json& json, Message::Kind kind) {
 
 SharedMessage facts_message(const RunFacts& facts) {
   Json numbers = Json::array();
-  for (const NamedParam& number : facts.run.numbers) numbers.push_back(json_of(number));
+  for (const NamedParam& number : facts.run.numbers) {
+    const auto its = std::ranges::find(facts.run.table, number.path, &NamedParam::path);
+    numbers.push_back(json_of(number, value_text(its == facts.run.table.end() ? number : *its)));
+  }
   return message_of({{"kind", "run"},
                      {"label", facts.run.folder.filename().string()},
                      {"folder", facts.run.folder.string()},

@@ -21,13 +21,14 @@ struct LiveRun {
   std::uint64_t seed = 0;
   double until_s = 0.0;
   NamedParams numbers;  ///< that may change: those of rules
+  NamedParams table;    ///< the same with the rule table's own values
 };
 
 /// A run that a page asks for instead of the present one.
 struct Restart {
   std::uint64_t seed = 0;
   std::string rule_table;
-  std::vector<changes::ChangeRow> made;  ///< changes of the run before
+  std::vector<observe::ParameterChange> made;  ///< changes of the run before
 };
 
 /// A server of pages on this machine.

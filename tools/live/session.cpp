@@ -4,7 +4,6 @@
 #include <condition_variable>
 #include <cstddef>
 #include <iostream>
-#include <map>
 #include <mutex>
 #include <stdexcept>
 #include <string>
@@ -66,7 +65,6 @@ class Session final : public command::LiveServer, private Listener {
     {
       const std::lock_guard lock{mutex_};
       run_ = run;
-      changed_.clear();
       is_over_ = false;
     }
     begun_.notify_all();
@@ -88,19 +86,17 @@ class Session final : public command::LiveServer, private Listener {
   }
 
  private:
-  void made(const changes::ChangeRow& row) override {
-    server_.tell(message_of({{"kind", "changed"}, {"time_s", row.time_s}, {"number", row.number}, {"value", row.value}}));
-    {
-      const std::lock_guard lock{mutex_};
-      changed_[row.number] = row.value;
-    }
-  }
+  void made(const observe::ParameterChange&) override { server_.tell_state(); }
   void refused(const std::string& why) override { server_.tell(message_of({{"kind", "refused"}, {"text", why}})); }
 
   [[nodiscard]] Json state() {
     const Pace pace = steering_.pace();
+    Json changes = Json::array();
+    for (const observe::ParameterChange& one : steering_.changes_made()) {
+      changes.push_back({{"time_s", one.time_s}, {"number", one.number}, {"value", one.value}, {"before", one.before}});
+    }
     const std::lock_guard lock{mutex_};
-    return {{"paused", pace.is_paused}, {"speed", pace.speed}, {"over", is_over_}, {"changed", changed_}};
+    return {{"paused", pace.is_paused}, {"speed", pace.speed}, {"over", is_over_}, {"changes", std::move(changes)}};
   }
 
   /// Does what a page asks for. Returns the sentence of the refusal, empty if there is none.
@@ -144,8 +140,7 @@ class Session final : public command::LiveServer, private Listener {
 
   std::mutex mutex_;
   std::condition_variable begun_;
-  command::LiveRun run_;                        ///< its rule table is empty before it begins
-  std::map<std::string, std::string> changed_;  ///< parameters of the run that have another value now
+  command::LiveRun run_;  ///< its rule table is empty before it begins
   bool is_over_ = false;
   Steering steering_;
   Server server_;

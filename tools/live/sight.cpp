@@ -25,7 +25,7 @@ void Sight::on_start(const observe::RunDescription& run, const View& view) {
   facts_->description = run;
   facts_->robots = view.robots.size();
   for (Species species = 0; species < view.web.size(); ++species) facts_->species.push_back(view.web.name(species));
-  steering_.begin(view.tick_s);
+  steering_.begin(view.tick_s, run.changes);
 }
 
 void Sight::on_frame(const observe::Frame& frame) {

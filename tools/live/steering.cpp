@@ -15,12 +15,12 @@ constexpr std::chrono::milliseconds glance{50};
 
 }  // namespace
 
-void Steering::begin(double tick_s) {
+void Steering::begin(double tick_s, std::vector<observe::ParameterChange> made) {
   const std::lock_guard lock{mutex_};
   tick_s_ = tick_s;
   due_at_s_ = watch_.elapsed_s();
   is_visible_ = false;  // wishes stay: a page may be faster than the start of its run
-  made_.clear();
+  made_ = std::move(made);
 }
 
 void Steering::set_visible() {
@@ -80,6 +80,11 @@ Pace Steering::pace() const {
   return pace_;
 }
 
+std::vector<observe::ParameterChange> Steering::changes_made() const {
+  const std::lock_guard lock{mutex_};
+  return made_;
+}
+
 bool Steering::is_paced() const {
   const std::lock_guard lock{mutex_};
   return pace_.is_paused || pace_.speed > 0.0;
@@ -115,7 +120,7 @@ bool Steering::ends() const {
   return restart_.has_value() || observe::StopOnSignal::caught() != 0;
 }
 
-void Steering::made(const changes::ChangeRow& row) {
+void Steering::made(const observe::ParameterChange& row) {
   {
     const std::lock_guard lock{mutex_};
     made_.push_back(row);

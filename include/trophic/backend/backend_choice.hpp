@@ -25,6 +25,12 @@ class BackendChoice {
   BackendChoice& operator=(BackendChoice&&) noexcept = default;
   ~BackendChoice() = default;
 
+  /// Returns the same backend with its own parameters.
+  [[nodiscard]] BackendChoice fresh() const {
+    BackendChoice same{*this};
+    same.choice_ = choice_->fresh();
+    return same;
+  }
   [[nodiscard]] std::string name() const { return std::string{choice_->name()}; }
   [[nodiscard]] std::string version() const { return choice_->version(); }
   /// One sentence for each parameter of `physics` without effect.
@@ -61,6 +67,7 @@ class BackendChoice {
     Any& operator=(const Any&) = delete;
     virtual ~Any() = default;
     [[nodiscard]] virtual std::unique_ptr<Any> copy() const = 0;
+    [[nodiscard]] virtual std::unique_ptr<Any> fresh() const = 0;
     [[nodiscard]] virtual std::string_view name() const = 0;
     [[nodiscard]] virtual std::string version() const = 0;
     [[nodiscard]] virtual std::vector<std::string> remarks(const Physics& physics) const = 0;
@@ -78,6 +85,7 @@ class BackendChoice {
    public:
     explicit Of(typename B::Params own) : params(std::move(own)) {}
     [[nodiscard]] std::unique_ptr<Any> copy() const override { return std::make_unique<Of>(*this); }
+    [[nodiscard]] std::unique_ptr<Any> fresh() const override { return std::make_unique<Of>(typename B::Params{}); }
     [[nodiscard]] std::string_view name() const override { return B::name; }
     [[nodiscard]] std::string version() const override { return B::version(); }
     [[nodiscard]] std::vector<std::string> remarks(const Physics& physics) const override { return B::remarks(physics); }

@@ -48,6 +48,7 @@ template <class Rules>
   if (experiment.shadow) {
     std::erase_if(run.named_params, [](const NamedParam& param) { return param.path.starts_with("rules.heredity."); });
   }
+  run.other_params = observe::other_params(run.named_params, named_params_of(Experiment<Rules>{}, backend.fresh()));
   run.brains_grow = BrainGenes<Rules>::grow;
   run.bodies_differ = BodyGenes<Rules>::differ;
   run.inherits_bodies = BodyGenes<Rules>::are_inherited;

@@ -28,7 +28,8 @@ class Manifest {
   /// program says of itself is added under "continued", with "other_build": "accepted" if its code is other code.
   void persist(Archive& archive);
 
-  /// Adds that the run began from another one, as read from its checkpoint; `origin`: that run and the moment.
+  /// Adds that the run began from another one, as read from its checkpoint; `origin`: that run ("run") and the moment ("at_s"),
+  /// with its "seed" and "fingerprint".
   void begin_from(Provenance origin) {
     if (!continued_.empty()) provenance_ = continued_.back().provenance;
     continued_.clear();
@@ -37,6 +38,7 @@ class Manifest {
 
   void on_start(const observe::RunDescription& run, const View& view);
   void on_event(const observe::Event& event, const View& view) { tally_.on_event(event, view); }
+  void on_change(const observe::RunDescription& run, const View&);
   void on_tick(const View& view) {
     reached_s_ = view.time_s;
     refused_bodies_ = view.refused_bodies;

@@ -22,6 +22,31 @@ namespace detail {
   return Json::json_pointer{"/" + path};
 }
 
+/// Puts identity and description of a run with this origin, which may be empty, into its manifest.
+inline void describe(observe::RunDescription run, const Provenance& origin, Json& json) {
+  if (!origin.empty()) {
+    const auto text = [&](std::string_view key) {
+      const auto found = std::ranges::find(origin, key, &Provenance::value_type::first);
+      return found == origin.end() ? std::string{"unknown"} : found->second;
+    };
+    run.branch =
+        observe::Branch{.run = text("run"), .at_s = text("at_s"), .seed = text("seed"), .fingerprint = text("fingerprint")};
+  }
+  json["identity"] = observe::identity(run);
+  Json said{{"name", observe::short_name(run)},
+            {"sentence", observe::sentence(run)},
+            {"parameters", Json::array()},
+            {"changes", Json::array()}};
+  for (const observe::OtherParam& param : run.other_params) {
+    said["parameters"].push_back({{"path", param.path}, {"value", param.value}, {"table", param.table}});
+  }
+  for (const observe::ParameterChange& change : observe::effective(run.changes)) {
+    said["changes"].push_back(
+        {{"time_s", change.time_s}, {"number", change.number}, {"value", change.value}, {"before", change.before}});
+  }
+  json["description"] = std::move(said);
+}
+
 }  // namespace detail
 
 TROPHIC_INLINE std::string compiler() {
@@ -82,6 +107,11 @@ TROPHIC_INLINE void Manifest::set_recording(std::uint64_t frames, std::uint32_t 
   content_->change([&](Json& json) { json["recording"] = {{"frames", frames}, {"crc32", crc32}}; });
 }
 
+TROPHIC_INLINE void Manifest::on_change(const observe::RunDescription& run, const View&) {
+  content_->change([&](Json& json) { detail::describe(run, origin_, json); });
+  content_->write();
+}
+
 TROPHIC_INLINE void Manifest::on_start(const observe::RunDescription& run, const View& view) {
   until_s_ = run.until_s;
   inherits_bodies_ = run.inherits_bodies;
@@ -89,6 +119,7 @@ TROPHIC_INLINE void Manifest::on_start(const observe::RunDescription& run, const
     json["trophic"] = version;
     json["status"] = "running";
     json["fingerprint"] = run.fingerprint;
+    detail::describe(run, origin_, json);
     json["seed"] = run.seed;
     json["rule_table"] = run.rules;
     json["backend"] = run.backend;

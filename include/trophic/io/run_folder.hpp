@@ -61,6 +61,10 @@ class RunFolder {
     each([&](AnyOwnTable& table) { table.observer().event(event, view); });
     manifest_.on_event(event, view);
   }
+  void on_change(const observe::RunDescription& run, const View& view) {
+    each([&](AnyOwnTable& table) { table.observer().change(run, view); });
+    manifest_.on_change(run, view);
+  }
   void on_tick(const View& view) {
     each([&](AnyOwnTable& table) { table.observer().tick(view); });
     manifest_.on_tick(view);

@@ -22,6 +22,7 @@ class Audience {
 
   virtual void start(const RunDescription& run, const View& view) = 0;
   virtual void event(const Event& event, const View& view) = 0;
+  virtual void change(const RunDescription& run, const View& view) = 0;
   virtual void tick(const View& view) = 0;
   virtual void between_ticks(Simulation& simulation, bool last) = 0;
   virtual void end(const View& view) = 0;
@@ -59,6 +60,11 @@ class AudienceOf final : public Audience {
   void event(const Event& event, const View& view) override {
     each([&](auto& o) {
       if constexpr (requires { o.on_event(event, view); }) o.on_event(event, view);
+    });
+  }
+  void change(const RunDescription& run, const View& view) override {
+    each([&](auto& o) {
+      if constexpr (requires { o.on_change(run, view); }) o.on_change(run, view);
     });
   }
   void tick(const View& view) override {

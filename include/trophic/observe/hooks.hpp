@@ -14,6 +14,8 @@
   HOOK(on_start, "void on_start(const observe::RunDescription&, const View&)", std::declval<const RunDescription&>(),            \
        std::declval<const View&>())                                                                                              \
   HOOK(on_event, "void on_event(const observe::Event&, const View&)", std::declval<const Event&>(), std::declval<const View&>()) \
+  HOOK(on_change, "void on_change(const observe::RunDescription&, const View&)", std::declval<const RunDescription&>(),          \
+       std::declval<const View&>())                                                                                              \
   HOOK(on_tick, "void on_tick(const View&)", std::declval<const View&>())                                                        \
   HOOK(on_end, "void on_end(const View&)", std::declval<const View&>())                                                          \
   HOOK(on_failure, "void on_failure(std::string_view what)", std::declval<std::string_view>())                                   \
@@ -85,6 +87,8 @@ struct CheckObserver {
 /// An object that observes a run through any subset of the hooks:
 ///   void on_start(const RunDescription&, const View&)      before the first event of a call of run_until
 ///   void on_event(const Event&, const View&)               births, activations, tag switches, catches, deaths, in order
+///   void on_change(const RunDescription&, const View&)     between two ticks, after parameters took other values, which
+///                                                          the description's changes end with
 ///   void on_tick(const View&)                              after the rules of each tick
 ///   void on_end(const View&)                               after the last tick
 ///   void on_failure(std::string_view what)                 instead of on_end, if the simulation or an observer threw

@@ -31,7 +31,7 @@ std::string state_of(Simulation& ecology) {
 struct Person final : changes::Conductor {
   std::vector<Change> wishes;
   std::vector<std::string> refusals;
-  std::vector<changes::ChangeRow> rows;
+  std::vector<observe::ParameterChange> rows;
   double ends_at_s = 1e9;
   double now_s = 0.0;
 
@@ -45,7 +45,7 @@ struct Person final : changes::Conductor {
     return now;
   }
   [[nodiscard]] bool ends() const override { return now_s >= ends_at_s; }
-  void made(const changes::ChangeRow& row) override { rows.push_back(row); }
+  void made(const observe::ParameterChange& row) override { rows.push_back(row); }
   void refused(const Change&, const std::string& why) override { refusals.push_back(why); }
 };
 
@@ -54,7 +54,12 @@ struct Counts {
   int ticks = 0;
   int ends = 0;
   int lasts = 0;
-  void on_start(const observe::RunDescription&, const View&) { ++starts; }
+  std::vector<std::size_t> changes;  ///< number in the description, at the start and at each change
+  void on_start(const observe::RunDescription& run, const View&) {
+    ++starts;
+    changes.push_back(run.changes.size());
+  }
+  void on_change(const observe::RunDescription& run, const View&) { changes.push_back(run.changes.size()); }
   void on_tick(const View&) { ++ticks; }
   void on_end(const View&) { ++ends; }
   void between_ticks(Simulation&, bool last) { lasts += last ? 1 : 0; }
@@ -85,6 +90,7 @@ TEST_CASE("changing ecology: changes of a schedule and of a person -> same state
   CHECK(counts.ends == 1);
   CHECK(counts.lasts == 1);
   CHECK(counts.ticks == 51);
+  CHECK(counts.changes == std::vector<std::size_t>{0, 1, 2});
   Person person;
   person.wishes = {halved, moved};
   ChangingSimulation steered{make, {}, &person};
@@ -109,7 +115,9 @@ TEST_CASE("changing ecology: read from its state between changes -> continues to
   Archive archive{bytes};
   resumed.persist(archive);
   archive.finish();
-  resumed.run_until(100.0);
+  Counts counts;
+  resumed.run_until(100.0, counts);
+  CHECK(counts.changes == std::vector<std::size_t>{1, 2});
   CHECK(state_of(resumed) == state_of(whole));
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 struct Heard final : live::Listener {
   std::vector<std::string> texts;
-  void made(const changes::ChangeRow& row) override { texts.push_back(row.number); }
+  void made(const observe::ParameterChange& row) override { texts.push_back(row.number); }
   void refused(const std::string& why) override { texts.push_back(why); }
 };
 
@@ -21,7 +21,7 @@ struct Steered {
   Heard heard;
   live::Steering steering{heard};
   Steered() {
-    steering.begin(2.0);
+    steering.begin(2.0, {});
     steering.set_visible();
     steering.set_speed(0.0);
   }
@@ -40,7 +40,7 @@ struct Steered {
 TEST_CASE("steering: run that cannot be seen yet -> does not wait, else -> waits for the first page") {
   Heard heard;
   live::Steering steering{heard};
-  steering.begin(2.0);
+  steering.begin(2.0, {});
   CHECK(steering.due(0.0).empty());
   Steered steered;
   CHECK(steered.waits_for([&] { steered.steering.set_pages(1); }));

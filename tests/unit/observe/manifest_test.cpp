@@ -29,6 +29,32 @@ TEST_CASE("manifest: run -> rules, parameters and status") {
   CHECK(at_start["tags"] == Json::array({-1, 1}));
   CHECK(at_start["host"] == "desk");
 
+  SUBCASE("no change and no branch -> the fingerprint is its identity") {
+    CHECK(at_start["identity"] == "0123456789abcdef");
+    CHECK(at_start["description"]["name"] == "hand_written");
+    CHECK(at_start["description"]["changes"] == Json::array());
+  }
+  SUBCASE("change -> identity and description of their own at once") {
+    observe::RunDescription run = test::short_run();
+    run.other_params = {{"rules.mutation.sd", "0.125", "0.05"}};
+    run.changes = {{4.0, 2, "rules.capture.reach_m", "0.5", "0.3"}};
+    manifest.on_change(run, robots.view());
+    const auto now = read(path);
+    CHECK(now["fingerprint"] == "0123456789abcdef");
+    CHECK(now["identity"] == observe::identity(run));
+    CHECK(now["description"]["name"] == observe::short_name(run));
+    CHECK(now["description"]["sentence"] == observe::sentence(run));
+    CHECK(now["description"]["parameters"] ==
+          parse_json(R"([{"path": "rules.mutation.sd", "value": "0.125", "table": "0.05"}])"));
+    CHECK(now["description"]["changes"] ==
+          parse_json(R"([{"time_s": 4.0, "number": "rules.capture.reach_m", "value": "0.5", "before": "0.3"}])"));
+  }
+  SUBCASE("run that began from another one -> named after that moment") {
+    manifest.begin_from({{"run", "runs/a"}, {"at_s", "700"}, {"seed", "7"}, {"fingerprint", "fedcba9876543210"}});
+    manifest.on_start(test::short_run(), robots.view());
+    CHECK(read(path)["description"]["name"] == "hand_written (from 700 s)");
+    CHECK(read(path)["identity"].get<std::string>().starts_with("0123456789abcdef+"));
+  }
   SUBCASE("end time reached -> complete") {
     manifest.on_tick(robots.at_tick(5).view());
     manifest.on_end(robots.view());
