@@ -10,11 +10,21 @@ import subprocess
 import sys
 import unittest
 
+import figures_python
 from in_folder import InFolder
+
+if figures_python.PYTHON is None:
+    print("no Python with pandas")
+    sys.exit(77)
 
 PREDATOR_PREY = sys.argv.pop(2)
 TROPHIC = sys.argv.pop(1)
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+OF_AN_OLDER_PROGRAM = """import sys, trophic
+for folder in sys.argv[1:]:
+    run = trophic.read_run(folder)
+    del run.manifest["identity"], run.manifest["description"]
+    print(run.identity)"""
 REQUEST = "If you use trophic, please cite it and the experiment that it reproduces [kachler2023]."
 
 
@@ -36,16 +46,37 @@ class Cite(InFolder):
         self.make("--seed", 7, "--set", "rules.mutation.sd=0.125", "--out", "run")
         manifest = json.loads((self.folder / "run/manifest.json").read_text())
         sentence, entries = self.cited("run")
-        self.assertEqual(sentence, f"A run of 20 s with the rule table `paper` on kinematic 1 in trophic {manifest['trophic']} "
+        self.assertEqual(sentence, f"A run of 20 s on kinematic 1 in trophic {manifest['trophic']} "
                                    f"(revision {manifest['source_revision']}, fingerprint {manifest['fingerprint']}, seed 7), "
-                                   "with these parameters changed (the table's in brackets): rules.mutation.sd = 0.125 (0.05).")
+                                   "with the rule table `paper` and rules.mutation.sd = 0.125 (the table's: 0.05).")
+        self.assertEqual(manifest["identity"], manifest["fingerprint"])
         self.assertIn(f"note = {{Software, version {manifest['trophic']}, revision {manifest['source_revision']}}}", entries)
 
     def test_replicates_are_counted_and_have_a_master_seed(self):
         self.make("--replicates", 3, "--shadow", "--out", "set")
         sentence, _ = self.cited("set")
-        self.assertTrue(sentence.startswith("3 runs of 20 s with the rule table `paper`"), sentence)
-        self.assertTrue(sentence.endswith("with the parameters of the table."), sentence)
+        self.assertTrue(sentence.startswith("3 runs of 20 s on kinematic 1 in trophic"), sentence)
+        self.assertTrue(sentence.endswith("master seed 1), with the rule table `paper` and its parameters."), sentence)
+
+    def test_changes_during_the_run_and_its_branch_are_said(self):
+        (self.folder / "changes.csv").write_text("time_s,number,value\n8,rules.capture.reach_m,0.5\n12,rules.mutation.sd,0.05\n")
+        self.make("--replicates", 2, "--changes", "changes.csv", "--out", "changed")
+        self.make("--out", "plain")
+        self.make("--from", "plain", "--at", 10, "--seed", 2, "--out", "branch")
+        changed, also, plain, branch = (json.loads((self.folder / path / "manifest.json").read_text())
+                                        for path in ("changed/replicate-00", "changed/replicate-01", "plain", "branch"))
+        self.assertEqual({one["fingerprint"] for one in (changed, also, plain, branch)}, {plain["identity"]})
+        self.assertEqual(changed["identity"], also["identity"])
+        self.assertEqual(len({changed["identity"], plain["identity"], branch["identity"]}), 3)
+        self.assertEqual(changed["description"]["name"], "paper (capture.reach_m 0.5 at 8 s)")
+        for run, manifest, words in (("changed", changed, "; at 8 s rules.capture.reach_m changes from 1 to 0.5."),
+                                     ("branch", branch, "; begins at 10 s of plain (seed 1).")):
+            sentence, _ = self.cited(run)
+            self.assertIn(f"fingerprint {manifest['identity']}, ", sentence)
+            self.assertTrue(sentence.endswith(f"with the rule table `paper` and its parameters{words}"), sentence)
+        one = subprocess.run([figures_python.PYTHON, "-c", OF_AN_OLDER_PROGRAM, self.folder / "changed/replicate-00", self.folder / "branch"],
+                             cwd=ROOT / "tools/python", capture_output=True, text=True)
+        self.assertEqual((one.stderr, one.stdout.split()), ("", [changed["identity"], branch["identity"]]))
 
     def test_a_sweep_is_refused(self):
         (self.folder / "sweep").mkdir()

@@ -4,6 +4,7 @@
 
 import contextlib
 import csv
+import json
 import os
 import pathlib
 import socket
@@ -203,6 +204,9 @@ class Live(InFolder):
         subprocess.run([*RUN, "--duration", "60", "--out", "run", "--resume"], cwd=self.folder, check=True, capture_output=True)
         subprocess.run([*RUN, "--duration", "60", "--out", "again", "--changes", "run/changes.csv"], cwd=self.folder, check=True, capture_output=True)
         self.assertEqual(files_of(self.folder / "run"), files_of(self.folder / "again"))
+        resumed, again = (json.loads((self.folder / f"{name}/manifest.json").read_text()) for name in ("run", "again"))
+        self.assertEqual([resumed[key] for key in ("identity", "description")], [again[key] for key in ("identity", "description")])
+        self.assertEqual([one["value"] for one in resumed["description"]["changes"]], ["0.5"])
 
     def refused(self, words, *options):
         done = subprocess.run([*RUN, *options], cwd=self.folder, capture_output=True, text=True, timeout=60)

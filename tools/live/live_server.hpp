@@ -20,8 +20,8 @@ struct LiveRun {
   std::vector<std::string> rule_tables;  ///< that the program offers
   std::uint64_t seed = 0;
   double until_s = 0.0;
-  NamedParams numbers;  ///< that may change: those of rules
-  NamedParams table;    ///< the same with the rule table's own values
+  NamedParams numbers;     ///< that may change: those of rules
+  NamedParams table = {};  ///< the same with the rule table's own values
 };
 
 /// A run that a page asks for instead of the present one.

@@ -86,17 +86,18 @@ class Session final : public command::LiveServer, private Listener {
   }
 
  private:
-  void made(const observe::ParameterChange&) override { server_.tell_state(); }
   void refused(const std::string& why) override { server_.tell(message_of({{"kind", "refused"}, {"text", why}})); }
 
   [[nodiscard]] Json state() {
     const Pace pace = steering_.pace();
     Json changes = Json::array();
-    for (const observe::ParameterChange& one : steering_.changes_made()) {
+    const auto [name, made] = steering_.rules();
+    for (const observe::ParameterChange& one : made) {
       changes.push_back({{"time_s", one.time_s}, {"number", one.number}, {"value", one.value}, {"before", one.before}});
     }
     const std::lock_guard lock{mutex_};
-    return {{"paused", pace.is_paused}, {"speed", pace.speed}, {"over", is_over_}, {"changes", std::move(changes)}};
+    return {
+        {"paused", pace.is_paused}, {"speed", pace.speed}, {"over", is_over_}, {"name", name}, {"changes", std::move(changes)}};
   }
 
   /// Does what a page asks for. Returns the sentence of the refusal, empty if there is none.

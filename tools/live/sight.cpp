@@ -25,7 +25,12 @@ void Sight::on_start(const observe::RunDescription& run, const View& view) {
   facts_->description = run;
   facts_->robots = view.robots.size();
   for (Species species = 0; species < view.web.size(); ++species) facts_->species.push_back(view.web.name(species));
-  steering_.begin(view.tick_s, run.changes);
+  steering_.begin(view.tick_s, run);
+}
+
+void Sight::on_change(const observe::RunDescription& run, const View&) {
+  steering_.describe(run);
+  server_.tell_state();
 }
 
 void Sight::on_frame(const observe::Frame& frame) {

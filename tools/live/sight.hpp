@@ -28,6 +28,7 @@ class Sight {
 
   [[nodiscard]] double frame_hz() const { return is_full_ ? live_hz : 0.0; }
   void on_start(const observe::RunDescription& run, const View& view);
+  void on_change(const observe::RunDescription& run, const View& view);
   void on_frame(const observe::Frame& frame);
   void on_event(const observe::Event& event, const View& view);
   void on_tick(const View& view);

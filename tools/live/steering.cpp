@@ -15,12 +15,18 @@ constexpr std::chrono::milliseconds glance{50};
 
 }  // namespace
 
-void Steering::begin(double tick_s, std::vector<observe::ParameterChange> made) {
+void Steering::begin(double tick_s, const observe::RunDescription& run) {
+  describe(run);
   const std::lock_guard lock{mutex_};
   tick_s_ = tick_s;
   due_at_s_ = watch_.elapsed_s();
   is_visible_ = false;  // wishes stay: a page may be faster than the start of its run
-  made_ = std::move(made);
+}
+
+void Steering::describe(const observe::RunDescription& run) {
+  const std::lock_guard lock{mutex_};
+  name_ = observe::short_name(run);
+  made_ = run.changes;
 }
 
 void Steering::set_visible() {
@@ -80,9 +86,9 @@ Pace Steering::pace() const {
   return pace_;
 }
 
-std::vector<observe::ParameterChange> Steering::changes_made() const {
+std::pair<std::string, std::vector<observe::ParameterChange>> Steering::rules() const {
   const std::lock_guard lock{mutex_};
-  return made_;
+  return {name_, made_};
 }
 
 bool Steering::is_paced() const {
@@ -118,14 +124,6 @@ std::vector<changes::Change> Steering::due(double) {
 bool Steering::ends() const {
   const std::lock_guard lock{mutex_};
   return restart_.has_value() || observe::StopOnSignal::caught() != 0;
-}
-
-void Steering::made(const observe::ParameterChange& row) {
-  {
-    const std::lock_guard lock{mutex_};
-    made_.push_back(row);
-  }
-  listener_.made(row);
 }
 
 void Steering::refused(const changes::Change&, const std::string& why) {

@@ -21,7 +21,6 @@ class Listener {
   Listener(const Listener&) = delete;
   Listener& operator=(const Listener&) = delete;
   virtual ~Listener() = default;
-  virtual void made(const observe::ParameterChange& row) = 0;
   virtual void refused(const std::string& why) = 0;
 };
 
@@ -37,8 +36,9 @@ class Steering final : public changes::Conductor {
  public:
   explicit Steering(Listener& listener) : listener_{listener} {}
 
-  /// Another run begins, or one that was resumed after these changes. Until something of it can be seen, it does not wait.
-  void begin(double tick_s, std::vector<observe::ParameterChange> made);
+  /// Another run begins, or one that was resumed after changes. Until something of it can be seen, it does not wait.
+  void begin(double tick_s, const observe::RunDescription& run);
+  void describe(const observe::RunDescription& run);
   void set_visible();
 
   // For pages.
@@ -51,12 +51,13 @@ class Steering final : public changes::Conductor {
   void change(changes::Change change);
   void restart(std::uint64_t seed, std::string rule_table);
   [[nodiscard]] Pace pace() const;
-  [[nodiscard]] std::vector<observe::ParameterChange> changes_made() const;
+  /// The short name of the run's rules, and the changes of its parameters.
+  [[nodiscard]] std::pair<std::string, std::vector<observe::ParameterChange>> rules() const;
 
   // For the run.
   [[nodiscard]] std::vector<changes::Change> due(double time_s) override;
   [[nodiscard]] bool ends() const override;
-  void made(const observe::ParameterChange& row) override;
+  void made(const observe::ParameterChange&) override {}  // in the description, which follows
   void refused(const changes::Change& change, const std::string& why) override;
   /// Whether ticks come at a speed that people chose, and not as fast as they go.
   [[nodiscard]] bool is_paced() const;
@@ -79,6 +80,7 @@ class Steering final : public changes::Conductor {
   bool had_page_ = false;
   bool is_visible_ = false;
   std::vector<changes::Change> wishes_;
+  std::string name_;                            ///< of the run's rules
   std::vector<observe::ParameterChange> made_;  ///< changes of the run
   std::optional<command::Restart> restart_;
 };

@@ -16,7 +16,7 @@ struct OtherParam {
   std::string table;  ///< the table's own value
 };
 
-/// A parameter that another value replaced while the run went on.
+/// A parameter that another value replaced during the run.
 struct ParameterChange {
   double time_s = 0.0;    ///< the ecology's clock; it acts on all ticks after that moment
   std::int64_t tick = 0;  ///< number of the last tick before it
@@ -75,7 +75,7 @@ struct RunDescription {
 /// Changes that had an effect, by tick and parameter: of each tick the last value of a parameter, unless it is the first one.
 [[nodiscard]] std::vector<ParameterChange> effective(std::vector<ParameterChange> changes);
 
-/// Two runs may be pooled as replicates if this is equal: the fingerprint and, if parameters changed while the run went on or it
+/// Two runs may be pooled as replicates if this is equal: the fingerprint and, if parameters changed during the run or it
 /// began from another one, "+" and 8 hexadecimal digits of those changes and that moment.
 [[nodiscard]] std::string identity(const RunDescription& run);
 

@@ -64,10 +64,10 @@ def test_replicates_have_one_identity(tmp_path):
         read_runs(tmp_path)
 
 
-def test_several_builds_are_said(tmp_path):
+def test_several_builds_are_counted(tmp_path):
     runs = [run_in(tmp_path / "a"), run_in(tmp_path / "b", seed=8, code="beef")]
     assert description.describe(Runs(tmp_path, runs)).sentence().endswith("; 2 builds of the program made them.")
 
 
-def test_equal_labels_are_told_apart():
+def test_equal_labels_are_distinguished():
     assert description.distinct(["paper", "released", "paper"]) == ["paper (a)", "released", "paper (b)"]

@@ -13,7 +13,6 @@ namespace {
 
 struct Heard final : live::Listener {
   std::vector<std::string> texts;
-  void made(const observe::ParameterChange& row) override { texts.push_back(row.number); }
   void refused(const std::string& why) override { texts.push_back(why); }
 };
 
@@ -86,7 +85,9 @@ TEST_CASE("steering: changes -> handed over once, in order, also to a paused run
 TEST_CASE("steering: restart -> ends the run, and the next one has the changes that were made") {
   Steered steered;
   steered.steering.set_pages(1);
-  steered.steering.made({.time_s = 2.0, .tick = 1, .number = "rules.a", .value = "3", .before = "1"});
+  observe::RunDescription run;
+  run.changes = {{.time_s = 2.0, .tick = 1, .number = "rules.a", .value = "3", .before = "1"}};
+  steered.steering.describe(run);
   steered.steering.restart(9, "released");
   CHECK(steered.steering.due(4.0).empty());
   CHECK(steered.steering.ends());

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What a set of runs is, said once: rule table, parameters, changes during the run, branch, engine, builds, replicates, length, shadow.
+"""The one description of a set of runs: rule table, parameters, changes during the run, branch, engine, builds, replicates, length, shadow.
 
 The program writes what it knows of a run's rules into the manifest (`identity`, `description`); terminal, page, tables and `trophic cite` print
 what stands here."""
@@ -23,7 +23,7 @@ class Parameter(NamedTuple):
 
 
 class Change(NamedTuple):
-    """A parameter that another value replaced while the run went on."""
+    """A parameter that another value replaced during the run."""
 
     time_s: float
     number: str
@@ -113,12 +113,12 @@ def describe(of: SetOfRuns) -> Description:
 
 
 def distinct(labels: Sequence[str]) -> list[str]:
-    """The labels; those that several sets have are told apart by (a), (b), ..."""
+    """The labels; those that several sets have are distinguished by (a), (b), ..."""
     return [label if list(labels).count(label) == 1 else f"{label} ({chr(ord('a') + list(labels[:i]).count(label))})" for i, label in enumerate(labels)]
 
 
 def identity(run: Any) -> str:
-    """Name of a run's rules: its fingerprint, with a suffix if parameters changed while it ran or it began from another run. Runs are replicates if it is equal."""
+    """Name of a run's rules: its fingerprint, with a suffix if parameters changed during it or it began from another run. Runs are replicates if it is equal."""
     manifest = run.manifest
     if "identity" in manifest:
         return manifest["identity"]

@@ -61,7 +61,7 @@ class Run:
 
     @property
     def identity(self) -> str:
-        """The fingerprint, with a suffix if parameters changed while the run went on or it began from another run. Equal for replicates."""
+        """The fingerprint, with a suffix if parameters changed during the run or it began from another run. Equal for replicates."""
         return description.identity(self)
 
     def table(self, name: str, columns: list[str] | None = None, *, categories: bool = False) -> pandas.DataFrame:

@@ -190,6 +190,15 @@ Json index_of(const RecordedRun& run, const Window& window, const std::string& l
   if (window.from_s) index["from_s"] = *window.from_s;
   if (window.to_s) index["to_s"] = *window.to_s;
   index["label"] = label;
+  if (run.manifest.contains("description")) {
+    const Json& said = run.manifest["description"];
+    index["name"] = said.at("name").get<std::string>();
+    index["changes"] = Json::array();
+    for (const Json& change : said.at("changes")) {
+      Json& shown = index["changes"].emplace_back(Json{{"time_s", change.at("time_s").get<double>()}});
+      for (const char* key : {"number", "value", "before"}) shown[key] = change.at(key).get<std::string>();
+    }
+  }
   const Json rules = run.manifest.value("rules", Json::object());
   if (rules.is_object() && rules.value("heredity", "") == "nothing_inherited") index["shadow"] = true;
   index["status"] = run.manifest.value("status", "unknown");

@@ -233,6 +233,7 @@ export class App {
     this.playing = !paused && !over && live.isConnected;
     this.speed = speed;
     this.controls.enable(steers && !over && live.isConnected);
+    this.frames[0].querySelector(".rules")!.textContent = live.state.name;
     this.side.numbers?.update();
     this.dirty = true;
   }

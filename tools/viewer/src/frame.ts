@@ -15,7 +15,7 @@ export function makeFrame(run: Run, actions: FrameActions): { frame: HTMLElement
   const frame = make("figure", "view");
   const { head } = run.recording;
   const caption = make("figcaption");
-  caption.append(make("b", "", run.index.label), ` ${head.rule_table}, ${head.backend}, seed ${head.seed}`);
+  caption.append(make("b", "", run.index.label), " ", make("span", "rules", run.index.name ?? head.rule_table), `, ${head.backend}, seed ${head.seed}`);
   if (run.index.shadow) caption.append(make("em", "", " neutral shadow"));
   if (run.index.status !== "complete") caption.append(make("em", "", ` ${run.index.status}`));
   frame.addEventListener("pointerdown", actions.press);

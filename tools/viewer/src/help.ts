@@ -14,6 +14,7 @@ const pointer: [string, string][] = [
   ["click a robot", "select it; on the floor: clear the selection"],
   ["drag, wheel, right drag", "turn, zoom, move"],
   ["click on the time bar or a curve", "go to that moment"],
+  ["violet line", "a parameter changed; point at it to see which"],
   ["wheel, drag, double click on the time bar", "zoom, move, all of it"],
 ];
 

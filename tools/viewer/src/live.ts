@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A live run: its web socket, the run that grows by it, and what the page asks of it.
 import type { Head, RobotModel } from "./recording";
-import { type LiveEvent, type LiveTick, Run } from "./run";
+import { type Change, type LiveEvent, type LiveTick, Run } from "./run";
 
 /** A number of a rule, with its meaning and bounds. */
 export interface LiveNumber {
   path: string;
   value: string;
+  table: string; // the rule table's own value
   help: string;
   kind: "number" | "whole" | "switch" | "text";
   lower?: number | null;
@@ -31,20 +32,14 @@ export interface LiveState {
   over: boolean;
   steers: boolean;
   pages: number;
-  changed: Record<string, string>;
-}
-
-export interface LiveChange {
-  time_s: number;
-  number: string;
-  value: string;
+  name: string; // of its rules
+  changes: Change[];
 }
 
 export interface LiveListener {
   begun: (live: Live) => void;
   grown: () => void;
   state: () => void;
-  changed: (change: LiveChange) => void;
   said: (sentence: string) => void;
 }
 
@@ -54,13 +49,11 @@ type Message =
   | { kind: "bodies"; frame: number; bodies: RobotModel[]; set_down: [number, number][] }
   | ({ kind: "tick" } & LiveTick)
   | ({ kind: "state" } & LiveState)
-  | ({ kind: "changed" } & LiveChange)
   | { kind: "refused"; text: string };
 
 export class Live {
   readonly run: Run;
-  readonly changes: LiveChange[] = [];
-  state: LiveState = { paused: false, speed: 10, over: false, steers: false, pages: 1, changed: {} };
+  private known: LiveState = { paused: false, speed: 10, over: false, steers: false, pages: 1, name: "", changes: [] };
   isConnected = true;
 
   constructor(
@@ -69,6 +62,21 @@ export class Live {
   ) {
     const { label, species, tags } = facts;
     this.run = Run.growing({ label, status: "live", species, tags }, facts.head);
+  }
+
+  get state(): LiveState {
+    return this.known;
+  }
+  set state(state: LiveState) {
+    this.known = state;
+    Object.assign(this.run.index, { name: state.name, changes: state.changes });
+  }
+  get changes(): Change[] {
+    return this.known.changes;
+  }
+  /** The values that changed parameters have now. */
+  get changed(): Map<string, string> {
+    return new Map(this.changes.map(({ number, value }) => [number, value]));
   }
 
   /** The newest moment of which robots are known. */
@@ -119,7 +127,7 @@ export function connect(listener: LiveListener): void {
     if (message.kind === "run") {
       const before = live?.state;
       live = new Live(message, socket);
-      if (before) live.state = { ...before, over: false, changed: {} };
+      if (before) live.state = { ...before, over: false, name: message.head.rule_table, changes: [] };
       isShown = false;
       return;
     }
@@ -137,10 +145,6 @@ export function connect(listener: LiveListener): void {
       case "state":
         live.state = message;
         return listener.state();
-      case "changed":
-        live.changes.push(message);
-        live.state.changed[message.number] = message.value;
-        return listener.changed(message);
       case "refused":
         return listener.said(message.text);
     }

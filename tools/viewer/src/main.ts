@@ -57,7 +57,6 @@ function follow(): void {
     },
     grown: () => app?.grown(),
     state: () => app?.showState(),
-    changed: () => app?.showState(),
     said: (sentence) => {
       if (app) app.say(sentence);
       else document.getElementById("opening")!.textContent = sentence;

@@ -2,6 +2,7 @@
 // The rule parameters of a live run on sliders, and how it begins again.
 import { make, makeButton } from "./element";
 import type { Live, LiveNumber } from "./live";
+import { changeWords, shortPath } from "./sentences";
 
 /** "> 0 and ≤ 1". */
 export function boundWords({ lower, upper, lower_excluded }: LiveNumber): string {
@@ -21,6 +22,7 @@ interface Row {
   number: LiveNumber;
   element: HTMLElement;
   inputs: HTMLInputElement[];
+  back: HTMLButtonElement; // to the table's value
 }
 
 export class NumbersPanel {
@@ -78,8 +80,10 @@ export class NumbersPanel {
           : `A change acts from the next tick on and is a row of ${live.facts.folder}/changes.csv.`;
     const isOff = !live.isConnected || !state.steers;
     for (const input of this.element.querySelectorAll<HTMLInputElement>(".again input, .again select, .again button")) input.disabled = isOff;
-    for (const { number, inputs } of this.rows) {
-      const value = state.changed[number.path] ?? number.value;
+    for (const { number, inputs, back } of this.rows) {
+      const value = live.changed.get(number.path) ?? number.value;
+      back.hidden = value === number.table;
+      back.disabled = isOff || state.over;
       for (const input of inputs) {
         input.disabled = isOff || state.over;
         if (input === document.activeElement) continue;
@@ -88,10 +92,10 @@ export class NumbersPanel {
       }
     }
     this.made.replaceChildren(
-      ...live.changes.map(({ time_s, number, value }) => {
+      ...live.changes.map((change) => {
         const item = make("li");
-        const line = makeButton(`${time_s} s: ${short(number)} = ${value}`, "show this moment", () => undefined);
-        line.dataset.time = String(time_s);
+        const line = makeButton(changeWords([change]), "show this moment", () => undefined);
+        line.dataset.time = String(change.time_s);
         item.append(line);
         return item;
       }),
@@ -107,7 +111,7 @@ export class NumbersPanel {
 
   private rowOf(number: LiveNumber): Row {
     const element = make("div", "number");
-    const name = make("label", "", short(number.path));
+    const name = make("label", "", shortPath(number.path));
     name.title = number.path;
     const inputs: HTMLInputElement[] = [];
     const send = (value: string): void => {
@@ -117,7 +121,10 @@ export class NumbersPanel {
     const box = make("input");
     box.setAttribute("aria-label", number.path);
     inputs.push(box);
-    element.append(name);
+    const back = makeButton("↺", `back to the rule table's ${number.table}`, () => send(number.table));
+    back.className = "back";
+    back.setAttribute("aria-label", `${number.path}, back to the table's value`);
+    element.append(name, back);
     if (number.kind === "switch") {
       box.type = "checkbox";
       box.addEventListener("change", () => send(String(box.checked)));
@@ -141,7 +148,7 @@ export class NumbersPanel {
     }
     const meaning = [number.help, number.kind === "switch" ? "on or off" : boundWords(number), number.acts_at_start ? "acts when a run starts" : ""];
     element.append(make("p", "hint", meaning.filter(Boolean).join("; ")));
-    return { number, element, inputs };
+    return { number, element, inputs, back };
   }
 
   private filter(): void {
@@ -152,6 +159,3 @@ export class NumbersPanel {
     }
   }
 }
-
-/** A number's path without "rules.". */
-const short = (path: string): string => path.replace(/^rules\./, "");

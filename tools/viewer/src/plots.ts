@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Population, tags and speed over time, with the current moment.
+// Population, tags and speed over time, with the current moment and the moments at which parameters changed.
 import uPlot from "uplot";
 import { colourOf, faded } from "./colours";
-import type { Run } from "./run";
+import type { Change, Run } from "./run";
+import { changesAt, changeWords } from "./sentences";
 import { isDark, theme } from "./theme";
 
 /** Curves by species, one value a point of time. */
@@ -95,6 +96,7 @@ export class Plot {
   readonly element = document.createElement("div");
   private plot: uPlot | null = null;
   private now = 0;
+  private changes: Change[] = [];
   private part = 0;
   private shape = "";
   private bounds: [number, number] = [0, 1];
@@ -107,7 +109,8 @@ export class Plot {
     this.element.className = "plot";
   }
 
-  show(curves: Curves | null, species: string[], first: number, last: number): void {
+  show(curves: Curves | null, { index: { species }, changes }: Run, first: number, last: number): void {
+    this.changes = changes;
     const shape = `${species.join()} ${curves?.bands ? "with bands" : ""} ${isDark() ? "dark" : "light"}`;
     if (this.plot && curves && curves.time.length > 0 && this.shape === shape) {
       this.bounds = [first, last];
@@ -147,13 +150,20 @@ export class Plot {
       this.element,
     );
     this.shape = shape;
-    this.plot.over.addEventListener("click", (e) => this.onJump(this.plot!.posToVal(e.offsetX, "x")));
+    const { over } = this.plot;
+    over.addEventListener("click", (e) => this.onJump(this.plot!.posToVal(e.offsetX, "x")));
+    over.addEventListener("mousemove", (e) => (over.title = changeWords(changesAt(this.changes, e.offsetX, (time) => this.plot!.valToPos(time, "x")))));
   }
 
   private drawNow(u: uPlot): void {
     const x = u.valToPos(this.now, "x", true);
     const g = u.ctx;
     g.save();
+    g.beginPath();
+    g.rect(u.bbox.left, u.bbox.top, u.bbox.width, u.bbox.height);
+    g.clip();
+    g.fillStyle = theme().change;
+    for (const { time_s } of this.changes) g.fillRect(u.valToPos(time_s, "x", true) - 0.5, u.bbox.top, 1.5, u.bbox.height);
     g.fillStyle = theme().ink;
     g.fillRect(x - 0.5, u.bbox.top, 1.5, u.bbox.height);
     g.restore();

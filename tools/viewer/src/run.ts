@@ -4,8 +4,19 @@ import { fromBase64, inflate } from "./bytes";
 import { Table } from "./csv";
 import { type Head, Recording } from "./recording";
 
+/** A parameter that another value replaced during the run. */
+export interface Change {
+  time_s: number;
+  number: string;
+  value: string;
+  before: string;
+}
+
 export interface RunIndex {
   label: string;
+  /** Name of its rules: the table, and what differs from it. */
+  name?: string;
+  changes?: Change[];
   status: string;
   shadow?: boolean;
   species: string[];
@@ -261,6 +272,9 @@ export class Run {
     this.readPhylogeny(phylogeny, names);
   }
 
+  get changes(): Change[] {
+    return this.index.changes ?? [];
+  }
   get catches(): Event[] {
     return this.events.filter(({ kind }) => kind === "catch");
   }

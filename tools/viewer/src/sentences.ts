@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sentences about events and the state of a run.
-import type { Event, Run } from "./run";
+import type { Change, Event, Run } from "./run";
 
 const deaths: Record<string, string> = { caught: "was caught", starved: "starved", sacrificed: "was sacrificed", senescence: "died of age", diverged: "was lost: its body diverged" };
 
@@ -47,6 +47,21 @@ export function shortSentence(run: Run, event: Event): string {
     default:
       return `${who}: ${event.kind.replaceAll("_", " ")}`;
   }
+}
+
+/** A parameter's path without "rules.". */
+export const shortPath = (path: string): string => path.replace(/^rules\./, "");
+
+/** "100 s: capture.reach_m 0.3 → 0.5; mutation.sd 0.05 → 0.1" of changes at one moment. */
+export function changeWords(changes: Change[]): string {
+  return changes.length === 0 ? "" : `${changes[0].time_s} s: ${changes.map(({ number, before, value }) => `${shortPath(number)} ${before} → ${value}`).join("; ")}`;
+}
+
+/** The changes at the moment of one that is nearest to a place, nearer than `most`. */
+export function changesAt(changes: Change[], x: number, xOf: (time: number) => number, most = 4.5): Change[] {
+  const off = ({ time_s }: Change): number => Math.abs(xOf(time_s) - x);
+  const near = changes.filter((change) => off(change) < most).sort((a, b) => off(a) - off(b));
+  return near.filter(({ time_s }) => time_s === near[0].time_s);
 }
 
 /** A direction as seen from a robot: "ahead to the left". `bearing`: radians to the left of where it heads. */

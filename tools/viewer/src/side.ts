@@ -61,11 +61,16 @@ export class Side {
   get tab(): Tab {
     return this.drawnTab;
   }
+  /** Next to the parameters too: what they do is seen while they change. */
+  private get showsCurves(): boolean {
+    return this.tab === "overview" || this.tab === "numbers";
+  }
 
   show(tab: Tab): void {
     this.drawnTab = tab;
     for (const [name, button] of this.buttons) button.setAttribute("aria-pressed", String(name === tab));
-    this.curves.hidden = tab !== "overview";
+    this.curves.hidden = !this.showsCurves;
+    this.curves.classList.toggle("brief", tab === "numbers");
     this.inspector.element.hidden = tab === "numbers";
     this.phylogeny.element.hidden = tab === "events" || tab === "numbers";
     if (this.numbers) this.numbers.element.hidden = tab !== "numbers";
@@ -85,10 +90,9 @@ export class Side {
   /** Shows the curves of a run; the speed once its recording was read through. */
   showPlots(run: Run, first: number, last: number): void {
     const series = seriesOf(run);
-    const { species } = run.index;
-    this.plots.population.show(series.population, species, first, last);
-    this.plots.tags.show(series.tags, species, first, last);
-    this.plots.speed.show(series.speed, species, first, last);
+    this.plots.population.show(series.population, run, first, last);
+    this.plots.tags.show(series.tags, run, first, last);
+    this.plots.speed.show(series.speed, run, first, last);
   }
 
   showRun(run: Run): void {
@@ -100,7 +104,7 @@ export class Side {
   grow(run: Run, first: number, last: number): void {
     this.phylogeny.grow(run);
     if (this.tab === "events") this.events.grow(run);
-    if (this.tab === "overview") this.showPlots(run, first, last);
+    if (this.showsCurves) this.showPlots(run, first, last);
   }
 
   at(time: number): void {

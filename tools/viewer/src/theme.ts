@@ -10,15 +10,16 @@ export interface Theme {
   ink: string; // texts, the moment, the selection
   muted: string; // axes, counts
   faint: string; // lines of a grid
+  change: string; // of a parameter
   lanes: [string, string];
 }
 
 const light: Theme = {
-  background: "#f6f8f9", floor: "#dde3e8", grid: "#cbd3da", wall: "#aab4be", shadow: "#bcc5cd", ink: "#111417", muted: "#5f6a76", faint: "#e3e8ec",
+  background: "#f6f8f9", floor: "#dde3e8", grid: "#cbd3da", wall: "#aab4be", shadow: "#bcc5cd", ink: "#111417", muted: "#5f6a76", faint: "#e3e8ec", change: "#8a2be2",
   lanes: ["#eef1f4", "#f6f8f9"],
 };
 const dark: Theme = {
-  background: "#12171d", floor: "#2b343e", grid: "#3a4550", wall: "#5a6672", shadow: "#1c232b", ink: "#f2f5f7", muted: "#9aa6b2", faint: "#2a323b",
+  background: "#12171d", floor: "#2b343e", grid: "#3a4550", wall: "#5a6672", shadow: "#1c232b", ink: "#f2f5f7", muted: "#9aa6b2", faint: "#2a323b", change: "#c79bff",
   lanes: ["#1e252d", "#181e25"],
 };
 

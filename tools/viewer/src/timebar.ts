@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The run's time as a bar with events: births, catches and deaths by cause. A click jumps, the wheel zooms, a drag moves.
+// The run's time as a bar with events: births, catches and deaths by cause, and marks where parameters changed. A click jumps, the wheel zooms, a drag moves.
 // A lane with too many events shows their number instead.
 import { colourOf, faded } from "./colours";
-import { firstAfter, type Event, type Run } from "./run";
-import { shortSentence } from "./sentences";
+import { firstAfter, type Change, type Event, type Run } from "./run";
+import { changesAt, changeWords, shortSentence } from "./sentences";
 import { theme } from "./theme";
 
 interface Lane {
@@ -27,6 +27,7 @@ export class TimeBar {
   private last = 1;
   private now = 0;
   private hover: Event | null = null;
+  private hoverChanges: Change[] = [];
   private readonly tip = document.createElement("div");
   readonly element = document.createElement("div");
 
@@ -54,7 +55,8 @@ export class TimeBar {
         return;
       }
       this.hover = this.eventAt(e.offsetX, e.offsetY);
-      this.canvas.style.cursor = this.hover ? "pointer" : "default";
+      this.hoverChanges = this.hover ? [] : this.changesAt(e.offsetX);
+      this.canvas.style.cursor = this.hover || this.hoverChanges.length > 0 ? "pointer" : "default";
       this.showTip(e.offsetX);
     });
     this.canvas.addEventListener("pointerleave", () => {
@@ -63,7 +65,7 @@ export class TimeBar {
     this.canvas.addEventListener("pointerup", (e) => {
       if (dragFrom && !moved) {
         const event = this.eventAt(e.offsetX, e.offsetY);
-        onJump(event ? event.time : this.timeAt(e.offsetX), event);
+        onJump(event?.time ?? this.changesAt(e.offsetX)[0]?.time_s ?? this.timeAt(e.offsetX), event);
       }
       dragFrom = null;
     });
@@ -137,10 +139,14 @@ export class TimeBar {
     return best;
   }
 
+  private changesAt(x: number): Change[] {
+    return changesAt(this.run?.changes ?? [], x, (time) => this.xOf(time));
+  }
+
   private showTip(x: number): void {
-    this.tip.hidden = !this.hover;
-    if (!this.hover || !this.run) return;
-    this.tip.textContent = `${this.hover.time.toFixed(0)} s: ${shortSentence(this.run, this.hover)}`;
+    this.tip.hidden = !this.hover && this.hoverChanges.length === 0;
+    if (this.tip.hidden || !this.run) return;
+    this.tip.textContent = this.hover ? `${this.hover.time.toFixed(0)} s: ${shortSentence(this.run, this.hover)}` : changeWords(this.hoverChanges);
     this.tip.style.left = `${Math.max(0, Math.min(x + 10, this.canvas.clientWidth - this.tip.clientWidth - 4))}px`;
   }
 
@@ -174,6 +180,7 @@ export class TimeBar {
       this.drawEvents(g, lane, y + 2, laneHeight - 4);
     });
     this.drawAxis(g, this.lanes.length * laneHeight + 2);
+    this.drawChanges(g, this.lanes.length * laneHeight + 2);
     const x = this.xOf(now);
     if (x >= left - 1 && x <= left + this.width() + 1) {
       g.fillStyle = ink;
@@ -223,6 +230,19 @@ export class TimeBar {
   /** The lanes that are drawn by density now. */
   get denseLanes(): string[] {
     return this.lanes.filter(({ events }) => this.isDense(firstAfter(events, this.to) - firstAfter(events, this.from - 1e-9))).map(({ name }) => name);
+  }
+
+  /** A line with a diamond at its foot where parameters changed. */
+  private drawChanges(g: CanvasRenderingContext2D, bottom: number): void {
+    g.fillStyle = theme().change;
+    for (const { time_s } of this.run?.changes ?? []) {
+      const x = this.xOf(time_s);
+      if (x < this.left - 1 || x > this.left + this.width() + 1) continue;
+      g.fillRect(x - 0.75, 0, 1.5, bottom);
+      g.beginPath();
+      for (const [dx, dy] of [[-4.5, 0], [0, -4.5], [4.5, 0], [0, 4.5]]) g.lineTo(x + dx, bottom + dy);
+      g.fill();
+    }
   }
 
   private drawAxis(g: CanvasRenderingContext2D, y: number): void {

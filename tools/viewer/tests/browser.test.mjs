@@ -22,6 +22,9 @@ before(async () => {
   run("long", "--seed", 3);
   run("short", "--seed", 4, "--duration", 300);
   run("crowd", "--seed", 5, "--duration", 200, "--robots", 300);
+  writeFileSync(at("changes.csv"), "time_s,number,value\n40,rules.capture.reach_m,0.5\n80,rules.capture.reach_m,1\n80,rules.mutation.sd,0.2\n");
+  run("changed", "--seed", 4, "--duration", 120, "--changes", at("changes.csv"));
+  show("changed.html", "changed");
   run("sensing", "--seed", 4, "--duration", 100, "--senses");
   execFileSync(process.env.PREDATOR_PREY, ["--backend", "kinematic", "--out", at("set"), "--replicates", "2", "--shadow", "--duration", "200"]);
   show("long.html", "long");
@@ -76,6 +79,30 @@ test("page: requested stretch of a run -> begins and ends there, with the indivi
     }, time);
     assert.deepEqual(shown, rows("short", "agents.csv").filter((row) => Number(row.tick) === tick).map((row) => Number(row.id)));
   }
+  await leave(opened);
+});
+
+test("page: parameters that changed -> marks on the bar of time and on the curves, and the run's own name", async () => {
+  const opened = await browser.open(at("changed.html"));
+  const { page } = opened;
+  assert.match(await page.locator(".view figcaption").innerText(), /^changed paper \(3 changes\), kinematic/);
+  const hover = async (selector, time, place) => {
+    const bounds = await page.locator(selector).first().boundingBox();
+    await page.mouse.move(bounds.x + (await opened.evaluate(place, time)), bounds.y + bounds.height - 8);
+  };
+  const onBar = (time) => window.trophic.timebar.xOf(time);
+  await hover(".timebar canvas", 80, onBar);
+  assert.equal(await page.locator(".timebar .tip").innerText(), "80 s: capture.reach_m 0.5 → 1; mutation.sd 0.05 → 0.2");
+  await hover(".timebar canvas", 60, onBar);
+  assert.equal(await page.locator(".timebar .tip").isVisible(), false);
+  await hover(".plot .u-over", 40, (time) => window.trophic.side.plots.population.plot.valToPos(time, "x"));
+  assert.equal(await page.locator(".plot .u-over").first().getAttribute("title"), "40 s: capture.reach_m 1 → 0.5");
+  const marked = await opened.evaluate(() => {
+    const { canvas } = window.trophic.timebar;
+    const [r, g, b] = canvas.getContext("2d").getImageData(Math.round((window.trophic.timebar.xOf(40) * canvas.width) / canvas.clientWidth), 30, 1, 1).data;
+    return [r, g, b];
+  });
+  assert.deepEqual(marked, [0x8a, 0x2b, 0xe2]);
   await leave(opened);
 });
 

@@ -60,7 +60,7 @@ async function open(address, inBrowser = browser) {
   return opened;
 }
 
-test("live: run of 600 s with two changes -> shown as it is recorded, and made again from its record to the same bytes", async () => {
+test("live: run of 600 s with three changes -> shown as it is recorded, and made again from its record to the same bytes", async () => {
   const run = await start("live");
   const opened = await open(run.address);
   const { page } = opened;
@@ -77,6 +77,10 @@ test("live: run of 600 s with two changes -> shown as it is recorded, and made a
   await row.locator("input[type=number]").fill("0.5");
   await row.locator("input[type=number]").press("Enter");
   await opened.until(() => window.trophic.live.changes.length === 1);
+  assert.equal(await page.locator(".curves .u-over").first().isVisible(), true); // next to the parameters
+  await opened.until(() => document.querySelector(".view figcaption .rules").textContent === `paper (capture.reach_m 0.5 at ${window.trophic.live.changes[0].time_s} s)`);
+  assert.equal(await row.locator(".back").isVisible(), true);
+  assert.equal(await page.locator(".number", { hasText: "mutation.sd" }).locator(".back").isVisible(), false);
   const time = await opened.evaluate(() => window.trophic.live.newest);
   await page.locator("h1").click();
   for (let i = 1; i <= 3; ++i) {
@@ -88,6 +92,10 @@ test("live: run of 600 s with two changes -> shown as it is recorded, and made a
   await slider.focus();
   await slider.press("ArrowRight");
   await opened.until(() => window.trophic.live.changes.length === 2);
+  await row.locator(".back").click();
+  await opened.until(() => window.trophic.live.changes.length === 3);
+  assert.deepEqual(await opened.evaluate(() => window.trophic.live.changes.map(({ value }) => value).filter((_, i) => i !== 1)), ["0.5", "1"]);
+  await row.locator(".back").waitFor({ state: "hidden" });
   await page.locator(".controls select").selectOption("0");
   await page.locator("button.play").click();
   await opened.until(() => window.trophic.live.state.over);

@@ -49,7 +49,7 @@ def write(path: str | os.PathLike, sets: Sequence[MeasuredSet], frames: Sequence
     """Writes the page into a new file and returns the line about it for the terminal.
 
     `frames`: of judge.summarize for each set, or of judge.compare; `findings`: what they found, in order. `text`: the table of the terminal.
-    `downloads`: CSV texts by file name. Of the request: `figures` (a folder of `trophic plot` or null), `recordings` (null, or {"viewer": file,
+    `downloads`: CSV texts by file name. The request has `figures` (a folder of `trophic plot` or null), `recordings` (null, or {"viewer": file,
     "runs": [{"run": folder, "part": file}, ...]}: the viewer's page and, as a part for its place of runs, each run that it replays), `who` and the
     options for the command that makes the page again. Raises RunError if the file exists or a figure is missing; then nothing is written."""
     described = [description.describe(one) for one in sets]
@@ -142,7 +142,7 @@ def _table(frame: pandas.DataFrame) -> dict[str, Any]:
     rows = []
     for row in frame.itertuples(index=False):
         if not compares and row.metric == "deaths" and row.group != "all" and row.mean == 0.0:
-            continue  # nobody died of it
+            continue  # no individual died of it
         name = Metric(*(getattr(row, column) for column in METRIC))
         reading = Reading(name)
         lower, upper = (row.lower, row.upper) if compares else (row.difference_lower, row.difference_upper)
