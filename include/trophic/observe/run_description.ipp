@@ -3,7 +3,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstdio>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/support/checksum.hpp>
