@@ -174,6 +174,8 @@ def of_json(text: str, title_of, reading_of) -> Output:
         conclusion = difference["conclusion"]
         if difference["differs"] is not None and difference["differs"] != (conclusion in ("above", "below")):
             conclusion = f"differs is {difference['differs']}, conclusion {conclusion}"
+        if conclusion == "not compared":
+            p = None  # of a raw difference next to the answer
         claims.append(Claim(label, title_of(metric), null, shown, "" if p is None else "<0.001" if p < 0.0005 else f"{p:.3f}", conclusion))
 
     for one in content["sets"]:
@@ -198,10 +200,10 @@ def of_csv(text: str, title_of, reading_of) -> Output:
             continue
         value, lower, upper = (float(row[name]) if row.get(name) else None for name in (
             ("difference", "difference_lower", "difference_upper") if "null" in row else ("difference", "lower", "upper")))
-        p = float(row["p_holm"]) if row["p_holm"] else None
+        is_answer = row.get("compared") != "raw" or not any(one["compared"] == "over_shadow" for one in rows)
+        p = float(row["p_holm"]) if row["p_holm"] and is_answer else None
         tested += p is not None
         found += p is not None and p <= 0.05
-        is_answer = row.get("compared") != "raw" or not any(one["compared"] == "over_shadow" for one in rows)
         conclusion = "same" if row["same_as"] and is_answer else "" if p is None else "inconclusive" if p > 0.05 else "above" if value > 0 else "below"
         claims.append(Claim(row.get("set", ""), title_of(row), row.get("null") or row["compared"], reading_of(row, value, lower, upper),
                             "" if p is None else "<0.001" if p < 0.0005 else f"{p:.3f}", conclusion))

@@ -60,10 +60,10 @@ def test_metrics_csv_has_one_value_a_row_and_the_shadows_values_as_a_baseline():
     assert not any("shadow,,0.4" in line and "permuted" in line for line in lines)
 
 
-def test_differences_csv_has_the_answer_first_and_the_raw_difference_without_a_test():
+def test_differences_csv_has_the_answer_first_and_the_raw_difference_behind_it():
     frame = judge.compare(example(), example(catches=0.0, label="released"))
     lines = tables.csv_text(tables.differences(frame)).splitlines()
-    assert lines[1:3] == ["attribution_catches,predator,all,1,over_shadow,6,6,1,0,-1,-1,-1,0,0,,", "attribution_catches,predator,all,1,raw,6,6,1,0,-1,-1,-1,0,,,"]
+    assert lines[1:3] == ["attribution_catches,predator,all,1,over_shadow,6,6,1,0,-1,-1,-1,0,0,,", "attribution_catches,predator,all,1,raw,6,6,1,0,-1,-1,-1,0,0,,"]
 
 
 def test_many_runs_needed_are_a_whole_number():
@@ -90,7 +90,7 @@ def test_summary_json_has_the_family_the_findings_and_the_differences():
     assert (content["family"]["comparisons"], content["family"]["significant"]) == judge.count(both.compared)
     assert [one["sentence"] for one in content["findings"]] == [one.sentence for one in judge.findings(both.compared)] != []
     first = content["differences"][0]
-    assert first["over_shadow"]["conclusion"] == "below" and first["raw"]["p_adjusted"] is None and first["raw"]["differs"] is None and first["a"]["mean"] == 1.0
+    assert first["over_shadow"]["conclusion"] == "below" and first["raw"]["p_adjusted"] == 0.0 and first["raw"]["differs"] is None and first["a"]["mean"] == 1.0
     assert content["sets"][0]["metrics"][0]["baselines"][0]["name"] == "shadow"
     assert content["sets"][0]["family"]["comparisons"] == judge.count(both.frames[0]).comparisons
 

@@ -132,7 +132,7 @@ def compare(a: MeasuredSet, b: MeasuredSet, choices: Sequence[str] = ()) -> pand
 
     Columns: those of differences.csv (docs/tables.md), `set_a`, `set_b`, the deviations and intervals of both means, and as in `summarize` role,
     scatter, level and conclusion. If both sets have a shadow, the answer is the difference over the shadows, (b - its shadow) - (a - its shadow),
-    and the raw difference stands behind it without a test. Raises RunError for a choice that names no metric."""
+    and the raw difference stands behind it: p values of these are corrected as a family of their own, which answers nothing. Raises RunError for a choice that names no metric."""
     wanted = chosen([metric for metric in a.metrics() if (metric, "") in b.table], choices)
     repeats = repeated(wanted, [a, b, *(one.shadow for one in (a, b) if one.shadow)])
     rows: list[dict[str, Any]] = []
@@ -170,8 +170,9 @@ def _sum(*terms: tuple[float, numpy.ndarray]) -> float | None:
 
 
 def _judged(rows: list[dict[str, Any]], differences: Sequence[Difference | None], lower: str, upper: str) -> pandas.DataFrame:
-    """The rows with their differences: corrects those with the role of a null that repeat no other, and concludes."""
-    adjust_together(one for row, one in zip(rows, differences) if one is not None and row["role"] == "null" and not row["same_as"])
+    """The rows with their differences: corrects those with the role of a null that repeat no other, and concludes. Others are a family apart."""
+    for is_answer in (True, False):
+        adjust_together(one for row, one in zip(rows, differences) if one and (row["role"] == "null") == is_answer and not row["same_as"])
     for row, one in zip(rows, differences):
         one = one or Difference()
         row.update({"difference": one.value, lower: one.interval and one.interval.lower, upper: one.interval and one.interval.upper, "p": one.p,
@@ -196,7 +197,7 @@ def _conclusion(row: dict[str, Any], difference: Difference) -> str:
 
 def count(frame: pandas.DataFrame) -> Count:
     """The size of a frame's family."""
-    return Count(int(frame["p_holm"].notna().sum()), int(frame["conclusion"].isin(("above", "below")).sum()))
+    return Count(int((frame["p_holm"].notna() & (frame["role"] == "null")).sum()), int(frame["conclusion"].isin(("above", "below")).sum()))
 
 
 def too_few(of: MeasuredSet) -> list[str]:

@@ -68,7 +68,7 @@ difference: as `compared` says
 lower: of this comparison's own 95 % interval; empty for fewer than 6 runs
 upper: of this comparison's own 95 % interval
 p
-p_holm: corrected for all comparisons; at most 0.05: significant; empty for a raw difference next to the answer over the shadows
+p_holm: corrected for all comparisons; at most 0.05: significant; raw differences next to answers over the shadows are corrected apart
 runs_needed whole?: if p_holm > 0.05: runs in each set that would find a difference of this size in 80 % of studies
 same_as text: an earlier metric that says the same (other reading, or the same in every run); then not compared again
 """),

@@ -143,17 +143,18 @@ def _table(frame: pandas.DataFrame) -> dict[str, Any]:
     for row in frame.itertuples(index=False):
         if not compares and row.metric == "deaths" and row.group != "all" and row.mean == 0.0:
             continue  # no individual died of it
-        name = Metric(*(getattr(row, column) for column in METRIC))
-        reading = Reading(name)
+        metric = Metric(*(getattr(row, column) for column in METRIC))
+        reading = Reading(metric)
         lower, upper = (row.lower, row.upper) if compares else (row.difference_lower, row.difference_upper)
         if compares:
-            cells = [_cell(metric_title(name)), _cell(reading.of(_estimate(row, "_a")), row.mean_a), _cell(reading.of(_estimate(row, "_b")), row.mean_b),
+            cells = [_cell(metric_title(metric)), _cell(reading.of(_estimate(row, "_a")), row.mean_a), _cell(reading.of(_estimate(row, "_b")), row.mean_b),
                      _cell(row.compared.replace("_", " the ") if row.compared == "over_shadow" else row.compared)]
         else:
-            cells = [*([_cell(row.set)] if len(sets) > 1 else []), _cell(metric_title(name)), _cell(reading.of(_estimate(row)), row.mean),
+            cells = [*([_cell(row.set)] if len(sets) > 1 else []), _cell(metric_title(metric)), _cell(reading.of(_estimate(row)), row.mean),
                      _cell(f"{row.null} {reading(row.null_mean)}" if row.null else "")]
         cells += [_cell(reading.with_interval(row.difference, (lower, upper), True) if _is_known(row.difference) else "", row.difference),
-                  {"text": "", "key": None, "bar": _bar(row.difference, lower, upper)}, _cell(p_text(row.p_holm), row.p_holm),
+                  {"text": "", "key": None, "bar": _bar(row.difference, lower, upper)},
+                  _cell(p_text(row.p_holm), row.p_holm) if row.role == "null" else _cell(""),
                   _cell(f"same as {row.same_as}" if row.conclusion == "same" else row.conclusion)]
         rows.append({"cells": cells, "side": row.conclusion if row.conclusion in ("above", "below") else "neither"})
     return {"headings": headings, "rows": rows}

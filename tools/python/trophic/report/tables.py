@@ -154,7 +154,7 @@ def _runs(of: MeasuredSet) -> list[dict[str, Any]]:
 
 
 def _test(row: Any) -> dict[str, Any]:
-    tested = row.p_holm == row.p_holm
+    tested = row.p_holm == row.p_holm and row.role == "null"
     return {"p": row.p, "p_adjusted": row.p_holm, "differs": is_significant(row.p_holm) if tested else None,
             "runs_needed": None if row.runs_needed != row.runs_needed else int(row.runs_needed)}
 
