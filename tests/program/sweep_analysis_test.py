@@ -82,7 +82,7 @@ class SweepAnalysis(InFolderWithSets):
         result = self.analyzed("--jobs", 2)
         self.assertEqual(result.stderr, "")
         for text in ("sweep of 4 cells, 48 runs of 400 s", "axis backend.speed_scale: 1.0, 4.0", "reference: cell 0 (speed_scale 1.0, base_ticks 15)",
-                     "seed by seed; p corrected for all of them (Holm)", "deaths prey", "/3 ", "inconclusive: "):
+                     "seed by seed, each run over its shadow; p corrected for all of them (Holm)", "deaths prey", "/3 ", "inconclusive: "):
             self.assertIn(text, result.stdout)
         self.assertNotIn("no effect", result.stdout)
         self.assertEqual({path.name for path in (self.folder / "analysis").iterdir()}, set(FILES))
@@ -91,16 +91,20 @@ class SweepAnalysis(InFolderWithSets):
         self.assertEqual({(cell["runs"], cell["shadow_runs"], cell["engine"]) for cell in cells}, {("6", "6", "kinematic")})
         rows = table(self.folder / "analysis/sweep_differences.csv")
         self.assertEqual({row["cell"] for row in rows}, {"1", "2", "3"})
-        tested = [row for row in rows if row["p"]]
-        summary = json.loads((self.folder / "analysis/summary.json").read_text())["sweep"]
+        self.assertEqual([row["compared"] for row in rows], ["over_shadow", "raw"] * (len(rows) // 2))
+        answers = [row for row in rows if row["compared"] == "over_shadow"]
+        tested = [row for row in answers if row["p"]]
+        content = json.loads((self.folder / "analysis/summary.json").read_text())
+        summary = content["sweep"]
         self.assertEqual(summary["comparisons"], len(tested))
         self.assertAlmostEqual(summary["level"] * len(tested), 0.05)
-        self.assertEqual(len(summary["significant"]), sum(row["significant"] == "yes" for row in rows))
+        significant = sum(row["significant"] == "yes" for row in answers)
+        self.assertEqual((len(summary["significant"]), content["family"]["significant"]), (significant, significant))
+        self.assertIn(f"\n{significant} of {len(tested)} comparisons are significant (p <= 0.05, corrected for all of them: Holm).", result.stdout)
         smallest = min(tested, key=lambda row: float(row["p"]))
         self.assertAlmostEqual(float(smallest["p_holm"]), min(1.0, float(smallest["p"]) * len(tested)))
         self.assertEqual(smallest["significant"], "yes")
         for row in tested:
-            self.assertEqual(row["compared"], "over_shadow" if row["metric"].startswith(("attribution", "velocity")) else "raw")
             self.assertEqual((row["design"], row["runs"]), ("paired", row["runs_reference"]))
             self.assertLessEqual(float(row["lower_corrected"]), float(row["lower"]))
             self.assertGreaterEqual(int(row["runs_needed"] or 1_000_001), 6)
@@ -116,7 +120,8 @@ class SweepAnalysis(InFolderWithSets):
         over = [[values[cell, "0", k] - values[cell, "1", k] for k in range(REPLICATES)] for cell in range(4)]
         key = {"cell": "1", "metric": "velocity", "species": "prey", "group": "all"}
         (mean,) = [row for row in table(self.folder / "analysis/sweep_metrics.csv") if row.items() >= key.items()]
-        (difference,) = [row for row in table(self.folder / "analysis/sweep_differences.csv") if row.items() >= key.items()]
+        difference, raw = [row for row in table(self.folder / "analysis/sweep_differences.csv") if row.items() >= key.items()]
+        self.assertEqual((difference["compared"], raw["compared"]), ("over_shadow", "raw"))
         self.assertAlmostEqual(float(mean["over_shadow"]), sum(over[1]) / REPLICATES)
         self.assertAlmostEqual(float(difference["difference"]), sum(a - b for a, b in zip(over[1], over[3])) / REPLICATES)
         self.assertEqual(difference["reference"], "3")
@@ -129,7 +134,7 @@ class SweepAnalysis(InFolderWithSets):
 
     def test_how_many_replicates_a_difference_needs(self):
         result = self.analyzed("--metric", "deaths:prey:caught", "hunger", "--difference", 5)
-        self.assertIn("a difference of 5.0 in deaths prey (caught) needs ", result.stdout)
+        self.assertIn("a difference of 5.0 in deaths prey (caught), over shadow needs ", result.stdout)
         self.assertIn("at the level of one of 6 comparisons", result.stdout)
         summary = json.loads((self.folder / "analysis/summary.json").read_text())["sweep"]
         self.assertEqual([answer["metric"] for answer in summary["asked"]], ["deaths", "hunger"])
@@ -193,7 +198,7 @@ class SweepAnalysis(InFolderWithSets):
             (self.folder / "sweep" / line["folder"] / "own.csv").write_text(f"level\n{1 + line['cell'] + line['replicate'] / 10}\n")
         self.analyzed("--column", "own.csv:level", "--metric", "level")
         rows = table(self.folder / "analysis/sweep_differences.csv")
-        self.assertEqual([(row["cell"], round(float(row["difference"]), 9)) for row in rows], [("1", 1.0), ("2", 2.0), ("3", 3.0)])
+        self.assertEqual([(row["cell"], round(float(row["difference"]), 9)) for row in rows if row["compared"] == "raw"], [("1", 1.0), ("2", 2.0), ("3", 3.0)])
         (self.folder / "sweep/cell-001/replicate-02/own.csv").write_text("level\nnan\n")
         done = self.analyzed("--column", "own.csv:level", "--metric", "level", out="without")
         self.assertIn("sweep/cell-001/replicate-02/own.csv: level has no value; the run is left out of its mean\n", done.stderr)
@@ -242,10 +247,10 @@ class SweepAnalysis(InFolderWithSets):
 
     def test_named_metrics_are_on_the_screen(self):
         shown = self.analyzed("--metric", "deaths:prey:all", "hunger").stdout
-        self.assertRegex(shown, r"metric +cell +mean +reference +difference \[95 %\] +p +g +runs +runs needed\n")
+        self.assertRegex(shown, r"metric +cell +mean +reference +difference \[95 %\] +raw +p +g +runs +runs needed\n")
         for cell in (1, 2, 3):
             for metric in ("deaths prey", "hunger predator"):
-                self.assertRegex(shown, rf"\n{metric} +{cell} \(speed_scale [14].0, base_ticks \d+\) .*\[.*\] +[<0-9].* 6\+6")
+                self.assertRegex(shown, rf"\n{metric}, over shadow +{cell} \(speed_scale [14].0, base_ticks \d+\) .*\[.*\] +[+-][0-9.]+ +[<0-9].* 6\+6")
 
     def test_named_metrics_that_never_differ_are_one_line(self):
         shown = self.analyzed("--metric", "deaths:prey").stdout

@@ -113,7 +113,7 @@ def test_a_broken_plan_is_refused(tmp_path, change, part):
 
 @pytest.mark.parametrize("text, part", [("", "plan.jsonl: must list a run"), ('{"index": 0', "plan.jsonl:1: must be a JSON object"), ("{}", "plan.jsonl:1: index: must be there"),
                                         ("[1]", "plan.jsonl:1: must be a JSON object on a line of its own")])
-def test_what_is_no_plan_is_refused(tmp_path, text, part):
+def test_a_file_that_is_not_a_plan_is_refused(tmp_path, text, part):
     (tmp_path / "plan.jsonl").write_text(text)
     assert part in refusal(read_plan, tmp_path / "plan.jsonl")
 

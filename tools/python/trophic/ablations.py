@@ -118,7 +118,7 @@ def whole_difference(first: Direction, second: Direction) -> pandas.DataFrame:
 
 
 def ablation_table(runs: str | os.PathLike, out: str | os.PathLike | None = None, *, jobs: int | None = None) -> pandas.DataFrame:
-    """What each swap of an ablation study changes: the rows of ablations.csv (docs/tables.md) as a frame, with `role` and `conclusion`. `out`: a new
+    """Compares each swap of an ablation study with its base: the rows of ablations.csv (docs/tables.md) as a frame, with `role` and `conclusion`. `out`: a new
     folder for ablations.csv and ablations.md. Raises RunError for a study that is incomplete or cannot be compared, and if the folder exists."""
     directions = read_study(runs, jobs)
     whole = whole_difference(*directions) if len(directions) == 2 else None

@@ -14,7 +14,7 @@ Array = Any  # of floats
 
 
 class Moments(NamedTuple):
-    """Of each column of a matrix of values, one row a run, without nan."""
+    """Numbers, means and variances of the columns of a matrix of values, one row a run; nan is left out."""
     runs: Array
     mean: Array
     variance: Array

@@ -172,7 +172,7 @@ def metrics_table(grid: Grid, values: SweepValues) -> pandas.DataFrame:
 
 
 def summary_of(analysis: SweepAnalysis) -> dict[str, Any]:
-    """What no table has: findings, the grid, missing runs, the correction of comparisons, significant differences, and the answer to --difference."""
+    """The summary that no table has: findings, the grid, missing runs, the correction of comparisons, significant differences, and the answer to --difference."""
     sweep, of = analysis.sweep, answers(analysis.differences)
     size = count(analysis.differences)
 
@@ -193,7 +193,7 @@ def summary_of(analysis: SweepAnalysis) -> dict[str, Any]:
 # The terminal
 
 def text_of(analysis: SweepAnalysis) -> str:
-    """What is printed: the grid, what is significant and what is not, named metrics, effects of axes and the answer to --difference."""
+    """The text of the terminal: the grid, what is significant and what is not, named metrics, effects of axes and the answer to --difference."""
     text = header_text(analysis)
     if len(analysis.differences):
         text += differences_text(analysis) + (named_text(analysis) if analysis.is_chosen else "")

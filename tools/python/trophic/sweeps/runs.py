@@ -23,7 +23,7 @@ MOST_NAMED = 10
 
 @dataclasses.dataclass
 class Sweep:
-    """A sweep on the disk. Of most manifests it keeps nothing: there may be tens of thousands."""
+    """A sweep on the disk. It keeps the manifests of few runs: there may be tens of thousands."""
     folder: pathlib.Path
     plan: list[PlannedRun]
     grid: Grid
