@@ -15,7 +15,7 @@ from scipy import stats
 
 from ..runs import Analysis, RunError, read_analysis
 from .pictures import catches, film_strip, phylogeny, trajectories
-from .style import COLOURS, NULL_COLOUR, Missing, caption, colour, legend_above, line, width_in
+from .style import COLOURS, NULL_COLOUR, Missing, caption, colour, legend_above, line, width_in, wrapped
 
 HATCHES = {"caught": "", "starved": "////", "sacrificed": "xxxx", "senescence": "...."}
 
@@ -163,7 +163,10 @@ def attribution(data):
         raise Missing("no attribution: no robot was caught")
     ax.axhline(2 / 3, color="#CC0000", linestyle="--", linewidth=1, label="paper's baseline 2/3")
     ax.set(xticks=range(place), ylim=(0, 1), ylabel="inherited share (attribution)")
-    ax.set_xticklabels(names)
+    if place > 6:
+        ax.set_xticklabels([name.replace("\n", " ") for name in names], rotation=60, ha="right", rotation_mode="anchor")
+    else:
+        ax.set_xticklabels(names)
     legend_above(ax)
     return caption(fig, f"{data.subject('Attribution, the share of inherited individuals')} Bar: mean over runs; point: a run. {data.intervals('whisker and grey box')} Caught: of the prey that were caught; "
                         "credited: of all prey deaths, by the last killer in that body; catches: of all catches.")
@@ -322,7 +325,7 @@ def forest(summary):
     ax.set_yticks(range(len(rows)), names, fontsize=6)
     ax.set_ylim(-0.7, len(rows) - 0.3)
     first, second = (s["set"] for s in summary["sets"])
-    ax.set_xlabel(f"{second} $-$ {first}" + (", over the shadows" if over else "") + "\n[standard deviations between runs]")
+    ax.set_xlabel(wrapped(f"{second} \u2212 {first}" + (", over the shadows" if over else "")) + "\n[standard deviations between runs]", loc="right")
     rest = f" The {left_out} least significant are left out." if left_out > 0 else ""
     return caption(fig, f"Differences {second} - {first}" + (", each set over its shadow" if over else " (raw)") + f", n = {len(summary['sets'][0]['runs'])} and "
                         f"{len(summary['sets'][1]['runs'])} runs, in pooled standard deviations between runs; bars: 95 % intervals of single comparisons. "

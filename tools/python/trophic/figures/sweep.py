@@ -63,7 +63,9 @@ class Sweep:
     def __init__(self, folder, axes=None):
         self.cells = pd.read_csv(folder / "cells.csv", dtype=str, keep_default_na=False)
         self.metrics = pd.read_csv(folder / "sweep_metrics.csv", dtype={"unit": str})
-        self.differences = pd.read_csv(folder / "sweep_differences.csv", dtype={"unit": str, "significant": str})
+        differences = pd.read_csv(folder / "sweep_differences.csv", dtype={"unit": str, "significant": str})
+        over = differences.compared == "over_shadow"
+        self.differences = differences[over] if over.any() else differences  # the answers
         summary = json.loads((folder / "summary.json").read_text())["sweep"]
         self.reference = summary["reference"]
         self.cells["cell"] = self.cells.cell.astype(int)
