@@ -266,6 +266,7 @@ def test_with_shadows_in_every_cell_the_answer_is_over_them_and_the_raw_differen
         of = frame[frame["compared"] == family]
         assert list(of["p_holm"]) == approx(list(statistics.holm(of["p"])))
     assert cells.count(frame).comparisons == 4
+    assert set(frame.loc[frame["role"] != "null", "conclusion"]) == {"not compared"}
     values.is_there = [run.cell != 2 or not run.shadow for run in plan]
     without = compare_cells(grid_of(plan), values, 0)
     assert set(without["compared"]) == {"raw"} and set(without["role"]) == {"null"}

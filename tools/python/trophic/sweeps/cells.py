@@ -126,12 +126,12 @@ def judged(frame: pandas.DataFrame) -> pandas.DataFrame:
 
 
 def corrected(frame: pandas.DataFrame) -> pandas.DataFrame:
-    """The frame with `p_holm`, `level` and `conclusion` of its comparisons as one family."""
+    """The frame with `p_holm`, `level` and `conclusion` of its comparisons as one family, of which only answers conclude anything."""
     is_comparison, p = frame["is_comparison"].to_numpy(bool), frame["p"].to_numpy(float)
     p_holm = numpy.full(len(frame), numpy.nan)
     p_holm[is_comparison] = holm(numpy.where(numpy.isnan(p), 1.0, p)[is_comparison])
     p_holm[numpy.isnan(p)] = numpy.nan
-    conclusion = numpy.where(~is_comparison, "not compared", numpy.where(numpy.isnan(p), "too few runs", numpy.where(
+    conclusion = numpy.where(~is_comparison | (frame["role"] != "null"), "not compared", numpy.where(numpy.isnan(p), "too few runs", numpy.where(
         p_holm > SIGNIFICANCE, "inconclusive", numpy.where(frame["difference"] > 0.0, "above", "below"))))
     return frame.assign(p_holm=p_holm, level=numpy.where(is_comparison, level_of(frame), numpy.nan), conclusion=conclusion)
 
