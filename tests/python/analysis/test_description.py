@@ -3,10 +3,13 @@
 import json
 import zlib
 
+import pandas
 import pytest
 
-from trophic import description
+from trophic import description, judge
+from trophic.report import text
 from trophic.runs import RunError, Runs, read_run, read_runs
+from trophic.values import VALUE_COLUMNS, MeasuredSet, RunValues
 
 MANIFEST = {"trophic": "0.1.0", "status": "complete", "fingerprint": "0123456789abcdef", "seed": 7, "rule_table": "paper", "backend": "kinematic 1",
             "code": "c0de", "clock": {"tick_s": 1.0, "until_s": 20.0}, "tables": {}}
@@ -71,3 +74,11 @@ def test_several_builds_are_counted(tmp_path):
 
 def test_equal_labels_are_distinguished():
     assert description.distinct(["paper", "released", "paper"]) == ["paper (a)", "released", "paper (b)"]
+
+
+@pytest.mark.parametrize("said, line", [(SAID, f"rules: {SAID['sentence']}\n"), ({**SAID, "name": "paper", "sentence": "rule table `paper` and its parameters"}, "")])
+def test_the_terminal_prints_what_differs_from_the_table(tmp_path, said, line):
+    values = RunValues(pandas.DataFrame([["hunger", "prey", "all", "1", "", "", 1.0]], columns=VALUE_COLUMNS))
+    of = MeasuredSet(said["name"], [run_in(tmp_path / "a", description=said, identity="0123456789abcdef+01234567")], [values], None, 20.0)
+    shown = text.table(of, judge.summarize(of))
+    assert shown.startswith(f"{said['name']} on kinematic 1, a run of 20 s, fingerprint 0123456789abcdef+01234567\n{line}no shadow")

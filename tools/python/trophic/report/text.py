@@ -36,8 +36,14 @@ def described(of: MeasuredSet) -> str:
     return f"{of.label} on {said.engine}, {length[0].lower()}{length[1:]}"
 
 
+def _rules(of: MeasuredSet) -> str:
+    """A line with what differs from the rule table, if anything does."""
+    said = describe(of)
+    return f"rules: {said.rules}\n" if said.label != said.table else ""
+
+
 def _heading(of: MeasuredSet) -> str:
-    text = f"{described(of)}, fingerprint {describe(of).identity}\n"
+    text = f"{described(of)}, fingerprint {describe(of).identity}\n{_rules(of)}"
     return text + (f"shadow: {described(of.shadow)}\n" if of.shadow
                    else "no shadow: attribution and velocity have no null (--replicates with --shadow makes one)\n")
 
@@ -126,7 +132,7 @@ def _title_of(frame: pandas.DataFrame, choice: str) -> str:
 
 
 def _sets(a: MeasuredSet, b: MeasuredSet) -> str:
-    return "".join(f"{letter}: {described(of)}{f'; shadow: {len(of.shadow.runs)} runs' if of.shadow else ''}\n"
+    return "".join(f"{letter}: {described(of)}{f'; shadow: {len(of.shadow.runs)} runs' if of.shadow else ''}\n{_rules(of)}"
                    for letter, of in (("a", a), ("b", b)))
 
 
