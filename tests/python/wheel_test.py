@@ -41,7 +41,7 @@ class Wheel(unittest.TestCase):
         for path in (SOURCES / "trophic").rglob("*.py"):
             tree = ast.parse(path.read_text(), feature_version=(3, 9))
             # Annotations such as str | None are not evaluated.
-            first = next(node for node in tree.body if isinstance(node, ast.ImportFrom) or not isinstance(node, ast.Expr))
+            first = next((node for node in tree.body if isinstance(node, ast.ImportFrom) or not isinstance(node, ast.Expr)), None)
             if any(isinstance(node, (ast.FunctionDef, ast.AnnAssign)) for node in ast.walk(tree)):
                 if path.parent.name != "figures" or "from __future__" in path.read_text():
                     self.assertEqual(getattr(first, "module", None), "__future__", path)

@@ -132,7 +132,8 @@ def compare(a: MeasuredSet, b: MeasuredSet, choices: Sequence[str] = ()) -> pand
 
     Columns: those of differences.csv (docs/tables.md), `set_a`, `set_b`, the deviations and intervals of both means, and as in `summarize` role,
     scatter, level and conclusion. If both sets have a shadow, the answer is the difference over the shadows, (b - its shadow) - (a - its shadow),
-    and the raw difference stands behind it: p values of these are corrected as a family of their own, which answers nothing. Raises RunError for a choice that names no metric."""
+    and the raw difference stands behind it: p values of these are corrected as a family of their own, which answers nothing. Raises
+    RunError for a choice that names no metric."""
     wanted = chosen([metric for metric in a.metrics() if (metric, "") in b.table], choices)
     repeats = repeated(wanted, [a, b, *(one.shadow for one in (a, b) if one.shadow)])
     rows: list[dict[str, Any]] = []

@@ -50,7 +50,8 @@ def analyze(runs: Run | Runs | str | os.PathLike | Sequence, compare: Run | Runs
     `out` is a new folder for the tables; without it the analysis is in memory alone. `shadow`: the neutral shadow, if it is not in RUNS/shadow.
     `until`: only the first seconds of every run. `metrics`: choices, as "velocity:prey", and own metrics, functions of a Run (`trophic.metric`
     names them and their units); without a choice all are tested. `columns`: own metrics that are columns of tables, "FILE:COLUMN:UNIT". `jobs`:
-    runs measured at a time. Raises RunError, with a sentence that names it, for what cannot be analysed."""
+    runs measured at a time. Lineages and bodies need a program: `trophic analyze --lineages`, which `read_analysis` reads. Raises
+    RunError, with a sentence that names it, for what cannot be analysed."""
     from .metrics import Measuring
     from .report import analyze as report
     from .report.tables import result_folder

@@ -82,7 +82,8 @@ def metrics(sets: Sequence[MeasuredSet]) -> pandas.DataFrame:
                 rows = pandas.concat([measured.values, measured.curves]).reset_index(drop=True)
                 if is_shadow:
                     rows = rows[rows["baseline"] == ""].assign(baseline=SHADOW)
-                parts.append(rows.assign(set=one.label, run=run.path.resolve().name.replace(",", "_"), seed=run.seed).reindex(columns=names("metrics.csv")))
+                rows = rows.assign(set=one.label, run=run.path.resolve().name.replace(",", "_"), seed=run.seed)
+                parts.append(rows.reindex(columns=names("metrics.csv")))
     frame = pandas.concat(parts, ignore_index=True)
     return frame.astype({"time_s": float, "value": float, "seed": "uint64"})
 

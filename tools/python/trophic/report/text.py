@@ -59,11 +59,11 @@ def _conclusion(row: Any) -> str:
     return row.conclusion if row.conclusion in ("above", "below") else ""
 
 
-def findings_text(frame: pandas.DataFrame) -> str:
-    """How many comparisons are significant, and each finding in a sentence."""
+def findings_text(frame: pandas.DataFrame, most: int | None = None) -> str:
+    """How many comparisons are significant, and each finding in a sentence; at most the first `most`."""
     found = judge.findings(frame)
-    text = judge.count(frame).sentence() + "\n" + "".join(f"  {finding.sentence}\n" for finding in found[: judge.MOST_FINDINGS])
-    return text + (f"  and {len(found) - judge.MOST_FINDINGS} more findings (--all)\n" if len(found) > judge.MOST_FINDINGS else "")
+    text = judge.count(frame).sentence() + "\n" + "".join(f"  {finding.sentence}\n" for finding in found[:most])
+    return text + (f"  and {len(found) - most} more findings (--all)\n" if most is not None and len(found) > most else "")
 
 
 def _inconclusive(frame: pandas.DataFrame, head: Sequence[str], cells: Any) -> str:
@@ -89,7 +89,7 @@ def findings(of: MeasuredSet, frame: pandas.DataFrame) -> str:
                 reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True)]
 
     head = ["ours [95 %]", "null", "its mean", "runs", "ours - null [95 %]"]
-    return _heading(of) + findings_text(frame) + _inconclusive(frame, head, cells) + _too_few(of)
+    return _heading(of) + findings_text(frame, judge.MOST_FINDINGS) + _inconclusive(frame, head, cells) + _too_few(of)
 
 
 def table(of: MeasuredSet, frame: pandas.DataFrame) -> str:
@@ -147,7 +147,7 @@ def difference_findings(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame)
     about = (f"the answer is the difference {_OVER}: what inheritance does. Raw differences, which the rules alone can make, are in --all\n" if over
              else f"the differences are raw: {_UNATTRIBUTED}")
     head = ["a", "b", "runs", ("over shadows" if over else "b - a") + " [95 %]"]
-    return _sets(a, b) + about + findings_text(frame) + _inconclusive(frame, head, cells) + _too_few(a, b)
+    return _sets(a, b) + about + findings_text(frame, judge.MOST_FINDINGS) + _inconclusive(frame, head, cells) + _too_few(a, b)
 
 
 def difference_table(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:
@@ -170,8 +170,9 @@ def difference_table(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) ->
             note = f"{runs_text(answer.runs_needed)} runs" if answer.conclusion == "inconclusive" else "*" if _conclusion(answer) else ""
         lines.append([*line, p_text(answer.p_holm) if answer else "", note])
     about = "those over the shadows are the answer: what inheritance does\n" if over else _UNATTRIBUTED
-    return (_sets(a, b) + columns(lines) + f"p: corrected for {judge.count(frame).comparisons} comparisons (Holm); * significant, p <= 0.05, else the "
-            "runs in each set that would find a difference of this size in 80 % of studies; intervals are those of single comparisons\n"
+    return (_sets(a, b) + columns(lines)
+            + f"p: corrected for {judge.count(frame).comparisons} comparisons (Holm); * significant, p <= 0.05, "
+            "else the runs in each set that would find a difference of this size in 80 % of studies; intervals are those of single comparisons\n"
             f"raw differences also show how the populations are composed; {about}" + findings_text(frame) + _too_few(a, b))
 
 
