@@ -88,6 +88,7 @@ class Rewind(InFolder):
     def test_without_a_moment_the_last_checkpoint_is_taken_and_it_can_be_resumed(self):
         self.run_ok("--from", "whole", "--duration", 2500, "--seed", 9, "--out", "longer")
         self.assertEqual(self.manifest("longer")["origin"]["at_s"], "1500")
+        self.assertEqual(self.manifest("longer")["description"]["name"], "paper (mutation.sd 0.02; from 1500 s)")
         again = self.run_ok("--from", "whole", "--duration", 2500, "--seed", 9, "--out", "longer", "--resume")
         self.assertIn("is complete already", again.stdout)
 
@@ -132,6 +133,7 @@ class Rewind(InFolder):
                 for name in TABLES:
                     self.assertEqual(self.table(folder, name), self.table(alone, name), name)
                 self.assertEqual(self.manifest(folder)["origin"], self.manifest(alone)["origin"])
+                self.assertEqual(self.manifest(folder)["identity"], self.manifest(alone)["identity"])
                 self.assertEqual(self.manifest(folder)["status"], "complete")
         self.assertFalse([*self.folder.glob("**/*.snapshot-*"), *self.folder.glob("**/*.part")])
 
