@@ -160,6 +160,11 @@ def test_metric_that_one_set_lacks_is_left_out_and_five_runs_have_no_interval():
     assert y.metric == "y" and not math.isnan(y.difference) and math.isnan(y.lower) and math.isnan(y.p) and y.conclusion == "too few runs"
 
 
+def test_sets_without_a_common_metric_are_refused():
+    with pytest.raises(RunError, match="paper and forest: have no metric in common"):
+        judge.compare(set_of(near(0.5)), set_of({metric("x", "wolf"): around(1)}, label="forest"))
+
+
 # Findings
 
 def findings_of(values, null):

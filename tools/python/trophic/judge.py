@@ -133,8 +133,11 @@ def compare(a: MeasuredSet, b: MeasuredSet, choices: Sequence[str] = ()) -> pand
     Columns: those of differences.csv (docs/tables.md), `set_a`, `set_b`, the deviations and intervals of both means, and as in `summarize` role,
     scatter, level and conclusion. If both sets have a shadow, the answer is the difference over the shadows, (b - its shadow) - (a - its shadow),
     and the raw difference stands behind it: p values of these are corrected as a family of their own, which answers nothing. Raises
-    RunError for a choice that names no metric."""
-    wanted = chosen([metric for metric in a.metrics() if (metric, "") in b.table], choices)
+    RunError for a choice that names no metric, and for sets without a common one."""
+    both = [metric for metric in a.metrics() if (metric, "") in b.table]
+    if not both:
+        raise RunError(f"{a.label} and {b.label}: have no metric in common")
+    wanted = chosen(both, choices)
     repeats = repeated(wanted, [a, b, *(one.shadow for one in (a, b) if one.shadow)])
     rows: list[dict[str, Any]] = []
     differences: list[Difference | None] = []

@@ -79,7 +79,7 @@ def metrics(sets: Sequence[MeasuredSet]) -> pandas.DataFrame:
     for one in sets:
         for of, is_shadow in ((one, False), *(((one.shadow, True),) if one.shadow else ())):
             for run, measured in zip(of.runs, of.values):
-                rows = pandas.concat([measured.values, measured.curves]).reset_index(drop=True)
+                rows = pandas.concat([part for part in (measured.values, measured.curves) if len(part)]).reset_index(drop=True)
                 if is_shadow:
                     rows = rows[rows["baseline"] == ""].assign(baseline=SHADOW)
                 rows = rows.assign(set=one.label, run=run.path.resolve().name.replace(",", "_"), seed=run.seed)
