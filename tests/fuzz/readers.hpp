@@ -7,8 +7,6 @@
 
 #include <support/forged_recording.hpp>
 #include <support/temporary_folder.hpp>
-#include <tools/analysis/data/lineages.hpp>
-#include <tools/analysis/data/read_run.hpp>
 #include <tools/analysis/metrics/body_metrics.hpp>
 #include <tools/analysis/metrics/own_column.hpp>
 #include <tools/analysis/metrics/run_metrics.hpp>
@@ -17,6 +15,8 @@
 #include <tools/command/toml_of_json.hpp>
 #include <tools/contest/contest_plan.hpp>
 #include <tools/live/wishes.hpp>
+#include <tools/reading/lineages.hpp>
+#include <tools/reading/read_run.hpp>
 #include <tools/recording/read_recording.hpp>
 #include <tools/sweep/plan_file.hpp>
 #include <tools/sweep/sweep_file.hpp>

@@ -11,8 +11,8 @@
 #include <soak/invariants.hpp>
 #include <soak/resting.hpp>
 #include <support/memory.hpp>
-#include <tools/analysis/data/csv_reader.hpp>
 #include <tools/analysis/statistics/equivalence.hpp>
+#include <tools/reading/csv_reader.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/ecology/ecology.hpp>

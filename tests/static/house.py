@@ -246,7 +246,7 @@ VOCABULARY = tuple(
     trophic/population/individual.hpp trophic/population/state.hpp trophic/population/view.hpp trophic/habitat/robot_model.hpp
     trophic/ecology/ecology.hpp trophic/ecology/simulation.hpp trophic/backend/backend_choice.hpp trophic/backend/kinematic.hpp
     trophic/rules/paper.hpp trophic/support/json.hpp trophic/support/rng.hpp trophic/io/column.hpp trophic/io/csv_file.hpp
-    trophic/io/run_folder.hpp tools/command/option.hpp tools/command/output.hpp tools/analysis/data/csv_reader.hpp
+    trophic/io/run_folder.hpp tools/command/option.hpp tools/command/output.hpp tools/reading/csv_reader.hpp
     tools/analysis/metrics/measurement.hpp tools/analysis/metrics/run_set.hpp support/temporary_folder.hpp
     support/hand_population.hpp""".split()
 )

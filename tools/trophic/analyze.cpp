@@ -4,9 +4,6 @@
 
 #include <cmath>
 #include <sstream>
-#include <tools/analysis/data/lineages.hpp>
-#include <tools/analysis/data/met_inputs.hpp>
-#include <tools/analysis/data/shadow.hpp>
 #include <tools/analysis/metrics/body_metrics.hpp>
 #include <tools/analysis/metrics/run_set.hpp>
 #include <tools/analysis/metrics/sweep_values.hpp>
@@ -21,6 +18,9 @@
 #include <tools/command/option.hpp>
 #include <tools/command/output.hpp>
 #include <tools/contest/play_contests.hpp>
+#include <tools/reading/lineages.hpp>
+#include <tools/reading/met_inputs.hpp>
+#include <tools/reading/shadow.hpp>
 #include <tools/trophic/analysis_page.hpp>
 #include <tools/trophic/analysis_words.hpp>
 #include <tools/trophic/analyze_sweep.hpp>

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <memory>
 #include <system_error>
-#include <tools/analysis/data/pooled_runs.hpp>
 #include <tools/command/option.hpp>
 #include <tools/command/output.hpp>
+#include <tools/reading/pooled_runs.hpp>
 #include <tools/trophic/replay/page.hpp>
 #include <tools/trophic/replay/recorded_run.hpp>
 #include <trophic/support/new_file.hpp>

@@ -5,7 +5,7 @@
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/metrics/body_metrics.hpp>
 #include <tools/analysis/metrics/sweep_values.hpp>
-#include <unit/analysis/run_files.hpp>
+#include <unit/reading/run_files.hpp>
 #include <utility>
 
 namespace {

@@ -15,7 +15,7 @@
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/observe/event.hpp>
 #include <trophic/rules/paper.hpp>
-#include <unit/analysis/rows.hpp>
+#include <unit/reading/rows.hpp>
 
 namespace {
 

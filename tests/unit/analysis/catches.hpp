@@ -2,7 +2,7 @@
 // A small history with three catches.
 #pragma once
 
-#include <unit/analysis/rows.hpp>
+#include <unit/reading/rows.hpp>
 #include <vector>
 
 namespace trophic::test {

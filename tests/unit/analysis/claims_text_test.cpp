@@ -4,7 +4,7 @@
 #include <sstream>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/report/claims_text.hpp>
-#include <unit/analysis/run_files.hpp>
+#include <unit/reading/run_files.hpp>
 #include <vector>
 
 using namespace trophic;

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <tools/analysis/metrics/demography.hpp>
-#include <unit/analysis/rows.hpp>
+#include <unit/reading/rows.hpp>
 #include <vector>
 
 using namespace trophic;

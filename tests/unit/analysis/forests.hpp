@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <limits>
 #include <optional>
-#include <tools/analysis/data/lineages.hpp>
+#include <tools/reading/lineages.hpp>
 #include <vector>
 
 namespace trophic::test {

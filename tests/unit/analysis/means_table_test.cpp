@@ -4,7 +4,7 @@
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/report/means_table.hpp>
 #include <trophic/support/whole_file.hpp>
-#include <unit/analysis/run_files.hpp>
+#include <unit/reading/run_files.hpp>
 #include <vector>
 
 namespace {

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/report/metrics_table.hpp>
-#include <unit/analysis/run_files.hpp>
+#include <unit/reading/run_files.hpp>
 #include <vector>
 
 using namespace trophic;

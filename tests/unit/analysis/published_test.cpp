@@ -7,7 +7,7 @@
 #include <tools/analysis/metrics/run_metrics.hpp>
 #include <tools/analysis/report/claim_conclusion.hpp>
 #include <tools/analysis/report/published.hpp>
-#include <unit/analysis/rows.hpp>
+#include <unit/reading/rows.hpp>
 
 using namespace trophic;
 using analysis::published;

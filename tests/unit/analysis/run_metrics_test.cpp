@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <tools/analysis/metrics/run_metrics.hpp>
-#include <unit/analysis/rows.hpp>
+#include <unit/reading/rows.hpp>
 
 namespace {
 

@@ -3,7 +3,7 @@
 
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/metrics/run_set.hpp>
-#include <unit/analysis/run_files.hpp>
+#include <unit/reading/run_files.hpp>
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/report/summary_json.hpp>
-#include <unit/analysis/run_files.hpp>
+#include <unit/reading/run_files.hpp>
 #include <vector>
 
 using namespace trophic;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <stdexcept>
 #include <tools/analysis/report/summary.hpp>
-#include <unit/analysis/rows.hpp>
+#include <unit/reading/rows.hpp>
 #include <vector>
 
 namespace {

@@ -10,7 +10,7 @@
 #include <tools/analysis/data/sweep_grid.hpp>
 #include <tools/analysis/metrics/sweep_values.hpp>
 #include <tools/sweep/plan_file.hpp>
-#include <unit/analysis/run_files.hpp>
+#include <unit/reading/run_files.hpp>
 #include <utility>
 #include <vector>
 

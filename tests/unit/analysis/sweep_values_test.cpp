@@ -3,8 +3,8 @@
 
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/metrics/sweep_values.hpp>
-#include <unit/analysis/rows.hpp>
 #include <unit/analysis/sweep_grids.hpp>
+#include <unit/reading/rows.hpp>
 #include <vector>
 
 using namespace trophic;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <tools/analysis/metrics/tag_symmetry.hpp>
-#include <unit/analysis/rows.hpp>
+#include <unit/reading/rows.hpp>
 #include <utility>
 #include <vector>
 

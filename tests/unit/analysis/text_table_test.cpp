@@ -6,7 +6,7 @@
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/report/claims_text.hpp>
 #include <tools/analysis/report/text_table.hpp>
-#include <unit/analysis/run_files.hpp>
+#include <unit/reading/run_files.hpp>
 #include <vector>
 
 namespace {

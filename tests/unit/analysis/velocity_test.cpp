@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <tools/analysis/metrics/velocity.hpp>
-#include <unit/analysis/rows.hpp>
+#include <unit/reading/rows.hpp>
 #include <vector>
 
 namespace {

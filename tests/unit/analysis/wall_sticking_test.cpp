@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <tools/analysis/metrics/wall_sticking.hpp>
-#include <unit/analysis/rows.hpp>
+#include <unit/reading/rows.hpp>
 #include <vector>
 
 using namespace trophic;

@@ -3,8 +3,8 @@
 #include <tools/analysis/data/sweep_runs.hpp>
 
 #include <set>
-#include <tools/analysis/data/run_manifest.hpp>
-#include <tools/analysis/data/shadow.hpp>
+#include <tools/reading/run_manifest.hpp>
+#include <tools/reading/shadow.hpp>
 #include <trophic/params/params.hpp>
 
 namespace trophic::analysis {

@@ -2,7 +2,7 @@
 // Attribution: how much of what a species does or suffers falls to those who inherited their genome.
 #pragma once
 
-#include <tools/analysis/data/tables.hpp>
+#include <tools/reading/tables.hpp>
 #include <trophic/population/food_web.hpp>
 
 namespace trophic::analysis {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 #include <map>
-#include <tools/analysis/data/csv_reader.hpp>
 #include <tools/analysis/metrics/run_metrics.hpp>
+#include <tools/reading/csv_reader.hpp>
 #include <trophic/habitat/body/distance.hpp>
 #include <trophic/habitat/body/plan.hpp>
 

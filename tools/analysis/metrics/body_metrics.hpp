@@ -3,8 +3,8 @@
 #pragma once
 
 #include <filesystem>
-#include <tools/analysis/data/read_run.hpp>
 #include <tools/analysis/metrics/measurement.hpp>
+#include <tools/reading/read_run.hpp>
 
 namespace trophic::analysis {
 

@@ -4,8 +4,8 @@
 
 #include <cstddef>
 #include <optional>
-#include <tools/analysis/data/tables.hpp>
 #include <tools/analysis/metrics/series.hpp>
+#include <tools/reading/tables.hpp>
 
 namespace trophic::analysis {
 

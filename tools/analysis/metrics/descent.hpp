@@ -4,7 +4,7 @@
 
 #include <cstddef>
 #include <optional>
-#include <tools/analysis/data/lineages.hpp>
+#include <tools/reading/lineages.hpp>
 #include <vector>
 
 namespace trophic::analysis {

@@ -2,7 +2,7 @@
 // The null of lineages: the same births, deaths and mutations with parents by chance.
 #pragma once
 
-#include <tools/analysis/data/lineages.hpp>
+#include <tools/reading/lineages.hpp>
 #include <trophic/support/rng.hpp>
 
 namespace trophic::analysis {

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <functional>
-#include <tools/analysis/data/lineages.hpp>
-#include <tools/analysis/data/met_inputs.hpp>
 #include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/metrics/signatures.hpp>
+#include <tools/reading/lineages.hpp>
+#include <tools/reading/met_inputs.hpp>
 #include <trophic/population/food_web.hpp>
 
 namespace trophic::analysis {

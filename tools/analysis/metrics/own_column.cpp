@@ -2,8 +2,8 @@
 // Definitions of own_column.hpp.
 #include <tools/analysis/metrics/own_column.hpp>
 
-#include <tools/analysis/data/csv_reader.hpp>
 #include <tools/analysis/metrics/sampled_metric.hpp>
+#include <tools/reading/csv_reader.hpp>
 
 namespace trophic::analysis {
 

@@ -2,8 +2,8 @@
 // Metrics of one's own: the mean of a column of a table that each run's folder has.
 #pragma once
 
-#include <tools/analysis/data/read_run.hpp>
 #include <tools/analysis/metrics/measurement.hpp>
+#include <tools/reading/read_run.hpp>
 
 namespace trophic::analysis {
 

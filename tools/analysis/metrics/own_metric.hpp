@@ -2,8 +2,8 @@
 // Metrics of a user's program, measured.
 #pragma once
 
-#include <tools/analysis/data/read_run.hpp>
 #include <tools/analysis/metrics/measurement.hpp>
+#include <tools/reading/read_run.hpp>
 #include <trophic/experiment/own_metric.hpp>
 
 namespace trophic::analysis {

@@ -7,10 +7,10 @@
 #include <initializer_list>
 #include <mutex>
 #include <stdexcept>
-#include <tools/analysis/data/read_run.hpp>
-#include <tools/analysis/data/shadow.hpp>
 #include <tools/analysis/metrics/body_metrics.hpp>
 #include <tools/analysis/metrics/run_metrics.hpp>
+#include <tools/reading/read_run.hpp>
+#include <tools/reading/shadow.hpp>
 #include <tools/replicates/parallel.hpp>
 #include <utility>
 

@@ -5,11 +5,11 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
-#include <tools/analysis/data/pooled_runs.hpp>
 #include <tools/analysis/metrics/lineage_metrics.hpp>
 #include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/metrics/own_column.hpp>
 #include <tools/analysis/metrics/own_metric.hpp>
+#include <tools/reading/pooled_runs.hpp>
 
 namespace trophic::analysis {
 

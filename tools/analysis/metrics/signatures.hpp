@@ -3,7 +3,7 @@
 #pragma once
 
 #include <functional>
-#include <tools/analysis/data/met_inputs.hpp>
+#include <tools/reading/met_inputs.hpp>
 #include <trophic/control/brain/contract.hpp>
 #include <unordered_map>
 

@@ -4,9 +4,9 @@
 
 #include <atomic>
 #include <mutex>
-#include <tools/analysis/data/read_run.hpp>
 #include <tools/analysis/metrics/body_metrics.hpp>
 #include <tools/analysis/metrics/metric_choice.hpp>
+#include <tools/reading/read_run.hpp>
 #include <tools/replicates/parallel.hpp>
 
 namespace trophic::analysis {

@@ -2,8 +2,8 @@
 // Tag symmetry: whether two species show opposite tags, and what tags without any meaning would give.
 #pragma once
 
-#include <tools/analysis/data/tables.hpp>
 #include <tools/analysis/metrics/series.hpp>
+#include <tools/reading/tables.hpp>
 #include <trophic/support/rng.hpp>
 
 namespace trophic::analysis {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <cstdint>
-#include <tools/analysis/data/tables.hpp>
 #include <tools/analysis/metrics/series.hpp>
+#include <tools/reading/tables.hpp>
 #include <vector>
 
 namespace trophic::analysis {

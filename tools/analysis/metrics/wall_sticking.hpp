@@ -2,8 +2,8 @@
 // Sticking to walls: the share of a species that is close to a wall.
 #pragma once
 
-#include <tools/analysis/data/tables.hpp>
 #include <tools/analysis/metrics/series.hpp>
+#include <tools/reading/tables.hpp>
 
 namespace trophic::analysis {
 

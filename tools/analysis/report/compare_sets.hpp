@@ -2,10 +2,10 @@
 // Two sets of runs compared, metric by metric.
 #pragma once
 
-#include <tools/analysis/data/run_manifest.hpp>
 #include <tools/analysis/metrics/run_set.hpp>
 #include <tools/analysis/statistics/difference.hpp>
 #include <tools/analysis/statistics/estimate.hpp>
+#include <tools/reading/run_manifest.hpp>
 
 namespace trophic::analysis {
 

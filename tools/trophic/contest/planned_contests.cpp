@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
-#include <tools/analysis/data/epoch_genomes.hpp>
-#include <tools/analysis/data/pooled_runs.hpp>
-#include <tools/analysis/data/shadow.hpp>
 #include <tools/analysis/data/sweep_runs.hpp>
 #include <tools/analysis/metrics/contest_design.hpp>
+#include <tools/reading/epoch_genomes.hpp>
+#include <tools/reading/pooled_runs.hpp>
+#include <tools/reading/shadow.hpp>
 #include <trophic/params/params.hpp>
 
 namespace trophic::command::contests {

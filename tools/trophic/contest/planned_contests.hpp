@@ -8,9 +8,9 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <tools/analysis/data/run_manifest.hpp>
 #include <tools/analysis/report/contest_progress.hpp>
 #include <tools/contest/contest_plan.hpp>
+#include <tools/reading/run_manifest.hpp>
 #include <vector>
 
 namespace trophic::command::contests {

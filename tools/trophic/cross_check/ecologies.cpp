@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <iomanip>
 #include <iostream>
-#include <tools/analysis/data/run_manifest.hpp>
 #include <tools/analysis/statistics/equivalence.hpp>
+#include <tools/reading/run_manifest.hpp>
 #include <trophic/support/json.hpp>
 
 namespace trophic::command::cross_check {

@@ -4,7 +4,7 @@
 
 #include <cstdio>
 #include <map>
-#include <tools/analysis/data/csv_reader.hpp>
+#include <tools/reading/csv_reader.hpp>
 #include <tools/trophic/replay/recorded_run.hpp>
 
 namespace trophic::command::replay {

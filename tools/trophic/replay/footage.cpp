@@ -7,7 +7,7 @@
 #include <memory>
 #include <span>
 #include <stdexcept>
-#include <tools/analysis/data/csv_reader.hpp>
+#include <tools/reading/csv_reader.hpp>
 #include <trophic/params/params.hpp>
 
 namespace trophic::command::replay {

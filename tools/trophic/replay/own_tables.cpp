@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <map>
-#include <tools/analysis/data/csv_reader.hpp>
+#include <tools/reading/csv_reader.hpp>
 
 namespace trophic::command::replay {
 

@@ -5,7 +5,7 @@
 #include <zlib.h>
 
 #include <fstream>
-#include <tools/analysis/data/csv_reader.hpp>
+#include <tools/reading/csv_reader.hpp>
 #include <tools/trophic/replay/base64.hpp>
 #include <tools/trophic/replay/director.hpp>
 #include <trophic/support/json.hpp>

@@ -3,7 +3,7 @@
 #include <tools/trophic/replay/recorded_agents.hpp>
 
 #include <cmath>
-#include <tools/analysis/data/table_reader.hpp>
+#include <tools/reading/table_reader.hpp>
 #include <trophic/population/food_web.hpp>
 
 namespace trophic::command::replay {

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <span>
 #include <string_view>
-#include <tools/analysis/data/run_manifest.hpp>
+#include <tools/reading/run_manifest.hpp>
 #include <vector>
 
 namespace trophic::analysis {

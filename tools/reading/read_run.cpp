@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Definitions of read_run.hpp.
-#include <tools/analysis/data/read_run.hpp>
+#include <tools/reading/read_run.hpp>
 
 #include <fstream>
 #include <trophic/support/checksum.hpp>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Definitions of run_manifest.hpp.
-#include <tools/analysis/data/run_manifest.hpp>
+#include <tools/reading/run_manifest.hpp>
 
 #include <set>
 #include <trophic/run/checkpoint/resume.hpp>

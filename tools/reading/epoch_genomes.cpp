@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Definitions of epoch_genomes.hpp.
-#include <tools/analysis/data/epoch_genomes.hpp>
+#include <tools/reading/epoch_genomes.hpp>
 
 #include <filesystem>
-#include <tools/analysis/data/lineages.hpp>
-#include <tools/analysis/data/read_run.hpp>
+#include <tools/reading/lineages.hpp>
+#include <tools/reading/read_run.hpp>
 #include <trophic/io/tables.hpp>
 #include <trophic/params/params.hpp>
 #include <unordered_map>

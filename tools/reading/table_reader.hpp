@@ -2,7 +2,7 @@
 // Reads a table file into the rows that it was written from.
 #pragma once
 
-#include <tools/analysis/data/csv_reader.hpp>
+#include <tools/reading/csv_reader.hpp>
 
 namespace trophic::analysis {
 

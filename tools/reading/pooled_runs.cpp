@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Definitions of pooled_runs.hpp.
-#include <tools/analysis/data/pooled_runs.hpp>
+#include <tools/reading/pooled_runs.hpp>
 
 #include <set>
 #include <tools/changes/change.hpp>

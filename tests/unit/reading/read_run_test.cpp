@@ -3,9 +3,9 @@
 
 #include <cstddef>
 #include <support/temporary_folder.hpp>
-#include <tools/analysis/data/read_run.hpp>
-#include <unit/analysis/rows.hpp>
-#include <unit/analysis/run_files.hpp>
+#include <tools/reading/read_run.hpp>
+#include <unit/reading/rows.hpp>
+#include <unit/reading/run_files.hpp>
 #include <vector>
 
 namespace {

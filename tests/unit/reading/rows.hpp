@@ -2,7 +2,7 @@
 // Short ways to write events and agents by hand: a web of prey (0) and predators (1).
 #pragma once
 
-#include <tools/analysis/data/tables.hpp>
+#include <tools/reading/tables.hpp>
 
 namespace trophic::test {
 

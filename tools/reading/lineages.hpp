@@ -3,7 +3,7 @@
 #pragma once
 
 #include <limits>
-#include <tools/analysis/data/run_manifest.hpp>
+#include <tools/reading/run_manifest.hpp>
 #include <trophic/population/food_web.hpp>
 
 namespace trophic::io {

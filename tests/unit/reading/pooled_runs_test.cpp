@@ -2,8 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <support/temporary_folder.hpp>
-#include <tools/analysis/data/pooled_runs.hpp>
-#include <unit/analysis/run_files.hpp>
+#include <tools/reading/pooled_runs.hpp>
+#include <unit/reading/run_files.hpp>
 #include <utility>
 #include <vector>
 

@@ -5,11 +5,11 @@
 #include <limits>
 #include <optional>
 #include <support/temporary_folder.hpp>
-#include <tools/analysis/data/table_reader.hpp>
 #include <tools/analysis/report/metrics_table.hpp>
+#include <tools/reading/table_reader.hpp>
 #include <trophic/io/csv.hpp>
 #include <trophic/io/tables.hpp>
-#include <unit/analysis/rows.hpp>
+#include <unit/reading/rows.hpp>
 #include <vector>
 
 namespace {

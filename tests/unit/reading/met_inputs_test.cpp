@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <support/temporary_folder.hpp>
-#include <tools/analysis/data/met_inputs.hpp>
+#include <tools/reading/met_inputs.hpp>
 #include <vector>
 
 using namespace trophic;

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <support/temporary_folder.hpp>
-#include <tools/analysis/data/epoch_genomes.hpp>
+#include <tools/reading/epoch_genomes.hpp>
 #include <vector>
 
 using namespace trophic;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Definitions of tables.hpp.
-#include <tools/analysis/data/tables.hpp>
+#include <tools/reading/tables.hpp>
 
 namespace trophic::analysis {
 

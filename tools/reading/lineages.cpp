@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Definitions of lineages.hpp.
-#include <tools/analysis/data/lineages.hpp>
+#include <tools/reading/lineages.hpp>
 
 #include <filesystem>
-#include <tools/analysis/data/read_run.hpp>
+#include <tools/reading/read_run.hpp>
 #include <trophic/io/tables.hpp>
 #include <trophic/params/params.hpp>
 #include <unordered_map>

@@ -2,8 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <support/temporary_folder.hpp>
-#include <tools/analysis/data/shadow.hpp>
-#include <unit/analysis/run_files.hpp>
+#include <tools/reading/shadow.hpp>
+#include <unit/reading/run_files.hpp>
 #include <vector>
 
 using namespace trophic;

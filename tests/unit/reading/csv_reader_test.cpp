@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <support/temporary_folder.hpp>
-#include <tools/analysis/data/csv_reader.hpp>
+#include <tools/reading/csv_reader.hpp>
 #include <trophic/population/individual.hpp>
 
 using namespace trophic;

@@ -2,9 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
-#include <tools/analysis/data/tables.hpp>
+#include <tools/reading/tables.hpp>
 #include <trophic/params/params.hpp>
-#include <unit/analysis/rows.hpp>
+#include <unit/reading/rows.hpp>
 #include <vector>
 
 using namespace trophic;

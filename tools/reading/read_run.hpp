@@ -3,10 +3,10 @@
 #pragma once
 
 #include <map>
-#include <tools/analysis/data/csv_reader.hpp>
-#include <tools/analysis/data/run_manifest.hpp>
-#include <tools/analysis/data/table_reader.hpp>
-#include <tools/analysis/data/tables.hpp>
+#include <tools/reading/csv_reader.hpp>
+#include <tools/reading/run_manifest.hpp>
+#include <tools/reading/table_reader.hpp>
+#include <tools/reading/tables.hpp>
 
 namespace trophic::analysis {
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Definitions of met_inputs.hpp.
-#include <tools/analysis/data/met_inputs.hpp>
+#include <tools/reading/met_inputs.hpp>
 
 #include <set>
-#include <tools/analysis/data/csv_reader.hpp>
-#include <tools/analysis/data/read_run.hpp>
+#include <tools/reading/csv_reader.hpp>
+#include <tools/reading/read_run.hpp>
 #include <trophic/support/rng.hpp>
 
 namespace trophic::analysis {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Definitions of shadow.hpp.
-#include <tools/analysis/data/shadow.hpp>
+#include <tools/reading/shadow.hpp>
 
 #include <trophic/support/json.hpp>
 

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <support/temporary_folder.hpp>
-#include <tools/analysis/data/lineages.hpp>
+#include <tools/reading/lineages.hpp>
 #include <vector>
 
 using namespace trophic;

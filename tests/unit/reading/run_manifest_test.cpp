@@ -2,8 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <support/temporary_folder.hpp>
-#include <tools/analysis/data/run_manifest.hpp>
-#include <unit/analysis/run_files.hpp>
+#include <tools/reading/run_manifest.hpp>
+#include <unit/reading/run_files.hpp>
 
 using namespace trophic;
 using test::message_of;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <span>
-#include <tools/analysis/data/run_manifest.hpp>
+#include <tools/reading/run_manifest.hpp>
 #include <trophic/population/individual.hpp>
 
 namespace trophic::analysis {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Definitions of csv_reader.hpp.
-#include <tools/analysis/data/csv_reader.hpp>
+#include <tools/reading/csv_reader.hpp>
 
 #include <trophic/support/checksum.hpp>
 #include <trophic/support/whole_file.hpp>

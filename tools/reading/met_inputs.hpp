@@ -4,7 +4,7 @@
 
 #include <cstddef>
 #include <span>
-#include <tools/analysis/data/run_manifest.hpp>
+#include <tools/reading/run_manifest.hpp>
 #include <vector>
 
 namespace trophic::analysis {
