@@ -64,7 +64,7 @@ Forest read_lineages(const RunManifest& run) {
   std::unordered_map<IndividualId, std::size_t> places;
   Forest forest;
   for (const io::TaxonRow& row : rows) {
-    Taxon taxon{.parent = {}, .birth_s = row.origin_time, .species = row.species};
+    Taxon taxon{.id = row.id, .parent = {}, .birth_s = row.origin_time, .species = row.species};
     if (row.destruction_time) taxon.death_s = *row.destruction_time;
     if (row.ancestor != row.id) {
       const auto parent = places.find(row.ancestor);

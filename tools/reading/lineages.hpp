@@ -2,9 +2,8 @@
 // The descent of all individuals of a run, with their genomes.
 #pragma once
 
-#include <limits>
 #include <tools/reading/run_manifest.hpp>
-#include <trophic/population/food_web.hpp>
+#include <trophic/population/individual.hpp>
 
 namespace trophic::io {
 struct TaxonRow;
@@ -14,6 +13,7 @@ namespace trophic::analysis {
 
 /// An individual of a forest of descent.
 struct Taxon {
+  IndividualId id = 0;
   std::optional<std::size_t> parent = {};  ///< its place in the forest; none for a root
   double birth_s = 0.0;
   double death_s = std::numeric_limits<double>::infinity();

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <tools/analysis/metrics/activity.hpp>
-#include <unit/analysis/forests.hpp>
+#include <unit/reading/forests.hpp>
 #include <vector>
 
 using namespace trophic::analysis;

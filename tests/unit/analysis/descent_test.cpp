@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <tools/analysis/metrics/descent.hpp>
-#include <unit/analysis/forests.hpp>
+#include <unit/reading/forests.hpp>
 
 using namespace trophic::analysis;
 using doctest::Approx;

@@ -5,7 +5,7 @@
 #include <span>
 #include <support/temporary_folder.hpp>
 #include <tools/analysis/metrics/lineage_metrics.hpp>
-#include <unit/analysis/forests.hpp>
+#include <unit/reading/forests.hpp>
 #include <vector>
 
 using namespace trophic;

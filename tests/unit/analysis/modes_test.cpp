@@ -3,7 +3,7 @@
 
 #include <cmath>
 #include <tools/analysis/metrics/modes.hpp>
-#include <unit/analysis/forests.hpp>
+#include <unit/reading/forests.hpp>
 #include <vector>
 
 using namespace trophic::analysis;

@@ -36,6 +36,7 @@ TEST_CASE("lineages: phylogeny and genomes -> individuals in the order of births
   const test::TemporaryFolder folder;
   const Forest forest = read_lineages(written_lineages(folder.path()));
   REQUIRE(forest.size() == 3);
+  CHECK(forest[1].id == 5);
   CHECK(forest[0].death_s == 20.0);
   CHECK_FALSE(forest[0].lives_at(20.0));
   CHECK(forest[1].species == 1);

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <span>
-#include <tools/analysis/metrics/signatures.hpp>
 #include <tools/reading/lineages.hpp>
+#include <tools/reading/signatures.hpp>
 #include <vector>
 
 namespace trophic::analysis {

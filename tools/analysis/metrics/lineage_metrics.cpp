@@ -6,8 +6,8 @@
 #include <map>
 #include <tools/analysis/metrics/activity.hpp>
 #include <tools/analysis/metrics/descent.hpp>
-#include <tools/analysis/metrics/drift.hpp>
 #include <tools/analysis/metrics/modes.hpp>
+#include <tools/reading/drift.hpp>
 #include <trophic/params/params.hpp>
 
 namespace trophic::analysis {

@@ -4,9 +4,9 @@
 
 #include <functional>
 #include <tools/analysis/metrics/measurement.hpp>
-#include <tools/analysis/metrics/signatures.hpp>
 #include <tools/reading/lineages.hpp>
 #include <tools/reading/met_inputs.hpp>
+#include <tools/reading/signatures.hpp>
 #include <trophic/population/food_web.hpp>
 
 namespace trophic::analysis {

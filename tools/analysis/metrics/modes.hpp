@@ -6,8 +6,8 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <tools/analysis/metrics/signatures.hpp>
 #include <tools/reading/lineages.hpp>
+#include <tools/reading/signatures.hpp>
 #include <vector>
 
 namespace trophic::analysis {

@@ -2,7 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <span>
-#include <tools/analysis/metrics/signatures.hpp>
+#include <tools/reading/signatures.hpp>
 #include <vector>
 
 using namespace trophic;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Definitions of drift.hpp.
-#include <tools/analysis/metrics/drift.hpp>
+#include <tools/reading/drift.hpp>
 
 namespace trophic::analysis {
 

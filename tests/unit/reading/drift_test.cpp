@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <tools/analysis/metrics/drift.hpp>
-#include <unit/analysis/forests.hpp>
+#include <tools/reading/drift.hpp>
+#include <unit/reading/forests.hpp>
 
 using namespace trophic;
 using namespace trophic::analysis;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Definitions of signatures.hpp.
-#include <tools/analysis/metrics/signatures.hpp>
+#include <tools/reading/signatures.hpp>
 
 namespace trophic::analysis {
 
