@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: MIT
+"""Lineage measures of a run, each with the same measure under drift: in forests in which the run's births, deaths, newcomers and mutations have
+parents by chance, so that no genome has more offspring for what it does.
+
+The types and the complexity of genomes, and the parents under drift, are in signatures.csv, which `trophic analyze` writes with the brain of the
+run's rule table."""
+from __future__ import annotations
+
+import functools
+import os
+import pathlib
+from collections.abc import Iterator, Sequence
+
+import numpy
+import pandas
+
+from ..runs import Run, RunError
+from ..statistics import mean_of
+from ..values import CURVE_COLUMNS, VALUE_COLUMNS, Metric, RunValues
+from ..words import number_text
+from .forests import Forest, activity, descent, modes, presence
+
+DRIFT = "drift"
+"""The baseline: the mean of a measure over the forests of drift."""
+_MODES = (("modes_change", "types"), ("modes_novelty", "types"), ("modes_ecology", "bits"), ("modes_complexity", "1"))
+_ACTIVITY = (("activity_diversity", "types"), ("activity_mean", "s"), ("activity_excess", "s"), ("activity_new", "types"))
+_DESCENT = (("descent_roots", "1"), ("descent_largest_clade", "1"), ("descent_mean_depth", "births"), ("descent_greatest_depth", "births"),
+            ("descent_related_pairs", "1"), ("descent_common_ancestor", "s"), ("descent_diversity", "s"))
+_HALVES = ("early", "late")
+_NULLS_OF_ACTIVITY = 2  # the activity of the run and of the other forests of drift is compared with that in the first ones
+_COUNTS = 10  # of presence in a window
+
+
+def window_of(runs: Sequence[Run], asked_s: float | None = None) -> float:
+    """The length of windows, s: `asked_s`, else 500 s or a quarter of a shorter run. Raises RunError if a run has fewer than four windows."""
+    lengths_s = [run.manifest["result"]["reached_s"] for run in runs]
+    window_s = min(500.0, 0.25 * lengths_s[0]) if asked_s is None else asked_s
+    if not (window_s > 0.0 and 4.0 * window_s <= min(lengths_s)):
+        raise RunError(f"--window {number_text(window_s)}: must be > 0 and <= {number_text(0.25 * min(lengths_s))}, a quarter of the runs")
+    return window_s
+
+
+def metric_names(species: Sequence[str]) -> list[Metric]:
+    """The metrics of a run with these species, in the order of its values."""
+    return [Metric(name, one, group, unit) for one in species for names in (_MODES, _ACTIVITY, _DESCENT) for name, unit in names
+            for group in (("all",) if names is _DESCENT else _HALVES)]
+
+
+def measure_run(run: Run, signatures: str | os.PathLike, window_s: float) -> RunValues:
+    """Measures a run, in windows of `window_s` up to its end. Raises RunError if a table was changed or `signatures` is not of this run."""
+    return lineage_values(read_forests(run, signatures), run.manifest["species"], window_s, run.manifest["result"]["reached_s"])
+
+
+def read_forests(run: Run, signatures: str | os.PathLike) -> list[Forest]:
+    """Returns the run's forest, and those of drift after it."""
+    individuals = run.table("phylogeny", ["id", "origin_time", "destruction_time", "species"]).sort_values("id")
+    ids = individuals["id"].to_numpy()
+    lives = [individuals[column].to_numpy() for column in ("origin_time", "destruction_time", "species")]
+    rows = _signatures(os.fspath(signatures)).get(run.path.resolve())
+    if rows is None or not all(numpy.array_equal(forest["id"], ids) for _, forest in rows.groupby("forest")):
+        raise RunError(f"{os.fspath(signatures)}: has not the individuals of {run.path}")
+    return [Forest(numpy.where(forest["parent"] == forest["id"], -1, numpy.searchsorted(ids, forest["parent"])), *lives,
+                   forest["type"].to_numpy(), forest["complexity"].to_numpy()) for _, forest in rows.groupby("forest")]
+
+
+@functools.lru_cache(maxsize=1)
+def _signatures(path: str) -> dict[pathlib.Path, pandas.DataFrame]:
+    return {pathlib.Path(run).resolve(): rows for run, rows in pandas.read_csv(path, dtype={"run": str}).groupby("run", sort=False)}
+
+
+def lineage_values(forests: Sequence[Forest], species: Sequence, window_s: float, end_s: float) -> RunValues:
+    """The measures of each species at the ends of windows: of MODES and activity means over the early and the late half of the run, of descent
+    means over the whole run, all as curves. `forests`: the run's, then those of drift, at least three."""
+    times_s = window_s * numpy.arange(int(end_s / window_s * (1.0 + 1e-12)) + 1)
+    values, curves = [], []
+    for one in species:
+        for names, (own, *drifted) in _measured(forests, one, window_s, times_s):
+            for (name, unit), ours, *others in zip(names, own.T, *(each.T for each in drifted)):
+                halves = (("all", 0.0, end_s),) if names is _DESCENT else (("early", 0.0, 0.5 * end_s), ("late", 0.5 * end_s, end_s))
+                for group, from_s, to_s in halves:
+                    within = (times_s[1:] > from_s) & (times_s[1:] <= to_s)
+                    values.append((name, one, group, unit, "", "", _mean(ours[within])))
+                    values.append((name, one, group, unit, DRIFT, "null", _mean([_mean(each[within]) for each in others])))
+                for baseline, series in (("", ours), (DRIFT, [_mean(points) for points in zip(*others)])):
+                    curves += [(name, one, "all", unit, baseline, time_s, value) for time_s, value in zip(times_s[1:], series)]
+    return RunValues(pandas.DataFrame(values, columns=VALUE_COLUMNS), pandas.DataFrame(curves, columns=CURVE_COLUMNS))
+
+
+def _measured(forests: Sequence[Forest], species, window_s: float, times_s: numpy.ndarray) -> Iterator[tuple[tuple, list[numpy.ndarray]]]:
+    """Yields the names of measures with their values in the run and in each forest of drift, shape (windows, measures)."""
+    yield _MODES, [modes(forest, species, times_s) for forest in forests]
+    types = 1 + max((int(forest.type.max()) for forest in forests if len(forest.type)), default=0)
+    counts_s = window_s * numpy.arange(_COUNTS * (len(times_s) - 1) + 1) / _COUNTS
+    own, *drifted = (presence(forest, species, counts_s, types) for forest in forests)
+    nulls, others = drifted[:_NULLS_OF_ACTIVITY], drifted[_NULLS_OF_ACTIVITY:]
+    yield _ACTIVITY, [_by_window(activity(each, nulls), counts_s[1]) for each in (own, *others)]
+    yield _DESCENT, [numpy.array([descent(forest, species, time_s) for time_s in times_s[1:]]) for forest in forests]
+
+
+def _by_window(counted: numpy.ndarray, step_s: float) -> numpy.ndarray:
+    """Activity at the ends of windows, in seconds instead of counts; the new types of a window are summed."""
+    ends = counted[_COUNTS::_COUNTS] * (1.0, step_s, step_s, 1.0)
+    ends[:, 3] = counted[1:, 3].reshape(-1, _COUNTS).sum(axis=1)
+    return ends
+
+
+def _mean(values) -> float:
+    """The mean of the values that are not nan; nan without any."""
+    mean = mean_of(values)
+    return numpy.nan if mean is None else mean
