@@ -31,6 +31,10 @@ class Trophic(CMakePackage):
     depends_on("boost@1.74:")
     depends_on("mujoco@2.2:3.5", when="+mujoco")
     depends_on("pugixml", when="+mujoco")
+    depends_on("py-jinja2", type="run")
+    depends_on("py-matplotlib", type="run")
+    depends_on("py-pandas", type="run")
+    depends_on("py-scipy", type="run")
 
     conflicts("%gcc@:11", msg="trophic needs C++20 of g++ 12 or newer")
     conflicts("%clang@:13", msg="trophic needs C++20 of clang 14 or newer")
