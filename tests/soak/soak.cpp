@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: MIT
 // One long run of the paper's rules into a folder, with its invariants checked at every tick; with --rest, of robots that only
 // lie there. OUT.csv has a row for each 100 s of the ecology's clock: memory that the program held, the least that it had asked
-// for at a tick of these 100 s, wall time and processor time. At the end it reports which of them grew. Exit code 0: all
-// invariants held and memory did not grow; 1: otherwise; 3: it was stopped, and resumes from its last checkpoint when run again.
-// See scripts/soak.
+// for at a tick of these 100 s, wall time and processor time; growth.py tests whether they grew. Exit code 0: all invariants
+// held; 1: otherwise; 3: it was stopped, and resumes from its last checkpoint when run again. See scripts/soak.
 #include <CLI/CLI.hpp>
 #include <ctime>
 #include <iostream>
-#include <soak/growth.hpp>
 #include <soak/invariants.hpp>
 #include <soak/resting.hpp>
 #include <support/memory.hpp>
-#include <tools/analysis/statistics/equivalence.hpp>
-#include <tools/reading/csv_reader.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/ecology/ecology.hpp>
@@ -74,30 +70,6 @@ class Report {
   double least_allocated_bytes_ = 0.0;
   GrowingFile csv_;
 };
-
-/// Reports for each column whether it grew; false if the memory did, or if the test is inconclusive in a run that is long
-/// enough.
-bool judge(const std::string& path) {
-  constexpr std::array<std::string_view, 3> columns = {"least_allocated_mb", "resident_mb", "processor_s"};
-  analysis::CsvReader csv{path, {columns[0], columns[1], columns[2]}};
-  std::array<std::vector<double>, columns.size()> measured;
-  while (csv.next()) {
-    for (std::size_t i = 0; i < columns.size(); ++i) measured[i].push_back(csv.get<double>(i));
-  }
-  bool flat = true;
-  for (std::size_t i = 0; i < columns.size(); ++i) {
-    const analysis::EquivalenceTest growth = test::growth_of(measured[i]);
-    std::cerr << columns[i] << ": ";
-    if (!growth.interval) {
-      std::cerr << "too few rows to tell\n";
-      continue;
-    }
-    std::cerr << "second half of the run minus first " << *growth.difference << ", 90 % interval [" << growth.interval->lower
-              << ", " << growth.interval->upper << "], margin " << growth.margin << ": " << enum_name(growth.conclusion) << "\n";
-    flat = flat && (columns[i] == "processor_s" || growth.conclusion == analysis::Equivalence::equivalent);
-  }
-  return flat;
-}
 
 struct Wanted {
   std::size_t robots = 0;
@@ -182,8 +154,7 @@ int main(int argc, char** argv) try {
   app.add_flag("--shadow", wanted.shadow, "no inheritance: what evolves may come to crowd, and crowds take memory");
   CLI11_PARSE(app, argc, argv);
   const bool done = backend == "mujoco" ? soak<backend::Mujoco>(wanted) : soak<backend::Kinematic>(wanted);
-  if (!done) return 3;
-  return judge(wanted.out.string() + ".csv") ? 0 : 1;
+  return done ? 0 : 3;
 } catch (const std::exception& error) {
   std::cerr << "soak: " << error.what() << "\n";
   return 1;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <soak/growth.hpp>
 #include <soak/invariants.hpp>
 #include <soak/resting.hpp>
 #include <support/hand_population.hpp>
@@ -72,37 +71,6 @@ TEST_CASE("soak: population that breaks an invariant -> found") {
   Born nowhere;
   nowhere.robots.poses[1].x_m = std::numeric_limits<double>::quiet_NaN();
   CHECK(message_of<std::logic_error>([&] { nowhere.invariants.on_tick(nowhere.robots.view()); }) == "a body is nowhere");
-}
-
-TEST_CASE("soak: growth by the margin -> flat in one run of twenty, no growth -> flat in most") {
-  using analysis::Equivalence;
-  // Like the memory of crowds: 600 measurements about a mean of 1, each of which remembers half of the one before.
-  const auto conclusions = [](double growth, double deviation) {
-    std::array<int, 4> counted{};
-    for (std::uint64_t seed = 0; seed < 1000; ++seed) {
-      Rng rng{seed, Stream::placement};
-      std::vector<double> measured;
-      double about = 0.0;
-      for (std::size_t i = 0; i < 600; ++i) {
-        about = 0.5 * about + rng.normal(0.0, deviation);
-        measured.push_back(1.0 + about + growth * (i < 330 ? 0.0 : 1.0));  // the middle of what is left of 600 without a tenth
-      }
-      ++counted[static_cast<std::size_t>(test::growth_of(measured).conclusion)];
-    }
-    return counted;
-  };
-  const auto at = [](Equivalence conclusion) { return static_cast<std::size_t>(conclusion); };
-  const auto flat = conclusions(0.0, 0.15);
-  CHECK(flat[at(Equivalence::equivalent)] > 900);
-  CHECK(flat[at(Equivalence::different)] < 80);
-  const auto by_margin = conclusions(test::same_within, 0.2);
-  CHECK(by_margin[at(Equivalence::equivalent)] < 80);
-  CHECK(by_margin[at(Equivalence::different)] > 700);
-  const auto noise = conclusions(0.0, 2.0);
-  CHECK(noise[at(Equivalence::inconclusive)] > 900);
-  CHECK(test::growth_of(std::vector<double>(21, 1.0)).conclusion == Equivalence::unknown);
-  CHECK(test::growth_of(std::vector<double>(22, 1.0)).conclusion == Equivalence::equivalent);
-  CHECK(test::growth_of(std::vector<double>(600, 0.0)).conclusion == Equivalence::unknown);
 }
 
 TEST_CASE("soak: robot at rest that rises or moves -> found at once") {
