@@ -7,9 +7,6 @@
 
 #include <support/forged_recording.hpp>
 #include <support/temporary_folder.hpp>
-#include <tools/analysis/metrics/body_metrics.hpp>
-#include <tools/analysis/metrics/own_column.hpp>
-#include <tools/analysis/metrics/run_metrics.hpp>
 #include <tools/changes/change.hpp>
 #include <tools/command/config.hpp>
 #include <tools/command/toml_of_json.hpp>
@@ -184,18 +181,6 @@ inline void read_body(std::string_view bytes) {
   static_cast<void>(convert::robot_file(foreign, "body"));
 }
 
-/// A column of a table of one's own.
-inline void read_column(std::string_view bytes) {
-  const FileInMemory file{bytes};
-  const std::filesystem::path path = file.path();
-  analysis::RunData run{};
-  run.manifest.folder = path.parent_path();
-  run.manifest.until_s = 600.0;
-  analysis::RunMetrics result;
-  std::vector<std::string> remarks;
-  analysis::measure_column({.file = path.filename().string(), .column = "speed"}, run, result, remarks);
-}
-
 /// A folder for the tables of a run until 600 s, written anew by each case.
 inline analysis::RunManifest run_with_tables(std::string_view first, std::string_view first_bytes, std::string_view second,
                                              std::string_view second_bytes) {
@@ -224,21 +209,6 @@ inline void read_lineages(std::string_view bytes) {
   read_two_tables(bytes, "phylogeny.csv", "genomes.csv",
                   [](const analysis::RunManifest& run) { static_cast<void>(analysis::read_lineages(run)); });
 }
-inline void read_bodies(std::string_view bytes) {
-  read_two_tables(bytes, "bodies.csv", "genes.csv", [](const analysis::RunManifest& manifest) {
-    analysis::RunData run{};
-    run.manifest = manifest;
-    run.events.emplace();
-    for (IndividualId id = 0; id < 3; ++id) {
-      analysis::EventRow birth{};
-      birth.kind = observe::EventKind::birth;
-      birth.id = id;
-      run.events->push_back(birth);
-    }
-    static_cast<void>(analysis::measure_bodies(run));
-  });
-}
-
 inline void read_changes(std::string_view bytes) {
   static_cast<void>(changes::read_changes(FileInMemory{bytes}.path()));
 }
@@ -249,36 +219,19 @@ inline void read_wish(std::string_view bytes) {
   static_cast<void>(live::read_wish(bytes, run));
 }
 
-/// A manifest next to small tables, whose metrics it measures.
-inline void read_measured(std::string_view bytes) {
-  analysis::RunData run{};
-  run.manifest = analysis::manifest_of(bytes, "manifest.json");
-  const FileInMemory events{
-      "time_s,tick,event,id,species,body,tag,active,origin,parent_id,genome_id,cause,killer_id,victim_id,x_m,y_m\n"
-      "0,0,birth,0,prey,0,1,0,random,,0,,,,5.7,2.7\n"};
-  const FileInMemory agents{
-      "time_s,tick,body,id,species,origin,active,tag,x_m,y_m,heading_rad,target_angle_rad,adversary_id,adversary_distance_m,"
-      "hunger_ticks\n0,0,0,0,prey,random,0,-1,1.5,-2.25,0.1,0.7,,,\n"};
-  std::vector<std::string> remarks;
-  run.events = analysis::read_events(events.path(), run.manifest.web, remarks);
-  run.agents = analysis::read_agents(agents.path(), run.manifest.web, remarks);
-  static_cast<void>(analysis::measure_run(run));
-}
-
 /// A reader and the folder of its corpus.
 struct Reader {
   std::string_view name;
   void (*read)(std::string_view bytes);
 };
 inline constexpr std::array readers{
-    Reader{"robot", read_robot},     Reader{"arena", read_arena},           Reader{"gait", read_gait},
-    Reader{"config", read_config},   Reader{"assignment", read_assignment}, Reader{"events", read_events},
-    Reader{"agents", read_agents},   Reader{"manifest", read_manifest},     Reader{"checkpoint", read_checkpoint_file},
-    Reader{"ecology", read_ecology}, Reader{"recruited", read_recruited},   Reader{"recording", read_recording},
-    Reader{"head", read_head},       Reader{"sweep", read_sweep},           Reader{"plan", read_plan},
-    Reader{"contest", read_contest}, Reader{"outcomes", read_outcomes},     Reader{"body", read_body},
-    Reader{"column", read_column},   Reader{"measured", read_measured},     Reader{"lineages", read_lineages},
-    Reader{"bodies", read_bodies},   Reader{"changes", read_changes},       Reader{"wish", read_wish}};
+    Reader{"robot", read_robot},       Reader{"arena", read_arena},           Reader{"gait", read_gait},
+    Reader{"config", read_config},     Reader{"assignment", read_assignment}, Reader{"events", read_events},
+    Reader{"agents", read_agents},     Reader{"manifest", read_manifest},     Reader{"checkpoint", read_checkpoint_file},
+    Reader{"ecology", read_ecology},   Reader{"recruited", read_recruited},   Reader{"recording", read_recording},
+    Reader{"head", read_head},         Reader{"sweep", read_sweep},           Reader{"plan", read_plan},
+    Reader{"contest", read_contest},   Reader{"outcomes", read_outcomes},     Reader{"body", read_body},
+    Reader{"lineages", read_lineages}, Reader{"changes", read_changes},       Reader{"wish", read_wish}};
 
 /// Reads arbitrary bytes. A reader may throw std::invalid_argument or std::runtime_error; any other exception
 /// propagates.
