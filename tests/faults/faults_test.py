@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""faults_test.py PREDATOR_PREY SHIM TROPHIC OWN_METRIC [--all]: the k-th write, fsync, rename, ftruncate, open, read or allocation fails.
+"""faults_test.py PREDATOR_PREY SHIM TROPHIC [--all]: the k-th write, fsync, rename, ftruncate, open, read or allocation fails.
 
 After each of a run: no crash, one clear line, nothing that looks complete and is not, nothing that was written is set aside, and
 --resume comes to the same bytes. After each of a tool: no crash, one clear line, and its outputs whole or absent. Every k of the
@@ -18,7 +18,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "program"))
 from in_folder import InFolder  # noqa: E402
 
-PROGRAM, SHIM, TROPHIC, OWN_METRIC = (sys.argv.pop(1) for _ in range(4))
+PROGRAM, SHIM, TROPHIC = (sys.argv.pop(1) for _ in range(3))
 ALL = "--all" in sys.argv
 if ALL:
     sys.argv.remove("--all")
@@ -175,10 +175,6 @@ ecology.duration_s = 12.0
 rules.mutation.sd = [0.05, 0.1]
 """
 TOOLS = {
-    "analyze": (TROPHIC, "analyze", "set", "--jobs", "1", "--out", "new"),
-    "analyze a sweep": (TROPHIC, "analyze", "sweep", "--out", "new"),
-    "analyze by a metric of one's own": (OWN_METRIC, "analyze", "set", "--jobs", "1", "--out", "new"),
-    "analyze into a page": (TROPHIC, "analyze", "set", "--jobs", "1", "--html", "new.html", "--out", "new"),
     "cite": (TROPHIC, "cite", "set"),
     "contest": (TROPHIC, "contest", "set", "--epochs", "0,8", "--duration", "4", "--teams", "2", "--team-size", "2", "--jobs", "1",
                 "--out", "new"),

@@ -295,7 +295,7 @@ class Analyze(InFolderWithSets):
     def test_usage_errors(self):
         for arguments, text in ((["nowhere"], "nowhere: does not exist"), ([], "either folders of runs, or --compare"),
                                 (["paper", "--compare", "paper", "paper"], "either folders of runs, or --compare"),
-                                (["--compare", "paper", "paper", "--published"], "--compare: not with --shadow or --published"),
+                                (["--compare", "paper", "paper", "--published"], "--compare: not with --published"),
                                 (["paper", "--until", -1], "--until -1: must be > 0"),
                                 (["paper", "--until", 1002], "must be >= 1002 s"),
                                 (["paper", "--shadow", "nowhere"], "nowhere: does not exist")):
@@ -382,7 +382,7 @@ class Analyze(InFolderWithSets):
         self.assertTrue((self.folder / "both/metrics.csv").exists())
         for arguments, sentence in (
             (["--html", "page.html"], "--html page.html: exists already; nothing is overwritten"),
-            (["--figures", "figures"], "--figures and --replays: need --html"),
+            (["--figures", "figures"], "--figures: needs --html"),
             (["--html", "x.html", "--replays", "21"], "--replays 21: must be <= 20"),
             (["--html", "x.html", "--figures", "none"], "none/captions.json: "),
         ):

@@ -113,10 +113,10 @@ def header_start():
 
 
 def policies_have_tests():
-    """Each policy has a test file of its name, or cases that begin with its name in the file of its slot; each metric and each observer has
+    """Each policy has a test file of its name, or cases that begin with its name in the file of its slot; each observer and each reader has
     a file."""
     files = {path.name: path for path in (ROOT / "tests").rglob("*_test.cpp")}
-    folders = [*(f"include/trophic/{kind}" for kind in ("perception", "reproduction", "death", "observe")), "tools/analysis"]
+    folders = [*(f"include/trophic/{kind}" for kind in ("perception", "reproduction", "death", "observe")), "tools/reading"]
     offences = []
     for path in sources(*folders, suffixes=(".hpp",)):
         if path.stem in ("contract", "brain_inputs") or "detail" in path.parts or f"{path.stem}_test.cpp" in files:
@@ -247,8 +247,7 @@ VOCABULARY = tuple(
     trophic/ecology/ecology.hpp trophic/ecology/simulation.hpp trophic/backend/backend_choice.hpp trophic/backend/kinematic.hpp
     trophic/rules/paper.hpp trophic/support/json.hpp trophic/support/rng.hpp trophic/io/column.hpp trophic/io/csv_file.hpp
     trophic/io/run_folder.hpp tools/command/option.hpp tools/command/output.hpp tools/reading/csv_reader.hpp
-    tools/analysis/metrics/measurement.hpp tools/analysis/metrics/run_set.hpp support/temporary_folder.hpp
-    support/hand_population.hpp""".split()
+    support/temporary_folder.hpp support/hand_population.hpp""".split()
 )
 
 
@@ -276,16 +275,6 @@ def exported_includes():
         for exporter in [name for name in names if name in exports or (name == own_header and name in included)]:
             offences += [f"{path}: {exporter} exports #include <{name}>" for name in names if name in reached(exporter) and name != own_header]
     return sorted(set(offences))
-
-
-def analysis_rooms():
-    """Arrows in analysis run data -> metrics -> report and statistics -> report, and nowhere else."""
-    seen = {"data": {"data"}, "statistics": {"statistics"}, "metrics": {"data", "metrics"}}
-    return [
-        offence
-        for room, known in seen.items()
-        for offence in lines_with(rf"#include <tools/analysis/(?!({'|'.join(known)})/)", sources(f"tools/analysis/{room}"))
-    ]
 
 
 def paths_exist():

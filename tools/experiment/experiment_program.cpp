@@ -257,20 +257,13 @@ int experiment_program(int argc, const char* const* argv, const std::function<Of
     options.program = program_name(argv[0]);
     options.provenance = provenance(argc, argv);
     options.own_tables = offer.tables;
-    std::optional<Command> analysis;
-    try {
-      analysis = analyze(options.program, offer);
-    } catch (const std::invalid_argument& error) {
-      static_cast<void>(report_failure(argv[0], error));
-      return usage_error;
-    }
     return run_command(argc, argv,
                        {.name = {},
                         .about = "Runs an ecology of simulated robots by the rules of " + one_of(table_names(offer)) +
                                  ", and writes its events, agents, phylogeny and genomes with a manifest into a new folder.",
                         .options = detail::options_of(options, offer),
                         .work = [&] { return detail::run_options(options, offer); },
-                        .subcommands = {*std::move(analysis)},
+                        .subcommands = {analyze(options.program, offer)},
                         .version = version_text(backend_versions(offer.backends)),
                         .examples = {options.program + " --backend kinematic --duration 600",
                                      options.program + " --replicates 10 --shadow --out runs/study",

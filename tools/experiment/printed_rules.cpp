@@ -3,7 +3,7 @@
 #include <tools/experiment/printed_rules.hpp>
 
 #include <algorithm>
-#include <tools/analysis/report/escaped.hpp>
+#include <tools/experiment/escaped.hpp>
 
 namespace trophic::command {
 
@@ -72,7 +72,7 @@ std::string markdown_table(std::span<const PrintedRule> rules) {
   for (const PrintedRule& rule : rules) {
     std::string line = "|";
     for (const std::string& cell : {rule.kind, rule.slot, rule.policy, params_text(rule.params), rule.source}) {
-      line += " " + analysis::markdown_text(cell) + " |";
+      line += " " + markdown_text(cell) + " |";
     }
     text += line + "\n";
   }
@@ -87,10 +87,10 @@ std::string latex_table(std::span<const PrintedRule> rules) {
       "\\begin{tabularx}{\\linewidth}{@{}L{0.75}L{0.95}L{1.2}L{1.1}@{}}\n\\toprule\nslot & policy & parameters & source \\\\\n";
   std::string kind;
   for (const PrintedRule& rule : rules) {
-    if (rule.kind != kind) text += "\\midrule\n\\multicolumn{4}{@{}l}{\\itshape " + analysis::latex_text(rule.kind) + "} \\\\\n";
+    if (rule.kind != kind) text += "\\midrule\n\\multicolumn{4}{@{}l}{\\itshape " + latex_text(rule.kind) + "} \\\\\n";
     kind = rule.kind;
-    text += analysis::latex_text(rule.slot) + " & " + analysis::latex_text(rule.policy) + " & " +
-            analysis::latex_text(params_text(rule.params)) + " & " + analysis::latex_text(rule.source) + " \\\\\n";
+    text += latex_text(rule.slot) + " & " + latex_text(rule.policy) + " & " + latex_text(params_text(rule.params)) + " & " +
+            latex_text(rule.source) + " \\\\\n";
   }
   return text + "\\bottomrule\n\\end{tabularx}}\n";
 }

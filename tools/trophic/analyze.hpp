@@ -4,12 +4,10 @@
 
 #include <tools/command/offers.hpp>
 #include <tools/command/option.hpp>
-#include <trophic/experiment/own_metric.hpp>
 
 namespace trophic::command {
 
-/// Metrics of runs, claims about them, and differences between two sets of them, with the metrics that `program` offers.
-/// Throws std::invalid_argument for a metric whose name is taken or is not a word.
+/// Metrics of runs, claims about them, and differences between two sets of them. Lineages are those of runs that `program` makes.
 [[nodiscard]] Command analyze(const std::string& program, const Offer& offer);
 
 }  // namespace trophic::command

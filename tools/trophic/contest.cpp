@@ -16,8 +16,8 @@
 #include <tools/analysis/report/contest_progress.hpp>
 #include <tools/analysis/report/progress_table.hpp>
 #include <tools/command/output.hpp>
+#include <tools/command/result_folder.hpp>
 #include <tools/contest/play_contests.hpp>
-#include <tools/trophic/analyze_sweep.hpp>
 #include <tools/trophic/shipped_offer.hpp>
 #include <trophic/io/next_free_folder.hpp>
 #include <trophic/params/params.hpp>
@@ -156,7 +156,7 @@ void run(const Options& options) {
   }
   const std::size_t jobs = options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
   const std::string out = options.out.value_or(io::next_free_folder("contests").string());
-  analyze::ResultFolder folder{out};
+  ResultFolder folder{out};
   const auto start = std::chrono::steady_clock::now();
   const auto outcomes =
       options.program.empty() ? play(planned.plan, offer, jobs) : played_by(options.program, planned.plan, folder.path(), jobs);

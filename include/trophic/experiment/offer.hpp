@@ -4,16 +4,13 @@
 
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/experiment/any_experiment.hpp>
-#include <trophic/experiment/own_metric.hpp>
 #include <trophic/io/own_table.hpp>
 
 namespace trophic {
 
-/// Tables that every run writes, including shadows and runs of sweeps; metrics of the program's command `analyze`; backends, the
-/// first of them the default.
+/// Tables that every run writes, including shadows and runs of sweeps; backends, the first of them the default.
 struct Offer {
   io::OwnTables tables = {};
-  io::OwnMetrics metrics = {};
   std::vector<BackendChoice> backends = {};  ///< empty: the kinematic one and every engine that trophic was built with
   std::string default_backend = {};          ///< empty: the first, or "mujoco" if there are none; need not be among them
   std::vector<std::pair<std::string, MakeExperiment>> rule_tables = {};  ///< by name, the default first; set by `experiment`

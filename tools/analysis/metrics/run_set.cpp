@@ -30,7 +30,6 @@ std::vector<RunMetrics*> pointers(std::initializer_list<RunSet*> sets) {
 
 void measure_users(const Measuring& how, const RunData& run, RunMetrics& result, std::vector<std::string>& remarks) {
   for (const OwnColumn& column : how.columns) measure_column(column, run, result, remarks);
-  for (const OwnMetric& metric : how.metrics) measure_own(metric, run, result, remarks);
 }
 
 RunSet read_set(std::span<const std::filesystem::path> paths, const Measuring& how) {

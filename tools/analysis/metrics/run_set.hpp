@@ -8,7 +8,6 @@
 #include <tools/analysis/metrics/lineage_metrics.hpp>
 #include <tools/analysis/metrics/measurement.hpp>
 #include <tools/analysis/metrics/own_column.hpp>
-#include <tools/analysis/metrics/own_metric.hpp>
 #include <tools/reading/pooled_runs.hpp>
 
 namespace trophic::analysis {
@@ -26,7 +25,6 @@ struct Measuring {
   std::optional<double> until_s = {};             ///< only the first seconds
   bool any_build = false;                         ///< runs of several builds of a program may be pooled
   std::vector<OwnColumn> columns = {};            ///< metrics that are columns of tables
-  OwnMetrics metrics = {};                        ///< of the user's program
   std::optional<LineageMeasuring> lineages = {};  ///< lineage measures, and no others
   bool bodies = false;                            ///< measures of bodies and of users, and no others
   std::size_t jobs = 1;                           ///< runs measured at a time; results do not depend on it

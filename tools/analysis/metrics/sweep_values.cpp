@@ -48,8 +48,6 @@ void check_names(std::span<const FoodWeb> webs, const Measuring& how, std::span<
     }
     taken.push_back(column.column);
   }
-  check_own_metrics(how.metrics, taken);
-  for (const OwnMetric& metric : how.metrics) taken.push_back(metric.name);
   // The species and groups of a user's metric are known once it is measured.
   const std::span<const std::string> own = std::span{taken}.subspan(shipped);
   std::vector<std::string> others;

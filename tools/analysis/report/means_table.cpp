@@ -2,10 +2,10 @@
 // Definitions of means_table.hpp.
 #include <tools/analysis/report/means_table.hpp>
 
-#include <tools/analysis/report/escaped.hpp>
 #include <tools/analysis/report/reading.hpp>
 #include <tools/analysis/report/table_file.hpp>
 #include <tools/analysis/report/text_table.hpp>
+#include <tools/experiment/escaped.hpp>
 
 namespace trophic::analysis {
 

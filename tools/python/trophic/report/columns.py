@@ -16,7 +16,7 @@ unit text: of means, differences and intervals
 p: of this comparison alone
 significant text: yes where p_holm <= 0.05, else no; empty without a p value
 """
-# Of each file what it has, and a line for each column, "name cells unit: meaning"; cells are exact numbers or empty, and there is no unit, unless
+# The content of each file, and a line for each column, "name cells unit: meaning"; cells are exact numbers or empty, and there is no unit, unless
 # the line says so. A ? stands for cells that may be empty; a name alone for a column of _SHARED.
 _TABLES = {
     "metrics.csv": ("Results of the analysis: every value and every curve of every run, one value per row.", """

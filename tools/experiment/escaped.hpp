@@ -5,11 +5,11 @@
 #include <string>
 #include <string_view>
 
-namespace trophic::analysis {
+namespace trophic {
 
 [[nodiscard]] std::string markdown_text(std::string_view text);
 
 /// Quotation marks open and close, and a line may break after _ and /.
 [[nodiscard]] std::string latex_text(std::string_view text);
 
-}  // namespace trophic::analysis
+}  // namespace trophic

@@ -2,9 +2,9 @@
 #include <doctest/doctest.h>
 
 #include <string>
-#include <tools/analysis/report/escaped.hpp>
+#include <tools/experiment/escaped.hpp>
 
-using namespace trophic::analysis;
+using namespace trophic;
 
 TEST_CASE("escaped: special characters -> Markdown and LaTeX show them letter by letter") {
   const std::string odd = R"(50 % of "A & B" {$5} #1 a_b ^ ~ \ <c|d> *)";

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Definitions of escaped.hpp.
-#include <tools/analysis/report/escaped.hpp>
+#include <tools/experiment/escaped.hpp>
 
-namespace trophic::analysis {
+namespace trophic {
 
 namespace {
 
@@ -54,4 +54,4 @@ std::string latex_text(std::string_view text) {
   });
 }
 
-}  // namespace trophic::analysis
+}  // namespace trophic
