@@ -195,7 +195,7 @@ def test_findings_begin_with_the_papers_questions_then_go_by_strength():
     (metric("velocity"), -0.0069, -0.0024, r"Prey move away from predators at 0\.6. cm/s, 0\.4. cm/s faster than in the shadow \[0\.4., 0\.4.\] \(p <0\.001, 10\+10 runs\)\."),
     (metric("velocity", "predator", "inherited"), 0.01, 0.02, r"Inherited predators move towards prey at 1\.00 cm/s, 1\.0. cm/s slower than in the shadow \[.*"),
     (metric("velocity"), -0.01, 0.01, r"Prey move away from predators at 1\.0. cm/s; in the shadow they move towards them at (1\.0.|0\.99) cm/s: a difference of [12]\.\d\d cm/s \[.*"),
-    (metric("velocity", "wolf"), 0.02, 0.01, r"The velocity of wolf towards their adversaries is 2\.0. cm/s, 1\.0. cm/s higher than in the shadow \[.*"),
+    (metric("velocity", "wolf"), 0.02, 0.01, r"The velocity of wolf individuals towards their adversaries is 2\.0. cm/s, 1\.0. cm/s higher than in the shadow \[.*"),
     (metric("wall_sticking", group="active"), 0.5, 0.6, r"The share of active prey within 1 m of a wall is 0\.\d+, 0\.\d+ lower than in the shadow \[0\.\d+, .*"),
     (metric("wall_sticking_gap", "prey-predator"), 0.5, 0.3, r"The excess of prey over predators within 1 m of a wall is .*"),
     (metric("deaths", group="caught"), 50.0, 40.0, r"The number of prey that are caught in a run is 50\.\d, .*"),

@@ -273,7 +273,7 @@ def _finding(row: Any) -> Finding:
 
 # Words
 
-_PLURALS = {"predator": "predators", "all": "robots", "": ""}
+_WHO = {"prey": "prey", "predator": "predators", "all": "robots", "": ""}
 _NULLS = {SHADOW: "in the shadow", "permuted_tags": "with permuted tags", "drift": "under drift"}
 _NOUNS = {"velocity": "the velocity of {who} towards their adversaries", "velocity_stored": "the velocity of {who} towards their stored adversaries",
           "velocity_points": "the velocity of {who} towards their adversaries, every 200 s,",
@@ -290,14 +290,19 @@ _NOUNS = {"velocity": "the velocity of {who} towards their adversaries", "veloci
 _CAUSES = {"caught": "are caught", "starved": "starve", "sacrificed": "are sacrificed", "senescence": "die of senescence"}
 
 
+def _who(species: str) -> str:
+    """The members of a species: "predators", "wolf individuals"."""
+    return _WHO.get(species, species if species.endswith("s") else f"{species} individuals")
+
+
 def noun_of(metric: Metric) -> str:
     """The metric as the subject of a sentence: "the velocity of inherited prey towards their adversaries"."""
     name, species, group, _ = metric
-    who = " and ".join(_PLURALS.get(one, one) for one in species.split("+"))
+    who = " and ".join(_who(one) for one in species.split("+"))
     if group in _GROUPS[2:]:
         who = f"{group.replace('_', ' ')} {who}"
     if name in _NOUNS:
-        first, _, second = (_PLURALS.get(one, one) for one in species.partition("-"))
+        first, _, second = (_who(one) for one in species.partition("-"))
         noun = _NOUNS[name].format(who=who, group=group, first=first, second=second)
         if name == "deaths" and group != "all":
             return f"the number of {who} that {_CAUSES.get(group, f'die ({group})')} in a run"
@@ -325,7 +330,7 @@ def _sentence(metric: Metric, row: Any) -> str:
     null = _NULLS.get(row.null, f"in its null, {row.null.replace('_', ' ')},")
     if metric.metric.startswith("velocity") and metric.species in ("prey", "predator"):
         other = "predators" if metric.species == "prey" else "prey"
-        whom = _PLURALS.get(metric.species, metric.species)
+        whom = _who(metric.species)
         whom = whom if metric.group == "all" else f"{metric.group} {whom}"
         begin = f"{whom.capitalize()} move {'towards' if row.mean >= 0.0 else 'away from'} {other} at {_amount(metric, abs(row.mean))}"
         if row.mean * row.null_mean >= 0.0:

@@ -11,9 +11,9 @@ import re
 import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
-from scipy import stats
 
 from ..runs import Analysis, RunError, read_analysis
+from ..sweeps import arrays
 from .pictures import catches, film_strip, phylogeny, trajectories
 from .style import COLOURS, NULL_COLOUR, Missing, caption, colour, legend_above, line, width_in, wrapped
 
@@ -22,13 +22,8 @@ HATCHES = {"caught": "", "starved": "////", "sacrificed": "xxxx", "senescence": 
 
 def interval(runs):
     """The mean over runs (rows) of each column, and its 95 % interval as `trophic analyze` has it; NaN if fewer than six have a value."""
-    runs = np.atleast_2d(np.asarray(runs, float))
-    count = (~np.isnan(runs)).sum(axis=0)
-    with np.errstate(all="ignore"):
-        mean = np.nansum(runs, axis=0) / np.where(count == 0, np.nan, count)
-        error = np.sqrt(np.nansum((runs - mean) ** 2, axis=0) / (count - 1) / count)
-    half = np.where(count >= 6, stats.t.ppf(0.975, np.maximum(count - 1, 1)) * error, np.nan)
-    return mean, mean - half, mean + half
+    of = arrays.moments(np.atleast_2d(np.asarray(runs, float)))
+    return of.mean, *arrays.interval_of(arrays.contrast((1.0, of)))
 
 
 class Data:
