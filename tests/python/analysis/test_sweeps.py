@@ -254,6 +254,30 @@ def test_cells_are_compared_seed_by_seed_and_corrected_for_all_comparisons():
     assert cells.count(frame) == (2, 2)
 
 
+@pytest.mark.parametrize("paired", [True, False])
+def test_cells_that_share_seeds_are_compared_seed_by_seed_others_as_independent_sets(paired):
+    # What seeds have in common is large, and what the cell adds is nearly the same for each.
+    plan = plan_of(3, 6, paired=paired)
+    frame = compare_cells(grid_of(plan), values_of(plan, lambda run: 10 * run.replicate + run.cell * (1.01 if run.replicate % 2 == 0 else 0.99)), 0)
+    row = frame.iloc[1]
+    assert (row.design, row.runs, row["mean"], row.difference) == ("paired" if paired else "independent", 6, approx(27.0), approx(2.0))
+    assert row.hedges_g < 0.2  # runs of one cell are far apart, whatever the pairs say
+    assert (row.conclusion == "above", row.smallest_detectable < 2.0, row.runs_needed == 6) == (paired,) * 3
+    assert row.lower_corrected < row.lower < row.upper < row.upper_corrected
+
+
+def test_any_cell_may_be_the_reference_and_missing_values_leave_their_pair_out():
+    plan = plan_of(3, 7)
+    values = values_of(plan, lambda run: 0.1 * run.replicate if run.cell == 2 else 0.1)
+    values.runs[16] = numpy.nan
+    frame = compare_cells(grid_of(plan), values, 0)
+    assert list(frame["conclusion"]) == ["not compared", "inconclusive"] and math.isnan(frame.iloc[0].upper_corrected)
+    assert (frame.iloc[1].runs, frame.iloc[1].runs_reference, frame.iloc[1].p_holm) == (6, 6, frame.iloc[1].p)
+    other = compare_cells(grid_of(plan), values, 2)
+    assert list(other["cell"]) == [0, 1] and other.iloc[0].difference == approx(-frame.iloc[1].difference)
+    assert refusal(compare_cells, grid_of(plan), values, 3) == "reference = 3: must be a cell of the sweep, 0 to 2"
+
+
 def test_with_shadows_in_every_cell_the_answer_is_over_them_and_the_raw_difference_a_family_of_its_own():
     plan = plan_of(3, 6, with_shadow=True)
     values = values_of(plan, lambda run: run.cell * (1.0 if run.shadow else 4.0) + run.replicate * (1 + run.cell) + 0.1 * (run.index % 3))
@@ -285,6 +309,10 @@ def test_a_difference_needs_so_many_runs_by_the_scatter_of_cells():
     asked = runs_for_difference(frame, 0.5).iloc[0]
     assert (asked.runs, asked.fewest, asked.most, asked.cells) == (12, 12, 12, 1)
     assert runs_for_difference(frame, 0.5 / 1000).iloc[0].isna()["runs"]
+    plan = plan_of(3, 4)  # variances of 4/3 and 16/3 between pairs
+    frame = compare_cells(grid_of(plan), values_of(plan, lambda run: run.cell * (1 if run.replicate % 2 == 0 else -1)), 0)
+    asked = runs_for_difference(frame, 2.0).iloc[0]
+    assert [asked.fewest, asked.runs, asked.most] == [statistics.runs_for_power(2.0, statistics.Scatter(variance / 3, 1.0), 0.025) for variance in (4, 10, 16)]
 
 
 # Effects of axes
