@@ -81,7 +81,7 @@ class Analyze(InFolderWithSets):
         for metric in self.summary()["sets"][0]["metrics"]:
             shadow = metric["baselines"][0]
             self.assertEqual((shadow["name"], shadow["role"]), ("shadow", "null"))
-            self.assertIn(shadow["conclusion"], ("above", "below", "inconclusive", "same", "not compared", "not significant"))
+            self.assertIn(shadow["conclusion"], ("above", "below", "inconclusive", "same", "not compared"))
             self.assertLessEqual(shadow["lower"], shadow["difference"])
             self.assertTrue(all(b["conclusion"] is None for b in metric["baselines"] if b["role"] != "null"))
         with open(self.folder / "analysis/metrics.csv", newline="") as table:
