@@ -96,7 +96,7 @@ def of_difference_table(text: str) -> Output:
         claims.append(Claim("", row["metric"], "over_shadow" if answer == over else "raw", row[answer], row["p"], conclusion))
         if answer == over:
             claims.append(Claim("", row["metric"], "raw", row["raw: b - a [95 %]"], "", ""))
-    return Output(claims, counts_in(text), findings_in(text), [re.match(r"[ab]: (.*?) on kinematic", line)[1] for line in lines[:2]])
+    return Output(claims, counts_in(text), findings_in(text), re.findall(r"^[ab]: (.*?) on kinematic", text, re.MULTILINE))
 
 
 class _Page(html.parser.HTMLParser):
