@@ -174,6 +174,7 @@ def folder(tmp_path_factory):
             if path.name == "manifest.json":
                 manifest = json.loads(path.read_text())
                 del manifest["tables"]
+                manifest.pop("description", None)
                 manifest["tags"] = [-1, 1] if name == "species" else [-2, -1, 0, 1]
                 manifest["rule_table"] = name
                 path.write_text(json.dumps(manifest))
