@@ -204,6 +204,13 @@ def count(frame: pandas.DataFrame) -> Count:
     return Count(int((frame["p_holm"].notna() & (frame["role"] == "null")).sum()), int(frame["conclusion"].isin(("above", "below")).sum()))
 
 
+def runs_of(row: Any) -> str:
+    """The runs of a comparison: "10+10" of two sets, "10" if each run has a null of its own."""
+    if hasattr(row, "compared"):
+        return f"{row.n_a}+{row.n_b}"
+    return f"{row.n}+{row.null_n}" if row.null == SHADOW else str(min(row.n, row.null_n))
+
+
 def too_few(of: MeasuredSet) -> list[str]:
     """A sentence for a set, and one for its shadow, of too few runs for a test."""
     return [f"too few runs for a test: {MIN_RUNS_FOR_TEST} are needed, {one.label} has {len(one.runs)}"
@@ -325,8 +332,7 @@ def _amount(metric: Metric, value: float) -> str:
 
 def _sentence(metric: Metric, row: Any) -> str:
     size, interval = _magnitude(metric, row.difference, row.difference_lower, row.difference_upper)
-    runs = f"{row.n}+{row.null_n}" if row.null == SHADOW else row.null_n
-    test = f"{interval} (p {p_text(row.p_holm)}, {runs} runs)."
+    test = f"{interval} (p {p_text(row.p_holm)}, {runs_of(row)} runs)."
     null = _NULLS.get(row.null, f"in its null, {row.null.replace('_', ' ')},")
     if metric.metric.startswith("velocity") and metric.species in ("prey", "predator"):
         other = "predators" if metric.species == "prey" else "prey"
@@ -347,4 +353,4 @@ def _difference_sentence(metric: Metric, row: Any) -> str:
     over = ", each over its shadow" if row.compared == "over_shadow" else ""
     side = "higher" if row.difference > 0.0 else "lower"
     return (f"{noun[0].upper()}{noun[1:]} is {size} {side} in runs of {row.set_b} than in runs of {row.set_a}{over} {interval} "
-            f"(p {p_text(row.p_holm)}, {row.n_a}+{row.n_b} runs).")
+            f"(p {p_text(row.p_holm)}, {runs_of(row)} runs).")

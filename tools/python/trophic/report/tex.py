@@ -8,7 +8,7 @@ from typing import Any
 import pandas
 
 from ..description import describe
-from ..judge import count
+from ..judge import count, runs_of
 from ..values import SHADOW, MeasuredSet, Metric
 from ..words import Reading, latex_text, metric_title, p_text
 from .text import estimate_of
@@ -25,7 +25,7 @@ def means(of: MeasuredSet, frame: pandas.DataFrame) -> str:
         null = "" if row.null == SHADOW else f" (null: {row.null})"
         rows.append([latex_text(metric_title(metric) + null), math(reading.of(estimate_of(row))), math(reading(row.null_mean)),
                      math(reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True)), math(p_text(row.p_holm)),
-                     math(f"{row.n}{{+}}{row.null_n}")])
+                     math(runs_of(row).replace("+", "{+}"))])
     about = f"% {heading(of)}. Null: the neutral shadow, unless another is named. {_family(frame)}\n"
     return _PACKAGES + about + _table(["metric", "mean [95\\,\\%]", "null", "mean $-$ null [95\\,\\%]", "$p$", "$n$"], rows)
 
@@ -39,7 +39,7 @@ def differences(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:
         reading = Reading(metric)
         rows.append([latex_text(metric_title(metric)), math(reading(row.mean_a)), math(reading(row.mean_b)),
                      math(reading.with_interval(row.difference, (row.lower, row.upper), True)), math(p_text(row.p_holm)),
-                     math(f"{row.n_a}{{+}}{row.n_b}")])
+                     math(runs_of(row).replace("+", "{+}"))])
     what = "over shadows: (b - its shadow) - (a - its shadow)" if over else "b - a"
     about = f"% a: {heading(a)}; b: {heading(b)}; {what}. {_family(frame)}\n"
     column = "over shadows [95\\,\\%]" if over else "difference [95\\,\\%]"

@@ -10,7 +10,7 @@ import pandas
 from .. import judge, published
 from ..description import describe
 from ..statistics import Estimate, Interval
-from ..values import SHADOW, MeasuredSet, Metric
+from ..values import MeasuredSet, Metric
 from ..words import Reading, columns, metric_title, number_text, p_text, runs_text
 
 MOST_INCONCLUSIVE = 3
@@ -85,7 +85,7 @@ def findings(of: MeasuredSet, frame: pandas.DataFrame) -> str:
 
     def cells(row: Any) -> list[str]:
         reading = Reading(_metric(row))
-        return [reading.of(estimate_of(row)), row.null, reading(row.null_mean), f"{row.n}+{row.null_n}" if row.null == SHADOW else str(row.n),
+        return [reading.of(estimate_of(row)), row.null, reading(row.null_mean), judge.runs_of(row),
                 reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True)]
 
     head = ["ours [95 %]", "null", "its mean", "runs", "ours - null [95 %]"]
@@ -142,7 +142,7 @@ def difference_findings(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame)
 
     def cells(row: Any) -> list[str]:
         reading = Reading(_metric(row))
-        return [reading(row.mean_a), reading(row.mean_b), f"{row.n_a}+{row.n_b}", reading.with_interval(row.difference, (row.lower, row.upper), True)]
+        return [reading(row.mean_a), reading(row.mean_b), judge.runs_of(row), reading.with_interval(row.difference, (row.lower, row.upper), True)]
 
     about = (f"the answer is the difference {_OVER}: what inheritance does. Raw differences, which the rules alone can make, are in --all\n" if over
              else f"the differences are raw: {_UNATTRIBUTED}")
