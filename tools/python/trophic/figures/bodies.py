@@ -53,11 +53,11 @@ def measures(sets):
                            (0, (4, 1.5)) if is_null(data) else "-", average=False, scale=scale)
                 if not data.rows(name, one, baseline="shadow", curve=True).empty:
                     shadow_s, shadows = data.curve(name, one, baseline="shadow")
-                    ax.plot(shadow_s - window_s(shadow_s) / 2, scale * np.nanmean(shadows, axis=0), ":", color="black", linewidth=1, label="shadow")
+                    ax.plot(shadow_s - window_s(shadow_s) / 2, scale * np.nanmean(shadows, axis=0), ":", color="black", linewidth=1,
+                            label=None if "shadow" in ax.get_legend_handles_labels()[1] else "shadow")
         row[0].set_ylabel(MEASURES[name], fontsize=7)
     for ax, one in zip(axes[0], species):
-        ax.set_title(one, pad=18)
-        legend_above(ax, columns=3)
+        ax.set_title(one, pad=4 + 11 * legend_above(ax, columns=3))
     for ax in axes[-1]:
         ax.set_xlabel("time [s]")
     ours = [data for data in sets if not is_null(data)] or sets

@@ -56,7 +56,7 @@ def draw_ecology(axes, ecology, engines):
     axes.axvspan(-1, 1, color="#009E73", alpha=0.15)
     axes.axvline(0, color="#555555", linewidth=0.6)
     axes.set_yticks(rows.index, names, fontsize=6)
-    axes.set_xlabel(" - ".join(engine.split()[0] for engine in reversed(engines)) + ", in margins [90 %]")
+    axes.set_xlabel(" - ".join(engine.split()[0] for engine in reversed(engines)) + ", in margins [90 %]", loc="right")
 
 
 def cross_check(folder):

@@ -64,16 +64,19 @@ def caption(figure, text):
 
 
 def legend_above(ax, columns=2, **options):
-    """A legend above the axes, where it hides no data, in at most so many columns: fewer if labels are long. A long legend makes the figure taller."""
+    """A legend above the axes, where it hides no data, in at most so many columns: fewer if labels are long. A long legend makes the figure taller.
+    Returns its rows."""
     labels = ax.get_legend_handles_labels()[1]
     if not labels:
-        return
+        return 0
     figure, room_in = ax.figure, (ax.figure.get_figwidth() - 0.7) / ax.get_subplotspec().get_gridspec().ncols
     for count in range(columns, 0, -1):
         legend = ax.legend(loc="lower left", bbox_to_anchor=(0, 1.0), ncol=count, borderaxespad=0.2, columnspacing=1, handlelength=1.6, **options)
         if legend.get_window_extent().width < room_in * figure.dpi:
             break
-    figure.set_figheight(figure.get_figheight() + 0.15 * max(0, -(-len(labels) // count) - 4))
+    rows = -(-len(labels) // count)
+    figure.set_figheight(figure.get_figheight() + 0.15 * max(0, rows - 4))
+    return rows
 
 
 def wrapped(text):
