@@ -3,7 +3,6 @@
 #include <tools/reading/pooled_runs.hpp>
 
 #include <set>
-#include <tools/changes/change.hpp>
 #include <tools/command/check_folder.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/plain_text.hpp>
@@ -41,17 +40,6 @@ std::vector<std::filesystem::path> run_folders(const std::filesystem::path& path
   return folders;
 }
 
-namespace {
-
-/// Number and checksum of a run's changes; equal for runs with the same changes, and for those without.
-std::pair<std::uint64_t, std::uint32_t> changes_of(const RunManifest& run) {
-  const auto found = run.tables.find(std::string{changes::file_name});
-  if (found == run.tables.end() || found->second.rows == 0) return {0, 0};
-  return {found->second.rows, found->second.crc32};
-}
-
-}  // namespace
-
 std::string why_not_pooled(const RunManifest& manifest, const RunManifest& other, bool is_cut, bool any_build) {
   const std::string here = manifest.folder.string() + ": ";
   const std::string there = other.folder.string();
@@ -74,9 +62,9 @@ std::string why_not_pooled(const RunManifest& manifest, const RunManifest& other
     return here + beginning(manifest) + ", but " + there + " " + beginning(other) +
            "; futures of one moment are not pooled with other runs";
   }
-  if (changes_of(other) != changes_of(manifest)) {
-    return here + std::to_string(changes_of(manifest).first) + " changes of parameters (changes.csv), but " + there + " has " +
-           std::to_string(changes_of(other).first) + ", or others; runs with different changes are not pooled";
+  if (other.changes != manifest.changes) {
+    return here + std::to_string(manifest.changes.first) + " changes of parameters (changes.csv), but " + there + " has " +
+           std::to_string(other.changes.first) + ", or others; runs with different changes are not pooled";
   }
   if (other.agents_every_ticks != manifest.agents_every_ticks) {
     return here + "agents_every_ticks " + std::to_string(manifest.agents_every_ticks) + ", but " + there + " has " +

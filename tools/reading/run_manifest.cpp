@@ -3,6 +3,7 @@
 #include <tools/reading/run_manifest.hpp>
 
 #include <set>
+#include <tools/changes/change.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/support/plain_text.hpp>
 #include <trophic/support/unreadable_file.hpp>
@@ -113,6 +114,15 @@ RunManifest manifest_of(std::string_view text, const std::filesystem::path& path
         manifest.tables[file] = {.rows = whole_number<std::uint64_t>(sum, "rows"),
                                  .crc32 = whole_number<std::uint32_t>(sum, "crc32")};
       }
+    }
+    if (json.contains("description")) {
+      const Json& changes = json["description"].at("changes");
+      manifest.changes = {changes.size(), json_text(changes)};
+    } else if (const auto table = manifest.tables.find(std::string{changes::file_name});
+               table != manifest.tables.end() && table->second.rows > 0) {  // of an older program
+      manifest.changes = {table->second.rows, std::to_string(table->second.crc32)};
+    } else {
+      manifest.changes = {0, json_text(Json::array())};
     }
     if (json.contains("recording")) manifest.recording_crc32 = whole_number<std::uint32_t>(json["recording"], "crc32");
     manifest.builds = builds_in(json);

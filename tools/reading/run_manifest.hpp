@@ -19,8 +19,10 @@ struct RunManifest {
   std::string backend;
   std::string status;  ///< running (or killed), complete, stopped, failed
   std::uint64_t seed = 0;
-  std::string begins;    ///< "at 700 s of runs/a (seed 7)", of a run that begins at a moment of another one; else empty
-  double until_s = 0.0;  ///< planned; after cut_to, what is left
+  std::string begins;  ///< "at 700 s of runs/a (seed 7)", of a run that begins at a moment of another one; else empty
+  std::pair<std::uint64_t, std::string>
+      changes;                      ///< of parameters during the run: their number, and a text of them that runs share
+  double until_s = 0.0;             ///< planned; after cut_to, what is left
   std::optional<double> reached_s;  ///< none for a run that was killed or is still running
   double half_side_m = 0.0;
   std::int64_t agents_every_ticks = 1;  ///< agents.csv has the ticks whose number is a multiple of it

@@ -55,7 +55,18 @@ TEST_CASE("pooled runs: different changes of parameters -> refused, the same, or
   const auto other = run_with("other", 5, R"("changes.csv": {"rows": 1, "crc32": 7})");
   CHECK(pooled_runs(Paths{plain, none}, false).manifests.size() == 2);
   CHECK(pooled_runs(Paths{one, same}, false).manifests.size() == 2);
-  for (const Paths& mixed : {Paths{plain, one}, Paths{one, other}}) {
+  // Of the rows of changes.csv, those without an effect are left out of the description.
+  const auto described = [](const std::string& changes) {
+    return R"("changes.csv": {"rows": 2, "crc32": 8}}, "description": {"changes": [)" + changes + "]";
+  };
+  const std::string change = R"({"time_s": 5, "number": "rules.a", "value": "2", "before": "1"})";
+  const auto halved = run_with("halved", 6, described(change));
+  const auto again =
+      run_with("again", 7, R"("changes.csv": {"rows": 1, "crc32": 9}}, "description": {"changes": [)" + change + "]");
+  const auto in_vain = run_with("in_vain", 8, described(""));
+  CHECK(pooled_runs(Paths{halved, again}, false).manifests.size() == 2);
+  CHECK(pooled_runs(Paths{plain, in_vain}, false).manifests.size() == 2);
+  for (const Paths& mixed : {Paths{plain, one}, Paths{one, other}, Paths{halved, in_vain}}) {
     const std::string why = message_of<std::invalid_argument>([&] { static_cast<void>(pooled_runs(mixed, false)); });
     CHECK(why.find("runs with different changes are not pooled") != std::string::npos);
   }
