@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """What is compared, corrected, the same, significant and a finding: on hand-written sets, and by simulation."""
+import ast
 import math
+import pathlib
 import re
 
 import numpy
@@ -217,6 +219,14 @@ def test_inconclusive_facts_are_those_without_a_finding_the_nearest_to_significa
     frame = judge.summarize(set_of(ours, shadow=set_of(shadow)))
     assert [f.metric.metric for f in judge.findings(frame)] == ["velocity"]
     assert [row.metric for row in judge.inconclusive(frame)] == ["near", "far"]
+
+
+def test_only_the_statistics_and_the_judge_know_the_level():
+    package = pathlib.Path(judge.__file__).parent
+    for path in package.rglob("*.py"):
+        if path not in (package / "statistics.py", package / "judge.py"):
+            compared = [ast.unparse(node) for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Compare)]
+            assert not [text for text in compared if re.search(r"\b0\.05\b|SIGNIFICANCE", text)], path
 
 
 @pytest.mark.parametrize("size, sentence", [((0, 0), "Nothing was compared with a null."),

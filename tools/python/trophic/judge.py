@@ -16,7 +16,7 @@ import pandas
 from . import published
 from .metrics import chosen
 from .runs import RunError
-from .statistics import (MIN_RUNS_FOR_TEST, Difference, adjust_together, contrast, difference_of, estimate, is_significant, known, mean_of,
+from .statistics import (MIN_RUNS_FOR_TEST, SIGNIFICANCE, Difference, adjust_together, contrast, difference_of, estimate, known, mean_of,
                          scatter_of)
 from .values import METRIC, SHADOW, MeasuredSet, Metric
 from .words import Reading, p_text
@@ -194,9 +194,12 @@ def _conclusion(row: dict[str, Any], difference: Difference) -> str:
         return "same"
     if difference.adjusted is None:
         return "too few runs" if difference.interval is None else "not compared"
-    if not is_significant(difference.adjusted):
-        return "inconclusive"
-    return "above" if difference.value is not None and difference.value > 0.0 else "below"
+    return str(conclusions(difference.adjusted, difference.value))
+
+
+def conclusions(p_holm: Any, difference: Any) -> numpy.ndarray:
+    """The conclusions on tested comparisons: above, below or inconclusive. Arrays of corrected p values and of differences."""
+    return numpy.where(numpy.asarray(p_holm, float) <= SIGNIFICANCE, numpy.where(numpy.asarray(difference, float) > 0.0, "above", "below"), "inconclusive")
 
 
 def count(frame: pandas.DataFrame) -> Count:

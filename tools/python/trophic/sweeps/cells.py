@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 import numpy
 import pandas
 
-from ..judge import Count
+from ..judge import Count, conclusions
 from ..statistics import SIGNIFICANCE, holm
 from ..values import METRIC, Metric
 from . import arrays
@@ -131,8 +131,8 @@ def corrected(frame: pandas.DataFrame) -> pandas.DataFrame:
     p_holm = numpy.full(len(frame), numpy.nan)
     p_holm[is_comparison] = holm(numpy.where(numpy.isnan(p), 1.0, p)[is_comparison])
     p_holm[numpy.isnan(p)] = numpy.nan
-    conclusion = numpy.where(~is_comparison | (frame["role"] != "null"), "not compared", numpy.where(numpy.isnan(p), "too few runs", numpy.where(
-        p_holm > SIGNIFICANCE, "inconclusive", numpy.where(frame["difference"] > 0.0, "above", "below"))))
+    conclusion = numpy.where(~is_comparison | (frame["role"] != "null"), "not compared", numpy.where(
+        numpy.isnan(p), "too few runs", conclusions(p_holm, frame["difference"])))
     return frame.assign(p_holm=p_holm, level=numpy.where(is_comparison, level_of(frame), numpy.nan), conclusion=conclusion)
 
 
