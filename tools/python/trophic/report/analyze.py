@@ -79,6 +79,8 @@ def run(request: Mapping[str, Any]) -> int:
         from . import page
         if os.path.lexists(request["html"]):
             raise RunError(f"--html {request['html']}: exists already; nothing is overwritten")
+        if not pathlib.Path(request["html"]).absolute().parent.is_dir():
+            raise RunError(f"--html {request['html']}: cannot be made: there is no such folder")
         if request.get("figures"):
             page.read_figures(request["figures"])
     wants_tables = request.get("out") is not None or not request.get("html")
