@@ -390,7 +390,7 @@ test("in dark surroundings page and world are dark, and turn light again", async
   const opened = await dark.open(at("short.html"), "#t=100");
   const brightness = () => opened.evaluate(() => getComputedStyle(document.body).backgroundColor.match(/\d+/g).slice(0, 3).reduce((a, b) => a + Number(b), 0) / 3);
   assert.ok((await brightness()) < 60);
-  assert.ok((await opened.pixels("#12171d")) > 10000);
+  await opened.untilPixels("#12171d", (found) => found > 10000);
   await opened.page.emulateMedia({ colorScheme: "light" });
   await opened.untilPixels("#12171d", (found) => found < 100);
   assert.ok((await brightness()) > 200);
@@ -570,7 +570,7 @@ test("a page of an analysis has its table, sorts it, gives its data, and replays
   await page.goto(`file://${at("analysis.html")}`);
   assert.match(await page.locator("details pre").textContent(), /velocity/);
   assert.match(await page.locator(".question").innerText(), /^Does inheritance matter under the rules of paper\?/);
-  assert.match(await page.locator(".findings").innerText(), /too few runs for intervals and tests: 6 are needed, there are 2\./);
+  assert.match(await page.locator(".findings").innerText(), /Too few runs for a test: 6 are needed, paper has 2\./);
   assert.match(await page.locator(".commands").innerText(), /trophic analyze \S*set --html \S*analysis.html$/m);
   const { rules } = JSON.parse(readFileSync(join(at("set"), "replicate-00/manifest.json"), "utf8"));
   assert.deepEqual(await page.$$eval(".rules dt", (slots) => slots.map((slot) => [slot.textContent, slot.nextSibling.textContent])), Object.entries(rules));
