@@ -5,6 +5,7 @@
 import csv
 import json
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -158,6 +159,20 @@ class Films(InFolderWithSets):
         self.assertEqual(result.returncode, 2)
         self.assertIn(f"has {count} catches" if count > 1 else "has one catch", result.stderr)
 
+    def test_the_best_catch_has_whole_lives_before_it_and_is_named(self):
+        result = self.film("--catch", "best", "--sheet", "2x2", "--size", "320x240", "-o", "strip.png")
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        pattern = r"strip.png: 4 pictures; at ([\d.]+) s predator (\d+) catches prey (\d+): \w+, lived \d+ s\n"
+        time_s, hunter, victim = re.fullmatch(pattern, result.stdout).groups()  # without a remark
+        caught, life = next((row, life) for row, life in self.catches() if (row["id"], row["victim_id"]) == (hunter, victim))
+        self.assertEqual(float(caught["time_s"]), float(time_s))
+        self.assertLessEqual(float(life["time_s"]), float(time_s) - 8)
+        sheet = numpy.array(Image.open(self.folder / "strip.png"))
+        self.assertEqual(sheet.shape, (2 * 240 + 6, 2 * 320 + 6, 3))
+        reds = [near(sheet[y : y + 240, x : x + 320], RED) for y in (0, 246) for x in (0, 326)]
+        self.assertLess(max(reds[:2]), 20)
+        self.assertGreater(min(reds[2:]), 100)
+
     def test_legend_lines_and_title_can_be_left_out(self):
         arguments = ("--from", 100, "--size", "640x360")
         whole = self.draw(*arguments)
@@ -171,7 +186,8 @@ class Films(InFolderWithSets):
         for name, codec in (("catch.gif", "gif"), ("catch.webm", "vp9")):
             result = self.film("--catch", 1, "--fps", 5, "--size", "320x180", "-o", name)
             self.assertEqual((result.returncode, result.stderr), (0, ""))
-            self.assertEqual(result.stdout, f"{name}: {11 * 5 + 1 + 6} pictures, 12.4 s\n")  # 8 s before, 3 s after, 1.2 s still
+            pictures = f"{name}: {11 * 5 + 1 + 6} pictures, 12.4 s; "  # 8 s before, 3 s after, 1.2 s still
+            self.assertTrue(result.stdout.startswith(pictures), result.stdout)
             asked = ["ffprobe", "-v", "error", "-show_entries", "stream=codec_name,width", "-of", "json", name]
             stream = json.loads(subprocess.run(asked, capture_output=True, text=True, cwd=self.folder, check=True).stdout)["streams"][0]
             self.assertEqual((stream["codec_name"], stream["width"]), (codec, 320))
@@ -230,7 +246,7 @@ class Films(InFolderWithSets):
             (["-o", "x.mp4", "--sheet", "2x2"], "--sheet: needs --out with .png"),
             (["-o", "x.png", "--view", "left"], "--view left: must be orbit or top"),
             (["-o", "x.png", "--lines", "some"], "--lines some: must be on or off"),
-            (["-o", "x.png", "--catch", "0"], "--catch 0: "),
+            (["-o", "x.png", "--catch", "0"], "--catch 0: must be best, or a number from 1"),
             (["-o", "x.png", "--catch", "9999"], "--catch 9999: "),
             (["-o", "x.png", "--catch", "1", "--follow", "3"], "--catch: not with --from, --to or --follow"),
             (["-o", "x.mp4", "--speed", "0"], "--speed 0: must be > 0 and <= 10000"),

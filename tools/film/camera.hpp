@@ -92,14 +92,18 @@ struct Sight {
           .elevation_deg = -33.0};
 }
 
-/// Looks at two robots that are at most `apart_m` away from each other.
-[[nodiscard]] inline Camera near_pair(const RobotModel& robot, const Eigen::Vector3d& one_m, const Eigen::Vector3d& other_m,
-                                      double apart_m, double aspect) {
-  const Eigen::Vector3d middle = 0.5 * (one_m + other_m);
-  return {.at_m = {middle.x(), middle.y(), 0.0},
-          .distance_m = (11.0 * robot.bounding_radius_m + 1.3 * apart_m) * std::max(1.0, 1.2 / aspect),
-          .azimuth_deg = 90.0,
-          .elevation_deg = -40.0};
+/// The edge of what a picture shows of an arena.
+struct Edge {
+  double at_m = 0.0;      ///< from the middle
+  double height_m = 0.0;  ///< how high walls or slopes rise there
+};
+
+/// The slopes of an arena rise too high for a picture and are drawn at most so high, as in the browser.
+inline constexpr double highest_slope_m = 1.5;
+
+[[nodiscard]] inline Edge edge_of(const Arena& arena) {
+  if (!arena.height_field) return {arena.half_side_m, 0.035 * arena.half_side_m};
+  return {arena.height_field->half_extent_m, std::min(highest_slope_m, std::ranges::max(arena.height_field->height_m))};
 }
 
 }  // namespace trophic::film

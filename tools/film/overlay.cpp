@@ -28,9 +28,7 @@ void draw_mark(const Overlay& overlay, const LegendEntry& entry, double x, doubl
     case Mark::hollow:
       return overlay.ring(x, y, radius, thin, entry.colour);
     case Mark::catch_:
-      overlay.ring(x, y, radius, thin, entry.colour);
-      overlay.line(x - 0.6 * radius, y - 0.6 * radius, x + 0.6 * radius, y + 0.6 * radius, thin, entry.colour);
-      return overlay.line(x - 0.6 * radius, y + 0.6 * radius, x + 0.6 * radius, y - 0.6 * radius, thin, entry.colour);
+      return overlay.ring(x, y, radius, 0.7 * thin, entry.colour);
     case Mark::death:
       return overlay.ring(x, y, radius, 1.0, entry.colour);
     case Mark::marked:
@@ -43,8 +41,8 @@ void draw_mark(const Overlay& overlay, const LegendEntry& entry, double x, doubl
   }
 }
 
-/// In one row below `top`, or in several if it is too long.
-void draw_legend(const Overlay& overlay, const std::vector<LegendEntry>& legend, double top) {
+/// In one row below `top`, or in several if it is too long. Returns where it ends.
+double draw_legend(const Overlay& overlay, const std::vector<LegendEntry>& legend, double top) {
   const double line = overlay.line_height();
   const double radius = 0.32 * line;
   const double margin = 0.6 * line;
@@ -60,6 +58,7 @@ void draw_legend(const Overlay& overlay, const std::vector<LegendEntry>& legend,
     overlay.text(x + 2.8 * radius, y - 0.82 * line, entry.text, ink);
     x += width;
   }
+  return y - 1.15 * line;
 }
 
 /// A bar of 1, 2, 5, ... metres, about a tenth of the picture long at what the camera looks at.
@@ -79,28 +78,37 @@ void draw_scale(const Overlay& overlay, const Camera& camera) {
   overlay.text(0.5 * (left + right - overlay.width_of(text)), y + 0.3 * line, text, ink);
 }
 
-/// The cross of a catch, which lies on the floor and is seen through the body there.
-void draw_cross(const Overlay& overlay, const Flash& flash, const Camera& camera) {
-  const double reach = 0.64 * flash.radius_m;
-  const double thickness = std::max(2.0, 0.07 * flash.radius_m * overlay.height() / (half_height() * camera.distance_m));
-  for (const double side : {-1.0, 1.0}) {
-    const auto from = seen_at(camera, {flash.x_m - reach, flash.y_m - side * reach, 0.0});
-    const auto to = seen_at(camera, {flash.x_m + reach, flash.y_m + side * reach, 0.0});
-    if (!from || !to) continue;
-    const auto x = [&](const PicturePoint& point) { return 0.5 * (overlay.width() + point.x * overlay.height()); };
-    const auto y = [&](const PicturePoint& point) { return 0.5 * (1.0 + point.y) * overlay.height(); };
-    if (std::max(std::abs(from->y), std::abs(to->y)) > 2.0) continue;
-    overlay.line(x(*from), y(*from), x(*to), y(*to), thickness, catch_colour);
-  }
+/// Text on a plate.
+void write_plate(const Overlay& overlay, double x, double y, const std::string& text, const Colour& colour, bool is_large) {
+  const double line = overlay.line_height(is_large);
+  overlay.bar(x - 0.25 * line, y - 0.2 * line, overlay.width_of(text, is_large) + 0.5 * line, 1.1 * line, colour);
+  overlay.text(x, y, text, paper, is_large);
+}
+
+/// Next to its robot, and below `top`.
+void write_name(const Overlay& overlay, const Name& name, const Camera& camera, double top, bool is_large) {
+  const auto point = seen_at(camera, name.at_m);
+  if (!point) return;
+  const double line = overlay.line_height(is_large);
+  const Sight sight{camera};
+  const double depth_m = (name.at_m - sight.eye_m).dot(sight.forward);
+  const double radius = 1.2 * name.radius_m * 0.5 * overlay.height() / (half_height() * depth_m);
+  const double width = overlay.width_of(name.text, is_large);
+  const double x = 0.5 * (overlay.width() + point->x * overlay.height() - width);
+  const double y = 0.5 * (1.0 + point->y) * overlay.height() + (name.is_below ? -radius - 1.1 * line : radius + 0.4 * line);
+  write_plate(overlay, std::clamp(x, 0.4 * line, std::max(0.4 * line, overlay.width() - width - 0.4 * line)),
+              std::min(y, top - 1.2 * line), name.text, name.colour, is_large);
 }
 
 }  // namespace
 
-void Overlay::text(double x, double y, const std::string& text, const Colour& colour) const {
+void Overlay::text(double x, double y, const std::string& text, const Colour& colour, bool is_large) const {
   // mjr_text would place it in the rectangle that was drawn last.
-  const mjrRect place{static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y - 0.25 * line_height())),
-                      static_cast<int>(std::ceil(width_of(text))), static_cast<int>(std::lround(1.25 * line_height()))};
-  mjr_label(place, mjFONT_NORMAL, text.c_str(), 0.0F, 0.0F, 0.0F, 0.0F, colour[0], colour[1], colour[2], &context_);
+  const mjrRect place{static_cast<int>(std::lround(x)), static_cast<int>(std::lround(y - 0.25 * line_height(is_large))),
+                      static_cast<int>(std::ceil(width_of(text, is_large))),
+                      static_cast<int>(std::lround(1.25 * line_height(is_large)))};
+  mjr_label(place, is_large ? mjFONT_BIG : mjFONT_NORMAL, text.c_str(), 0.0F, 0.0F, 0.0F, 0.0F, colour[0], colour[1], colour[2],
+            &context_);
 }
 
 void Overlay::bar(double x, double y, double width, double height, const Colour& colour, float opacity) const {
@@ -137,34 +145,27 @@ void Overlay::line(double x0, double y0, double x1, double y1, double thickness,
   }
 }
 
-double Overlay::width_of(const std::string& text) const {
+double Overlay::width_of(const std::string& text, bool is_large) const {
+  const auto& widths = is_large ? context_.charWidthBig : context_.charWidth;
   return std::accumulate(text.begin(), text.end(), 0.0, [&](double sum, char c) {
     const auto code = static_cast<unsigned char>(c);
-    return sum + (code < 127 ? context_.charWidth[code] : context_.charWidth[0]);
+    return sum + widths[code < 127 ? code : 0];
   });
 }
 
 void write_over(const Overlay& overlay, const Picture& picture, const Camera& camera) {
   const double line = overlay.line_height();
-  for (const Flash& flash : picture.flashes) {
-    if (flash.is_catch) draw_cross(overlay, flash, camera);
-  }
-  for (const Name& name : picture.names) {
-    const auto point = seen_at(camera, name.at_m);
-    if (!point) continue;
-    const double x = 0.5 * (overlay.width() + point->x * overlay.height()) + 0.8 * line;
-    const double y = 0.5 * (1.0 + point->y) * overlay.height() + 1.1 * line;
-    overlay.bar(x - 0.25 * line, y - 0.25 * line, overlay.width_of(name.text) + 0.5 * line, 1.15 * line, ink);
-    overlay.text(x, y, name.text, paper);
-  }
   double top = overlay.height() - 0.3 * line;
   if (!picture.title.empty()) {
     overlay.text(0.6 * line, top - 0.82 * line, picture.title, ink);
     top -= 1.25 * line;
   }
-  draw_legend(overlay, picture.legend, top);
+  if (!picture.legend.empty()) top = draw_legend(overlay, picture.legend, top);
+  for (const Name& name : picture.names) write_name(overlay, name, camera, top, picture.is_small);
   if (picture.has_scale) draw_scale(overlay, camera);
-  if (!picture.caption.empty()) overlay.text(0.012 * overlay.width(), 0.018 * overlay.height(), picture.caption, ink);
+  if (picture.caption.empty()) return;
+  if (picture.is_small) return write_plate(overlay, 0.5 * line, 0.5 * line, picture.caption, ink, true);
+  overlay.text(0.012 * overlay.width(), 0.018 * overlay.height(), picture.caption, ink);
 }
 
 }  // namespace trophic::film

@@ -15,14 +15,16 @@ class Overlay {
  public:
   Overlay(const mjrContext& context, const mjrRect& view) : context_{context}, view_{view} {}
 
-  void text(double x, double y, const std::string& text, const Colour& colour) const;
+  void text(double x, double y, const std::string& text, const Colour& colour, bool is_large = false) const;
   void bar(double x, double y, double width, double height, const Colour& colour, float opacity = 1.0F) const;
   void disc(double x, double y, double radius, const Colour& colour) const;
   void ring(double x, double y, double radius, double thickness, const Colour& colour) const;
   void line(double x0, double y0, double x1, double y1, double thickness, const Colour& colour) const;
 
-  [[nodiscard]] double width_of(const std::string& text) const;
-  [[nodiscard]] double line_height() const { return context_.charHeight; }
+  [[nodiscard]] double width_of(const std::string& text, bool is_large = false) const;
+  [[nodiscard]] double line_height(bool is_large = false) const {
+    return is_large ? context_.charHeightBig : context_.charHeight;
+  }
   [[nodiscard]] double width() const { return view_.width; }
   [[nodiscard]] double height() const { return view_.height; }
 

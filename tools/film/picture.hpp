@@ -32,7 +32,7 @@ struct FloorLine {
   float opacity = 1.0F;
 };
 
-/// A widening ring where an individual has just died; with a cross in it for a catch.
+/// A widening ring where an individual has just died; red for a catch.
 struct Flash {
   double x_m = 0.0;
   double y_m = 0.0;
@@ -40,10 +40,13 @@ struct Flash {
   bool is_catch = false;
 };
 
-/// A text next to a point.
+/// The name of a robot, above or below it.
 struct Name {
   Eigen::Vector3d at_m = Eigen::Vector3d::Zero();
   std::string text;
+  Colour colour{};
+  double radius_m = 0.0;
+  bool is_below = false;
 };
 
 /// A mark and its meaning.
@@ -63,6 +66,7 @@ struct Picture {
   std::string title;
   std::string caption;
   bool has_scale = false;  ///< a bar of metres, as long as it is where the camera looks
+  bool is_small = false;   ///< names and caption in large letters
 };
 
 /// The mark of a catch.

@@ -22,18 +22,30 @@ using backend::mujoco::ModelPtr;
 
 constexpr double flat_m = 5e-4;  ///< half the height of marks on the floor
 
-/// An empty world: the scene's objects are added by hand.
-ModelPtr empty_model(std::size_t width, std::size_t height, double extent_m) {
+/// A world with the slopes of an arena, if it has any: the scene's other objects are added by hand.
+ModelPtr empty_model(std::size_t width, std::size_t height, const Arena& arena) {
+  const double extent_m = arena.half_side_m;
   const auto text = [](double value) { return std::to_string(value); };
+  const double highest_m = edge_of(arena).height_m;
+  const bool has_slopes = arena.height_field && highest_m > 0.0;
+  std::string asset;
+  std::string geom;
+  if (has_slopes) {
+    const std::string nodes = std::to_string(arena.height_field->nodes);
+    const std::string half = text(arena.height_field->half_extent_m) + " ";
+    asset =
+        "<hfield name='slopes' nrow='" + nodes + "' ncol='" + nodes + "' size='" + half + half + text(highest_m) + " 0.001'/>";
+    geom = "<geom type='hfield' hfield='slopes' pos='0 0 -0.08' rgba='0.74 0.77 0.81 1'/>";
+  }
   const std::string xml =
       "<mujoco><statistic center='0 0 0' extent='" + text(extent_m) + "'/><visual><global fovy='" + text(fovy_deg) +
       "' offwidth='" + std::to_string(width) + "' offheight='" + std::to_string(height) +
       "'/><quality offsamples='0' numslices='72'/><map znear='0.03' zfar='12' shadowclip='1.2' "
       "shadowscale='0.9'/>"
       "<headlight ambient='0.5 0.5 0.5' diffuse='0.14 0.14 0.14' specular='0 0 0'/></visual><asset><texture type='skybox' "
-      "builtin='flat' rgb1='1 1 1' rgb2='1 1 1' width='4' height='24'/></asset><worldbody>"
-      "<light directional='true' pos='" +
-      text(0.3 * extent_m) + " " + text(-0.5 * extent_m) + " " + text(extent_m) +
+      "builtin='flat' rgb1='1 1 1' rgb2='1 1 1' width='4' height='24'/>" +
+      asset + "</asset><worldbody>" + geom + "<light directional='true' pos='" + text(0.3 * extent_m) + " " +
+      text(-0.5 * extent_m) + " " + text(extent_m) +
       "' dir='-0.28 0.5 -1' diffuse='0.42 0.42 0.42' specular='0 0 0' castshadow='false'/></worldbody></mujoco>";
   auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());
@@ -42,6 +54,11 @@ ModelPtr empty_model(std::size_t width, std::size_t height, double extent_m) {
   ModelPtr model{mj_loadXML("empty.xml", files.get(), error.data(), static_cast<int>(error.size()))};
   mj_deleteVFS(files.get());
   if (!model) throw std::runtime_error{std::string{"MuJoCo refuses an empty world: "} + error.data()};
+  if (has_slopes) {
+    const double tallest_m = std::ranges::max(arena.height_field->height_m);
+    std::ranges::transform(arena.height_field->height_m, model->hfield_data,
+                           [&](double height_m) { return static_cast<float>(height_m / tallest_m); });
+  }
   return model;
 }
 
@@ -68,7 +85,7 @@ class Renderer::Scene {
         scale_{quality == Quality::fine ? 2U : 1U},
         width_{scale_ * checked("width", width)},
         height_{scale_ * checked("height", height)},
-        model_{empty_model(width_, height_, arena.half_side_m)},
+        model_{empty_model(width_, height_, arena)},
         data_{mj_makeData(model_.get())},
         ring_m_{ring_radius_m(robot, arena)} {
     mjv_defaultScene(&scene_);
@@ -175,7 +192,7 @@ class Renderer::Scene {
     }
     if (arena_.height_field) return add_slopes(*arena_.height_field);
     const double thick = 0.006 * half;
-    const double height = 0.0175 * half;
+    const double height = 0.5 * edge_of(arena_).height_m;
     for (const auto& [x, y] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
       const double long_m = half + 2 * thick;
       const bool hides_the_floor = eye_m.x() * x + eye_m.y() * y > 1.02 * half;
@@ -185,14 +202,15 @@ class Renderer::Scene {
     }
   }
 
-  /// A net of lines; the slopes of an arena rise too high for a picture and are drawn flatter, as in the browser.
+  /// A net of lines on the slopes, which lie a little lower than the floor: marks of robots at their foot stay visible.
   void add_slopes(const HeightField& field) {
     const double highest = std::ranges::max(field.height_m);
-    const double scale = highest > 1.5 ? 1.5 / highest : 1.0;
+    const double scale = highest > 0.0 ? edge_of(arena_).height_m / highest : 1.0;
     const auto node = [&](std::size_t ix, std::size_t iy) {
       const double cell = 2.0 * field.half_extent_m / static_cast<double>(field.nodes - 1);
       return Eigen::Vector3d{static_cast<double>(ix) * cell - field.half_extent_m,
-                             static_cast<double>(iy) * cell - field.half_extent_m, scale * field.height_m[iy * field.nodes + ix]};
+                             static_cast<double>(iy) * cell - field.half_extent_m,
+                             scale * field.height_m[iy * field.nodes + ix] - 0.07};
     };
     for (std::size_t i = 0; i < field.nodes; ++i) {
       for (std::size_t j = 0; j + 1 < field.nodes; ++j) {
@@ -227,7 +245,7 @@ class Renderer::Scene {
   void add_flash(const Flash& flash) {
     constexpr int sides = 48;
     const Colour colour = flash.is_catch ? catch_colour : ink;
-    const double pixels = flash.is_catch ? std::max(3.0, 0.12 * flash.radius_m / pixel_m_) : 1.8;
+    const double pixels = flash.is_catch ? std::max(3.0, 0.07 * flash.radius_m / pixel_m_) : 1.8;
     const auto at = [&](double angle, double radius) {
       return Eigen::Vector3d{flash.x_m + radius * std::cos(angle), flash.y_m + radius * std::sin(angle), 9e-3};
     };

@@ -19,6 +19,7 @@ void Sight::begin(const command::LiveRun& run) {
   is_full_ = true;
   individuals_.clear();
   bodies_.clear();
+  seen_.clear();
 }
 
 void Sight::on_start(const observe::RunDescription& run, const View& view) {
@@ -54,6 +55,9 @@ void Sight::on_frame(const observe::Frame& frame) {
     moment.angles_rad.insert(moment.angles_rad.end(), angles_rad.begin(), angles_rad.end());
     moment.angles_rad.resize((robot + 1) * moment.joints);
   }
+  auto& places_m = seen_.emplace_back(frame.time_s, std::vector<Eigen::Vector3d>{}).second;
+  for (const Pose& root : moment.roots) places_m.push_back(root.position_m);
+  while (seen_.front().first < frame.time_s - command::replay::Scene::before_s) seen_.pop_front();
   sight_->frames.push_back(std::move(moment));
 }
 
@@ -87,7 +91,19 @@ void Sight::on_event(const observe::Event& event, const View& view) {
   if (event.kind != observe::EventKind::capture) return;
   const auto victim = std::ranges::find(view.robots, *event.other, &Individual::id);
   const auto body = static_cast<std::size_t>(victim - view.robots.begin());
-  sight_->scenes.push_back(scene_of(view.time_s, partner(self, event.body, view), partner(*victim, body, view)));
+  auto& scene = sight_->scenes.emplace_back(
+      command::replay::scene_of(view.time_s, partner(self, event.body, view), partner(*victim, body, view)));
+  const std::array tracks{track_of(event.body, scene.begins_s, view), track_of(body, scene.begins_s, view)};
+  command::replay::frame(scene, tracks, view.arena);
+}
+
+command::replay::Track Sight::track_of(std::size_t body, double from_s, const View& view) const {
+  const GroundPose& now = view.poses[body];
+  command::replay::Track track{.places_m = {{now.x_m, now.y_m, 0.0}}, .radius_m = view.robot_radius_m};
+  for (const auto& [time_s, places_m] : seen_) {
+    if (time_s >= from_s && body < places_m.size()) track.places_m.push_back(places_m[body]);
+  }
+  return track;
 }
 
 void Sight::on_tick(const View& view) {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <memory>
 #include <string>
@@ -36,6 +37,8 @@ class Sight {
  private:
   /// Notes the bodies that were set down since the last frame.
   void see_bodies(const observe::Frame& frame);
+  /// The path of a robot since a moment, as far as frames showed it.
+  [[nodiscard]] command::replay::Track track_of(std::size_t body, double from_s, const View& view) const;
 
   Server& server_;
   Steering& steering_;
@@ -43,6 +46,7 @@ class Sight {
   std::map<std::string, std::size_t> bodies_;  ///< hashes of bodies, and their numbers
   std::shared_ptr<RunFacts> facts_;
   std::shared_ptr<TickSight> sight_;
+  std::deque<std::pair<double, std::vector<Eigen::Vector3d>>> seen_;  ///< moments, and places of robots, as long as scenes last
   observe::Stopwatch watch_;
   double last_full_s_ = 0.0;
   bool is_full_ = true;

@@ -29,7 +29,7 @@ struct Options {
   std::string size;
   std::string view = "orbit";
   std::optional<double> speed;
-  std::optional<std::uint64_t> catch_;
+  std::optional<std::string> catch_;
   std::string lines = "on";
   std::string legend = "on";
   std::optional<std::string> title;
@@ -107,8 +107,7 @@ Command film() {
                   {.name = "--follow", .target = &options->follow, .help = "stay near the individual of that id, and mark it"},
                   {.name = "--catch",
                    .target = &options->catch_,
-                   .help =
-                       "show the run's catch of that number, from 1: 8 s before and 3 s after it, both robots in the picture"},
+                   .help = "show a catch from 8 s before it, both robots in the picture: its number in the run, from 1, or best"},
                   {.name = "--sheet",
                    .target = &options->sheet,
                    .help = "a contact sheet of so many pictures, e.g. 4x3, from --from to --to"},

@@ -73,27 +73,38 @@ void check(const FilmPlan& plan) {
 }
 
 /// The stretch that is drawn: that of a catch, or what the plan says.
-Window window_of(const FilmPlan& plan, const RecordedRun& run, const std::optional<Scene>& scene) {
+Window window_of(const FilmPlan& plan, const std::optional<Scene>& scene) {
   if (!scene) return plan.window;
-  const double first_s = Window{}.start_s(run.recording);
-  const double last_s = Window{}.end_s(run.recording);
-  if (scene->time_s < first_s || scene->time_s > last_s) {
-    throw std::invalid_argument{"--catch " + std::to_string(*plan.catch_) + ": is at " + number_text(scene->time_s) +
-                                " s, the recording is from " + number_text(first_s) + " to " + number_text(last_s) + " s"};
-  }
   const bool is_moment = plan.out.extension() == ".png" && plan.sheet.empty();
-  return {is_moment ? scene->time_s : std::max(first_s, scene->time_s - Scene::before_s),
-          std::min(last_s, scene->time_s + (is_moment ? 0.0 : Scene::after_s))};
+  return is_moment ? Window{scene->time_s, scene->time_s} : Window{scene->begins_s, scene->ends_s};
 }
 
-/// Number `number` of the run's catches, from 1. Throws std::invalid_argument for a run with fewer.
-Scene find_catch(const RecordedRun& run, std::uint64_t number) {
-  const std::vector<Scene> scenes = scenes_of(run);
-  if (number >= 1 && number <= scenes.size()) return scenes[number - 1];
-  const std::string has = scenes.empty()       ? "has no catch"
-                          : scenes.size() == 1 ? "has one catch"
-                                               : "has " + std::to_string(scenes.size()) + " catches";
-  throw std::invalid_argument{"--catch " + std::to_string(number) + ": " + run.folder.string() + " " + has};
+/// The scene that a plan asks for. Throws std::invalid_argument if the run or its recording lacks it.
+Scene find_scene(const RecordedRun& run, const std::string& which) {
+  const auto refuse = [&](const std::string& why) { throw std::invalid_argument{"--catch " + which + ": " + why}; };
+  std::vector<Scene> catches = catches_of(run);
+  if (which == "best") {
+    const std::vector<Scene> scenes = scenes_of(run, {});
+    if (scenes.empty()) refuse(run.folder.string() + " has no recorded catch");
+    return *best_of(scenes);
+  }
+  std::uint64_t number = 0;
+  const auto done = std::from_chars(which.data(), which.data() + which.size(), number);
+  if (done.ec != std::errc{} || done.ptr != which.data() + which.size() || number < 1) refuse("must be best, or a number from 1");
+  if (number > catches.size()) {
+    refuse(run.folder.string() + (catches.empty()       ? " has no catch"
+                                  : catches.size() == 1 ? " has one catch"
+                                                        : " has " + std::to_string(catches.size()) + " catches"));
+  }
+  Scene& scene = catches[number - 1];
+  const double first_s = Window{}.start_s(run.recording);
+  const double last_s = Window{}.end_s(run.recording);
+  if (scene.time_s < first_s || scene.time_s > last_s) {
+    refuse("is at " + number_text(scene.time_s) + " s, the recording is from " + number_text(first_s) + " to " +
+           number_text(last_s) + " s");
+  }
+  stage(scene, catches, run, {});
+  return scene;
 }
 
 /// Ecology seconds that a second of a film shows.
@@ -109,8 +120,8 @@ class Artist {
  public:
   Artist(const FilmPlan& plan, const RecordedRun& run, std::size_t width, std::size_t height)
       : plan_{plan},
-        scene_{plan.catch_ ? std::optional{find_catch(run, *plan.catch_)} : std::nullopt},
-        window_{window_of(plan, run, scene_)},
+        scene_{plan.catch_ ? std::optional{find_scene(run, *plan.catch_)} : std::nullopt},
+        window_{window_of(plan, scene_)},
         from_s_{window_.start_s(run.recording)},
         to_s_{plan.out.extension() == ".png" && plan.sheet.empty() ? from_s_ : window_.end_s(run.recording)},
         footage_{run, from_s_, to_s_, flash_at(film::is_film(plan.out) ? speed_of(plan) : 0.0)},
@@ -124,23 +135,32 @@ class Artist {
     title_ = plan.title.value_or((name.empty() ? run.folder.string() : name) + ": " + head.rule_table + ", " + head.backend +
                                  ", seed " + std::to_string(head.seed));
     if (!scene_) return;
-    for (double time_s = from_s_; time_s <= scene_->time_s + 1e-9; time_s += 0.5) {
-      apart_m_ = std::max(apart_m_, (place(time_s, scene_->hunter_body) - place(time_s, scene_->victim_body)).norm());
-    }
+    const auto seen_height = [&](const Partner& one) {
+      const auto point = film::seen_at(scene_->shot.camera(aspect_), place(scene_->time_s, one.body));
+      return point ? point->y : 0.0;
+    };
+    below_ = seen_height(scene_->hunter) < seen_height(scene_->victim) ? scene_->hunter.id : scene_->victim.id;
   }
 
-  [[nodiscard]] double from_s() const { return from_s_; }
+  /// The catch that is shown, for the line that the program prints.
+  [[nodiscard]] std::string subject() const {
+    if (!scene_) return "";
+    return "; at " + number_text(scene_->time_s) + " s " + scene_->sentence +
+           (scene_->remark.empty() ? "" : " (" + scene_->remark + ")");
+  }
 
   [[nodiscard]] film::Image draw(const Moment& moment) {
     Sights sights{.marked = plan_.follow, .rows_s = moment.rows_s, .has_lines = plan_.has_lines};
     if (scene_) {
-      sights.marked = scene_->hunter;
-      sights.named = {scene_->hunter, scene_->victim};
+      sights.named = {scene_->hunter.id, scene_->victim.id};
+      sights.victim = scene_->victim.id;
+      sights.below = below_;
     } else if (plan_.follow) {
       sights.named = {*plan_.follow};
     }
     film::Picture picture = footage_.picture(moment.time_s, sights);
-    picture.caption = time_text(moment.time_s) + (scene_ ? "  " + scene_->sentence : "");
+    picture.is_small = scene_ && !is_wide_;
+    picture.caption = picture.is_small ? moment_text(moment) : time_text(moment.time_s) + (scene_ ? "  " + scene_->sentence : "");
     if (is_wide_ && (plan_.has_legend || plan_.title)) picture.title = title_;
     if (is_wide_ && plan_.has_legend) {
       picture.legend = footage_.legend(moment.time_s, sights);
@@ -149,17 +169,17 @@ class Artist {
     return renderer_.draw(picture, camera(moment.time_s));
   }
 
-  /// `count` moments, as far from each other as they can be; the last but one third of a catch's is the catch itself.
+  /// `count` moments, as far from each other as they can be. Those of a scene go from its beginning to the catch; the last is its
+  /// end.
   [[nodiscard]] std::vector<Moment> sheet(std::size_t count) const {
+    const std::size_t last = scene_ && count > 2 ? count - 2 : count - 1;  // the one at `until_s`
+    const double until_s = scene_ ? scene_->time_s : to_s_;
     std::vector<Moment> moments;
-    for (std::size_t i = 0; i < count; ++i) {
-      const double part = count == 1 ? 0.0 : static_cast<double>(i) / static_cast<double>(count - 1);
-      moments.push_back(at(from_s_ + part * (to_s_ - from_s_)));
+    for (std::size_t i = 0; i <= last; ++i) {
+      const double part = last == 0 ? 0.0 : static_cast<double>(i) / static_cast<double>(last);
+      moments.push_back(scene_ && i == last ? still() : at(from_s_ + part * (until_s - from_s_)));
     }
-    if (!scene_ || count == 1) return moments;
-    const auto nearest =
-        std::ranges::min_element(moments, {}, [&](const Moment& one) { return std::abs(one.time_s - scene_->time_s); });
-    *nearest = still();
+    if (last + 1 < count) moments.push_back(at(to_s_));
     return moments;
   }
 
@@ -186,6 +206,12 @@ class Artist {
 
  private:
   [[nodiscard]] static Moment at(double time_s) { return {time_s, {}}; }
+  /// "4 s before", "the catch" or "3 s after".
+  [[nodiscard]] std::string moment_text(const Moment& moment) const {
+    if (moment.rows_s) return "the catch";
+    const double from_catch_s = std::round(10.0 * (moment.time_s - scene_->time_s)) / 10.0;
+    return number_text(std::abs(from_catch_s)) + (from_catch_s < 0.0 ? " s before" : " s after");
+  }
   [[nodiscard]] Moment still() const { return {scene_->time_s, scene_->time_s - 0.5 * footage_.head().times.tick_s}; }
   [[nodiscard]] Eigen::Vector3d place(double time_s, std::size_t body) const { return footage_.root(time_s, body).position_m; }
 
@@ -193,8 +219,7 @@ class Artist {
     film::Camera camera =
         plan_.from_above ? film::from_above(footage_.head().arena, aspect_) : film::whole_arena(footage_.head().arena, aspect_);
     if (scene_) {
-      camera = film::near_pair(footage_.head().robot, place(time_s, scene_->hunter_body), place(time_s, scene_->victim_body),
-                               apart_m_, aspect_);
+      camera = scene_->shot.camera(aspect_);
     } else if (followed_) {
       camera = film::near(footage_.head().robot, place(time_s, *followed_));
     }
@@ -213,7 +238,7 @@ class Artist {
   film::Renderer renderer_;
   std::optional<std::size_t> followed_;
   std::string title_;
-  double apart_m_ = 0.0;
+  std::optional<IndividualId> below_;  ///< the one of the scene that is lower in the picture
 };
 
 }  // namespace
@@ -253,7 +278,7 @@ int film_run(const FilmPlan& plan) {
     film::write_png(plan.out, sheet);
     what = std::to_string(moments.size()) + (moments.size() == 1 ? " picture" : " pictures");
   }
-  std::cout << plan.out.string() << ": " << what << "\n";
+  std::cout << plan.out.string() << ": " << what << artist.subject() << "\n";
   flush_output();
   return 0;
 }

@@ -22,11 +22,11 @@ struct FilmPlan {
   std::string sheet;
   std::string size;  ///< of each picture; empty: 1280x720, in a sheet 480x360
   bool from_above = false;
-  std::optional<double> speed;          ///< ecology seconds a second; empty: 10, of a catch 1
-  std::optional<std::uint64_t> catch_;  ///< which of the run's catches is shown, from 1
-  bool has_lines = true;                ///< trails, and who perceives whom
-  bool has_legend = true;               ///< with counts, and a scale
-  std::optional<std::string> title;     ///< empty: the run's name, rules, backend and seed
+  std::optional<double> speed;        ///< ecology seconds a second; empty: 10, of a catch 1
+  std::optional<std::string> catch_;  ///< the catch that is shown: its number in the run, from 1, or "best"
+  bool has_lines = true;              ///< trails, and who perceives whom
+  bool has_legend = true;             ///< with counts, and a scale
+  std::optional<std::string> title;   ///< empty: the run's name, rules, backend and seed
   std::uint64_t fps = 30;
   bool fine = false;
 };

@@ -42,11 +42,12 @@ Footage::Footage(const RecordedRun& run, double from_s, double to_s, double flas
       flash_s_{flash_s},
       filled_tag_{std::ranges::max(run.manifest.at("tags").get<std::vector<int>>())},
       species_{run.manifest.at("species").get<std::vector<std::string>>()} {
-  analysis::CsvReader events{run.folder / "events.csv", {"time_s", "event", "x_m", "y_m", "cause"}};
+  analysis::CsvReader events{run.folder / "events.csv", {"time_s", "event", "x_m", "y_m", "cause", "id"}};
   while (events.next()) {
     const auto time_s = events.get<double>(0);
     if (events.text(1) != "death" || time_s < from_s_ - flash_s_ || time_s > to_s_) continue;
-    deaths_.push_back({time_s, events.get<double>(2), events.get<double>(3), events.text(4) == "caught"});
+    deaths_.push_back(
+        {time_s, events.get<double>(2), events.get<double>(3), events.text(4) == "caught", events.get<IndividualId>(5)});
   }
 }
 
@@ -58,12 +59,17 @@ film::Picture Footage::picture(double time_s, const Sights& sights) const {
     picture.robots.back().is_marked = row.id == sights.marked;
     if (sights.has_lines) add_trail(picture, time_s, row.body);
     if (std::ranges::find(sights.named, row.id) == sights.named.end()) continue;
-    picture.names.push_back({picture.robots.back().root.position_m, species_.at(row.species) + " " + std::to_string(row.id)});
+    const film::RobotLook& named = picture.robots.back();
+    picture.names.push_back({.at_m = named.root.position_m,
+                             .text = species_.at(row.species) + " " + std::to_string(row.id),
+                             .colour = named.colour,
+                             .radius_m = (named.body ? *named.body : head().robot).bounding_radius_m,
+                             .is_below = row.id == sights.below});
   }
   if (sights.has_lines) add_sights(picture, rows);
   for (const Death& death : deaths_) {
     const double age = (time_s - death.time_s) / flash_s_;
-    if (age < 0.0 || age >= 1.0) continue;
+    if (age < 0.0 || age >= 1.0 || (sights.victim && death.id != *sights.victim)) continue;
     const double wide = death.is_catch ? 1.3 + 0.5 * age : 1.2 + 2.2 * age;
     picture.flashes.push_back({death.x_m, death.y_m, film::ring_radius_m(head().robot, head().arena) * wide, death.is_catch});
   }
@@ -110,7 +116,7 @@ std::vector<film::LegendEntry> Footage::legend(double time_s, const Sights& sigh
   legend.push_back({Mark::species, inactive_colour, "not yet active"});
   legend.push_back({Mark::catch_, film::catch_colour, "caught"});
   legend.push_back({Mark::death, ink, "other death"});
-  legend.push_back({Mark::marked, ink, "selected"});
+  if (sights.marked) legend.push_back({Mark::marked, ink, "selected"});
   if (!sights.has_lines) return legend;
   legend.push_back({Mark::trail, ink, "trail"});
   legend.push_back({Mark::sight, ink, "perceives"});

@@ -26,8 +26,10 @@ struct Sights {
   std::optional<IndividualId> marked = {};  ///< highlighted individual
   /// The moment whose occupants are shown, if it is not the picture's: at the tick of a catch its victim is gone.
   std::optional<double> rows_s = {};
-  std::vector<IndividualId> named = {};  ///< whose names are written
-  bool has_lines = true;                 ///< trails, and who perceives whom
+  std::vector<IndividualId> named = {};     ///< whose names are written
+  bool has_lines = true;                    ///< trails, and who perceives whom
+  std::optional<IndividualId> below = {};   ///< whose name is below its robot
+  std::optional<IndividualId> victim = {};  ///< the one whose death is marked alone
 };
 
 /// A stretch of a recorded run.
@@ -52,6 +54,7 @@ class Footage {
     double x_m = 0.0;
     double y_m = 0.0;
     bool is_catch = false;
+    IndividualId id = 0;
   };
 
   [[nodiscard]] film::RobotLook look(double time_s, const io::AgentRow& row) const;

@@ -150,7 +150,7 @@ std::vector<std::pair<std::string_view, std::string>> files_of(const RecordedRun
   files.emplace_back("events", deflated(table_without(run.folder / "events.csv", {"tick", "tag", "active", "genome_id"},
                                                       {"time_s"}, in_window)));
   files.emplace_back("phylogeny", deflated(table_without(run.folder / "phylogeny.csv", {"ancestor_list"}, {}, always)));
-  files.emplace_back("scenes", deflated(json_text(scenes_of(run, window))));
+  files.emplace_back("scenes", deflated(json_text(json_of_scenes(run, window))));
   if (std::filesystem::exists(run.folder / "senses.csv")) {
     files.emplace_back("senses",
                        deflated(table_without(run.folder / "senses.csv", {"time_s", "id", "species"}, {"time_s"}, ticks, true)));

@@ -302,6 +302,7 @@ export class App {
     this.speed = 1;
     this.playing = true;
     this.controls.showView(null);
+    this.worlds[this.current]?.take(scene.camera);
     this.goTo(Math.max(this.run.firstTime, scene.begins_s));
     this.select(event.id);
   }
@@ -448,7 +449,8 @@ export class App {
         time: within(run, time),
         rowTime: within(run, rowTime),
         selected: body,
-        pair: isCurrent ? (this.scene?.scene.bodies ?? []) : [],
+        scene: isCurrent ? (this.scene?.scene ?? null) : null,
+        victim: isCurrent && this.isNearEvent && this.event?.kind === "catch" ? this.event.other : NaN,
         highlighted: this.branches.get(number) ?? new Set(),
         flashSeconds: Math.min(mostFlashSeconds, Math.max(leastFlashSeconds, this.speed || this.pace)),
         shown: this.shown,
@@ -464,6 +466,10 @@ export class App {
     this.drawing = false;
   }
 
+  private get isNearEvent(): boolean {
+    return this.event !== null && Math.abs(this.time - this.event.time) <= Math.max(bannerSeconds, this.speed);
+  }
+
   private showTexts(time: number): void {
     const { run, event } = this;
     const row = run.rowAt(time);
@@ -476,11 +482,10 @@ export class App {
     }
     this.counts.forEach((count, species) => (count.textContent = String(alive[species])));
     this.side.inspector.show(run, this.selected, time, this.worlds[this.current], living);
-    const isNear = event !== null && Math.abs(this.time - event.time) <= Math.max(bannerSeconds, this.speed);
-    this.banner.hidden = !isNear;
-    if (!isNear) return;
+    this.banner.hidden = !this.isNearEvent;
+    if (!event || this.banner.hidden) return;
     const ahead = event.time - this.time;
-    this.banner.textContent = sentence(run, event) + (ahead > 0 ? ` (in ${Math.ceil(ahead)} s)` : "");
+    this.banner.textContent = sentence(run, event) + (ahead > 0 ? ` (in ${Math.ceil(ahead)} s)` : "") + (event.scene?.remark ? ` · ${event.scene.remark}` : "");
     this.banner.classList.toggle("happened", ahead <= 0 && (event.kind === "catch" || event.kind === "death"));
   }
 

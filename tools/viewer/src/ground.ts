@@ -73,13 +73,13 @@ export class Ground {
     const { nodes, half_extent_m, height_m } = field;
     const geometry = new PlaneGeometry(2 * half_extent_m, 2 * half_extent_m, nodes - 1, nodes - 1);
     const position = geometry.getAttribute("position");
-    // Slopes of many metres would hide the floor: they are drawn flatter, and the floor itself a little lower than its own plane.
+    // Slopes of many metres would hide the floor: they are drawn flatter, and lower, so that marks of robots at their foot stay visible.
     const highest = height_m.reduce((a, b) => Math.max(a, b));
     const scale = highest > 1.5 ? 1.5 / highest : 1;
     for (let i = 0; i < position.count; ++i) {
       const ix = Math.round(((position.getX(i) + half_extent_m) / (2 * half_extent_m)) * (nodes - 1));
       const iy = Math.round(((position.getY(i) + half_extent_m) / (2 * half_extent_m)) * (nodes - 1));
-      position.setZ(i, height_m[iy * nodes + ix] * scale - 0.006);
+      position.setZ(i, height_m[iy * nodes + ix] * scale - 0.08);
     }
     geometry.computeVertexNormals();
     return new Mesh(geometry, this.slopes);

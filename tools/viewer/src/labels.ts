@@ -13,8 +13,8 @@ export class Labels {
     this.used = 0;
   }
 
-  /** A name next to a place, CSS pixels. */
-  add(text: string, x: number, y: number, isMain: boolean): void {
+  /** A name next to a place, CSS pixels; `colour`: of its plate, empty for the usual one. */
+  add(text: string, x: number, y: number, colour: string, isMain: boolean): void {
     if (this.used >= most) return;
     let tag = this.tags[this.used];
     if (!tag) {
@@ -26,6 +26,8 @@ export class Labels {
     tag.className = isMain ? "tag" : "tag small";
     tag.textContent = text;
     tag.hidden = false;
+    tag.style.background = colour;
+    tag.style.color = colour ? "#fff" : "";
     tag.style.transform = `translate(${Math.round(x + 12)}px, ${Math.round(y - 26)}px)`;
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Marks of robots that are visible from afar: a ring on the floor in the species' colour, filled or hollow by the tag, and the heading.
-// Marks of events: a cross in a ring for a catch, a ring that widens for another death or an activation.
+// Marks of events: rings round the place, red for a catch; those of another death or an activation widen.
 import { BufferAttribute, BufferGeometry, CircleGeometry, Color, DoubleSide, Group, InstancedMesh, LineBasicMaterial, LineSegments, Matrix4, MeshBasicMaterial, RingGeometry, Vector3 } from "three";
 
 const hidden = new Matrix4().makeScale(0, 0, 0);
@@ -29,12 +29,6 @@ class Flat {
     this.mesh.setColorAt(0, this.colour.set("#fff"));
   }
 
-  /** Seen through bodies and walls. */
-  onTop(): void {
-    (this.mesh.material as MeshBasicMaterial).depthTest = false;
-    this.mesh.renderOrder = 20;
-  }
-
   set(index: number, mark: Mark | null, colour?: string): void {
     if (!mark) {
       this.mesh.setMatrixAt(index, hidden);
@@ -58,24 +52,6 @@ function pointer(): BufferGeometry {
   return new BufferGeometry().setAttribute("position", new BufferAttribute(shape, 3));
 }
 
-/** A ring with a cross in it. */
-function crossedRing(): BufferGeometry {
-  const corners: number[] = [];
-  const add = (...points: [number, number][]): void => points.forEach(([x, y]) => corners.push(x, y, 0));
-  const sides = 40;
-  for (let i = 0; i < sides; ++i) {
-    const at = (k: number, radius: number): [number, number] => [radius * Math.cos((2 * Math.PI * k) / sides), radius * Math.sin((2 * Math.PI * k) / sides)];
-    add(at(i, 0.84), at(i, 1), at(i + 1, 1), at(i, 0.84), at(i + 1, 1), at(i + 1, 0.84));
-  }
-  const long = 0.88;
-  const wide = 0.09;
-  for (const angle of [Math.PI / 4, -Math.PI / 4]) {
-    const at = (u: number, v: number): [number, number] => [u * Math.cos(angle) - v * Math.sin(angle), u * Math.sin(angle) + v * Math.cos(angle)];
-    add(at(-long, -wide), at(long, -wide), at(long, wide), at(-long, -wide), at(long, wide), at(-long, wide));
-  }
-  return new BufferGeometry().setAttribute("position", new BufferAttribute(new Float32Array(corners), 3));
-}
-
 /** Rings, discs, pointers and highlights of `count` robots, and what has just happened. */
 export class Marks {
   readonly group = new Group();
@@ -95,8 +71,7 @@ export class Marks {
     this.rings = new Flat(new RingGeometry(0.88, 1, 48), count, 1, 2);
     this.pointers = new Flat(pointer(), count, 1, 3);
     this.flashes = new Flat(new RingGeometry(0.9, 1, 40), flashCount, 0.7, 4);
-    this.catches = new Flat(crossedRing(), flashCount, 1, 5);
-    this.catches.onTop();
+    this.catches = new Flat(new RingGeometry(0.85, 1, 48), flashCount, 1, 5);
     for (const flat of this.all) this.group.add(flat.mesh);
   }
 
@@ -111,7 +86,7 @@ export class Marks {
     this.highlights.set(index, highlight ? mark : null, highlight ?? undefined);
   }
 
-  /** Rings that widen where something has just happened, and crossed rings where a robot was caught; the last ones of too many. */
+  /** Rings where something has just happened, and where a robot was caught; the last ones of too many. */
   flash(marks: Mark[], catches: Mark[]): void {
     for (let i = 1; i <= this.flashCount; ++i) {
       this.flashes.set(i - 1, marks.at(-i) ?? null);

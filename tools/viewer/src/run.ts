@@ -46,14 +46,26 @@ export interface LiveTick {
 /** time, kind, id, body, species, cause, other, x, y, parent, origin; of a catch its scene. */
 export type LiveEvent = [number, string, number, number, number, string, number | null, number, number, number | null, string, Scene?];
 
+/** The camera of a scene, as tools/trophic/replay/shot.hpp has it. */
+export interface Shot {
+  at_m: [number, number, number];
+  azimuth_deg: number;
+  elevation_deg: number;
+  near_m: number;
+  high_m: number;
+  wide_m: number;
+}
+
 /** A catch to be played, as tools/trophic/replay/director.hpp has it. */
 export interface Scene {
   time_s: number;
   begins_s: number;
   ends_s: number;
   still_s: number; // how long the catch itself is shown, seconds of the viewer
-  bodies: number[]; // that stay in the picture
+  individuals: [number, number]; // hunter and victim
   sentence: string;
+  remark: string; // what the scene lacks; may be empty
+  camera: Shot;
   opens?: boolean; // a page opens at it
 }
 

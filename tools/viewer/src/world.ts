@@ -8,7 +8,7 @@ import { Ground } from "./ground";
 import { Labels } from "./labels";
 import { Lines, type Mark, Marks } from "./marks";
 import { RobotShape } from "./robot";
-import { firstAfter, type Run } from "./run";
+import { firstAfter, type Run, type Scene as Catch, type Shot } from "./run";
 import { theme } from "./theme";
 
 export type View = "orbit" | "top" | "follow";
@@ -24,7 +24,8 @@ export interface Look {
   time: number; // of the poses, and of what has just happened
   rowTime: number; // of who lives in which body: just before `time` while a catch is shown
   selected: number; // a body; -1: none
-  pair: readonly number[]; // the bodies that the camera stays with; may be empty
+  scene: Catch | null; // its two are named, and its camera stays
+  victim: number; // the individual whose death alone is marked; NaN: all deaths are
   highlighted: ReadonlySet<number>; // individuals
   flashSeconds: number; // how long a death is seen, ecology seconds
   shown: Shown;
@@ -41,6 +42,7 @@ export class World {
   readonly canvas = document.createElement("canvas");
   readonly labels = new Labels();
   view: View = "orbit";
+  private shot: Shot | null = null;
   private readonly renderer: WebGLRenderer;
   private readonly scene = new Scene();
   private readonly camera = new PerspectiveCamera(38, 1, 0.05, 400);
@@ -105,6 +107,7 @@ export class World {
   look(view: View): void {
     const half = this.run.recording.head.arena.half_side_m;
     this.view = view;
+    this.shot = null;
     this.controls.enableRotate = view !== "top";
     const fit = Math.max(1, 1.25 / this.camera.aspect);
     this.camera.far = Math.max(400, 12 * half * fit);
@@ -122,6 +125,18 @@ export class World {
     this.controls.update();
   }
 
+  /** Puts the camera where the director has it for a scene. */
+  take(shot: Shot): void {
+    this.shot = shot;
+    const azimuth = (shot.azimuth_deg * Math.PI) / 180;
+    const elevation = (shot.elevation_deg * Math.PI) / 180;
+    const forward = new Vector3(Math.cos(azimuth) * Math.cos(elevation), Math.sin(azimuth) * Math.cos(elevation), Math.sin(elevation));
+    this.controls.enableRotate = true;
+    this.controls.target.set(...shot.at_m);
+    this.camera.position.copy(this.controls.target).addScaledVector(forward, -(shot.near_m + Math.max(shot.high_m, shot.wide_m / this.camera.aspect)));
+    this.controls.update();
+  }
+
   resize(width: number, height: number): void {
     const ratio = Math.min(2, window.devicePixelRatio || 1);
     this.renderer.setPixelRatio(ratio);
@@ -129,7 +144,9 @@ export class World {
     const before = this.camera.aspect;
     this.camera.aspect = width / Math.max(1, height);
     this.camera.updateProjectionMatrix();
-    if (Math.abs(before - this.camera.aspect) > 0.05 && this.view !== "follow") this.look(this.view);
+    if (Math.abs(before - this.camera.aspect) <= 0.05) return;
+    if (this.shot) this.take(this.shot);
+    else if (this.view !== "follow") this.look(this.view);
   }
 
   /** The robot drawn nearest to a click, within 26 pixels; -1: none. */
@@ -193,8 +210,7 @@ export class World {
     this.marks.done();
     this.drawTrails(look, row);
     this.drawLinks(look, row, bodyOf);
-    if (look.pair.length > 0) this.stayWith(look.pair);
-    else if (this.view === "follow" && look.selected >= 0) this.followTo(look.selected);
+    if (!look.scene && this.view === "follow" && look.selected >= 0) this.followTo(look.selected);
     this.ground.see(this.camera.position);
     this.renderer.render(this.scene, this.camera);
     this.placeLabels(look, row);
@@ -231,7 +247,8 @@ export class World {
     this.headings[body] = heading;
     const mark: Mark = { x: pose[0], y: pose[1], heading, colour, filled: agents.tag[row + body] === Math.max(...run.index.tags), size: this.ringOf(body) };
     const isMarked = look.highlighted.has(agents.id[row + body]);
-    this.marks.set(body, mark, body === look.selected ? theme().ink : isMarked ? branchColour : null);
+    const highlight = body === look.selected ? theme().ink : isMarked ? branchColour : null;
+    this.marks.set(body, mark, look.scene ? null : highlight); // the two of a scene have names
   }
 
   private followTo(body: number): void {
@@ -242,33 +259,15 @@ export class World {
     this.camera.updateMatrixWorld();
   }
 
-  /** Keeps several robots in the picture, from the side from which one looks. */
-  private stayWith(bodies: readonly number[]): void {
-    const middle = new Vector3();
-    for (const body of bodies) middle.addScaledVector(this.placeOf(body), 1 / bodies.length);
-    let apart = 0;
-    for (const body of bodies) apart = Math.max(apart, this.placeOf(body).distanceTo(middle));
-    const wanted = (10 * Math.max(...bodies.map((body) => this.radiusOf(body))) + 2.6 * apart) * Math.max(1, 1.1 / this.camera.aspect);
-    const offset = this.camera.position.clone().sub(this.controls.target);
-    const flat = Math.hypot(offset.x, offset.y);
-    const direction = flat > 1e-3 ? new Vector3(offset.x / flat, offset.y / flat, 0.8).normalize() : new Vector3(0, -1, 0.8).normalize();
-    const step = 0.2; // a picture: the camera glides
-    const distance = offset.length() + step * (wanted - offset.length());
-    this.controls.target.lerp(middle, offset.length() > 3 * wanted ? 0.35 : step);
-    const now = offset.normalize().lerp(direction, step).normalize();
-    this.camera.position.copy(this.controls.target).addScaledVector(now, distance);
-    this.camera.lookAt(this.controls.target);
-    this.camera.updateMatrixWorld();
-  }
-
-  private flash({ time, flashSeconds }: Look): void {
+  private flash({ time, flashSeconds, victim }: Look): void {
     const marks: Mark[] = [];
     const catches: Mark[] = [];
     const { events } = this.run;
     const { ink } = theme();
     for (let i = firstAfter(events, time - flashSeconds); i < events.length && events[i].time <= time; ++i) {
-      const { kind, cause, species, time: then, x, y, body } = events[i];
+      const { kind, cause, species, time: then, x, y, body, id } = events[i];
       if (kind !== "death" && kind !== "activation") continue;
+      if (!Number.isNaN(victim) && (id !== victim || kind !== "death")) continue;
       const age = (time - then) / flashSeconds;
       const mark = { x, y, heading: 0, filled: false, colour: ink, size: this.ringOf(body) * (1.2 + 2.2 * age) };
       if (kind === "activation") marks.push({ ...mark, colour: colourOf(species) });
@@ -314,16 +313,18 @@ export class World {
     this.links.done();
   }
 
-  private placeLabels({ selected, pair }: Look, row: number): void {
+  private placeLabels({ selected, scene }: Look, row: number): void {
     const { agents, index, robots } = this.run;
     this.labels.clear();
     for (let body = 0; body < robots; ++body) {
-      const isMain = body === selected || pair.includes(body);
+      const isMain = body === selected || (scene?.individuals.includes(agents.id[row + body]) ?? false);
       if (!isMain && this.pixelsOf(body) < namedPixels) continue;
       const [x, y] = this.onScreen(body);
       if (this.point.z > 1 || x < 0 || y < 0 || x > this.canvas.clientWidth || y > this.canvas.clientHeight) continue;
       const id = agents.id[row + body];
-      this.labels.add(isMain ? `${index.species[agents.species[row + body]] ?? ""} ${id}` : `${id}`, x, y, isMain);
+      const species = agents.species[row + body];
+      const above = scene && isMain ? 0.6 * this.pixelsOf(body) : 0;
+      this.labels.add(isMain ? `${index.species[species] ?? ""} ${id}` : `${id}`, x, y - above, scene && isMain ? colourOf(species) : "", isMain);
     }
     this.labels.done();
   }

@@ -150,33 +150,25 @@ def trajectories(data):
 
 
 def film_strip(data):
-    """The catch closest to the middle of the run, from ten seconds before to two after, by `trophic film`."""
+    """A catch in four pictures, by `trophic film`: the one at which a page of the run opens."""
     folder = data.folders[data.run]
     if not (folder / "replay.trp").exists():
         raise Missing(f"{folder / 'replay.trp'}: no recording")
-    events = data.table(folder, "events.csv", ["time_s", "event", "id", "victim_id", "species"])
-    end_s = events.time_s.max()
-    caught = events[(events.event == "catch") & (events.time_s >= 10) & (events.time_s <= end_s - 2)]
-    if caught.empty:
-        raise Missing(f"{folder / 'events.csv'}: no catch with ten seconds before it")
-    births = events[events.event == "birth"].set_index("id").time_s
-    lived = caught[caught.time_s - caught.id.map(births) >= 10]
-    one = (caught if lived.empty else lived).pipe(lambda rows: rows.loc[(rows.time_s - end_s / 2).abs().idxmin()])
-    moments = [-10, -6, -4, -2, 0, 2]
-    fig, axes = plt.subplots(2, 3, figsize=(max(7.0, width_in()), 3.35))
     with tempfile.TemporaryDirectory() as name:
-        for ax, offset in zip(axes.flat, moments):
-            picture = pathlib.Path(name) / f"{offset}.png"
-            command = [data.trophic, "film", str(folder), "--from", str(one.time_s + offset), "--follow", str(one.id), "--size", "640x420", "-o",
-                       str(picture)]
-            try:
-                done = subprocess.run(command, capture_output=True, text=True, timeout=120)
-            except OSError as error:
-                raise Missing(f"{data.trophic}: {error.strerror}; set --trophic") from error
-            if done.returncode != 0:
-                raise Missing(done.stderr.strip() or "trophic film failed")
-            ax.imshow(plt.imread(picture))
-            ax.set_title(f"{offset:+d} s" if offset else "catch", pad=2, fontweight="bold" if offset == 0 else "normal")
-            ax.set_axis_off()
-    return caption(fig, f"{folder.name}: {one.species} {one.id} catches robot {one.victim_id:.0f} at {one.time_s:g} s. The camera follows the hunter. Ring: "
-                        "its species' colour, filled or hollow by its tag; grey: inactive newborn; growing circle: a death, at which a newborn takes over the body.")
+        picture = pathlib.Path(name) / "strip.png"
+        command = [data.trophic, "film", str(folder), "--catch", "best", "--sheet", "2x2", "--size", "520x360", "--lines", "off", "-o", str(picture)]
+        try:
+            done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+        except OSError as error:
+            raise Missing(f"{data.trophic}: {error.strerror}; set --trophic") from error
+        if done.returncode != 0:
+            raise Missing(done.stderr.strip() or "trophic film failed")
+        pixels = plt.imread(picture)
+    wide = width_in()
+    fig, ax = plt.subplots(figsize=(wide, wide * pixels.shape[0] / pixels.shape[1]))
+    fig.get_layout_engine().set(w_pad=0, h_pad=0)
+    ax.imshow(pixels)
+    ax.set_axis_off()
+    what = done.stdout.strip().partition("; ")[2]  # "at 390 s predator 29 catches prey 12: random, lived 390 s"
+    return caption(fig, f"{folder.name}: {what}. The camera stands still; only the two robots of the catch are named. Ring on the floor: filled "
+                        "or hollow by its robot's tag, with a pointer ahead; red ring: the catch, at which a newborn (grey: inactive) takes over the victim's body.")
