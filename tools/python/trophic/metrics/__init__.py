@@ -82,8 +82,8 @@ def shipped(web: Web, events: pandas.DataFrame, agents: pandas.DataFrame, *, unt
 def measure_run(run: PooledRun, how: Measuring) -> RunValues:
     """Reads and measures a run. Raises RunError, naming the file, for a table that cannot be read or is not what the run wrote."""
     if how.lineages is not None:
-        from . import lineages  # type: ignore[attr-defined]
-        return lineages.measure_run(run, how.lineages, how.window_s)
+        from . import lineages
+        return lineages.measure_run(run, how.lineages, how.window_s)  # type: ignore[arg-type]  # known since the runs were pooled
     run.check_files()
     status = run.manifest["status"]
     remarks = [] if status == "complete" else [f'{run.path}/manifest.json: status "{status}": the run did not reach its end']

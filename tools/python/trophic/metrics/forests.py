@@ -54,7 +54,7 @@ def persistent(forest: Forest, species, start_s: float, end_s: float) -> list[in
     return sorted(kept)
 
 
-def modes(forest: Forest, species, times_s: Sequence[float]) -> numpy.ndarray:
+def modes(forest: Forest, species, times_s: Sequence[float] | numpy.ndarray) -> numpy.ndarray:
     """The measures of MODES [dolson2019] in the windows between successive times, which see only what persists over the window.
 
     Returns shape (windows, 4): change, the types that persist and did not in the window before; novelty, those that persist for the first time;

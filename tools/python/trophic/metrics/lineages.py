@@ -15,7 +15,6 @@ import numpy
 import pandas
 
 from ..runs import Run, RunError
-from ..statistics import mean_of
 from ..values import CURVE_COLUMNS, VALUE_COLUMNS, Metric, RunValues
 from ..words import number_text
 from .forests import Forest, activity, descent, modes, presence
@@ -55,11 +54,11 @@ def read_forests(run: Run, signatures: str | os.PathLike) -> list[Forest]:
     """Returns the run's forest, and those of drift after it."""
     individuals = run.table("phylogeny", ["id", "origin_time", "destruction_time", "species"]).sort_values("id")
     ids = individuals["id"].to_numpy()
-    lives = [individuals[column].to_numpy() for column in ("origin_time", "destruction_time", "species")]
+    birth_s, death_s, species = (individuals[column].to_numpy() for column in ("origin_time", "destruction_time", "species"))
     rows = _signatures(os.fspath(signatures)).get(run.path.resolve())
     if rows is None or not all(numpy.array_equal(forest["id"], ids) for _, forest in rows.groupby("forest")):
         raise RunError(f"{os.fspath(signatures)}: has not the individuals of {run.path}")
-    return [Forest(numpy.where(forest["parent"] == forest["id"], -1, numpy.searchsorted(ids, forest["parent"])), *lives,
+    return [Forest(numpy.where(forest["parent"] == forest["id"], -1, numpy.searchsorted(ids, forest["parent"])), birth_s, death_s, species,
                    forest["type"].to_numpy(), forest["complexity"].to_numpy()) for _, forest in rows.groupby("forest")]
 
 
@@ -72,29 +71,33 @@ def lineage_values(forests: Sequence[Forest], species: Sequence, window_s: float
     """The measures of each species at the ends of windows: of MODES and activity means over the early and the late half of the run, of descent
     means over the whole run, all as curves. `forests`: the run's, then those of drift, at least three."""
     times_s = window_s * numpy.arange(int(end_s / window_s * (1.0 + 1e-12)) + 1)
+    ends_s = times_s[1:]
+    halves = (("early", ends_s <= 0.5 * end_s), ("late", ends_s > 0.5 * end_s))
     values, curves = [], []
     for one in species:
-        for names, (own, *drifted) in _measured(forests, one, window_s, times_s):
-            for (name, unit), ours, *others in zip(names, own.T, *(each.T for each in drifted)):
-                halves = (("all", 0.0, end_s),) if names is _DESCENT else (("early", 0.0, 0.5 * end_s), ("late", 0.5 * end_s, end_s))
-                for group, from_s, to_s in halves:
-                    within = (times_s[1:] > from_s) & (times_s[1:] <= to_s)
-                    values.append((name, one, group, unit, "", "", _mean(ours[within])))
-                    values.append((name, one, group, unit, DRIFT, "null", _mean([_mean(each[within]) for each in others])))
-                for baseline, series in (("", ours), (DRIFT, [_mean(points) for points in zip(*others)])):
-                    curves += [(name, one, "all", unit, baseline, time_s, value) for time_s, value in zip(times_s[1:], series)]
+        for names, own, drifted in _measured(forests, one, window_s, times_s):
+            groups = (("all", ends_s <= end_s),) if names is _DESCENT else halves
+            means = [(_mean(own[within]), _mean(_mean(drifted[:, within], 1))) for _, within in groups]
+            for i, (name, unit) in enumerate(names):
+                for (group, _), (ours, drift) in zip(groups, means):
+                    values += [(name, one, group, unit, "", "", ours[i]), (name, one, group, unit, DRIFT, "null", drift[i])]
+            for baseline, series in (("", own), (DRIFT, _mean(drifted))):
+                curves += [(name, one, "all", unit, baseline, *point) for i, (name, unit) in enumerate(names) for point in zip(ends_s, series[:, i])]
     return RunValues(pandas.DataFrame(values, columns=VALUE_COLUMNS), pandas.DataFrame(curves, columns=CURVE_COLUMNS))
 
 
-def _measured(forests: Sequence[Forest], species, window_s: float, times_s: numpy.ndarray) -> Iterator[tuple[tuple, list[numpy.ndarray]]]:
-    """Yields the names of measures with their values in the run and in each forest of drift, shape (windows, measures)."""
-    yield _MODES, [modes(forest, species, times_s) for forest in forests]
+def _measured(forests: Sequence[Forest], species, window_s: float, times_s: numpy.ndarray) -> Iterator[tuple[tuple, numpy.ndarray, numpy.ndarray]]:
+    """Yields the names of measures, their values in the run, shape (windows, measures), and in forests of drift, shape (forests, windows, measures)."""
+    found = numpy.array([modes(forest, species, times_s) for forest in forests])
+    yield _MODES, found[0], found[1:]
     types = 1 + max((int(forest.type.max()) for forest in forests if len(forest.type)), default=0)
     counts_s = window_s * numpy.arange(_COUNTS * (len(times_s) - 1) + 1) / _COUNTS
     own, *drifted = (presence(forest, species, counts_s, types) for forest in forests)
     nulls, others = drifted[:_NULLS_OF_ACTIVITY], drifted[_NULLS_OF_ACTIVITY:]
-    yield _ACTIVITY, [_by_window(activity(each, nulls), counts_s[1]) for each in (own, *others)]
-    yield _DESCENT, [numpy.array([descent(forest, species, time_s) for time_s in times_s[1:]]) for forest in forests]
+    found = numpy.array([_by_window(activity(each, nulls), counts_s[1]) for each in (own, *others)])
+    yield _ACTIVITY, found[0], found[1:]
+    found = numpy.array([[descent(forest, species, time_s) for time_s in times_s[1:].tolist()] for forest in forests])
+    yield _DESCENT, found[0], found[1:]
 
 
 def _by_window(counted: numpy.ndarray, step_s: float) -> numpy.ndarray:
@@ -104,7 +107,8 @@ def _by_window(counted: numpy.ndarray, step_s: float) -> numpy.ndarray:
     return ends
 
 
-def _mean(values) -> float:
-    """The mean of the values that are not nan; nan without any."""
-    mean = mean_of(values)
-    return numpy.nan if mean is None else mean
+def _mean(values: numpy.ndarray, axis: int = 0) -> numpy.ndarray:
+    """The mean along an axis of the values that are not nan; nan without any."""
+    known = ~numpy.isnan(values)
+    with numpy.errstate(invalid="ignore"):
+        return numpy.where(known, values, 0.0).sum(axis) / known.sum(axis)

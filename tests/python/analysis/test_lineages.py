@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: MIT
+"""Lineage measures of forests by hand."""
+import json
+import math
+
+import numpy
+import pandas
+import pytest
+from pytest import approx
+from trophic.metrics.forests import Forest, activity, descent, modes, persistent, presence
+from trophic.metrics.lineages import DRIFT, lineage_values, measure_run, metric_names, window_of
+from trophic.runs import Run, RunError, read_run
+
+ALIVE = math.inf
+
+
+def forest(*individuals, types=None, complexity=None):
+    """(parent, birth_s, death_s[, species]) each; the parent of a root is -1."""
+    rows = [(*one, "prey")[:4] for one in individuals]
+    parent, birth, death, species = zip(*rows)
+    places = numpy.arange(len(rows))
+    return Forest(numpy.array(parent), numpy.array(birth, dtype=float), numpy.array(death, dtype=float), numpy.array(species),
+                  places if types is None else numpy.array(types), places if complexity is None else numpy.array(complexity))
+
+
+def two_trees(**kinds):
+    """0 has the offspring 1 and 2, 1 has 5, 2 has 3; 4 is alone. 0 and 2 die."""
+    return forest((-1, 0, 50), (0, 10, ALIVE), (0, 20, 60), (2, 40, ALIVE), (-1, 30, ALIVE), (1, 70, ALIVE), **kinds)
+
+
+@pytest.mark.parametrize("species, start_s, end_s, kept", [
+    ("prey", 0, 25, [0]),
+    ("prey", 25, 100, [1, 2]),  # 0 is alive at 25 s, but 1 and 2 are more recent
+    ("prey", 55, 100, [1, 3, 4]),
+    ("predator", 0, 100, [])])
+def test_the_most_recent_ancestors_at_the_start_of_those_alive_at_the_end_are_kept(species, start_s, end_s, kept):
+    assert persistent(two_trees(), species, start_s, end_s) == kept
+
+
+def test_change_novelty_ecology_and_complexity_of_two_trees():
+    windows = modes(two_trees(types=[7, 7, 8, 9, 8, 5]), "prey", [0, 25, 55, 100])
+    numpy.testing.assert_allclose(windows, [[math.nan, math.nan, 0, 0], [1, 1, 1, 2],  # 7 and 8
+                                            [1, 1, math.log2(3), 4]])  # 7, 9 and 8
+
+
+def test_a_type_that_returns_is_a_change_and_not_a_novelty():
+    chain = forest((-1, 0, 12), (0, 10, 22), (1, 20, 32), types=[1, 2, 1])
+    assert modes(chain, "prey", [5, 11, 21, 31])[1:, :2].tolist() == [[1, 1], [1, 0]]
+
+
+def test_a_window_that_nobody_survives_has_no_ecology():
+    assert numpy.isnan(modes(forest((-1, 0, 5)), "prey", [0, 10])[0]).all()
+
+
+@pytest.mark.parametrize("types, present", [([4, 4, 9], {4: [1, 1, 1, 0]}), ([4, 2, 9], {4: [1, 1, 0, 0], 2: [0, 1, 1, 0]})])
+def test_a_type_is_present_while_a_bearer_of_the_species_lives(types, present):
+    found = presence(forest((-1, 0, 20), (0, 10, 30), (-1, 10, 11, "predator"), types=types), "prey", numpy.array([0.0, 10.0, 20.0, 30.0]), 10)
+    assert {place: row.astype(int).tolist() for place, row in enumerate(found) if row.any()} == present
+
+
+def test_activity_with_one_null_by_hand():
+    ours = numpy.array([[1, 1, 1], [1, 0, 0], [0, 0, 1]], dtype=bool)  # types by times
+    null = numpy.array([[1, 1, 0], [0, 0, 1], [0, 0, 0]], dtype=bool)  # type 0 reaches 2, type 1 reaches 1
+    numpy.testing.assert_allclose(activity(ours, [null]), [[2, 1, 0.5, 0],  # 0.5: of type 1, which the null lacks
+                                                           [1, 2, 0, 0],
+                                                           [2, (3 + 1) / 2, (1 + 1) / 2, 1]])  # type 0 exceeds 2
+
+
+def test_activity_without_living_is_zero():
+    nobody = numpy.zeros((2, 1), dtype=bool)
+    assert activity(nobody, [nobody]).tolist() == [[0, 0, 0, 0]]
+
+
+@pytest.mark.parametrize("time_s, expected", [
+    # 1, 3, 4 and 5 live; the pairs 1-3, 1-5 and 3-5 have the ancestors 0, 1 and 0
+    (100, [2, 3 / 4, 5 / 4, 2, 3 / 6, (100 + 90 + 100) / 3, (20 + 90 + 20 + 60 + 70 + 30) / 4]),
+    (15, [1, 1, 1 / 2, 1, 1, 15, (15 + 5) / 2])])  # 0 and its offspring 1
+def test_descent_of_two_trees_by_hand(time_s, expected):
+    assert descent(two_trees(), "prey", time_s) == approx(expected)
+
+
+def test_descent_of_a_single_individual_and_of_none():
+    numpy.testing.assert_allclose(descent(forest((-1, 0, ALIVE)), "prey", 10), [1, 1, 0, 0, math.nan, math.nan, 10])
+    assert numpy.isnan(descent(two_trees(), "predator", 100)).all()
+
+
+def chain(**changes):
+    """Each birth has one possible parent; the type of the k-th is k."""
+    return forest((-1, 0, 12), (0, 10, 22), (1, 20, 32), (2, 30, ALIVE), **changes)
+
+
+def test_measures_of_a_chain_and_its_drift():
+    found = lineage_values([chain()] * 5, ["prey", "predator"], 10, 40).values
+    names = found[["metric", "species", "group", "unit"]].drop_duplicates()
+    assert list(names.itertuples(index=False, name=None)) == metric_names(["prey", "predator"]) and len(names) == 2 * (2 * 8 + 7)
+    value = found[(found.species == "prey") & (found.baseline == "")].set_index(["metric", "group"]).value
+    # Windows end at 10, 20, 30 and 40 s; 0, 1, 2 and 3 persist in turn, 0 in the first.
+    assert value["modes_novelty", "late"] == 1 and value["modes_ecology", "late"] == 0
+    assert value["descent_mean_depth", "all"] == approx((0.5 + 1.5 + 2.5 + 3) / 4) and value["descent_roots", "all"] == 1
+    drift = found[found.baseline == DRIFT]
+    assert set(drift.role) == {"null"}
+    pandas.testing.assert_series_equal(found[found.baseline == ""].value.reset_index(drop=True), drift.value.reset_index(drop=True))
+
+
+def test_the_null_is_the_mean_over_forests_and_activity_is_compared_with_the_first_two():
+    alone, orphan = chain(types=[0] * 4), forest((-1, 0, 12), (-1, 10, 22), (-1, 20, 32), (-1, 30, ALIVE), types=[0] * 4)
+    found = lineage_values([chain(), alone, alone, alone, orphan], ["prey"], 10, 40)
+    drift = found.values[found.values.baseline == DRIFT].set_index(["metric", "group"]).value
+    assert drift["descent_mean_depth", "all"] == approx(0.75 * (0.5 + 1.5 + 2.5 + 3) / 4)
+    assert drift["activity_excess", "late"] == 0  # type 0 is as active in each
+    own = found.values[found.values.baseline == ""].set_index(["metric", "group"]).value
+    assert own["activity_excess", "late"] == approx(own["activity_mean", "late"])  # types that the nulls lack
+    curve = found.curves[(found.curves.metric == "descent_mean_depth") & (found.curves.baseline == DRIFT)]
+    assert curve.time_s.tolist() == [10, 20, 30, 40] and curve.value.tolist() == approx([0.375, 1.125, 1.875, 2.25])
+
+
+@pytest.mark.parametrize("reached_s, window_s", [([6000.0], 500.0), ([100.0], 25.0)])
+def test_a_window_is_a_quarter_of_a_short_run_by_default_and_no_more(reached_s, window_s):
+    runs = [Run(None, {"result": {"reached_s": each}}) for each in reached_s]
+    assert window_of(runs) == window_s == window_of(runs, window_s)
+    for wrong in (0.0, 0.26 * reached_s[0], math.nan):
+        with pytest.raises(RunError, match=f"must be > 0 and <= {reached_s[0] / 4:g}, a quarter of the runs"):
+            window_of(runs, wrong)
+
+
+def test_forests_of_a_run_are_read_from_its_phylogeny_and_the_signatures(tmp_path):
+    run = tmp_path / "run"
+    run.mkdir()
+    (run / "manifest.json").write_text(json.dumps({"status": "complete", "seed": 1, "fingerprint": "f", "rule_table": "paper",
+                                                   "species": ["prey", "predator"], "result": {"reached_s": 40.0}}))
+    (run / "phylogeny.csv").write_text("id,ancestor_list,ancestor_id,origin_time,destruction_time,species\n9,[2],2,10,inf,prey\n2,[none],2,0,20,prey\n")
+    rows = [f"{run},{number},{row}" for number in range(5) for row in ("2,2,0,3", "9,2,1,4" if number == 0 else "9,9,1,4")]
+    (tmp_path / "signatures.csv").write_text("\n".join(["run,forest,id,parent,type,complexity", *rows]) + "\n")
+    values = measure_run(read_run(run), tmp_path / "signatures.csv", 10).values
+    depth = values[(values.metric == "descent_greatest_depth") & (values.species == "prey")]
+    assert depth.value.tolist() == [1, 0]
+    (tmp_path / "other.csv").write_text("run,forest,id,parent,type,complexity\n" + f"{run},0,2,2,0,3\n")
+    with pytest.raises(RunError, match="other.csv: has not the individuals of"):
+        measure_run(read_run(run), tmp_path / "other.csv", 10)
