@@ -6,10 +6,10 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <tools/analysis/report/progress_table.hpp>
 #include <tools/changes/change.hpp>
+#include <tools/contest/contest_row.hpp>
 #include <tools/gait_evolution/history.hpp>
-#include <tools/trophic/cross_check/gait_report.hpp>
+#include <tools/trophic/cross_check/walk_tables.hpp>
 #include <trophic/io/column.hpp>
 #include <trophic/io/tables.hpp>
 
@@ -113,7 +113,8 @@ brains grow.)");
                                       "The rule parameters that changed during a run, in the order of their changes. Written "
                                       "only with --changes and --live; --changes reads it.");
   text += bodies;
-  text += section<analysis::ContestRow>("contests.csv", "Results of `trophic contest`: one row per contest of two teams.");
+  text += section<contest::ContestRow>("contests.csv", "Results of `trophic contest`: one row per contest of two teams.");
+  text += section<command::cross_check::WalkRow>("walks.csv", "The walks of the robots in a cross-check of gaits, one per row.");
   text += section<command::cross_check::TrajectoryRow>("trajectories.csv", "The paths of the robots in a cross-check of gaits.");
   text += section<gait_evolution::GenerationRow>("generations.csv of a gait's evolution", "One row per generation.");
   text += section<gait_evolution::TaxonRow>("phylogeny.csv of a gait's evolution",

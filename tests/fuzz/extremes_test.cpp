@@ -264,10 +264,9 @@ TEST_CASE("files of any size: a file without the beginning of its kind -> refuse
       }
       std::abort();
     };
-    std::vector<std::string> remarks;
+    const FoodWeb web = fuzzed_web();
     refuses([&] { static_cast<void>(io::RecordingReader{path}); });
-    refuses([&] { static_cast<void>(analysis::read_events(path, fuzzed_web(), remarks)); });
-    refuses([&] { static_cast<void>(analysis::read_agents(path, fuzzed_web(), remarks)); });
+    refuses([&] { static_cast<void>(analysis::TableReader<io::EventRow>{path, web}); });
     refuses([&] { static_cast<void>(load_robot(path.string())); });
     refuses([&] { static_cast<void>(load_arena(path.string())); });
     refuses([&] { static_cast<void>(load_gait(path.string())); });

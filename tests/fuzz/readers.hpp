@@ -13,7 +13,7 @@
 #include <tools/contest/contest_plan.hpp>
 #include <tools/live/wishes.hpp>
 #include <tools/reading/lineages.hpp>
-#include <tools/reading/read_run.hpp>
+#include <tools/reading/table_reader.hpp>
 #include <tools/recording/read_recording.hpp>
 #include <tools/sweep/plan_file.hpp>
 #include <tools/sweep/sweep_file.hpp>
@@ -26,6 +26,7 @@
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/io/recording_planes.hpp>
+#include <trophic/io/tables.hpp>
 #include <trophic/reproduction/recruitment/after_escapes.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/rules/with.hpp>
@@ -78,13 +79,12 @@ inline const FoodWeb& fuzzed_web() {
   static const FoodWeb web{{"prey", "predator"}, {{1, 0}}};
   return web;
 }
-inline void read_events(std::string_view bytes) {
-  std::vector<std::string> remarks;
-  static_cast<void>(analysis::read_events(FileInMemory{bytes}.path(), fuzzed_web(), remarks));
-}
-inline void read_agents(std::string_view bytes) {
-  std::vector<std::string> remarks;
-  static_cast<void>(analysis::read_agents(FileInMemory{bytes}.path(), fuzzed_web(), remarks));
+template <io::TableRow Row>
+void read_table(std::string_view bytes) {
+  const FileInMemory file{bytes};
+  const FoodWeb web = fuzzed_web();
+  analysis::TableReader<Row> table{file.path(), web};
+  for (Row row; table.next(row);) continue;
 }
 inline void read_manifest(std::string_view bytes) {
   static_cast<void>(analysis::manifest_of(bytes, "manifest.json"));
@@ -224,14 +224,27 @@ struct Reader {
   std::string_view name;
   void (*read)(std::string_view bytes);
 };
-inline constexpr std::array readers{
-    Reader{"robot", read_robot},       Reader{"arena", read_arena},           Reader{"gait", read_gait},
-    Reader{"config", read_config},     Reader{"assignment", read_assignment}, Reader{"events", read_events},
-    Reader{"agents", read_agents},     Reader{"manifest", read_manifest},     Reader{"checkpoint", read_checkpoint_file},
-    Reader{"ecology", read_ecology},   Reader{"recruited", read_recruited},   Reader{"recording", read_recording},
-    Reader{"head", read_head},         Reader{"sweep", read_sweep},           Reader{"plan", read_plan},
-    Reader{"contest", read_contest},   Reader{"outcomes", read_outcomes},     Reader{"body", read_body},
-    Reader{"lineages", read_lineages}, Reader{"changes", read_changes},       Reader{"wish", read_wish}};
+inline constexpr std::array readers{Reader{"robot", read_robot},
+                                    Reader{"arena", read_arena},
+                                    Reader{"gait", read_gait},
+                                    Reader{"config", read_config},
+                                    Reader{"assignment", read_assignment},
+                                    Reader{"events", read_table<io::EventRow>},
+                                    Reader{"agents", read_table<io::AgentRow>},
+                                    Reader{"manifest", read_manifest},
+                                    Reader{"checkpoint", read_checkpoint_file},
+                                    Reader{"ecology", read_ecology},
+                                    Reader{"recruited", read_recruited},
+                                    Reader{"recording", read_recording},
+                                    Reader{"head", read_head},
+                                    Reader{"sweep", read_sweep},
+                                    Reader{"plan", read_plan},
+                                    Reader{"contest", read_contest},
+                                    Reader{"outcomes", read_outcomes},
+                                    Reader{"body", read_body},
+                                    Reader{"lineages", read_lineages},
+                                    Reader{"changes", read_changes},
+                                    Reader{"wish", read_wish}};
 
 /// Reads arbitrary bytes. A reader may throw std::invalid_argument or std::runtime_error; any other exception
 /// propagates.

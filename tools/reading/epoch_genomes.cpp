@@ -3,8 +3,8 @@
 #include <tools/reading/epoch_genomes.hpp>
 
 #include <filesystem>
+#include <tools/reading/checked_rows.hpp>
 #include <tools/reading/lineages.hpp>
-#include <tools/reading/read_run.hpp>
 #include <trophic/io/tables.hpp>
 #include <trophic/params/params.hpp>
 #include <unordered_map>

@@ -3,7 +3,7 @@
 #include <tools/reading/lineages.hpp>
 
 #include <filesystem>
-#include <tools/reading/read_run.hpp>
+#include <tools/reading/checked_rows.hpp>
 #include <trophic/io/tables.hpp>
 #include <trophic/params/params.hpp>
 #include <unordered_map>

@@ -3,8 +3,8 @@
 #include <tools/reading/met_inputs.hpp>
 
 #include <set>
+#include <tools/reading/checked_rows.hpp>
 #include <tools/reading/csv_reader.hpp>
-#include <tools/reading/read_run.hpp>
 #include <trophic/support/rng.hpp>
 
 namespace trophic::analysis {
@@ -19,7 +19,7 @@ void add_met(const RunManifest& run, Met& met) {
     throw std::invalid_argument{path.string() + ": is missing: lineage measures need it of the first run; run with --senses"};
   }
   CsvReader table{path, {"species"}};
-  detail::check_sum(table, path, run.tables);
+  check_sum(table, path, run.tables);
   std::size_t size = 0;
   for (; table.has("input" + std::to_string(size)); ++size) table.want("input" + std::to_string(size));
   Inputs inputs(size);

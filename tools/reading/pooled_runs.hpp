@@ -32,4 +32,9 @@ struct PooledRuns {
 /// there is no run.
 [[nodiscard]] PooledRuns pooled_runs(std::span<const std::filesystem::path> paths, bool is_cut, bool any_build = false);
 
+/// Whether a folder is a sweep's.
+[[nodiscard]] inline bool is_sweep(const std::filesystem::path& folder) {
+  return std::filesystem::exists(folder / "plan.jsonl");
+}
+
 }  // namespace trophic::analysis

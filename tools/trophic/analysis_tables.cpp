@@ -3,12 +3,12 @@
 #include <atomic>
 #include <map>
 #include <tools/contest/play_contests.hpp>
+#include <tools/reading/checked_rows.hpp>
 #include <tools/reading/csv_reader.hpp>
 #include <tools/reading/drift.hpp>
 #include <tools/reading/lineages.hpp>
 #include <tools/reading/met_inputs.hpp>
 #include <tools/reading/pooled_runs.hpp>
-#include <tools/reading/read_run.hpp>
 #include <tools/reading/shadow.hpp>
 #include <tools/reading/signatures.hpp>
 #include <tools/replicates/parallel.hpp>
@@ -75,7 +75,7 @@ void append_distances(const std::filesystem::path& folder, std::string& rows) {
   const std::filesystem::path path = folder / "bodies.csv";
   const RunManifest run = analysis::read_manifest(folder);
   analysis::CsvReader table{path, {"id", "species", "modules_text"}};
-  analysis::detail::check_sum(table, path, run.tables);
+  analysis::check_sum(table, path, run.tables);
   struct Body {
     std::string species;
     std::string plan;

@@ -6,6 +6,7 @@
 #include <thread>
 #include <tools/command/output.hpp>
 #include <tools/command/run_python.hpp>
+#include <tools/reading/pooled_runs.hpp>
 #include <tools/trophic/analysis_tables.hpp>
 #include <tools/trophic/analyze.hpp>
 #include <tools/trophic/replay/page_parts.hpp>
@@ -47,10 +48,6 @@ inline constexpr std::uint64_t most_replays = 20;
   return path;
 }
 
-[[nodiscard]] bool is_sweep(const std::string& folder) {
-  return std::filesystem::exists(std::filesystem::path{folder} / "plan.jsonl");
-}
-
 /// Checks what does not depend on the content of files.
 void check(const Options& options) {
   const auto refuse = [](const std::string& why) { throw std::invalid_argument{why}; };
@@ -65,9 +62,9 @@ void check(const Options& options) {
   if (options.html) check_new_file("--html", *options.html);
   if (options.out) check_new_file("--out", *options.out);
   for (const std::string& folder : options.compare) {
-    if (is_sweep(folder)) refuse("--compare " + folder + ": is a sweep; name two of its cells");
+    if (analysis::is_sweep(folder)) refuse("--compare " + folder + ": is a sweep; name two of its cells");
   }
-  const auto sweep = std::ranges::find_if(options.runs, is_sweep);
+  const auto sweep = std::ranges::find_if(options.runs, &analysis::is_sweep);
   if (sweep == options.runs.end()) {
     const auto only = [&](bool is_asked, const char* option) {
       if (is_asked) refuse(std::string{option} + ": only with a sweep, a folder with plan.jsonl");
@@ -86,7 +83,7 @@ void check(const Options& options) {
 /// Checks, and adds to the request what only a program can make of runs, as files of a temporary folder.
 void prepare(const Options& options, const Offer& offer, Json& request) {
   check(options);
-  if (!options.runs.empty() && is_sweep(options.runs.front())) request["command"] = "analyze-sweep";
+  if (!options.runs.empty() && analysis::is_sweep(options.runs.front())) request["command"] = "analyze-sweep";
   if (!(options.lineages || options.bodies || options.html)) return;
   std::vector<std::vector<std::filesystem::path>> sets;
   if (!options.runs.empty()) sets.emplace_back(options.runs.begin(), options.runs.end());

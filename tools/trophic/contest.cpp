@@ -12,11 +12,11 @@
 #include <cstring>
 #include <memory>
 #include <optional>
+#include <set>
 #include <thread>
-#include <tools/analysis/report/contest_progress.hpp>
-#include <tools/analysis/report/progress_table.hpp>
 #include <tools/command/output.hpp>
 #include <tools/command/result_folder.hpp>
+#include <tools/command/run_python.hpp>
 #include <tools/contest/play_contests.hpp>
 #include <tools/trophic/shipped_offer.hpp>
 #include <trophic/io/next_free_folder.hpp>
@@ -65,8 +65,8 @@ struct Options {
   return epochs_s;
 }
 
-[[nodiscard]] std::vector<analysis::Against> against_of(const std::string& text) {
-  using analysis::Against;
+[[nodiscard]] std::vector<contest::Against> against_of(const std::string& text) {
+  using contest::Against;
   if (text == "own") return {Against::own};
   if (text == "others") return {Against::others};
   return {Against::own, Against::others};
@@ -130,7 +130,17 @@ class Passing {
   return contest::read_outcomes(outcomes.path(), plan.matches.size());
 }
 
-void run(const Options& options) {
+/// Throws std::invalid_argument unless a split is one of the epochs.
+void check_split(double split_s, std::span<const contest::ContestRow> rows) {
+  std::set<double> epochs_s;
+  for (const contest::ContestRow& row : rows) epochs_s.insert(row.hunter_epoch_s);
+  if (epochs_s.contains(split_s)) return;
+  std::string all;
+  for (const double epoch_s : epochs_s) all += (all.empty() ? "" : ", ") + number_text(epoch_s);
+  throw std::invalid_argument{"--split " + number_text(split_s) + ": must be one of the epochs, " + all + " s"};
+}
+
+[[nodiscard]] int run(const Options& options) {
   check(options);
   const std::vector<std::filesystem::path> runs{options.runs.begin(), options.runs.end()};
   const auto sets = contests::read_sets(runs, options.shadow, options.accept_other_build);
@@ -147,7 +157,7 @@ void run(const Options& options) {
     planned.plan.fingerprint.clear();
     planned.plan.params.erase("backend");
   }
-  static_cast<void>(analysis::progress_of(planned.rows, options.split_s));  // refuses a split before any work
+  if (options.split_s) check_split(*options.split_s, planned.rows);
   const Offer offer = shipped_offer();
   if (options.program.empty()) {
     if (const std::string why = why_not_played(planned.plan, offer); !why.empty()) {
@@ -165,14 +175,16 @@ void run(const Options& options) {
     planned.rows[i].contact_s = outcomes[i].contact_s;
     planned.rows[i].contacted = outcomes[i].contacted;
   }
-  const auto progress = analysis::progress_of(planned.rows, options.split_s);
-  analysis::write_contests(folder.path() / "contests.csv", planned.rows);
-  analysis::write_progress(folder.path() / "progress.csv", progress);
+  std::string table = io::header_of<contest::ContestRow>();
+  for (const contest::ContestRow& row : planned.rows) io::append_row(table, row, FoodWeb{{}, {}});
+  write_new_file(folder.path() / "contests.csv", table);
   folder.keep();
-  analysis::print_progress(std::cout, progress);
-  std::cout << "tables  " << out << "/contests.csv, progress.csv: " << outcomes.size() << " contests of "
-            << number_text(options.duration_s) << " s in " << number_text(std::round(10.0 * taken.count()) / 10.0) << " s\n";
-  flush_output();
+  return run_python({{"command", "contest"},
+                     {"who", "trophic contest"},
+                     {"folder", out},
+                     {"split_s", options.split_s ? Json(*options.split_s) : Json()},
+                     {"duration_s", options.duration_s},
+                     {"taken_s", taken.count()}});
 }
 
 }  // namespace detail::contest_command
@@ -187,7 +199,8 @@ Command contest_command() {
           "Lets hunters of one epoch of the runs meet victims of another, in the runs' arena without catches, births and deaths. "
           "Progress of a species is how much sooner its later hunters reach the victims of all epochs, or how much later its "
           "later victims are reached; against opponents of other replicates it is global, against those from the same run "
-          "historical. It is compared with the neutral shadow, which is found in RUNS/shadow.",
+          "historical. It is compared with the neutral shadow, which is found in RUNS/shadow. Needs Python with pandas and "
+          "scipy.",
       .options = {{.name = "runs", .target = &options->runs, .help = "folders of runs, or of replicates", .required = true},
                   {"--shadow", &options->shadow, "folder of the shadow (RUNS/shadow, if there is one)"},
                   {"--epochs", &options->epochs,
@@ -208,11 +221,7 @@ Command contest_command() {
                   {"--accept-other-build", &options->accept_other_build, "take runs that several builds of a program made"},
                   {"--out", &options->out,
                    "new folder for contests.csv and progress.csv (the next free contests, contests-1, ...)"}},
-      .work =
-          [options] {
-            detail::contest_command::run(*options);
-            return 0;
-          },
+      .work = [options] { return detail::contest_command::run(*options); },
       .subcommands = {},
       .version = {},
       .examples = {"trophic contest runs/study", "trophic contest runs/study --against both --epochs 0,2000,4000,6000",

@@ -13,11 +13,10 @@
 #endif
 #include <tools/command/option.hpp>
 #include <tools/command/output.hpp>
+#include <tools/command/run_python.hpp>
+#include <tools/reading/pooled_runs.hpp>
 #include <tools/replicates/parallel.hpp>
-#include <tools/trophic/cross_check/ecologies.hpp>
-#include <tools/trophic/cross_check/gait_report.hpp>
-#include <tools/trophic/cross_check/report.hpp>
-#include <tools/trophic/cross_check/walk.hpp>
+#include <tools/trophic/cross_check/walk_tables.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/load/habitat.hpp>
@@ -45,6 +44,29 @@ void check(const Options& options) {
     throw std::invalid_argument{"--seconds 0: needs --runs, nothing is left to compare"};
   }
   validate(options.ecology, "ecology");
+}
+
+/// Throws std::invalid_argument unless the rules, the parameters other than the engine's, and the durations of two sets are the
+/// same.
+void check_same_rules(const std::filesystem::path& first, const std::filesystem::path& second) {
+  const auto first_of = [](const std::filesystem::path& folder) {
+    return analysis::pooled_runs(std::span{&folder, 1}, false).manifests.front();
+  };
+  const analysis::RunManifest a = first_of(first);
+  const analysis::RunManifest b = first_of(second);
+  const auto of_the_ecology = [](const analysis::RunManifest& manifest) {
+    Json rest{{"rule_table", manifest.rules}, {"rules", manifest.policies}, {"params", manifest.params}};
+    for (const char* own : {"seed", "physics", "backend"}) rest["params"].erase(own);
+    if (rest["params"].contains("ecology")) rest["params"]["ecology"].erase("duration_s");
+    return rest;
+  };
+  if (const std::string why = analysis::first_difference(of_the_ecology(a), of_the_ecology(b)); !why.empty()) {
+    throw std::invalid_argument{second.string() + ": " + why + " as in " + first.string()};
+  }
+  if (!analysis::lasted_alike(a, b)) {
+    throw std::invalid_argument{second.string() + ": " + analysis::lasted_text(b) + ": must be as " + analysis::lasted_text(a) +
+                                ", as in " + first.string()};
+  }
 }
 
 #if defined(TROPHIC_WITH_MUJOCO) && defined(TROPHIC_WITH_ODE)
@@ -80,8 +102,8 @@ struct Task {
   return tasks;
 }
 
-void compare_gaits(const Options& options, const Habitat& habitat, Csv& csv) {
-  GaitReport report{options.out, csv};
+void walk_all(const Options& options, const Habitat& habitat) {
+  WalkTables tables{options.out};
   for (const double target_angle_rad : {0.7, -0.7, 0.0}) {
     const auto tasks = tasks_for(habitat, target_angle_rad, static_cast<double>(options.seconds));
     std::vector<Outcome> outcomes(tasks.size());
@@ -98,7 +120,7 @@ void compare_gaits(const Options& options, const Habitat& habitat, Csv& csv) {
                                  attempts[i].error};
       }
     }
-    report.add(outcomes);
+    for (const Outcome& outcome : outcomes) tables.write(outcome);
   }
 }
 
@@ -107,8 +129,7 @@ void compare_gaits(const Options& options, const Habitat& habitat, Csv& csv) {
 [[nodiscard]] int run(const Options& options) {
   check(options);
   const Habitat habitat = load_habitat(options.ecology);
-  std::optional<Ecologies> sets;
-  if (!options.runs.empty()) sets = read_ecologies(options.runs[0], options.runs[1]);
+  if (!options.runs.empty()) check_same_rules(options.runs[0], options.runs[1]);
 #if !defined(TROPHIC_WITH_MUJOCO) || !defined(TROPHIC_WITH_ODE)
   if (options.seconds != 0) {
     throw std::invalid_argument{"--seconds " + std::to_string(options.seconds) +
@@ -116,14 +137,12 @@ void compare_gaits(const Options& options, const Habitat& habitat, Csv& csv) {
                                 backend_versions(built_backends())};
   }
 #endif
-  Csv csv{io::make_new_folder(options.out) / "cross_check.csv"};
+  static_cast<void>(io::make_new_folder(options.out));
 #if defined(TROPHIC_WITH_MUJOCO) && defined(TROPHIC_WITH_ODE)
-  if (options.seconds != 0) compare_gaits(options, habitat, csv);
+  if (options.seconds != 0) walk_all(options, habitat);
 #endif
-  if (sets) compare_ecologies(*sets, csv);
-  std::cout << "files   " << options.out << "\n";
-  flush_output();
-  return 0;
+  return run_python(
+      {{"command", "cross-check"}, {"who", "trophic cross-check"}, {"folder", options.out}, {"runs", options.runs}});
 }
 
 }  // namespace cross_check
@@ -134,8 +153,8 @@ Command cross_check_engines() {
   return {.name = "cross-check",
           .about =
               "Compares MuJoCo and ODE: speed, turning, servo power and torque of one gait by timestep and settings, and the "
-              "metrics of two sets of runs, with two one-sided tests of equivalence each.",
-          .options = {{"--out", &options->out, "new folder for cross_check.csv and trajectories.csv"},
+              "metrics of two sets of runs, with two one-sided tests of equivalence each. Needs Python with pandas and scipy.",
+          .options = {{"--out", &options->out, "new folder for cross_check.csv, walks.csv and trajectories.csv"},
                       {"--seconds", &options->seconds, "simulated time of each walk, an even number; 0: no walks (40)"},
                       {"--robot", &options->ecology.robot, "name or path of a robot file (spider)"},
                       {"--gait", &options->ecology.gait, "name or path of a gait file (the robot's)"},

@@ -48,7 +48,7 @@ def test_a_type_that_returns_is_a_change_and_not_a_novelty():
     assert modes(chain, "prey", [5, 11, 21, 31])[1:, :2].tolist() == [[1, 1], [1, 0]]
 
 
-def test_a_window_that_nobody_survives_has_no_ecology():
+def test_a_window_without_survivors_has_no_ecology():
     assert numpy.isnan(modes(forest((-1, 0, 5)), "prey", [0, 10])[0]).all()
 
 

@@ -5,11 +5,9 @@
 #include <limits>
 #include <optional>
 #include <support/temporary_folder.hpp>
-#include <tools/analysis/report/metrics_table.hpp>
 #include <tools/reading/table_reader.hpp>
 #include <trophic/io/csv.hpp>
 #include <trophic/io/tables.hpp>
-#include <unit/reading/rows.hpp>
 #include <vector>
 
 namespace {
@@ -18,7 +16,7 @@ using namespace trophic;
 using test::message_of;
 using test::TemporaryFolder;
 
-const FoodWeb& web = test::prey_and_predators;
+const FoodWeb web{{"prey", "predator"}, {{.hunter = 1, .victim = 0}}};
 
 template <class Row>
 std::string line_of(const Row& row) {
@@ -65,8 +63,6 @@ TEST_CASE("every table of a run reads back as it was written") {
       {{.id = 1, .ancestor_list = "[none]", .destruction_time = 2.5, .tag_at_death = -1, .cause_of_death = Cause::starved},
        {.id = 2, .ancestor_list = "[1]", .ancestor = 1, .mutation_distance = 1.0 / 3.0}});
   check_round_trip<io::GenomeRow>({{.id = 1, .weights = {0.1, -1.0 / 3.0}}, {.id = 2, .weights = {1e-300, 2.0}}});
-  check_round_trip<analysis::MetricRow>(
-      {{.set = "paper", .run = "r", .seed = 3, .metric = "stuck", .value = 0.5, .unit = "1"}, {.time_s = 200.0}});
 }
 
 TEST_CASE("columns may stand in any order and among others, but none may be missing") {

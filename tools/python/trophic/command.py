@@ -43,7 +43,7 @@ def run(request: dict) -> int:
 
 
 def _continue_with_system() -> None:
-    """Begins again in the system's Python if nobody named another: python3 may be one of a virtual environment that lacks packages."""
+    """Begins again in the system's Python unless TROPHIC_PYTHON names another: python3 may be one of a virtual environment that lacks packages."""
     if "TROPHIC_PYTHON" not in os.environ and os.access(SYSTEM, os.X_OK) and sys.stdin.seekable():
         os.environ["TROPHIC_PYTHON"] = SYSTEM
         os.lseek(0, 0, os.SEEK_SET)

@@ -20,7 +20,7 @@ from .words import Reading, columns, metric_title, number_text
 
 MARGIN_SHARE, SMALLEST_SCALE = 0.10, 1e-3
 QUANTITIES = {"speed_m_s": ("m/s", 100.0), "turn_rate_rad_s": ("rad/s", 60.0), "power_W": ("W", 1.0), "torque_N_m": ("N m", 1.0)}
-"""Of walks: the unit, and the factor to the unit of the terminal."""
+"""Measures of walks: the unit, and the factor to the unit of the terminal."""
 AFTER_S = 10.0
 """When the distance of two robots is taken."""
 MARGINS = {("attribution_caught", "all"): 0.05, ("attribution_catches", "all"): 0.05, ("attribution_catchers", "all"): 0.05, ("velocity", "all"): 0.005,
@@ -43,6 +43,7 @@ def run(request: dict) -> int:
         print(walks_text(pandas.DataFrame(rows)), end="")
     if request.get("runs"):
         sets = [pool.read_set([path]) for path in request["runs"]]
+        check(*sets)
         found = list(metrics(*sets))
         print(("\n" if rows else "") + metrics_text(sets, found), end="")
         rows += [row for pair in found for row in pair]
@@ -105,9 +106,7 @@ def walks_text(rows: pandas.DataFrame) -> str:
 
 
 def metrics(first: MeasuredSet, second: MeasuredSet) -> Iterator[tuple[dict[str, Any], dict[str, Any]]]:
-    """Yields the rows of each metric with a margin, of the first set and of the second. Raises RunError if rules, parameters other than the engine's, or
-    durations differ."""
-    check(first, second)
+    """Yields the rows of each metric with a margin, of the first set and of the second."""
     for metric in first.metrics():
         margin = MARGINS.get((metric.metric, metric.group))
         if margin is None:
@@ -122,7 +121,7 @@ def metrics(first: MeasuredSet, second: MeasuredSet) -> Iterator[tuple[dict[str,
 
 
 def check(first: MeasuredSet, second: MeasuredSet) -> None:
-    """Raises RunError unless two sets are runs of the same rules and length."""
+    """Raises RunError if rules, parameters other than the engine's, or durations of two sets differ."""
     a, b = (of.runs[0] for of in (first, second))
 
     def ecology(manifest: dict) -> dict:

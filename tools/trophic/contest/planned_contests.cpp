@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <map>
 #include <stdexcept>
-#include <tools/analysis/data/sweep_runs.hpp>
-#include <tools/analysis/metrics/contest_design.hpp>
+#include <tools/contest/contest_design.hpp>
 #include <tools/reading/epoch_genomes.hpp>
 #include <tools/reading/pooled_runs.hpp>
 #include <tools/reading/shadow.hpp>
@@ -14,9 +13,9 @@
 
 namespace trophic::command::contests {
 
-using analysis::Against;
 using analysis::LivingGenome;
 using analysis::RunManifest;
+using contest::Against;
 
 namespace {
 
@@ -25,21 +24,21 @@ constexpr std::size_t default_epochs = 4;
 /// Teams of one set of runs, each drawn when first asked for.
 class Teams {
  public:
-  Teams(std::span<const RunManifest> runs, const Size& size, bool is_shadow, const analysis::ContestDesign& design,
+  Teams(std::span<const RunManifest> runs, const Size& size, bool is_shadow, const contest::ContestDesign& design,
         contest::Plan& plan)
       : runs_{runs}, size_{size}, is_shadow_{is_shadow}, design_{design}, plan_{plan} {
     for (const RunManifest& run : runs) living_.push_back(analysis::living_genomes(run, size.epochs_s));
   }
 
   /// The number of the team in the plan.
-  std::size_t operator()(const analysis::TeamName& name) {
+  std::size_t operator()(const contest::TeamName& name) {
     const auto [found, is_new] = places_.try_emplace({name.replicate, name.epoch, name.species, name.team}, plan_.teams.size());
     if (is_new) plan_.teams.push_back(drawn(name));
     return found->second;
   }
 
  private:
-  [[nodiscard]] contest::Team drawn(const analysis::TeamName& name) const {
+  [[nodiscard]] contest::Team drawn(const contest::TeamName& name) const {
     std::vector<const LivingGenome*> members;
     for (const LivingGenome& one : living_[name.replicate][name.epoch]) {
       if (one.species == name.species) members.push_back(&one);
@@ -59,13 +58,13 @@ class Teams {
   std::span<const RunManifest> runs_;
   const Size& size_;
   bool is_shadow_;
-  const analysis::ContestDesign& design_;
+  const contest::ContestDesign& design_;
   contest::Plan& plan_;
   std::vector<std::vector<std::vector<LivingGenome>>> living_;  ///< by run and epoch
   std::map<std::tuple<std::size_t, std::size_t, Species, std::size_t>, std::size_t> places_;
 };
 
-void add_matches(std::span<const RunManifest> runs, const Size& size, bool is_shadow, const analysis::ContestDesign& design,
+void add_matches(std::span<const RunManifest> runs, const Size& size, bool is_shadow, const contest::ContestDesign& design,
                  Planned& planned) {
   Teams teams{runs, size, is_shadow, design, planned.plan};
   const FoodWeb& web = runs.front().web;

@@ -8,8 +8,8 @@
 #include <optional>
 #include <span>
 #include <string>
-#include <tools/analysis/report/contest_progress.hpp>
 #include <tools/contest/contest_plan.hpp>
+#include <tools/contest/contest_row.hpp>
 #include <tools/reading/run_manifest.hpp>
 #include <vector>
 
@@ -30,7 +30,7 @@ struct Sets {
 
 struct Size {
   std::vector<double> epochs_s;  ///< empty: four, evenly over the run
-  std::vector<analysis::Against> against;
+  std::vector<contest::Against> against;
   std::size_t teams = 2;
   std::size_t team_size = 0;  ///< 0: half of the run's robots
   double duration_s = 300.0;
@@ -41,7 +41,7 @@ struct Size {
 /// Contests, each with its row but for the outcome.
 struct Planned {
   contest::Plan plan;
-  std::vector<analysis::ContestRow> rows;  ///< in the order of the plan's matches
+  std::vector<contest::ContestRow> rows;  ///< in the order of the plan's matches
 };
 
 /// Throws std::invalid_argument, a sentence, if the runs cannot give these contests.

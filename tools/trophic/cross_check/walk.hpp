@@ -32,19 +32,6 @@ struct Walk {
   std::vector<GroundPose> path;  ///< every 2 s, the start included
 };
 
-/// A number of a Walk that engines are compared by, and how the terminal shows it.
-struct Quantity {
-  std::string_view name;
-  std::string_view unit;
-  double Walk::*value;
-  double shown_unit;
-  int columns;
-};
-inline constexpr std::array quantities{Quantity{"speed_m_s", "m/s", &Walk::speed_m_s, 100.0, 22},
-                                       Quantity{"turn_rate_rad_s", "rad/s", &Walk::turn_rate_rad_s, 60.0, 23},
-                                       Quantity{"power_W", "W", &Walk::power_W, 1.0, 9},
-                                       Quantity{"torque_N_m", "N m", &Walk::torque_N_m, 1.0, 10}};
-inline constexpr double margin_share = 0.10;
 inline constexpr double sample_s = 2.0;
 inline constexpr std::string_view default_settings = "default";
 

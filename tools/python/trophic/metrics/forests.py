@@ -36,7 +36,7 @@ class Forest:
         return depths
 
     def living(self, time_s: float, species=None) -> numpy.ndarray:
-        """Which individuals live after the rules of the tick at this time; only those of a species, if one is given. Shape (individuals,)."""
+        """Whether each individual lives after the rules of the tick at this time and is of the species, if one is given. Shape (individuals,)."""
         lives = (self.birth_s <= time_s) & (self.death_s > time_s)
         return lives if species is None else lives & (self.species == species)
 
@@ -59,7 +59,7 @@ def modes(forest: Forest, species, times_s: Sequence[float] | numpy.ndarray) -> 
 
     Returns shape (windows, 4): change, the types that persist and did not in the window before; novelty, those that persist for the first time;
     ecology, the entropy of the types of the individuals kept, bits; complexity, the greatest among them. nan: the first window has no change and
-    no novelty, and a window that nobody survives no ecology and no complexity."""
+    no novelty, and a window without survivors no ecology and no complexity."""
     result = numpy.full((len(times_s) - 1, 4), numpy.nan)
     before: set[int] = set()
     ever: set[int] = set()
