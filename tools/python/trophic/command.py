@@ -5,6 +5,7 @@ from __future__ import annotations
 import importlib
 import json
 import os
+import re
 import shutil
 import signal
 import sys
@@ -38,8 +39,13 @@ def run(request: dict) -> int:
         if type(error).__name__ not in ("RunError", "ProgramError"):  # compared by name: its module needs pandas
             raise
         code, why = 2, str(error)
-    print(f"{request['who']}: {why}", file=sys.stderr)
+    print(f"{request['who']}: {_one_line(why)}", file=sys.stderr)
     return code
+
+
+def _one_line(text: str) -> str:
+    """Writes control characters, which the name of a file may have, as \\x0a."""
+    return re.sub(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]", lambda found: "".join(f"\\x{byte:02x}" for byte in found[0].encode()), text)
 
 
 def _continue_with_system() -> None:
