@@ -125,7 +125,7 @@ def write(analysis: SweepAnalysis, out: pathlib.Path) -> list[str]:
                "sweep_effects.csv": with_significance(analysis.effects)}
     settings = [axis.name for axis in _settings(analysis.sweep.grid)]
     for name, frame in content.items():
-        tables.write_new(out / name, tables.csv_text(frame[[*column_names(name), *(settings if name == "cells.csv" else [])]]))
+        tables.write_new(out / name, tables.csv_text(frame.reindex(columns=[*column_names(name), *(settings if name == "cells.csv" else [])])))
     tables.write_new(out / "summary.json", tables.json_text(summary_of(analysis)))
     return [*content, "summary.json"]
 
