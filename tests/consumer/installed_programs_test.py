@@ -44,6 +44,15 @@ class InstalledPrograms(unittest.TestCase):
             self.assertIn(str(robot), refused.stderr)
             self.assertFalse((pathlib.Path(folder) / "run").exists())
 
+    def test_an_analysis_takes_the_module_that_was_installed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            prefix = pathlib.Path(folder) / "elsewhere"
+            shutil.copytree(BIN.parent, prefix)
+            self.assertTrue((prefix / "share/trophic/python/trophic/report/page.html.j2").exists())
+            (prefix / "share/trophic/python/trophic/command.py").write_text("print('installed')\n")
+            done = subprocess.run([prefix / "bin/trophic", "cite", folder], capture_output=True, text=True)
+            self.assertEqual((done.returncode, done.stdout), (0, "installed\n"), done.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()
