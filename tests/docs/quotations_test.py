@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: MIT
 """quotations_test.py ROOT [--source TEX]: each quotation of the paper is in paper_sentences.txt, word for word.
 
-A block is a doc block or comment of C++ or TOML, a paragraph or a row of a table of Markdown. In a block that names the paper
+A block is a doc block or comment of C++ or TOML, a docstring of Python, a paragraph or a row of a table of Markdown. In a block that names the paper
 (Sec. "...", the paper, the text, the authors, a draft), everything of two words or more between double quotes is a quotation. It
 must be part of one sentence; [...] stands for words left out. If the block cites sections, the sentence must be of one of them. A
 draft's sentence needs the word draft in the block. A Markdown document exempts its own words by <!-- ours: WORDS -->.
@@ -76,7 +76,10 @@ def read_paper(path: pathlib.Path) -> Paper:
 
 
 def comments(path: pathlib.Path) -> list[tuple[int, str]]:
-    """Line and text of each comment; lines of comment one below the other are one."""
+    """Line and text of each comment or docstring; lines of comment one below the other are one."""
+    if path.suffix == ".py":
+        text = path.read_text()
+        return [(text.count("\n", 0, found.start()) + 1, " ".join(found[1].split())) for found in re.finditer(r'"""(.*?)"""', text, re.S)]
     mark = r"#" if path.suffix == ".toml" else r"///?<?"
     found, open_block = [], False
     for number, line in enumerate(path.read_text().splitlines(), 1):
@@ -121,7 +124,7 @@ def judged(block: str, paper: Paper, quoted: set[str], ours: str = "") -> list[s
 
 def in_tree(root: pathlib.Path, paper: Paper) -> list[str]:
     offences, quoted = [], set()
-    for path in sorted(path for folder in CODE for path in (root / folder).rglob("*") if path.suffix in (".hpp", ".ipp", ".cpp", ".toml")):
+    for path in sorted(path for folder in CODE for path in (root / folder).rglob("*") if path.suffix in (".hpp", ".ipp", ".cpp", ".py", ".toml")):
         for line, block in comments(path):
             offences += [f"{path.relative_to(root)}:{line}: {said}" for said in judged(block, paper, quoted)]
         for source in re.findall(r'string_view source =[^"]*"((?:[^"\\]|\\.)*)"', path.read_text()):

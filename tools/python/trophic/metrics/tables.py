@@ -14,7 +14,7 @@ from ..runs import RunError
 from ..values import METRIC, RunValues
 
 WINDOW_S = 200.0
-"""The paper averages its curves every 200 s: 30 points in 6000 s."""
+"""The paper's curves "are population averages measured every 200 seconds, resulting in 30 points"."""
 GROUPS = ("all", "random", "inherited", "active")
 
 

@@ -7,7 +7,7 @@ import numpy
 from .tables import GROUPS, Agents, Means, Results, Web, means
 
 REACH_M = 1.0
-""""Within one unit of distance to any of the four walls" (Sec. "Metrics for system dynamics")."""
+"""The paper: "within one unit of distance to any of the four walls" (Sec. "Metrics for system dynamics")."""
 
 
 def wall_sticking(agents: Agents, species: str, group: str, half_side_m: float, reach_m: float = REACH_M) -> Means:
