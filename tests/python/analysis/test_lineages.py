@@ -110,6 +110,7 @@ def test_the_null_is_the_mean_over_forests_and_activity_is_compared_with_the_fir
     assert drift["activity_excess", "late"] == 0  # type 0 is as active in each
     own = found.values[found.values.baseline == ""].set_index(["metric", "group"]).value
     assert own["activity_excess", "late"] == approx(own["activity_mean", "late"])  # types that the nulls lack
+    assert found.curves.baseline[:8].tolist() == [""] * 4 + [DRIFT] * 4 and set(found.curves.metric[:8]) == {"modes_change"}
     curve = found.curves[(found.curves.metric == "descent_mean_depth") & (found.curves.baseline == DRIFT)]
     assert curve.time_s.tolist() == [10, 20, 30, 40] and curve.value.tolist() == approx([0.375, 1.125, 1.875, 2.25])
 

@@ -81,8 +81,9 @@ def lineage_values(forests: Sequence[Forest], species: Sequence, window_s: float
             for i, (name, unit) in enumerate(names):
                 for (group, _), (ours, drift) in zip(groups, means):
                     values += [(name, one, group, unit, "", "", ours[i]), (name, one, group, unit, DRIFT, "null", drift[i])]
-            for baseline, series in (("", own), (DRIFT, _mean(drifted))):
-                curves += [(name, one, "all", unit, baseline, *point) for i, (name, unit) in enumerate(names) for point in zip(ends_s, series[:, i])]
+            series = (("", own), (DRIFT, _mean(drifted)))
+            curves += [(name, one, "all", unit, baseline, *point) for i, (name, unit) in enumerate(names) for baseline, points in series
+                       for point in zip(ends_s, points[:, i])]
     return RunValues(pandas.DataFrame(values, columns=VALUE_COLUMNS), pandas.DataFrame(curves, columns=CURVE_COLUMNS))
 
 
