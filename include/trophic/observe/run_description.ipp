@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <trophic/observe/run_description.hpp>
-#include <trophic/support/checksum.hpp>
 
 namespace trophic::observe {
 
@@ -20,6 +19,16 @@ namespace detail {
   std::string text;
   for (const std::string& part : parts) text.append(text.empty() ? "" : between).append(part);
   return text;
+}
+
+/// As trophic::checksum, without zlib: a program that writes no files does not link it.
+[[nodiscard]] inline std::uint32_t crc32_of(std::string_view text) {
+  std::uint32_t crc = ~0U;
+  for (const char byte : text) {
+    crc ^= static_cast<unsigned char>(byte);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1U) ^ ((crc & 1U) != 0 ? 0xEDB88320U : 0U);
+  }
+  return ~crc;
 }
 
 }  // namespace detail
@@ -71,7 +80,7 @@ TROPHIC_INLINE std::string identity(const RunDescription& run) {
   }
   if (text.empty()) return run.fingerprint;
   std::array<char, 16> digits{};
-  std::snprintf(digits.data(), digits.size(), "+%08x", static_cast<unsigned>(checksum(text)));
+  std::snprintf(digits.data(), digits.size(), "+%08x", static_cast<unsigned>(detail::crc32_of(text)));
   return run.fingerprint + digits.data();
 }
 
