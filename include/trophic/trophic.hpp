@@ -36,8 +36,9 @@
 #include <trophic/reproduction/body_plan/inherited_modules.hpp>
 #include <trophic/reproduction/body_plan/named_body.hpp>
 #include <trophic/reproduction/heredity/all_but.hpp>
+#include <trophic/reproduction/heredity/switched.hpp>
 #include <trophic/reproduction/initial_genome/normal_weights.hpp>
-#include <trophic/reproduction/parent/at_random.hpp>
+#include <trophic/reproduction/parent/any_survivor.hpp>
 #include <trophic/reproduction/parent/fastest_escape.hpp>
 #include <trophic/reproduction/parent/last_escapee.hpp>
 #include <trophic/reproduction/parent/most_escapes.hpp>

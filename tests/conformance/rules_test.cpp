@@ -47,9 +47,10 @@
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
 #include <trophic/reproduction/heredity/all_but.hpp>
 #include <trophic/reproduction/heredity/nothing_inherited.hpp>
+#include <trophic/reproduction/heredity/switched.hpp>
 #include <trophic/reproduction/initial_genome/normal_weights.hpp>
 #include <trophic/reproduction/mutation/no_mutation.hpp>
-#include <trophic/reproduction/parent/at_random.hpp>
+#include <trophic/reproduction/parent/any_survivor.hpp>
 #include <trophic/reproduction/parent/fastest_escape.hpp>
 #include <trophic/reproduction/parent/last_escapee.hpp>
 #include <trophic/reproduction/parent/most_escapes.hpp>
@@ -107,7 +108,7 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_parent_suite, reproduction::parent::FastestEsc
                           reproduction::parent::MostEscapes, reproduction::parent::Killer, reproduction::parent::LastKiller,
                           reproduction::parent::LastSeenVictim, reproduction::parent::NearestConspecific,
                           reproduction::parent::NearestActiveVictim, reproduction::parent::NearestVictim,
-                          reproduction::parent::NoParent, reproduction::parent::AtRandom<reproduction::parent::Killer>,
+                          reproduction::parent::NoParent, reproduction::parent::AnySurvivor<reproduction::parent::Killer>,
                           rules::Paper::Parent, rules::Released::Parent);
 TEST_CASE_TEMPLATE_INVOKE(trophic_parent_species_suite, rules::Paper::Parent, rules::Released::Parent,
                           reproduction::parent::Killer, reproduction::parent::LastKiller,
@@ -126,7 +127,8 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_viability_suite, reproduction::viability::Alwa
                           reproduction::viability::SurvivesTrial<reproduction::viability::ModuleLimits>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_heredity_suite, reproduction::heredity::OwnCopy, reproduction::heredity::SharedCopy,
                           reproduction::heredity::NothingInherited, reproduction::heredity::AllButBrain,
-                          reproduction::heredity::AllButGait, reproduction::heredity::AllButBody);
+                          reproduction::heredity::AllButGait, reproduction::heredity::AllButBody,
+                          reproduction::heredity::Switched<reproduction::heredity::OwnCopy>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_mutation_suite, reproduction::mutation::NormalMutation, reproduction::mutation::UniformMutation,
                           reproduction::mutation::NoMutation);
 

@@ -88,7 +88,7 @@ Experiment<rules::Paper> numbers_of(const Wanted& wanted) {
   numbers.ecology.gait = wanted.gait;
   numbers.physics.timestep_s = wanted.timestep_s;
   numbers.rules.community.predators = wanted.robots * 14 / 30;
-  numbers.shadow = wanted.shadow;
+  numbers.null = wanted.shadow ? Null::shadow : Null::none;
   return numbers;
 }
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <tools/ablations/swaps.hpp>
 #include <tools/command/read_parameters.hpp>
-#include <tools/replicates/run_with_shadow.hpp>
+#include <tools/replicates/run_with_nulls.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/rules/with.hpp>
 #include <utility>
@@ -26,7 +26,8 @@ std::vector<std::string> run_table(const std::string& name, Experiment<Table> ex
   experiment.ecology.duration_s = study.duration_s;
   replicates::Plan plan = study.plan;
   plan.out /= name;
-  auto unfinished = replicates::run_with_shadow(experiment, study.backend, plan, study.shadow, study.provenance, std::cout);
+  auto unfinished = replicates::run_with_nulls(
+      experiment, study.backend, plan, std::vector<Null>(study.shadow ? 1 : 0, Null::shadow), study.provenance, std::cout);
   for (std::string& sentence : unfinished) sentence.insert(0, name + "/");
   return unfinished;
 }

@@ -27,7 +27,7 @@ std::string why_not_played(const contest::Plan& plan, const Offer& offer, const 
     return "rule table " + plan.rule_table + ": must be " + one_of(tables) + ", those of this program; " + otherwise;
   }
   if (find_backend(offer, plan.engine) == nullptr) return about_missing_backend(plan.engine, backend_names(offer.backends));
-  const auto description = experiment_of(plan, offer)->simulations(false)(1)->describe(0.0);
+  const auto description = experiment_of(plan, offer)->simulations(Null::none)(1)->describe(0.0);
   if (plan.fingerprint.empty() || description.fingerprint == plan.fingerprint) return "";
   return "fingerprint " + plan.fingerprint + ": must be " + description.fingerprint +
          ", what this program makes of the runs' parameters; rules, models or engine changed";

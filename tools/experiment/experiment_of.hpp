@@ -79,11 +79,11 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return left;
 }
 
-/// Makes the ecologies of an experiment, or of its neutral shadow, with --changes and those of a conductor, which may be null.
+/// Makes the ecologies of an experiment, under a null, with --changes and those of a conductor, which may be null.
 [[nodiscard]] inline MakeSimulation simulations(const AnyExperiment& chosen, const ExperimentOptions& options,
-                                                const Config& config, AnyExperiment& experiment, bool shadow,
-                                                changes::Conductor* conductor = nullptr) {
-  if (!may_change(options)) return experiment.simulations(shadow);
+                                                const Config& config, AnyExperiment& experiment, Null null,
+                                                const HistoryOf& history = {}, changes::Conductor* conductor = nullptr) {
+  if (!may_change(options)) return experiment.simulations(null, history);
   const auto schedule = schedule_of_changes(options, experiment.ecology().duration_s);
   return [=, &chosen](std::uint64_t seed) -> std::unique_ptr<Simulation> {
     const auto make = [=, &chosen](const std::vector<changes::Change>& made) {
@@ -94,7 +94,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
         read_parameters(changed->params(), number);
       }
       validate(changed->params());
-      return changed->simulations(shadow)(seed);
+      return changed->simulations(null, history)(seed);
     };
     try {
       return std::make_unique<changes::ChangingSimulation>(make, schedule, conductor);

@@ -28,6 +28,7 @@ struct ExperimentOptions {
   std::optional<double> at_s;  ///< moment of that run
   double checkpoint_s = checkpoint::Schedule{}.every_s;
   bool shadow = false;
+  bool neutral = false;
   std::string config;
   std::vector<std::string> assignments;
   std::string out;

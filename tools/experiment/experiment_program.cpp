@@ -47,6 +47,13 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
         .help =
             "run the table's neutral shadow too, into OUT/shadow: the same rules, parameters and seeds, but nothing is inherited",
         .needs = {"--replicates"}},
+       {.name = "--neutral",
+        .target = &options.neutral,
+        .help =
+            "run the table's neutral null too, into OUT/neutral: the births, deaths and parents of the runs are repeated with "
+            "genomes of their own, so that nothing is selected",
+        .needs = {"--replicates"},
+        .not_with = {"--from"}},
        {.name = "--jobs",
         .target = &options.jobs,
         .help = "replicates, runs of a sweep or contests at a time (one per core); results do not depend on it",

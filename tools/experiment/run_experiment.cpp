@@ -17,7 +17,7 @@
 #include <tools/recording/species_colour.hpp>
 #include <tools/replicates/rewind.hpp>
 #include <tools/replicates/run_in_folder.hpp>
-#include <tools/replicates/run_with_shadow.hpp>
+#include <tools/replicates/run_with_nulls.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/support/json.hpp>
@@ -189,7 +189,7 @@ int run_once(const ExperimentOptions& options, AnyExperiment& experiment, const 
              const std::optional<OriginRun>& origin, LiveServer* live) {
   const std::unique_ptr<Simulation> ecology = make(experiment.seed());
   if (!options.save_mjcf.empty()) {
-    const std::unique_ptr<Simulation> plain = experiment.simulations(false)(experiment.seed());
+    const std::unique_ptr<Simulation> plain = experiment.simulations(Null::none)(experiment.seed());
     std::vector<Colour> colours;
     for (const Individual& individual : plain->view().robots) colours.push_back(species_colour(individual.species));
     if (!plain->backend().save_mjcf(options.save_mjcf, colours))
@@ -204,21 +204,23 @@ int run_once(const ExperimentOptions& options, AnyExperiment& experiment, const 
   return run_into_folder(options, *ecology, until_s, std::move(*run_state), origin, live);
 }
 
-/// Whether a replicate, or one of its shadow, has nothing to resume from.
-[[nodiscard]] inline bool needs_snapshot(replicates::Plan plan, bool shadow, double until_s) {
-  const auto any = [&] {
-    return std::ranges::any_of(plan.all(),
+/// Whether a replicate of the experiment, or of one of its nulls, has nothing to resume from.
+[[nodiscard]] inline bool needs_snapshot(const replicates::Plan& plan, std::span<const Null> nulls, double until_s) {
+  const auto any = [&](const replicates::Plan& set) {
+    return std::ranges::any_of(set.all(),
                                [&](const replicates::Replicate& one) { return checkpoint::needs_snapshot(one.folder, until_s); });
   };
-  if (any()) return true;
-  plan.out /= "shadow";
-  return shadow && any();
+  return any(plan) || std::ranges::any_of(nulls, [&](Null null) {
+           replicates::Plan beside = plan;
+           beside.out /= replicates::folder_of(null);
+           return any(beside);
+         });
 }
 
-/// Runs replicates into the folder that the options name, with their shadow if asked for, and returns the exit code.
+/// Runs replicates into the folder that the options name, with the nulls that are asked for, and returns the exit code.
 [[nodiscard]] inline int run_replicates(const AnyExperiment& chosen, const ExperimentOptions& options, const Config& config,
                                         AnyExperiment& experiment, const std::optional<OriginRun>& origin) {
-  const MakeSimulation make = simulations(chosen, options, config, experiment, false);
+  const MakeSimulation make = simulations(chosen, options, config, experiment, Null::none);
   const double until_s = experiment.ecology().duration_s;
   replicates::Plan plan = plan_of(options, experiment.seed());
   if (options.changes.empty() && options.resume) {
@@ -227,18 +229,23 @@ int run_once(const ExperimentOptions& options, AnyExperiment& experiment, const 
         throw std::invalid_argument{"--changes: needed to resume, as " + one.folder.string() + " has changes.csv"};
     }
   }
+  std::vector<Null> nulls;
+  if (options.shadow) nulls.push_back(Null::shadow);
+  if (options.neutral) nulls.push_back(Null::neutral);
   std::optional<checkpoint::SnapshotFolder> room;
   if (origin) {
     plan.check();
     plan.snapshot = snapshot_of(options, *origin, make(plan.master_seed)->describe(until_s));
-    if (needs_snapshot(plan, options.shadow, until_s) || checkpoint::SnapshotFolder::exists(*plan.snapshot))
-      room.emplace(*plan.snapshot);
+    if (needs_snapshot(plan, nulls, until_s) || checkpoint::SnapshotFolder::exists(*plan.snapshot)) room.emplace(*plan.snapshot);
     if (!options.resume) io::check_new_folder(options.out);
-    if (needs_snapshot(plan, options.shadow, until_s) && !make_snapshot(*plan.snapshot, *origin)) return stopped;
+    if (needs_snapshot(plan, nulls, until_s) && !make_snapshot(*plan.snapshot, *origin)) return stopped;
   }
-  const auto unfinished =
-      replicates::run_with_shadow(make, options.shadow ? simulations(chosen, options, config, experiment, true) : nullptr,
-                                  until_s, plan, options.provenance, std::cout);
+  std::vector<replicates::SetOfRuns> sets{{Null::none, make}};
+  for (const Null null : nulls) {
+    const HistoryOf history = null == Null::neutral ? replicates::histories_of(plan) : HistoryOf{};
+    sets.push_back({null, simulations(chosen, options, config, experiment, null, history)});
+  }
+  const auto unfinished = replicates::run_with_nulls(sets, until_s, plan, options.provenance, std::cout);
   if (room && unfinished.empty()) room->clear();
   return report_unfinished(options, unfinished);
 }
@@ -285,12 +292,12 @@ OriginRun read_origin(const ExperimentOptions& options) {
 }
 
 observe::RunDescription describe(const AnyExperiment& chosen, const OriginRun& origin) {
-  return detail::experiment_of(chosen, origin)->simulations(false)(origin.moment.seed)->describe(0.0);
+  return detail::experiment_of(chosen, origin)->simulations(Null::none)(origin.moment.seed)->describe(0.0);
 }
 
 bool replay(const AnyExperiment& chosen, const OriginRun& origin, const ExperimentOptions& options,
             const std::filesystem::path& folder) {
-  const std::unique_ptr<Simulation> ecology = detail::experiment_of(chosen, origin)->simulations(false)(origin.moment.seed);
+  const std::unique_ptr<Simulation> ecology = detail::experiment_of(chosen, origin)->simulations(Null::none)(origin.moment.seed);
   if (checkpoint::read_all(folder).empty()) {
     std::filesystem::remove_all(folder);  // a copy that was interrupted
     checkpoint::copy_until(origin.moment.run, origin.moment.at_s, folder);
@@ -316,7 +323,7 @@ int run_experiment(const AnyExperiment& chosen, const ExperimentOptions& options
     return print_text(options.print_table == "latex" ? latex_table(rules) : markdown_table(rules));
   }
   if (options.replicates) return detail::run_replicates(chosen, options, config, *experiment, origin);
-  return detail::run_once(options, *experiment, detail::simulations(chosen, options, config, *experiment, false), origin,
+  return detail::run_once(options, *experiment, detail::simulations(chosen, options, config, *experiment, Null::none), origin,
                           nullptr);
 }
 
@@ -324,7 +331,7 @@ PlannedFacts facts(const AnyExperiment& chosen, const Config& config, bool shado
   const auto experiment = detail::planned_experiment(chosen, config);
   const EcologyParams& ecology = experiment->ecology();
   const double steps_a_second = experiment->backend().has_joints() ? 1.0 / experiment->physics().timestep_s : ecology.control_hz;
-  return {experiment->simulations(shadow)(experiment->seed())->describe(ecology.duration_s),
+  return {experiment->simulations(shadow ? Null::shadow : Null::none)(experiment->seed())->describe(ecology.duration_s),
           static_cast<double>(ecology.robots) * std::ceil(ecology.duration_s * ecology.clock_scale * steps_a_second)};
 }
 
@@ -332,7 +339,7 @@ void run_planned(const AnyExperiment& chosen, const Config& config, bool shadow,
                  const std::filesystem::path& folder, const replicates::CommonOptions& common,
                  observe::JointProgress::Part progress, const observe::StopOnSignal& stop) {
   const auto experiment = detail::planned_experiment(chosen, config);
-  const std::unique_ptr<Simulation> ecology = experiment->simulations(shadow)(seed);
+  const std::unique_ptr<Simulation> ecology = experiment->simulations(shadow ? Null::shadow : Null::none)(seed);
   replicates::run_in_folder(*ecology, experiment->ecology().duration_s, folder, common, {std::move(progress), stop});
 }
 

@@ -50,7 +50,7 @@ int run_live(std::unique_ptr<AnyExperiment> chosen, ExperimentOptions options, C
   {  // Refusals come before a port is opened.
     if (!options.resume) io::check_new_folder(options.out);
     const auto experiment = detail::experiment_of(*chosen, options, config);
-    static_cast<void>(detail::simulations(*chosen, options, config, *experiment, false)(experiment->seed()));
+    static_cast<void>(detail::simulations(*chosen, options, config, *experiment, Null::none)(experiment->seed()));
   }
   const std::unique_ptr<LiveServer> server = detail::open_live(static_cast<std::uint16_t>(options.live_port.value_or(0)));
   for (;;) {
@@ -62,9 +62,9 @@ int run_live(std::unique_ptr<AnyExperiment> chosen, ExperimentOptions options, C
                    .until_s = experiment->ecology().duration_s,
                    .numbers = detail::rule_parameters(*experiment),
                    .table = detail::rule_parameters(*chosen->fresh())});
-    const int code = detail::run_once(options, *experiment,
-                                      detail::simulations(*chosen, options, config, *experiment, false, &server->conductor()),
-                                      std::nullopt, server.get());
+    const int code = detail::run_once(
+        options, *experiment, detail::simulations(*chosen, options, config, *experiment, Null::none, {}, &server->conductor()),
+        std::nullopt, server.get());
     const std::optional<Restart> next = server->next();
     if (!next) return code;
     detail::restart(*next, chosen->rule_table(), first_out, options, config);

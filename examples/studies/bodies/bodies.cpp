@@ -6,5 +6,5 @@
 
 int main(int argc, char** argv) {
   using namespace trophic::bodies_study;
-  return trophic::experiment<EvolvingBodies, EvolvingBodiesByDrift, EvolvingBrains, EvolvingBrainsByDrift>(argc, argv);
+  return trophic::experiment<EvolvingBodies, EvolvingBodiesBySurvival, EvolvingBrains, EvolvingBrainsBySurvival>(argc, argv);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rule tables of the study: bodies, gaits and brains that evolve, each with its null of drift.
+// The rule tables of the study: bodies, gaits and brains that evolve, each with survival alone beside it.
 #pragma once
 
 #include <trophic/control/brain/growing_brain.hpp>
@@ -7,7 +7,7 @@
 #include <trophic/initialization/embodiment/stands_up.hpp>
 #include <trophic/reproduction/body_plan/inherited_modules.hpp>
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
-#include <trophic/reproduction/parent/at_random.hpp>
+#include <trophic/reproduction/parent/any_survivor.hpp>
 #include <trophic/reproduction/parent/killer.hpp>
 #include <trophic/reproduction/parent/nearest_active_victim.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
@@ -19,7 +19,7 @@
 
 namespace trophic::bodies_study {
 
-using reproduction::parent::AtRandom;
+using reproduction::parent::AnySurvivor;
 using reproduction::parent::Killer;
 using reproduction::parent::NearestActiveVictim;
 using reproduction::parent::NearestConspecific;
@@ -30,10 +30,10 @@ using rules::by_species;
 using Lineages = with_parent_after<with_genome_source<rules::Paper, reproduction::genome_source::AlwaysInherited>,
                                    Cause::sacrificed, NearestConspecific>;
 
-/// The same births and deaths, each parent drawn among its species.
-using LineagesByDrift = with_parent_after<with_parent_after<with_parent_after<Lineages, Cause::caught, AtRandom<Killer>>,
-                                                            Cause::starved, AtRandom<NearestActiveVictim>>,
-                                          Cause::sacrificed, AtRandom<NearestConspecific>>;
+/// Survival alone selects: each parent is drawn among the living of its species.
+using LineagesBySurvival = with_parent_after<with_parent_after<with_parent_after<Lineages, Cause::caught, AnySurvivor<Killer>>,
+                                                               Cause::starved, AnySurvivor<NearestActiveVictim>>,
+                                             Cause::sacrificed, AnySurvivor<NearestConspecific>>;
 
 /// A starved predator has a parent for the prey that follows at any distance, and starvation is frequent: more births.
 inline constexpr auto turnover = [](auto& params) {
@@ -64,8 +64,8 @@ template <class Base>
 using Brains = with_params<with_brain<Base, control::brain::GrowingBrain>, turnover>;
 
 using EvolvingBodies = named<Bodies<Lineages>, "evolving_bodies">;
-using EvolvingBodiesByDrift = named<Bodies<LineagesByDrift>, "evolving_bodies_by_drift">;
+using EvolvingBodiesBySurvival = named<Bodies<LineagesBySurvival>, "evolving_bodies_by_survival">;
 using EvolvingBrains = named<Brains<Lineages>, "evolving_brains">;
-using EvolvingBrainsByDrift = named<Brains<LineagesByDrift>, "evolving_brains_by_drift">;
+using EvolvingBrainsBySurvival = named<Brains<LineagesBySurvival>, "evolving_brains_by_survival">;
 
 }  // namespace trophic::bodies_study

@@ -12,8 +12,23 @@
 #include <trophic/params/numbers_text.hpp>
 #include <trophic/reproduction/heredity/nothing_inherited.hpp>
 #include <trophic/rules/table.hpp>
+#include <trophic/support/joined_text.hpp>
 
 namespace trophic {
+
+namespace detail {
+
+/// Names the neutral null of a heredity: the population applies it.
+template <class Rule>
+struct NeutralHeredity : reproduction::heredity::NothingInherited {
+  struct Words {
+    static constexpr std::array<std::string_view, 2> words{"neutral", Rule::name};
+    static constexpr std::string_view separator = "_";
+  };
+  static constexpr std::string_view name = JoinedText<Words>::view;
+};
+
+}  // namespace detail
 
 /// All parameters of an experiment on a backend, in order.
 template <class Rules>
@@ -25,12 +40,16 @@ template <class Rules>
 
 /// Everything that determines a run of `experiment` on `backend` in `habitat` until `until_s` (ecology seconds), and its
 /// fingerprint. `tags`: those that the table's brains may choose. A neutral shadow is described as the table with
-/// NothingInherited.
+/// NothingInherited, a neutral null as one with neutral_HEREDITY.
 template <class Rules>
 [[nodiscard]] observe::RunDescription describe(const Experiment<Rules>& experiment, const BackendChoice& backend,
                                                const Habitat& habitat, std::vector<int> tags, double until_s) {
   using Shadow = with_heredity<Rules, reproduction::heredity::NothingInherited>;
-  observe::RunDescription run{.rules = experiment.shadow ? table_name<Shadow>() : table_name<Rules>(),
+  using Neutral = with_heredity<Rules, detail::NeutralHeredity<PolicyIn<Rules, RuleSlot::heredity>>>;
+  const auto of_null = [&](const auto& none, const auto& shadow, const auto& neutral) {
+    return experiment.null == Null::none ? none : experiment.null == Null::shadow ? shadow : neutral;
+  };
+  observe::RunDescription run{.rules = of_null(table_name<Rules>(), table_name<Shadow>(), table_name<Neutral>()),
                               .slots = {},
                               .named_params = named_params_of(experiment, backend),
                               .tags = std::move(tags),
@@ -42,10 +61,11 @@ template <class Rules>
                               .clock_scale = experiment.ecology.clock_scale,
                               .until_s = until_s,
                               .fingerprint = {}};
-  for (const rules::SlotRule& rule : experiment.shadow ? rules::slot_rules<Shadow>() : rules::slot_rules<Rules>()) {
+  for (const rules::SlotRule& rule :
+       of_null(rules::slot_rules<Rules>(), rules::slot_rules<Shadow>(), rules::slot_rules<Neutral>())) {
     run.slots.emplace_back(rule.slot, rule.policy);
   }
-  if (experiment.shadow) {
+  if (experiment.null == Null::shadow) {
     std::erase_if(run.named_params, [](const NamedParam& param) { return param.path.starts_with("rules.heredity."); });
   }
   run.other_params = observe::other_params(run.named_params, named_params_of(Experiment<Rules>{}, backend.fresh()));

@@ -47,7 +47,10 @@ class Ecology final : public Simulation {
   Ecology(Params params, BackendChoice backend, Habitat habitat)
       : Ecology{checked(std::move(params), std::move(backend), std::move(habitat))} {}
 
-  void persist(Archive& archive) override { archive(tick_, started_, starvation_clock_, population_, bodies_); }
+  void persist(Archive& archive) override {
+    archive(tick_, started_, starvation_clock_, population_, bodies_);
+    if (params_.history) archive(repeated_, born_);
+  }
 
   [[nodiscard]] double time_s() const override { return clock_s(tick_, params_.ecology.tick_s); }
   [[nodiscard]] std::int64_t tick() const override { return tick_; }
@@ -88,13 +91,15 @@ class Ecology final : public Simulation {
         rules_{make_policies<Rules>(params_.rules)},
         web_{rules_.community.web()},
         nursery_{choice_, habitat_.arena, params_.physics, params_.ecology, rules_.steering},
-        population_{rules_, web_, params_.seed, founders_of(params_, rules_, web_), {params_.shadow, &habitat_, &nursery_}},
+        population_{rules_, web_, genome_seed(params_), founders_of(params_, rules_, web_), {params_.null, &habitat_, &nursery_}},
         bodies_{params_, choice_, habitat_, rules_, population_} {
     if (!params_.lineup.empty()) population_.enlist(params_.lineup);
     bodies_.embody_founders();
   }
 
   void run(double until_s, observe::Audience& audience) override {
+    if (params_.null == Null::neutral && !params_.history)
+      throw std::invalid_argument{"a neutral null: needs the history of a run"};
     try {
       audience.start(describe(until_s), view());
       if (!started_) {
@@ -102,6 +107,7 @@ class Ecology final : public Simulation {
         bodies_.show_start(audience, time_s());
         for (BodyIndex body = 0; body < population_.individuals().size(); ++body)
           if (population_[body].lives()) emit(audience, observe::EventKind::birth, body);
+        if (params_.history) repeat_founders();
         starvation_clock_ = death::ask::start(rules_.starvation, view());
         tick(audience);
       }
@@ -136,6 +142,7 @@ class Ecology final : public Simulation {
   void end_diverged(observe::Audience& audience, BodyIndex body) {
     const Individual& self = population_[body];
     if (!self.lives()) return bodies_.embody(body, population_.individuals().size());
+    if (params_.history) return bodies_.embody(body, population_.individuals().size());
     const Species species = self.species;
     emit_death(audience, {.body = body, .cause = Cause::diverged, .killer = {}, .successor = species});
     population_.replace(body, species, {}, view());
@@ -144,7 +151,9 @@ class Ecology final : public Simulation {
 
   void tick(observe::Audience& audience) {
     const bool rules_act = time_s() >= params_.ecology.first_tick_s;
-    if (rules_act && params_.lineup.empty()) {
+    if (params_.history) {
+      repeat(audience);
+    } else if (rules_act && params_.lineup.empty()) {
       activate(audience);
       capture(audience);
       age(audience);
@@ -154,6 +163,50 @@ class Ecology final : public Simulation {
     }
     if (rules_act) decide(audience);
     audience.tick(view());
+  }
+
+  /// A neutral null has other genomes than the run that it repeats.
+  [[nodiscard]] static std::uint64_t genome_seed(const Params& params) {
+    return params.history ? Rng{params.seed, Stream::null_model}.bits() : params.seed;
+  }
+
+  /// Notes the founders as possible parents. Throws std::invalid_argument if they are not those of the history.
+  void repeat_founders() {
+    for (const Individual& founder : population_.individuals()) {
+      if (!founder.lives()) continue;
+      const Happening* birth = repeated_ < params_.history->size() ? &(*params_.history)[repeated_++] : nullptr;
+      const bool fits = birth && birth->kind == observe::EventKind::birth && birth->id == founder.id &&
+                        birth->species == founder.species && birth->id == born_.size();
+      if (!fits) throw std::invalid_argument{"a history of other founders"};
+      born_.push_back(founder.as_ancestor());
+    }
+  }
+
+  /// Repeats what happened in the history up to this tick.
+  void repeat(observe::Audience& audience) {
+    for (; repeated_ < params_.history->size() && (*params_.history)[repeated_].tick <= tick_; ++repeated_) {
+      const Happening& event = (*params_.history)[repeated_];
+      const auto other = event.killer_or_victim ? population_.body_of(*event.killer_or_victim) : std::nullopt;
+      if (event.kind == observe::EventKind::birth) {
+        using reproduction::Descent;
+        const auto parent = event.parent ? std::optional{born_.at(*event.parent)} : std::nullopt;
+        const Descent orphan = event.origin == Origin::inherited ? Descent::of_parent_in_name : Descent::random;
+        const Parentage parentage{.descent = parent ? Descent::of_parent : orphan, .parent = parent};
+        population_.replace(event.body, event.species, parentage, view());
+        born_.push_back(population_[event.body].as_ancestor());
+        begin_life(audience, event.body);
+      } else if (event.kind == observe::EventKind::death) {
+        emit_death(audience, {.body = event.body, .cause = *event.cause, .killer = other, .successor = {}});
+        population_.vacate(event.body);
+      } else if (event.kind == observe::EventKind::activation) {
+        const auto rule = death::ask::activates(rules_.activation, states().activation[event.body], event.body, view());
+        population_.activate(event.body, time_s(), rule == death::Activates::yes_and_restarts_age);
+        emit(audience, observe::EventKind::activation, event.body);
+      } else if (event.kind == observe::EventKind::capture && other) {
+        population_.feed(event.body, *other, view());
+        emit(audience, observe::EventKind::capture, event.body, {}, event.killer_or_victim);
+      }
+    }
   }
 
   void activate(observe::Audience& audience) {
@@ -337,6 +390,8 @@ class Ecology final : public Simulation {
   death::ClockOf<PolicyIn<Rules, RuleSlot::starvation>> starvation_clock_;
   std::int64_t tick_ = 0;
   bool started_ = false;
+  std::size_t repeated_ = 0;         ///< events of the history
+  std::vector<Ancestor> born_ = {};  ///< all individuals by id, of a run that repeats a history
   std::vector<Choice<Rules>> choices_;
 };
 

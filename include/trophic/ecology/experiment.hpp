@@ -4,10 +4,12 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <trophic/ecology/history.hpp>
 #include <trophic/ecology/lineup.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/physics.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/population/null.hpp>
 #include <trophic/rules/table.hpp>
 
 namespace trophic {
@@ -19,8 +21,8 @@ struct Experiment {
   EcologyParams ecology = Rules::ecology();
   Physics physics = Rules::physics();
   RuleParams<Rules> rules{};
-  /// Runs the neutral shadow: the heredity rule is not applied, every inherited genome is drawn anew. Files cannot set it.
-  bool shadow = false;
+  Null null = Null::none;      ///< files cannot set it
+  SharedHistory history = {};  ///< of the neutral null: the run that it repeats
   /// A contest of these individuals, one for each robot, all active from the start: robots move, perceive and decide, and there
   /// are no activations, catches, deaths and births. Empty: an ecology. Files cannot set it.
   Lineup lineup = {};
@@ -34,11 +36,10 @@ struct Experiment {
   }
 };
 
-/// The neutral shadow of an experiment: the same seed and parameters, without inheritance. Labels, places and times of birth
-/// arise as in the experiment itself, so a metric that differs between the two shows the effect of inheritance.
+/// The same seed and parameters under a null.
 template <class Rules>
-[[nodiscard]] Experiment<Rules> shadow_of(Experiment<Rules> experiment) {
-  experiment.shadow = true;
+[[nodiscard]] Experiment<Rules> under(Null null, Experiment<Rules> experiment) {
+  experiment.null = null;
   return experiment;
 }
 

@@ -9,6 +9,7 @@
 #include <trophic/ecology/state_hooks.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/nursery.hpp>
+#include <trophic/population/null.hpp>
 #include <trophic/reproduction/genome_source/contract.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/rules/rule_states.hpp>
@@ -27,7 +28,7 @@ struct Parentage {
 /// The circumstances of births besides the rules: `habitat` is for tables whose bodies or gaits differ, `nursery` for those that
 /// try newborns; both outlive the population.
 struct BirthSetting {
-  bool shadow = false;  ///< the heredity rule is not applied, and every inherited genome is drawn anew
+  Null null = Null::none;
   const Habitat* habitat = nullptr;
   const Nursery* nursery = nullptr;
 };
@@ -52,7 +53,7 @@ class Population {
       : rules_{rules},
         web_{web},
         seed_{seed},
-        is_shadow_{setting.shadow},
+        null_{setting.null},
         tags_{rules.brain.tags()},
         brains_{rules, seed},
         phenotypes_{rules, seed, setting.habitat, setting.nursery} {
@@ -202,6 +203,12 @@ class Population {
     return result;
   }
 
+  /// The body of an individual; none for the dead.
+  [[nodiscard]] std::optional<BodyIndex> body_of(IndividualId id) const {
+    const auto found = bodies_.find(id);
+    return found == bodies_.end() ? std::nullopt : std::optional{found->second};
+  }
+
   /// The demand of the table's brain that a genome violates, "a genome of 15 weights"; none if it fits.
   [[nodiscard]] std::optional<std::string> misfit(const Genome* genome) const { return brains_.misfit(genome); }
 
@@ -222,7 +229,8 @@ class Population {
     Individual born = newborn(species, view.time_s, view.tick, &individuals_[body]);
     std::vector<double> before;  // a heredity may share the parent's genome and change it
     if (parentage.parent) before = parentage.parent->genome->weights;
-    auto genome = parentage.parent && !is_shadow_ ? rules_.heredity.inherit(parentage.parent->genome) : nullptr;
+    const auto& heredity = for_species(rules_.heredity, species);
+    auto genome = parentage.parent && null_ != Null::shadow ? heredity.inherit(parentage.parent->genome) : nullptr;
     if (const auto demand = genome && !genome->weights.empty() ? brains_.misfit(genome.get()) : std::nullopt) {
       throw RuleError{"heredity", "a genome of " + std::to_string(genome->weights.size()) + " weights: must have " + *demand};
     }
@@ -260,12 +268,6 @@ class Population {
     const bool sound = individual.id < next_id_ && individual.species < web_.size() && !brains_.misfit(individual.genome.get()) &&
                        has_tag && individual.adversary.value_or(0) < individuals_.size();
     if (!sound) throw std::invalid_argument{"an individual of other rules"};
-  }
-
-  /// The body of an individual; none for the dead.
-  [[nodiscard]] std::optional<BodyIndex> body_of(IndividualId id) const {
-    const auto found = bodies_.find(id);
-    return found == bodies_.end() ? std::nullopt : std::optional{found->second};
   }
 
   /// Creates the states of a newborn.
@@ -329,7 +331,7 @@ class Population {
   const Policies<Rules>& rules_;
   const FoodWeb& web_;
   std::uint64_t seed_;
-  bool is_shadow_;
+  Null null_;
   std::vector<int> tags_;
   BrainGenes<Rules> brains_;
   Phenotypes<Rules> phenotypes_;

@@ -10,12 +10,15 @@
 
 namespace trophic {
 
-/// Makes ecologies of these parameters that differ only in their seed. The result throws as the ecology's constructor does.
+/// Makes ecologies of these parameters that differ only in their seed and, for a neutral null, in the history that they repeat.
+/// The result throws as the ecology's constructor and `history` do.
 template <class Rules>
-[[nodiscard]] MakeSimulation simulations_of(const Experiment<Rules>& experiment, const BackendChoice& backend) {
-  return [experiment, backend](std::uint64_t seed) {
+[[nodiscard]] MakeSimulation simulations_of(const Experiment<Rules>& experiment, const BackendChoice& backend,
+                                            const HistoryOf& history = {}) {
+  return [experiment, backend, history](std::uint64_t seed) {
     Experiment<Rules> own = experiment;
     own.seed = seed;
+    if (history) own.history = history(seed);
     return std::make_unique<Ecology<Rules>>(std::move(own), backend);
   };
 }

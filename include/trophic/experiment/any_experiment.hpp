@@ -4,9 +4,11 @@
 
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/control/brain/contract.hpp>
+#include <trophic/ecology/history.hpp>
 #include <trophic/ecology/lineup.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/habitat/ecology_params.hpp>
+#include <trophic/population/null.hpp>
 #include <trophic/rules/slot_rule.hpp>
 
 namespace trophic {
@@ -35,8 +37,8 @@ class AnyExperiment {
   [[nodiscard]] virtual BackendChoice& backend() = 0;
   /// The rules of its table.
   [[nodiscard]] virtual std::vector<rules::SlotRule> slot_rules() const = 0;
-  /// Makes its ecologies with the present parameters, or those of its neutral shadow.
-  [[nodiscard]] virtual MakeSimulation simulations(bool shadow) const = 0;
+  /// Makes its ecologies with the present parameters, under a null. `history`: of the neutral null, by seed.
+  [[nodiscard]] virtual MakeSimulation simulations(Null null, const HistoryOf& history = {}) const = 0;
   /// Makes contests in its arena, with its brains and backend.
   [[nodiscard]] virtual MakeContest contests() const = 0;
   /// The brain of its table.

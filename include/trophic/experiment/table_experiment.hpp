@@ -34,8 +34,8 @@ class TableExperiment final : public AnyExperiment {
   [[nodiscard]] const Physics& physics() const override { return experiment_.physics; }
   [[nodiscard]] BackendChoice& backend() override { return backend_; }
   [[nodiscard]] std::vector<rules::SlotRule> slot_rules() const override { return rules::slot_rules<Rules>(); }
-  [[nodiscard]] MakeSimulation simulations(bool shadow) const override {
-    return simulations_of(shadow ? shadow_of(experiment_) : experiment_, backend_);
+  [[nodiscard]] MakeSimulation simulations(Null null, const HistoryOf& history) const override {
+    return simulations_of(under(null, experiment_), backend_, history);
   }
   /// The arena is loaded once. Throws as the ecology's constructor does.
   [[nodiscard]] MakeContest contests() const override {

@@ -65,7 +65,7 @@
   SLOT(InitialGenome, initial_genome, reproduction, InitialGenome, detail::NoPolicy, true)                           \
   SLOT(GenomeSource, genome_source, reproduction, GenomeSource, reproduction::genome_source::AlwaysInherited, false) \
   SLOT(Parent, parent, reproduction, Parent, reproduction::parent::NoParent, true)                                   \
-  SLOT(Heredity, heredity, reproduction, Heredity, detail::NoPolicy, false)                                          \
+  SLOT(Heredity, heredity, reproduction, Heredity, detail::NoPolicy, true)                                           \
   SLOT(Mutation, mutation, reproduction, Mutation, reproduction::mutation::NoMutation, true)                         \
   SLOT(BodyPlan, body_plan, reproduction, BodyPlan, reproduction::body_plan::OneBody, true)                          \
   SLOT(Viability, viability, reproduction, Viability, reproduction::viability::AlwaysViable, true)                   \

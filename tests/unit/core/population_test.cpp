@@ -18,10 +18,8 @@ namespace {
 template <class Rules>
 struct Row {
   explicit Row(const RuleParams<Rules>& numbers = {}, std::vector<Species> founders = {prey, prey, predator, predator},
-               bool shadow = false)
-      : policies{make_policies<Rules>(numbers)},
-        population{policies, web, 99, founders, {.shadow = shadow}},
-        poses(founders.size()) {
+               Null null = Null::none)
+      : policies{make_policies<Rules>(numbers)}, population{policies, web, 99, founders, {.null = null}}, poses(founders.size()) {
     for (std::size_t i = 0; i < poses.size(); ++i) poses[i].x_m = static_cast<double>(i);
   }
   [[nodiscard]] View view(std::int64_t tick) const {
@@ -117,7 +115,7 @@ TEST_CASE("population: shared genome -> one object, mutation reaches parent and 
 TEST_CASE(
     "population: in the neutral shadow births have the same parents, labels and places, but genomes as founders have them") {
   Row<rules::Paper> row{inheriting<rules::Paper>(0.0)};
-  Row<rules::Paper> shadow{inheriting<rules::Paper>(0.0), {prey, prey, predator, predator}, true};
+  Row<rules::Paper> shadow{inheriting<rules::Paper>(0.0), {prey, prey, predator, predator}, Null::shadow};
   row.catch_first(7);
   shadow.catch_first(7);
   const Individual& born = shadow.population[0];

@@ -112,7 +112,7 @@ TEST_CASE("rule states: events of bodies -> hooks called, birth -> state from bo
 
 TEST_CASE("rule states: nothing inherited -> states not inherited") {
   using Rules = with_senescence<rules::Paper, Diary>;
-  Ecology<Rules> ecology{{.seed = 5, .shadow = true}, backend::Kinematic::Params{}};
+  Ecology<Rules> ecology{{.seed = 5, .null = Null::shadow}, backend::Kinematic::Params{}};
   Watch<Rules> watch{ecology};
   watch.inherits = false;
   ecology.run_until(500.0, watch);

@@ -22,9 +22,13 @@ using Evolving = with_viability<
 /// Two prey and two predators without bodies in space; predators catch prey, and their offspring take the bodies.
 template <class Rules>
 struct Births {
-  Births() {
+  Births() : Births{[](auto&) {}} {}
+  /// `change`: of the rules' parameters.
+  template <class Change>
+  explicit Births(const Change& change) {
     RuleParams<Rules> numbers;
     numbers.genome_source.random_share = 0.0;
+    change(numbers);
     policies = std::make_unique<Policies<Rules>>(make_policies<Rules>(numbers));
     population = std::make_unique<Population<Rules>>(*policies, web, 7, std::vector<Species>{prey, prey, predator, predator},
                                                      BirthSetting{.habitat = &habitat});

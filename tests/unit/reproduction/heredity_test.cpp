@@ -7,6 +7,8 @@
 #include <trophic/reproduction/heredity/nothing_inherited.hpp>
 #include <trophic/reproduction/heredity/own_copy.hpp>
 #include <trophic/reproduction/heredity/shared_copy.hpp>
+#include <trophic/reproduction/heredity/switched.hpp>
+#include <trophic/rules/by_species.hpp>
 #include <unit/reproduction/births.hpp>
 #include <vector>
 
@@ -31,6 +33,17 @@ TEST_CASE("all but: one part of the genome -> drawn anew, the others inherited")
 TEST_CASE("nothing inherited: any parent -> no genome passed on") {
   const auto parent = std::make_shared<Genome>(Genome{.id = 3, .weights = {0.5}});
   CHECK(reproduction::heredity::NothingInherited{}.inherit(parent) == nullptr);
+}
+
+TEST_CASE("switched: off for one species -> its offspring inherit nothing, the other's as ever") {
+  using Rules = with_heredity<rules::Paper, rules::by_species<Switched<OwnCopy>>>;
+  for (const bool inherited : {true, false}) {
+    test::Births<Rules> births{[&](auto& params) { params.heredity.template get<test::predator>().inherited = inherited; }};
+    const auto before = (*births.population)[2].genome->weights;
+    const auto after = births.birth(0, 2).genome->weights;
+    CHECK((std::abs(after[0] - before[0]) < 0.3) == inherited);
+  }
+  CHECK(Switched<OwnCopy>::name == "switched_own_copy");
 }
 
 TEST_CASE("own copy: parent -> equal weights in another object, parent unchanged by mutation") {

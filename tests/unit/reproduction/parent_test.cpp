@@ -5,7 +5,7 @@
 #include <rapidcheck.h>
 #include <map>
 #include <support/hand_population.hpp>
-#include <trophic/reproduction/parent/at_random.hpp>
+#include <trophic/reproduction/parent/any_survivor.hpp>
 #include <trophic/reproduction/parent/fastest_escape.hpp>
 #include <trophic/reproduction/parent/killer.hpp>
 #include <trophic/reproduction/parent/last_escapee.hpp>
@@ -32,11 +32,11 @@ const HandPopulation crowd{{{.species = prey, .id = 10},
 
 }  // namespace
 
-TEST_CASE("at random: the killer -> every living hunter equally often, no prey") {
+TEST_CASE("any survivor: the killer -> every living hunter equally often, no prey") {
   std::map<IndividualId, int> chosen;
   for (std::uint64_t seed = 0; seed < 3000; ++seed) {
     Rng rng{seed, Stream::parent};
-    const auto parent = AtRandom<Killer>{}.parent({.body = 0, .cause = Cause::caught, .killer = 1}, crowd.view(), rng);
+    const auto parent = AnySurvivor<Killer>{}.parent({.body = 0, .cause = Cause::caught, .killer = 1}, crowd.view(), rng);
     REQUIRE(parent);
     CHECK(parent->species == predator);
     ++chosen[parent->id];
@@ -49,28 +49,28 @@ TEST_CASE("at random: the killer -> every living hunter equally often, no prey")
   }
 }
 
-TEST_CASE("at random: the dying individual -> never its own successor's parent") {
+TEST_CASE("any survivor: the dying individual -> never its own successor's parent") {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     Rng rng{seed, Stream::parent};
     const Vacancy death{.body = 0, .cause = Cause::senescence, .successor = prey};
-    CHECK(AtRandom<NearestConspecific>{}.parent(death, crowd.view(), rng)->id == 40);
+    CHECK(AnySurvivor<NearestConspecific>{}.parent(death, crowd.view(), rng)->id == 40);
   }
 }
 
-TEST_CASE("at random: a rule that names no parent -> none, without a draw") {
+TEST_CASE("any survivor: a rule that names no parent -> none, without a draw") {
   Rng rng{1, Stream::parent};
-  CHECK_FALSE(AtRandom<NoParent>{}.parent({.body = 0}, crowd.view(), rng));
+  CHECK_FALSE(AnySurvivor<NoParent>{}.parent({.body = 0}, crowd.view(), rng));
   CHECK(rng.bits() == Rng{1, Stream::parent}.bits());
 }
 
-TEST_CASE("at random: a rule with a state whose parent is dead, none of its species lives -> that parent") {
+TEST_CASE("any survivor: a rule with a state whose parent is dead, none of its species lives -> that parent") {
   const HandPopulation all_prey{{{.species = prey, .id = 10}, {.species = prey, .id = 40}}};
   std::vector<LastKiller::State> states(2);
   states[0].killer = ancestor(7, predator);
   Rng rng{1, Stream::parent};
   const Vacancy death{.body = 0, .cause = Cause::sacrificed, .successor = predator};
-  CHECK(AtRandom<LastKiller>{}.parent(death, all_prey.view(), rng, states)->id == 7);
-  CHECK(AtRandom<LastKiller>::name == "at_random_last_killer");
+  CHECK(AnySurvivor<LastKiller>{}.parent(death, all_prey.view(), rng, states)->id == 7);
+  CHECK(AnySurvivor<LastKiller>::name == "any_survivor_last_killer");
 }
 
 TEST_CASE("fastest escape: greatest gain of distance within the window -> parent") {

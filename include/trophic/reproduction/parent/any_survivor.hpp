@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A random individual reproduces instead of the one that another rule names: the null of drift.
+// A random individual reproduces instead of the one that another rule names: survival alone selects.
 #pragma once
 
 #include <trophic/reproduction/parent/contract.hpp>
@@ -10,22 +10,22 @@ namespace trophic::reproduction::parent {
 namespace detail {
 
 template <class Rule>
-struct AtRandomWords {
-  static constexpr std::array<std::string_view, 2> words{"at_random", Rule::name};
+struct AnySurvivorWords {
+  static constexpr std::array<std::string_view, 2> words{"any_survivor", Rule::name};
   static constexpr std::string_view separator = "_";
 };
 
 }  // namespace detail
 
 /// Rule: if `Rule` names a parent, the parent is a living individual of the same species, each as likely; without another than
-/// the dying one it is the parent that `Rule` names. Deaths, species and the share of inherited genomes stay those of `Rule`, but
-/// nothing is selected: what changes, changes by mutation and chance alone. Give each part of a ByCause:
-/// `with_parent_after<Paper, Cause::caught, AtRandom<Killer>>`.   Reads: species, what Rule reads.   Random draws: 1 if Rule
-/// names a parent, after Rule's.
+/// the dying one it is the parent that `Rule` names. The rule of parents selects nothing, survival selects in full: who lives
+/// longer is drawn more often. So it is no null of selection (heredity::Neutral is), and what a table has over it is the work of
+/// its parent rule. Give each part of a ByCause: `with_parent_after<Paper, Cause::caught, AnySurvivor<Killer>>`.   Not in the
+/// paper.   Reads: species, what Rule reads.   Random draws: 1 if Rule names a parent, after Rule's.
 template <class Rule>
-struct AtRandom : Rule {
-  static_assert(Parent<Rule> && !MadeOfParts<Rule>, "parent::AtRandom takes a parent rule that is not made of parts");
-  static constexpr std::string_view name = JoinedText<detail::AtRandomWords<Rule>>::view;
+struct AnySurvivor : Rule {
+  static_assert(Parent<Rule> && !MadeOfParts<Rule>, "parent::AnySurvivor takes a parent rule that is not made of parts");
+  static constexpr std::string_view name = JoinedText<detail::AnySurvivorWords<Rule>>::view;
   static constexpr std::string_view source = "control";
 
   [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng& rng) const

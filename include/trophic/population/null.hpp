@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// What takes the place of inheritance in a run.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace trophic {
+
+/// A metric that differs from the shadow's shows the effect of inheritance, one that differs from the neutral null's the effect
+/// of selection.
+enum class Null {
+  none,    ///< the table's heredity
+  shadow,  ///< the heredity rule is not applied: every inherited genome is drawn anew, so that nothing accumulates
+  neutral  ///< births, deaths and parents are those of a run, genomes others: nothing is selected (ecology/history.hpp)
+};
+[[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(Null) {
+  return {"none", "shadow", "neutral"};
+}
+
+}  // namespace trophic

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Inheritance that a parameter switches off.
+#pragma once
+
+#include <trophic/params/params.hpp>
+#include <trophic/reproduction/heredity/contract.hpp>
+#include <trophic/support/joined_text.hpp>
+
+namespace trophic::reproduction::heredity {
+
+namespace detail {
+
+template <class Rule>
+struct SwitchedWords {
+  static constexpr std::array<std::string_view, 2> words{"switched", Rule::name};
+  static constexpr std::string_view separator = "_";
+};
+
+}  // namespace detail
+
+/// Rule: as `Rule`, or no genome is passed on. With `by_species` one side evolves against another that does not:
+/// `with_heredity<Paper, by_species<Switched<OwnCopy>>>` and `rules.heredity.prey.inherited=false`.   Not in the paper.
+/// Reads: what Rule reads.   Random draws: those of Rule; 0 if off, besides those of the initial genome.
+template <Heredity Rule>
+class Switched {
+ public:
+  static constexpr std::string_view name = JoinedText<detail::SwitchedWords<Rule>>::view;
+  static constexpr std::string_view source = "control";
+  struct Params {
+    bool inherited = true;
+    static constexpr auto fields() {
+      return std::tuple{field("inherited", &Params::inherited, "false: every genome is drawn anew, as in the neutral shadow")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] std::shared_ptr<Genome> inherit(const std::shared_ptr<Genome>& parent) const {
+    return params.inherited ? Rule{}.inherit(parent) : nullptr;
+  }
+};
+
+}  // namespace trophic::reproduction::heredity
