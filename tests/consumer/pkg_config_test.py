@@ -1,16 +1,17 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""pkg_config_test.py PREFIX LIBDIR COMPILER PROGRAM.cpp: a program compiles with pkg-config's flags alone, from headers and against the
-compiled library, and finds the installed models."""
+"""pkg_config_test.py PREFIX LIBDIR COMPILER PROGRAM.cpp README.md: a program compiles with README's line, with pkg-config's flags alone, from
+headers and against the compiled library, and finds the installed models."""
 
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
 import tempfile
 
-PREFIX, LIBDIR, COMPILER, PROGRAM = sys.argv[1:]
+PREFIX, LIBDIR, COMPILER, PROGRAM, README = sys.argv[1:]
 SKIPPED = 77
 
 
@@ -20,11 +21,11 @@ def main() -> int:
         return SKIPPED
     environment = {**os.environ, "PKG_CONFIG_PATH": f"{PREFIX}/{LIBDIR}/pkgconfig"}
     with tempfile.TemporaryDirectory() as folder:
-        for package in ("trophic", "trophic-compiled"):
-            program = pathlib.Path(folder) / package
-            command = f"{COMPILER} -std=c++20 {PROGRAM} $(pkg-config --cflags --libs {package}) -o {program}"
-            subprocess.run(["sh", "-c", command], env=environment, check=True)
-            done = subprocess.run([program], cwd=folder, capture_output=True, text=True, check=True)
+        shutil.copy(PROGRAM, f"{folder}/first.cpp")
+        line = re.search(r"`g\+\+ (.* trophic\) -o first)`", pathlib.Path(README).read_text())[1].replace("-O2 ", "")
+        for command in (line, line.replace(" trophic)", " trophic-compiled)")):
+            subprocess.run(["sh", "-c", f"{COMPILER} {command}"], cwd=folder, env=environment, check=True)
+            done = subprocess.run(["./first"], cwd=folder, capture_output=True, text=True, check=True)
             assert f'spider in walled_square, from "{PREFIX}/share/' in done.stdout, done.stdout
     return 0
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <span>
+#include <trophic/support/cpp20.hpp>
 
 namespace trophic::control {
 

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <string>
+#include <trophic/support/cpp20.hpp>
 
 namespace trophic::io {
 

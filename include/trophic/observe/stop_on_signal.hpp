@@ -3,6 +3,7 @@
 #pragma once
 
 #include <unistd.h>
+#include <trophic/support/cpp20.hpp>
 
 #include <atomic>
 #include <csignal>

@@ -4,6 +4,7 @@
 
 #include <sys/ioctl.h>
 #include <unistd.h>
+#include <trophic/support/cpp20.hpp>
 
 #include <cstddef>
 #include <cstdlib>

@@ -7,6 +7,7 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <trophic/support/cpp20.hpp>
 #include <utility>
 #include <vector>
 

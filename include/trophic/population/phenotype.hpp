@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <trophic/support/cpp20.hpp>
 
 namespace trophic {
 

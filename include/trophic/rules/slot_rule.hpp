@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string_view>
+#include <trophic/support/cpp20.hpp>
 
 namespace trophic::rules {
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <trophic/support/cpp20.hpp>
 
 namespace trophic {
 

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <trophic/support/cpp20.hpp>
 
 namespace trophic {
 

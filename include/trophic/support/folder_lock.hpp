@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <stdexcept>
 #include <string>
+#include <trophic/support/cpp20.hpp>
 #include <utility>
 
 namespace trophic {

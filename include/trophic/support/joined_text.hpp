@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <string_view>
+#include <trophic/support/cpp20.hpp>
 
 namespace trophic {
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
+#include <trophic/support/cpp20.hpp>
 
 namespace trophic {
 

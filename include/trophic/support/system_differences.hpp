@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <trophic/support/cpp20.hpp>
 
 #include <array>
 #include <string>

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <trophic/support/cpp20.hpp>
 #include <tuple>
 
 namespace trophic {

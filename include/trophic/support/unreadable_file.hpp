@@ -3,6 +3,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <trophic/support/cpp20.hpp>
 
 namespace trophic {
 

@@ -4,6 +4,7 @@
 
 #include <bit>
 #include <cstdint>
+#include <trophic/support/cpp20.hpp>
 
 namespace trophic {
 

@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <trophic/support/cpp20.hpp>
 
 namespace trophic::detail {
 

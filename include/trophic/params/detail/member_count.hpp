@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <exception>
+#include <trophic/support/cpp20.hpp>
 #include <type_traits>
 #include <utility>
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <concepts>
+#include <trophic/support/cpp20.hpp>
 
 #define TROPHIC_SENTENCE_Heading \
   "double heading_rad(const Pose& root, double forward_rad) const; see trophic/perception/heading/contract.hpp"

@@ -2,6 +2,8 @@
 // When checkpoints are written, and who may resume from them.
 #pragma once
 
+#include <trophic/support/cpp20.hpp>
+
 namespace trophic::checkpoint {
 
 /// Whether a run may be resumed by a program other than the one that made it (trophic/io/program_code.hpp). Its rules may be
