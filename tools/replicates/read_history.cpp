@@ -2,22 +2,17 @@
 // Definitions of read_history.hpp.
 #include <tools/replicates/read_history.hpp>
 
-#include <tools/reading/read_run.hpp>
-#include <tools/reading/run_manifest.hpp>
-#include <tools/reading/table_reader.hpp>
+#include <tools/reading/checked_rows.hpp>
 #include <trophic/io/tables.hpp>
 
 namespace trophic::replicates {
 
 SharedHistory read_history(const std::filesystem::path& folder) {
   const analysis::RunManifest manifest = analysis::read_manifest(folder);
-  const std::filesystem::path path = folder / "events.csv";
   if (manifest.status != "complete") throw std::runtime_error{folder.string() + ": is not complete: its neutral null repeats it"};
-  analysis::TableReader<io::EventRow> table{path, manifest.web};
-  analysis::detail::check_sum(table.csv(), path, manifest.tables);
   auto history = std::make_shared<History>();
-  for (io::EventRow row; table.next(row);) {
-    if (row.kind == observe::EventKind::tag_switch) continue;
+  analysis::for_each_row<io::EventRow>(manifest, "events.csv", [&](const io::EventRow& row) {
+    if (row.kind == observe::EventKind::tag_switch) return;
     history->push_back({.tick = row.tick,
                         .kind = row.kind,
                         .body = row.body,
@@ -27,7 +22,7 @@ SharedHistory read_history(const std::filesystem::path& folder) {
                         .parent = row.parent,
                         .cause = row.cause,
                         .killer_or_victim = row.kind == observe::EventKind::death ? row.killer : row.victim});
-  }
+  });
   return history;
 }
 

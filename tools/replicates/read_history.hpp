@@ -7,7 +7,7 @@
 
 namespace trophic::replicates {
 
-/// The events of the run in a folder. Throws std::runtime_error, naming file and line, for a run that is not complete and for a
+/// The events of the run in a folder. Throws std::runtime_error for a run that is not complete, std::invalid_argument for a
 /// table that was changed after it.
 [[nodiscard]] SharedHistory read_history(const std::filesystem::path& folder);
 
