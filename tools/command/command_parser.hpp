@@ -89,6 +89,14 @@ inline void add_program(CLI::App& app, const Command& command, const std::functi
   return must_be_one_of(word, names) + did_you_mean(nearest_word(word, names));
 }
 
+/// CLI11's complaint about an option with too few or too many values, in words: "--runs: needs 2 values".
+[[nodiscard]] inline std::string about_mismatch(const Command& command, const std::string& complaint) {
+  const std::string name = complaint.substr(0, complaint.find(':'));
+  const auto option = std::ranges::find(command.options, name, &Option::name);
+  const std::size_t values = option == command.options.end() ? 0 : option->values;
+  return values > 1 ? name + ": needs " + std::to_string(values) + " values" : name + ": needs a value";
+}
+
 /// Throws std::invalid_argument for options that are given together and have no effect so.
 inline void check_combinations(const CLI::App& app, const Command& command) {
   const auto given = [&](const std::string& name) { return app.get_option_no_throw(name) != nullptr && app.count(name) > 0; };

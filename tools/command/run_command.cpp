@@ -77,6 +77,8 @@ int run_command(int argc, const char* const* argv, const Command& command) {
     app.parse(argc, argv);
     detail::check_arguments(app, command, *chosen);
     return chosen->work();
+  } catch (const CLI::ArgumentMismatch& error) {
+    return refuse(std::invalid_argument{detail::about_mismatch(*chosen, error.what())});
   } catch (const CLI::ParseError& error) {
     return error.get_exit_code() == 0 ? app.exit(error) : refuse(error);
   } catch (const std::invalid_argument& error) {

@@ -211,7 +211,10 @@ int run_chosen(ExperimentOptions& options, const Offer& offer) {
   if (!options.from.empty()) origin = read_origin(options);
   const std::string table =
       options.rules.value_or(config.rule_table.value_or(origin ? origin->rule_table : offer.rule_tables.front().first));
-  const std::string backend = options.backend.value_or(config.engine.value_or(origin ? origin->engine : offer.default_backend));
+  const bool needs_engine = options.print_table.empty();  // a printed table is the same for all
+  const std::string usual =
+      needs_engine || find_backend(offer, offer.default_backend) != nullptr ? offer.default_backend : "kinematic";
+  const std::string backend = options.backend.value_or(config.engine.value_or(origin ? origin->engine : usual));
   std::unique_ptr<AnyExperiment> chosen = chosen_experiment(offer, table, backend);
   check(options);
   check_made_for(config, table, backend);
@@ -219,6 +222,10 @@ int run_chosen(ExperimentOptions& options, const Offer& offer) {
     check_rule_table("--unlike", *options.unlike, offer);
     const auto other = find_experiment(offer, *options.unlike, backend);
     options.unlike_rules = printed_rules(other->slot_rules(), named_params_of(other->params()));
+  }
+  if (options.resume && !std::filesystem::exists(options.out)) {
+    std::cout << "--resume: " << options.out << " is not there: a new run of " << table << " on " << backend << " starts"
+              << std::endl;
   }
   if (options.out.empty() && options.save_mjcf.empty()) {
     options.out = io::next_free_folder(std::filesystem::path{"runs"} / options.program).string();

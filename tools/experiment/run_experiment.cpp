@@ -126,6 +126,40 @@ namespace detail {
   return snapshot;
 }
 
+/// The text of a value in a manifest's "params" under a path such as "rules.mutation.sd"; empty if there is none.
+[[nodiscard]] inline std::string text_at(const Json& params, std::string_view path) {
+  const std::size_t dot = path.find('.');
+  const auto found = params.is_object() ? params.find(std::string{path.substr(0, dot)}) : params.end();
+  if (!params.is_object() || found == params.end()) return "";
+  if (dot != std::string_view::npos) return text_at(*found, path.substr(dot + 1));
+  return found->is_string() ? found->get<std::string>() : json_text(*found);
+}
+
+/// Throws std::invalid_argument for a run of other rules or parameters in a folder that is to be resumed: the first three that
+/// differ, with both values. What else may differ, such as models, is found by those who resume.
+inline void check_resumed(const std::filesystem::path& folder, const observe::RunDescription& run) {
+  const std::filesystem::path path = folder / "manifest.json";
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(path, unknown)) return;
+  const Json there = parse_json_or_null(read_whole_file(path));
+  if (!there.is_object() || text_at(there, "fingerprint").empty() || text_at(there, "fingerprint") == run.fingerprint) return;
+  std::string text;
+  std::size_t found = 0;
+  const auto compare = [&](const std::string& name, const std::string& its, const std::string& ours) {
+    if (its.empty() || its == ours || ++found > 3) return;
+    text += (text.empty() ? "" : "; ") + name + " = " + its + " there, " + ours + " here";
+  };
+  compare("backend", text_at(there, "backend"), run.backend);
+  compare("rule table", text_at(there, "rule_table"), run.rules);
+  for (const NamedParam& param : run.named_params) {
+    if (param.path == "seed" || param.path == "ecology.duration_s") continue;
+    compare(param.path, there.contains("params") ? text_at(there["params"], param.path) : "", value_text(param));
+  }
+  if (found == 0) return;
+  if (found > 3) text += " and " + std::to_string(found - 3) + " more";
+  throw std::invalid_argument{"--resume: " + folder.string() + " is a run of other rules or parameters: " + text};
+}
+
 /// Makes the past of runs that begin at a moment. Returns false if a signal came before it was made.
 [[nodiscard]] inline bool make_snapshot(const checkpoint::Snapshot& snapshot, const OriginRun& origin) {
   std::cout << snapshot.folder.string() << ": the snapshot, " << origin.moment.run.string() << " until "
@@ -139,6 +173,7 @@ namespace detail {
                                                                        const std::optional<OriginRun>& origin) {
   const observe::RunDescription run = ecology.describe(until_s);
   const checkpoint::OtherBuild other_build = schedule_of(options).other_build;
+  if (options.resume) check_resumed(options.out, run);
   if (!origin) return options.resume ? checkpoint::run_state_in(options.out, run, other_build) : checkpoint::RunState{};
   const checkpoint::Snapshot snapshot = snapshot_of(options, *origin, run);
   if (!checkpoint::needs_snapshot(options.out, run.until_s) && !checkpoint::SnapshotFolder::exists(snapshot)) {
@@ -229,6 +264,7 @@ int run_once(const ExperimentOptions& options, AnyExperiment& experiment, const 
         throw std::invalid_argument{"--changes: needed to resume, as " + one.folder.string() + " has changes.csv"};
     }
   }
+  if (options.resume) check_resumed(plan.all().front().folder, make(plan.master_seed)->describe(until_s));
   std::vector<Null> nulls;
   if (options.shadow) nulls.push_back(Null::shadow);
   if (options.neutral) nulls.push_back(Null::neutral);

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <ostream>
 #include <span>
+#include <tools/reading/read_history.hpp>
 #include <tools/replicates/plan.hpp>
-#include <tools/replicates/read_history.hpp>
 #include <tools/replicates/run.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/simulation.hpp>

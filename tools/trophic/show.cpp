@@ -60,6 +60,9 @@ struct Options {
 }
 
 [[nodiscard]] int run(const Options& options) {
+  if (const auto ending = std::filesystem::path{options.out}.extension(); ending != ".html" && ending != ".htm") {
+    throw std::invalid_argument{"--out " + options.out + ": must end in .html or .htm"};
+  }
   check_new_file("--out", options.out);
   const auto folders = folders_of(options);
   static_cast<void>(replay::viewer_page());

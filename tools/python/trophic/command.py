@@ -11,7 +11,7 @@ import signal
 import sys
 
 # The module whose run(request) does a command.
-MODULES = {"ablation-table": "ablations", "analyze": "report.analyze", "analyze-sweep": "sweeps.report", "cite": "cite", "contest": "contests",
+MODULES = {"ablation-table": "ablations", "analyze": "report.analyze", "analyze-sweep": "sweeps.report", "card": "card", "cite": "cite", "contest": "contests",
            "cross-check": "cross_check", "metrics": "metrics.help", "plot": "plot"}
 SYSTEM = "/usr/bin/python3"  # has the packages of apt-get
 

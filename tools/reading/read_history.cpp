@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Definitions of read_history.hpp.
-#include <tools/replicates/read_history.hpp>
+#include <tools/reading/read_history.hpp>
 
 #include <tools/reading/checked_rows.hpp>
 #include <trophic/io/tables.hpp>
