@@ -136,7 +136,7 @@ namespace detail {
 }
 
 /// Throws std::invalid_argument for a run of other rules or parameters in a folder that is to be resumed: the first three that
-/// differ, with both values. What else may differ, such as models, is found by those who resume.
+/// differ, with both values. Other differences, such as models, are found by those who resume.
 inline void check_resumed(const std::filesystem::path& folder, const observe::RunDescription& run) {
   const std::filesystem::path path = folder / "manifest.json";
   std::error_code unknown;

@@ -2,9 +2,7 @@
 // Replicates of an experiment and of its nulls.
 #pragma once
 
-#include <algorithm>
 #include <ostream>
-#include <span>
 #include <tools/reading/read_history.hpp>
 #include <tools/replicates/plan.hpp>
 #include <tools/replicates/run.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rule tables of the study: bodies, gaits and brains that evolve, each with survival alone beside it.
+// The rule tables of the study: bodies, gaits and brains that evolve, each also with survival alone.
 #pragma once
 
 #include <trophic/control/brain/growing_brain.hpp>

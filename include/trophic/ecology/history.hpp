@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What happened in a run, for a run that repeats it.
+// The events of a run, for a run that repeats them.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +25,9 @@ struct Happening {
 };
 
 /// The events of a run in their order. The neutral null repeats them, whatever its robots do: births, deaths, parents,
-/// activations and catches are those of the run, with genomes of its own. What an individual is and does has no effect on how
-/// long it lives and on who its parents' young are, so neither survival nor parenthood selects: genomes change by mutation and
-/// chance alone.
+/// activations and catches are those of the run, with genomes of its own. Behaviour has no effect on lengths of life and numbers
+/// of offspring, so neither survival nor parenthood selects: genomes change by mutation and chance alone. Tags are not repeated,
+/// as brains choose them.
 using History = std::vector<Happening>;
 using SharedHistory = std::shared_ptr<const History>;
 

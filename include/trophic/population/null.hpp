@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What takes the place of inheritance in a run.
+// A run's null model: the table's inheritance, or its substitute.
 #pragma once
 
 #include <array>

@@ -20,7 +20,7 @@ def include_folder() -> pathlib.Path:
 
 
 def card(policy: str, headers: pathlib.Path) -> str:
-    """What the header says about a policy, by the name that tables have. Raises RunError for a policy without a header of its own."""
+    """The docstring in the header of a policy, by the name that tables have. Raises RunError for a policy without a header of its own."""
     for path in sorted(headers.rglob("*.hpp")):
         text = path.read_text()
         named = re.search(rf'static constexpr std::string_view name = "{re.escape(policy)}"', text)

@@ -19,9 +19,9 @@ struct AnySurvivorWords {
 
 /// Rule: if `Rule` names a parent, the parent is a living individual of the same species, each as likely; without another than
 /// the dying one it is the parent that `Rule` names. The rule of parents selects nothing, survival selects in full: who lives
-/// longer is drawn more often. So it is no null of selection (heredity::Neutral is), and what a table has over it is the work of
-/// its parent rule. Give each part of a ByCause: `with_parent_after<Paper, Cause::caught, AnySurvivor<Killer>>`.   Not in the
-/// paper.   Reads: species, what Rule reads.   Random draws: 1 if Rule names a parent, after Rule's.
+/// longer is drawn more often. The rule is not a null of selection (`--neutral` makes one); a table's difference from it is the
+/// work of the parent rule. Give each part of a ByCause: `with_parent_after<Paper, Cause::caught, AnySurvivor<Killer>>`.   Not in
+/// the paper.   Reads: species, what Rule reads.   Random draws: 1 if Rule names a parent, after Rule's.
 template <class Rule>
 struct AnySurvivor : Rule {
   static_assert(Parent<Rule> && !MadeOfParts<Rule>, "parent::AnySurvivor takes a parent rule that is not made of parts");
