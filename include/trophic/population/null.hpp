@@ -7,8 +7,8 @@
 
 namespace trophic {
 
-/// A metric that differs from the shadow's shows the effect of inheritance, one that differs from the neutral null's the effect
-/// of selection.
+/// A metric that differs from the shadow's shows the effect of inheritance; a measure of genomes, bodies or brains that differs
+/// from the neutral null's shows the effect of selection.
 enum class Null {
   none,    ///< the table's heredity
   shadow,  ///< the heredity rule is not applied: every inherited genome is drawn anew, so that nothing accumulates
