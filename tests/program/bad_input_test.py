@@ -90,10 +90,17 @@ class BadInput(InFolder):
                 self.assertIn(part, self.run_refused(*arguments))
         self.assertIn("no.toml: cannot be read", self.refused(PREDATOR_PREY, "--sweep", "no.toml", "--out", "out"))
         (self.folder / "empty").mkdir()
-        for command in (["analyze"], ["show", "-o", "x"], ["film", "-o", "x.png"], ["export", "-o", "x.glb"], ["analyze", "--compare", "no"]):
+        for command in (["analyze"], ["show", "-o", "x.html"], ["film", "-o", "x.png"], ["export", "-o", "x.glb"], ["analyze", "--compare", "no"]):
             with self.subTest(command=command):
                 self.assertIn("no: does not exist", self.refused(TROPHIC, *command, "no"))
         self.assertIn("empty/manifest.json: cannot be read", self.refused(TROPHIC, "analyze", "empty"))
+        (self.folder / "many/one").mkdir(parents=True)
+        (self.folder / "many/one/manifest.json").write_text("{}")
+        for command in (["show", "-o", "x.html"], ["film", "-o", "x.png"], ["export", "-o", "x.glb"]):
+            with self.subTest(command=command):
+                self.assertIn("many: is not a run; in it are many/one", self.refused(TROPHIC, *command, "many"))
+        self.assertIn("--out x.pdf: must end in .html or .htm", self.refused(TROPHIC, "show", "-o", "x.pdf", "empty"))
+        self.assertIn("--runs: needs 2 values", self.refused(TROPHIC, "cross-check", "--out", "new", "--runs", "one"))
         for command in (["evolve-gait", "--config", "no.toml", "--out", "x"], ["evolve-gait", "--robot", "no.toml", "--out", "x"],
                         ["measure-gait", "--robot", "no.toml"], ["measure-gait", "--gait", "no.toml"]):
             with self.subTest(command=command):

@@ -69,7 +69,7 @@ class Bodies(unittest.TestCase):
         found = self.measured("run")
         self.assertGreater(float(found["brain_genes", "predator", "late"]), 10.0)
         self.assertEqual(found["body_modules", "predator", "late"], "")
-        self.call(TROPHIC, "analyze", "run", "--bodies", "--lineages", fails_with="--bodies: not with --published or --lineages")
+        self.call(TROPHIC, "analyze", "run", "--bodies", "--lineages", fails_with="--bodies: not with --lineages")
 
     def test_what_cannot_be_shown_or_measured_is_refused_in_a_sentence(self):
         self.call(BODIES, "--rules", "evolving_bodies", "--backend", "kinematic", "--out", "run", fails_with="must be a backend with joints")

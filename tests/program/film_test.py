@@ -117,7 +117,7 @@ class Films(InFolderWithSets):
                 founder = next(row for row in csv.DictReader(table) if row["species"] == "predator")
             self.assertEqual(int(founder["modules"]), modules)
             picture = self.draw("--from", 1, "--follow", founder["id"], "--size", "640x480", "--lines", "off", "--legend", "off", run=f"bodies-{modules}")
-            drawn.append(near(picture[120:360, 200:440], ORANGE, 110))
+            drawn.append(near(picture[165:360, 200:440], ORANGE, 110))  # below the name
         self.assertGreater(drawn[1], 1.3 * drawn[0], "14 modules against 3, next to the same ring")
 
     def test_a_contact_sheet(self):

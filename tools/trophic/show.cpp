@@ -25,28 +25,13 @@ struct Options {
   replay::Window window;
 };
 
-/// The runs and sets of replicates in a folder, which is neither, in one sentence.
-[[nodiscard]] std::string runs_in(const std::filesystem::path& folder) {
-  std::vector<std::string> names;
-  std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator{folder, ignored}) {
-    for (const char* file : {"manifest.json", "replicates.json"}) {
-      if (std::filesystem::exists(entry.path() / file, ignored)) names.push_back(entry.path().string());
-    }
-  }
-  std::ranges::sort(names);
-  std::string text = folder.string() + ": is not a run";
-  constexpr std::size_t shown = 10;
-  for (std::size_t i = 0; i < std::min(shown, names.size()); ++i) text += (i == 0 ? "; in it are " : ", ") + names[i];
-  return text + (names.size() > shown ? " and " + std::to_string(names.size() - shown) + " more" : "");
-}
-
 [[nodiscard]] std::vector<std::filesystem::path> folders_of(const Options& options) {
   std::vector<std::filesystem::path> folders;
   for (const std::string& name : options.runs) {
     std::vector<std::string> remarks;
     for (const auto& folder : analysis::run_folders(name, remarks)) {
-      if (folder == name && !std::filesystem::exists(folder / "manifest.json")) throw std::invalid_argument{runs_in(folder)};
+      if (folder == name && !std::filesystem::exists(folder / "manifest.json"))
+        throw std::invalid_argument{replay::runs_in(folder)};
       folders.push_back(folder);
     }
     for (const std::string& remark : remarks) std::cerr << "trophic show: " << remark << "\n";

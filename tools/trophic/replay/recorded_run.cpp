@@ -2,6 +2,7 @@
 // Definitions of recorded_run.hpp.
 #include <tools/trophic/replay/recorded_run.hpp>
 
+#include <algorithm>
 #include <tools/command/check_folder.hpp>
 #include <tools/trophic/replay/own_tables.hpp>
 #include <trophic/params/params.hpp>
@@ -27,8 +28,25 @@ Json read_manifest(const std::filesystem::path& folder, const io::RecordingHead&
   return manifest;
 }
 
+std::string runs_in(const std::filesystem::path& folder) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::directory_iterator{folder, ignored}) {
+    for (const char* file : {"manifest.json", "replicates.json"}) {
+      if (std::filesystem::exists(entry.path() / file, ignored)) names.push_back(entry.path().string());
+    }
+  }
+  std::ranges::sort(names);
+  std::string text = folder.string() + ": is not a run";
+  constexpr std::size_t shown = 10;
+  for (std::size_t i = 0; i < std::min(shown, names.size()); ++i) text += (i == 0 ? "; in it are " : ", ") + names[i];
+  return text + (names.size() > shown ? " and " + std::to_string(names.size() - shown) + " more" : "");
+}
+
 RecordedRun open_run(const std::filesystem::path& folder) {
   check_folder(folder);
+  if (!std::filesystem::exists(folder / "manifest.json") && !std::filesystem::exists(folder / "replay.trp"))
+    throw std::invalid_argument{runs_in(folder)};
   const std::filesystem::path path = folder / "replay.trp";
   if (!std::filesystem::exists(path)) {
     throw std::invalid_argument{path.string() + ": is not there; a run with --replay-hz 0 leaves none"};

@@ -21,6 +21,9 @@ struct RecordedRun {
 /// Throws std::invalid_argument where no recording or manifest can be read or they are of different runs.
 [[nodiscard]] Json read_manifest(const std::filesystem::path& folder, const io::RecordingHead& head);
 
+/// The sentence about a folder that is not a run, with the runs and sets of replicates in it.
+[[nodiscard]] std::string runs_in(const std::filesystem::path& folder);
+
 /// Opens a run's folder. Throws std::invalid_argument naming the file and what is wrong with it.
 [[nodiscard]] RecordedRun open_run(const std::filesystem::path& folder);
 
