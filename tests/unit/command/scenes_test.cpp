@@ -83,7 +83,7 @@ TEST_CASE("scene: hunter or victim younger than 8 s -> begins at its birth, and 
   CHECK(young.remark == "predator 1 was born 2 s before");
 }
 
-TEST_CASE("best scene: fewest flaws, genomes given up first, newborns last; the first of equals") {
+TEST_CASE("best scene: fewest flaws, genomes given up first, newborns last, the first of equals") {
   const auto best = [](std::vector<unsigned> flaws) {
     std::vector<Scene> scenes(flaws.size());
     for (std::size_t i = 0; i < flaws.size(); ++i) scenes[i].flaws = flaws[i];

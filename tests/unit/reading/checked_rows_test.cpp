@@ -8,7 +8,7 @@
 
 using namespace trophic;
 
-TEST_CASE("checked rows: table as it was written -> each row; changed or truncated -> refused in one sentence") {
+TEST_CASE("checked rows: table as it was written -> each row, changed or truncated -> refused in one sentence") {
   const test::TemporaryFolder folder;
   const std::string whole = "id,genome_id,time_s,w0\n1,2,3,0.5\n2,2,4,0.25\n";
   analysis::RunManifest run;

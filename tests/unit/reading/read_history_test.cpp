@@ -9,7 +9,7 @@
 
 using namespace trophic;
 
-TEST_CASE("read history: a run's folder -> its events without switches of tags; damaged or missing -> refused") {
+TEST_CASE("read history: a run's folder -> its events without switches of tags, damaged or missing -> refused") {
   const test::TemporaryFolder folder;
   {
     Ecology<rules::Paper> ecology{{.seed = 4}, backend::Kinematic::Params{}};
