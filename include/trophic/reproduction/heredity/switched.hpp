@@ -22,8 +22,7 @@ struct SwitchedWords {
 /// `with_heredity<Paper, by_species<Switched<OwnCopy>>>` and `rules.heredity.prey.inherited=false`.   Not in the paper.
 /// Reads: what Rule reads.   Random draws: those of Rule; 0 if off, besides those of the initial genome.
 template <Heredity Rule>
-class Switched {
- public:
+struct Switched {
   static constexpr std::string_view name = JoinedText<detail::SwitchedWords<Rule>>::view;
   static constexpr std::string_view source = "control";
   struct Params {
