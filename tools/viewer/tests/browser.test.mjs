@@ -575,7 +575,7 @@ test("a page of an analysis has its table, sorts it, gives its data, and replays
   await page.goto(`file://${at("analysis.html")}`);
   assert.match(await page.locator("details pre").textContent(), /velocity/);
   assert.match(await page.locator(".question").innerText(), /^Does inheritance matter under the rules of paper\?/);
-  assert.match(await page.locator(".findings").innerText(), /too few runs for intervals and tests: 6 are needed, there are 2\./);
+  assert.match(await page.locator(".findings").innerText(), /Too few runs for a test: 6 are needed, paper has 2\./);
   assert.match(await page.locator(".commands").innerText(), /trophic analyze \S*set --html \S*analysis.html$/m);
   const { rules } = JSON.parse(readFileSync(join(at("set"), "replicate-00/manifest.json"), "utf8"));
   assert.deepEqual(await page.$$eval(".rules dt", (slots) => slots.map((slot) => [slot.textContent, slot.nextSibling.textContent])), Object.entries(rules));
