@@ -138,11 +138,11 @@ class Ecology final : public Simulation {
     return true;
   }
 
-  /// The individual dies; a random one of its species follows. A spare body stands up again.
+  /// The individual dies; a random one of its species follows. A spare body stands up again, and so does one whose history says
+  /// when it dies.
   void end_diverged(observe::Audience& audience, BodyIndex body) {
     const Individual& self = population_[body];
-    if (!self.lives()) return bodies_.embody(body, population_.individuals().size());
-    if (params_.history) return bodies_.embody(body, population_.individuals().size());
+    if (!self.lives() || params_.history) return bodies_.embody(body, population_.individuals().size());
     const Species species = self.species;
     emit_death(audience, {.body = body, .cause = Cause::diverged, .killer = {}, .successor = species});
     population_.replace(body, species, {}, view());
