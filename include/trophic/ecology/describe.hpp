@@ -21,11 +21,7 @@ namespace detail {
 /// Names the neutral null of a heredity: the population applies it.
 template <class Rule>
 struct NeutralHeredity : reproduction::heredity::NothingInherited {
-  struct Words {
-    static constexpr std::array<std::string_view, 2> words{"neutral", Rule::name};
-    static constexpr std::string_view separator = "_";
-  };
-  static constexpr std::string_view name = JoinedText<Words>::view;
+  static constexpr std::string_view name = prefixed_name<"neutral", Rule>;
 };
 
 }  // namespace detail

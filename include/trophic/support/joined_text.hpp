@@ -30,4 +30,26 @@ struct JoinedText {
   static constexpr std::string_view view{text.data(), text.size()};
 };
 
+/// A text as an argument of a template.
+template <std::size_t size>
+struct TemplateText {
+  std::array<char, size> letters{};
+  constexpr TemplateText(const char (&text)[size]) { std::ranges::copy(text, letters.begin()); }
+  [[nodiscard]] constexpr std::string_view view() const { return {letters.data(), size - 1}; }
+};
+
+namespace detail {
+
+template <TemplateText prefix, class Rule>
+struct PrefixedWords {
+  static constexpr std::array<std::string_view, 2> words{prefix.view(), Rule::name};
+  static constexpr std::string_view separator = "_";
+};
+
+}  // namespace detail
+
+/// The name of a policy that is made of another one: "PREFIX_NAME".
+template <TemplateText prefix, class Rule>
+inline constexpr std::string_view prefixed_name = JoinedText<detail::PrefixedWords<prefix, Rule>>::view;
+
 }  // namespace trophic

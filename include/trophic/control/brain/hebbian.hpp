@@ -15,12 +15,6 @@ struct VisitsLink {
   void operator()(std::size_t, double, double) const {}
 };
 
-template <class Network>
-struct HebbianWords {
-  static constexpr std::array<std::string_view, 2> words{"hebbian", Network::name};
-  static constexpr std::string_view separator = "_";
-};
-
 }  // namespace detail
 
 /// A brain that shows the links behind its next decision: `for_each_link(inputs, weights, visit)`, with a State also `const
@@ -41,7 +35,7 @@ concept ShowsLinks = requires(const P policy, std::span<const double> numbers, d
 template <class Network>
 struct Hebbian {
   static_assert(ShowsLinks<Network>, "brain::Hebbian takes a brain with for_each_link; see trophic/control/brain/hebbian.hpp");
-  static constexpr std::string_view name = JoinedText<detail::HebbianWords<Network>>::view;
+  static constexpr std::string_view name = prefixed_name<"hebbian", Network>;
   static constexpr std::string_view source = "not in the paper; learning by [oja1982]";
 
   struct Params {

@@ -8,16 +8,6 @@
 
 namespace trophic::control::gait {
 
-namespace detail {
-
-template <class Rule>
-struct LearntWords {
-  static constexpr std::array<std::string_view, 2> words{"learnt", Rule::name};
-  static constexpr std::string_view separator = "_";
-};
-
-}  // namespace detail
-
 /// Rule: gaits are drawn and mutated by `Rule`; then each newborn learns. It walks `trials` times for `trial_s` in a nursery,
 /// first by its inherited gait, then each time by a mutation (by Rule) of the best gait so far, which replaces it if it walks
 /// farther. The robot walks by the best gait. Its offspring inherit that with probability `lamarckian`, otherwise the gait that
@@ -26,7 +16,7 @@ struct LearntWords {
 template <class Rule>
 struct Learnt {
   static_assert(InheritedGait<Rule>, "gait::Learnt takes an inherited gait; see trophic/control/gait/contract.hpp");
-  static constexpr std::string_view name = JoinedText<detail::LearntWords<Rule>>::view;
+  static constexpr std::string_view name = prefixed_name<"learnt", Rule>;
   static constexpr std::string_view source = "not in the paper";
   static constexpr bool fits_one_body = requires { requires Rule::fits_one_body; };
 

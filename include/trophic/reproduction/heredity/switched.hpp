@@ -8,22 +8,12 @@
 
 namespace trophic::reproduction::heredity {
 
-namespace detail {
-
-template <class Rule>
-struct SwitchedWords {
-  static constexpr std::array<std::string_view, 2> words{"switched", Rule::name};
-  static constexpr std::string_view separator = "_";
-};
-
-}  // namespace detail
-
 /// Rule: as `Rule`, or no genome is passed on. With `by_species` one side evolves against another that does not:
 /// `with_heredity<Paper, by_species<Switched<OwnCopy>>>` and `rules.heredity.prey.inherited=false`.   Not in the paper.
 /// Reads: what Rule reads.   Random draws: those of Rule; 0 if off, besides those of the initial genome.
 template <Heredity Rule>
 struct Switched {
-  static constexpr std::string_view name = JoinedText<detail::SwitchedWords<Rule>>::view;
+  static constexpr std::string_view name = prefixed_name<"switched", Rule>;
   static constexpr std::string_view source = "control";
   struct Params {
     bool inherited = true;

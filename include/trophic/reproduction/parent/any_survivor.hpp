@@ -7,16 +7,6 @@
 
 namespace trophic::reproduction::parent {
 
-namespace detail {
-
-template <class Rule>
-struct AnySurvivorWords {
-  static constexpr std::array<std::string_view, 2> words{"any_survivor", Rule::name};
-  static constexpr std::string_view separator = "_";
-};
-
-}  // namespace detail
-
 /// Rule: if `Rule` names a parent, the parent is a living individual of the same species, each as likely; without another than
 /// the dying one it is the parent that `Rule` names. The rule of parents selects nothing, survival selects in full: who lives
 /// longer is drawn more often. The rule is not a null of selection (`--neutral` makes one); a table's difference from it is the
@@ -25,7 +15,7 @@ struct AnySurvivorWords {
 template <class Rule>
 struct AnySurvivor : Rule {
   static_assert(Parent<Rule> && !MadeOfParts<Rule>, "parent::AnySurvivor takes a parent rule that is not made of parts");
-  static constexpr std::string_view name = JoinedText<detail::AnySurvivorWords<Rule>>::view;
+  static constexpr std::string_view name = prefixed_name<"any_survivor", Rule>;
   static constexpr std::string_view source = "control";
 
   [[nodiscard]] std::optional<Ancestor> parent(const Vacancy& vacancy, const View& view, Rng& rng) const

@@ -8,22 +8,12 @@
 
 namespace trophic::reproduction::viability {
 
-namespace detail {
-
-template <class Rule>
-struct SurvivesTrialWords {
-  static constexpr std::array<std::string_view, 2> words{"survives_trial", Rule::name};
-  static constexpr std::string_view separator = "_";
-};
-
-}  // namespace detail
-
 /// Rule: a body that `Rule` allows may be born if it walks by its own gait in a nursery for `trial_s` without a divergence.
 /// Otherwise its body and gait are drawn or mutated again.   Reads: body and gait.   Random draws: Rule's.
 template <class Rule>
 struct SurvivesTrial {
   static_assert(Viability<Rule>, "viability::SurvivesTrial takes a rule of the slot Viability");
-  static constexpr std::string_view name = JoinedText<detail::SurvivesTrialWords<Rule>>::view;
+  static constexpr std::string_view name = prefixed_name<"survives_trial", Rule>;
   static constexpr std::string_view source = "not in the paper";
 
   struct Params {
