@@ -296,6 +296,20 @@ ROBOGEN = """0 CoreComponent Core 0
 
 Hip1 Hip2 0.5
 """
+
+
+def robogen_result(text):
+    """The JSON that RoboGen writes of a body that it reads as text."""
+    parts, connections, above = [], [], []
+    for line in text.split("\n\n")[0].splitlines():
+        (slot, kind, name, turns), depth = line.split(), line.count("\t")
+        parts.append({"id": name, "type": kind, "root": depth == 0, "orientation": int(turns)})
+        if depth:
+            connections.append({"src": above[depth - 1], "dest": name, "srcSlot": int(slot) + (depth > 1), "destSlot": 0})
+        above[depth:] = [name]
+    return {"id": 1, "body": {"part": parts, "connection": connections}, "brain": {"neuron": []}}
+
+
 REVOLVE = """---
 id: bot  # a comment
 body:
@@ -346,19 +360,17 @@ class Converted(Hostile):
 
     def test_robogen(self):
         said, robot = self.converted("body.txt", ROBOGEN)
-        self.assertIn("4 hinges, 4 bricks, from RoboGen's text", said)
-        self.assertIn("slot 0, which RoboGen calls left, is on the right of its front", said)
+        self.assertEqual(self.converted("result.json", json.dumps(robogen_result(ROBOGEN)))[1], robot)
+        self.assertRegex(said, "4 hinges, 4 bricks, from RoboGen's text.*\nslot 0, which RoboGen calls left, is on the right of its front")
         self.assertEqual(robot["name"], "bot")
         # Hips on the core's sides whose axis is turned by 90 degrees, and on its front as it is, sweep; bricks lie flat.
         modules = self.modules(robot["core"])
         self.assertEqual(set(modules), {"right", "left", "front"})
         hinge, turns, below = modules["right"]
-        self.assertEqual((hinge, turns % 2), ("hinge", 1))
         self.assertEqual(below["front"][:2], ("brick", (-turns) % 4))
         self.assertEqual({face: (kind, turned % 2) for face, (kind, turned, _) in below["front"][2].items()},
                          {"front": ("hinge", 0), "left": ("brick", 0)})
-        self.assertEqual(modules["left"], ("hinge", 0, {}))
-        self.assertEqual((modules["front"][0], modules["front"][1] % 2), ("hinge", 1))
+        self.assertEqual((modules["left"], hinge, turns % 2, modules["front"][0], modules["front"][1] % 2), (("hinge", 0, {}), "hinge", 1, "hinge", 1))
 
     def test_revolve(self):
         text = REVOLVE.replace("2: {id: none}", "2:")
@@ -366,12 +378,29 @@ class Converted(Hostile):
             _, robot = self.converted("body.yaml", form)
             self.assertEqual(self.modules(robot["core"]), {"back": ("hinge", 1, {"front": ("brick", 3, {})}), "right": ("brick", 0, {})})
 
+    def test_revolve_part_attached_by_another_slot_is_turned_round(self):
+        text = REVOLVE.replace("params: {blue: 1,\n            green: 0}", "slot: 1\n          label: ''").replace(
+            "2: {id: none}", "2: {id: Far, type: ActiveHinge, slot: 1, children: {0: {id: End, type: FixedBrick}}}")
+        said, robot = self.converted("body.yaml", text)
+        self.assertIn("attached by their far end there, turned round: ActiveHinge Far (line 20)", said)
+        self.assertEqual(self.modules(robot["core"])["back"],
+                         ("hinge", 1, {"front": ("brick", 3, {"left": ("hinge", 0, {"front": ("brick", 0, {})})})}))
+
+    def test_parts_that_carry_nothing_are_left_out_with_their_lines(self):
+        more = ROBOGEN.replace("\n\nHip1", "\n\t\t\t1 B Rod 0 0.02 45 0\n\t\t\t\t0 IrSensor Eye 0\n\t3 ActiveWheel W 0 0.04\n\nHip1")
+        eye = json.dumps(REVOLVE2, indent="\t").replace("null", '{"type": "sensor", "id": "Eye"}')
+        for name, text, plain, left in (("body.txt", more, ROBOGEN, "B Rod (line 10), ActiveWheel W (line 12)"),
+                                        ("body.json", eye, json.dumps(REVOLVE2), "sensor Eye (line 16)")):
+            said, robot = self.converted(name, text)
+            self.assertIn("left out, as trophic lacks it: " + left, said)
+            self.assertEqual(robot, self.converted(name, plain)[1])
+
     def test_revolve2(self):
         expected = {"front": ("hinge", 1, {"front": ("brick", 0, {})}), "back": ("brick", 0, {"left": ("hinge", 0, {})})}
         _, robot = self.converted("body.json", json.dumps(REVOLVE2))
         self.assertEqual(self.modules(robot["core"]), expected)
-        yaml = ("type: core\nchildren:\n  front:\n    type: active_hinge\n    rotation: 1.5708\n    children:\n      attachment:\n"
-                "        type: brick\n  back:\n    type: brick\n    children:\n      left:\n        type: hinge\n")
+        yaml = ("type: core\nchildren:\n  front:\n    type: active_hinge\n    rotation: 1.5708\n    children: {attachment: {type: brick}}\n"
+                "  back: {type: brick, children: {left: {type: hinge}}}\n")
         self.assertEqual(self.modules(self.converted("body.yaml", yaml)[1]["core"]), expected)
 
     def test_the_spider_is_the_one_of_the_models(self):
@@ -391,20 +420,27 @@ class Converted(Hostile):
         for text, sentence in (
             ('<robot name="two"/>', "is URDF: must be a body of revolve2 or Revolve"),
             ("no body", "is in no format that is known"),
-            ("0 CoreComponent Core 0\n\t0 ActiveWheel W 0 0.04\n", ":2: is of type ActiveWheel: must be a core, an active hinge or a brick"),
-            ("0 CoreComponent Core 0\n\t4 ActiveHinge H 0\n", ":2: slot = 4: a core has 4 slots"),
-            ("0 CoreComponent Core 0\n\t\t0 ActiveHinge H 0\n", ":2: 2 tabs: must be 1 to 1"),
-            ("0 CoreComponent Core 0\n\t0 ActiveHinge H 4\n", ":2: turns = 4: must be 0 to 3"),
-            ("0 CoreComponent Core 0\n\t0 ActiveHinge H 0\n\t0 ActiveHinge I 0\n", ":3: right: two modules on one face"),
+            ("0 CoreComponent Core 0\n\t0 ActiveWheel W 0 0.04\n", ":1: Core: has no hinge without ActiveWheel W (line 2), which trophic lacks"),
+            ("0 CoreComponent Core 0\n\t0 ParametricJoint J 0 0.02 0 0\n\t\t0 ActiveHinge H 0\n",
+             ":2: J: is of type ParametricJoint: must be a core, an active hinge or a brick, as it carries ActiveHinge H (line 3)"),
+            *((json.dumps(robogen_result(ROBOGEN)).replace(right, wrong), sentence) for right, wrong, sentence in (
+                ('"src": "Core"', '"src": "X"', 'src = "X": is not the id of a part'), ("true", "false", 'no part has "root": true'),
+                ('"src": "Leg1"', '"src": "Foot1"', "Knee1: is not attached to the root"))),
+            ("<!-- <mujoco> -->\n<sdf/>", "is SDF: must be"),
+            ("Fitness: 99", "is YAML without body or type: must be a body"),
+            ("0 CoreComponent Core 0\n\t4 ActiveHinge H 0\n", ':2: H: place = "4": a core has no such place'),
+            ("0 CoreComponent Core 0\n\t\t0 ActiveHinge H 0\n", ":2: H: 2 tabs: must be 1 to 1"),
+            ("0 CoreComponent Core 0\n\t0 ActiveHinge H 4\n", ":2: H: turns = 4: must be 0 to 3"),
+            ("0 CoreComponent Core 0\n\t0 ActiveHinge H 0\n\t0 ActiveHinge I 0\n", ":3: I: right: two modules on one face"),
             ("0 CoreComponent Core 0\n\t0 ActiveHinge H\x1b[2J 0\n", ":2: its name must be text without control characters"),
-            ("0 CoreComponent Core 0\n\t0 ActiveHinge H 99999999999999999999\n", ':2: turns = "99999999999999999999": must be one digit'),
-            ("0 CoreComponent Core 0\n\tx ActiveHinge H 0\n", ':2: slot = "x": must be one digit'),
+            ("0 CoreComponent Core 0\n\t0 ActiveHinge H 99999999999999999999\n", ':2: H: turns = "99999999999999999999": must be one digit'),
+            ("0 CoreComponent Core 0\n\tx ActiveHinge H 0\n", ':2: H: slot = "x": must be one digit'),
             ("0 CoreComponent Core 0\n\t0 ActiveHinge H\udcff 0\n", ":2: its name must be UTF-8"),
             ("0 CoreComponent Core 0\n", "body: is a core alone: must have a hinge or a brick"),
-            (REVOLVE, "core.0.1.2: type: missing"),
-            (REVOLVE.replace("{id: none}", "none"), "core.0.1.2: must be a module with a type"),
-            (REVOLVE.replace("orientation : 90", "orientation : 45"), "core.0: orientation = 45: must be a multiple of 90 degrees"),
-            (REVOLVE.replace("orientation : 90", "rotation : 90"), "core.0: rotation: is not a key that is read here; orientation turns"),
+            (REVOLVE, ":20: none: type: missing"),
+            (REVOLVE.replace("{id: none}", "none"), ":14: core.0.1.2: must be a module with a type"),
+            (REVOLVE.replace("2: {id: none}", "2:").replace("orientation : 90", "orientation : 45"), ":8: Back: orientation = 45: must be a multiple of 90 degrees"),
+            (REVOLVE.replace("orientation : 90", "rotation : 90"), ":8: Back: rotation: is not a key that is read here; orientation turns"),
             (REVOLVE.replace("type        : ActiveHinge", "type        : *x"), ":10: the referenced anchor is not defined"),
             (REVOLVE.replace("      id: 'Right'", "     id: 'Right'"), ":23: end of map not found"),
             (REVOLVE.replace("    2:\n      id: 'R", "    0:\n      id: 'R"), ":21: 0: appears twice"),
@@ -413,9 +449,9 @@ class Converted(Hostile):
             (REVOLVE.replace("{id: none}", "[&a [x], " + ", ".join(f"&{b} [{', '.join(['*' + a] * 9)}]" for a, b in zip("abcdef", "bcdefg")) + "]"),
              ": more than 100000 values"),
             (REVOLVE.replace("{id: none}", "&a [*a]"), ":20: nested more than 128 deep"),
-            (json.dumps({"type": "core", "children": {"front": {"type": "hinge", "rotation": 1.0}}}), "core.front: rotation = 1.0: must be a multiple"),
-            (json.dumps({"type": "core", "children": {"top": {"type": "hinge"}}}), "core: children.top: a core has no such place"),
-            (json.dumps({"type": "core", "children": {"front": {"type": "core"}}}), "core.front: front: a robot has only one core"),
+            (json.dumps({"type": "core", "children": {"front": {"type": "hinge", "rotation": 1.0}}}), ":1: core.front: rotation = 1.0: must be a multiple"),
+            (json.dumps({"type": "core", "children": {"top": {"type": "hinge"}}}), ':1: core.top: place = "top": a core has no such place'),
+            (json.dumps({"type": "core", "children": {"front": {"type": "core"}}}), ":1: core.front: front: a robot has only one core"),
             (json.dumps({"type": "core", "children": {"front": deep}}), "is JSON nested more than 64 deep, which is not read"),
             ('{"type": "core", "children": {"front": ', "body: [json.exception.parse_error.101] parse error"),
         ):
@@ -436,9 +472,9 @@ class Converted(Hostile):
 BODIES = {
     "mod.xml": ('<mujoco model="two"><worldbody><body name="core"><freejoint/></body></worldbody></mujoco>', "MJCF, MuJoCo's XML"),
     "mod.urdf": ('<?xml version="1.0"?><robot name="two"><link name="core"/></robot>', "URDF"),
-    "body.json": ('{"id": 1, "type": "core", "children": {"front": {"type": "hinge"}}}', "a body of revolve2 as JSON"),
+    "body.json": ('{"id": 1, "type": "core", "children": {"front": {"type": "hinge"}}}', "JSON"),
     "robogen.txt": ("0 CoreComponent Core 0\n\t0 ActiveHinge HingeA 1\n\t\t0 FixedBrick BrickA 0\n\nHingeA HingeA 0.5\n", "RoboGen's text"),
-    "robot.yaml": ("---\nid: bot\nbody:\n  id: Core\n  type: Core\n", "a body of revolve2 as YAML"),
+    "robot.yaml": ("---\nid: bot\nbody:\n  id: Core\n  type: Core\n", "YAML"),
 }
 
 

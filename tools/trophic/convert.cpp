@@ -6,7 +6,6 @@
 #include <tools/command/output.hpp>
 #include <tools/trophic/convert/foreign_body.hpp>
 #include <trophic/habitat/body/build.hpp>
-#include <trophic/habitat/load/foreign_format.hpp>
 #include <trophic/support/new_file.hpp>
 #include <trophic/support/plain_text.hpp>
 #include <trophic/support/whole_file.hpp>
@@ -44,9 +43,7 @@ inline constexpr std::uint64_t most_bytes = std::uint64_t{1} << 20U;
   std::cout << options.out << ": " << robot.hinges.size() << (robot.hinges.size() == 1 ? " hinge, " : " hinges, ") << bricks
             << (bricks == 1 ? " brick" : " bricks") << ", from " << body.format
             << "; its brain, sizes and masses are not converted\n";
-  if (body.format == trophic::detail::robogen_text) {
-    std::cout << "slot 0, which RoboGen calls left, is on the right of its front and becomes right; slot 1 becomes left\n";
-  }
+  for (const std::string& remark : body.remarks) std::cout << remark << '\n';
   flush_output();
   return 0;
 }
@@ -59,7 +56,7 @@ Command convert_body() {
   return {.name = "convert",
           .about =
               "Writes a robot file from a body of another program that has the same modules, cores, active hinges and bricks: "
-              "RoboGen's text, Revolve's YAML, or a tree of revolve2's modules as JSON or YAML.",
+              "RoboGen's text or JSON, Revolve's YAML, or a tree of revolve2's modules as JSON or YAML.",
           .options = {{.name = "body", .target = &options->body, .help = "file of the body", .required = true},
                       {.name = "--out", .target = &options->out, .help = "new robot file, ROBOT.toml", .required = true},
                       {.name = "--name", .target = &options->name, .help = "name of the robot (of the file)"}},

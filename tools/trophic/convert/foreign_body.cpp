@@ -2,9 +2,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
+#include <map>
 #include <numbers>
 #include <optional>
 #include <span>
+#include <sstream>
 #include <stdexcept>
 #include <tools/command/toml_writer.hpp>
 #include <tools/trophic/convert/foreign_body.hpp>
@@ -22,280 +25,381 @@ using body::ModuleType;
 
 /// A key of a robot file has at most 32 parts, of which the first is the core.
 constexpr std::size_t most_depth = 31;
+constexpr std::size_t most_parts = 1000;  ///< of a list that names parents
 
-[[nodiscard]] ModuleType type_of(std::string_view name) {
-  for (const std::string_view core : {"core", "Core", "CoreComponent", "CoreComponentNoIMU", "CoreV1", "E", "N"}) {
-    if (name == core) return ModuleType::core;
-  }
-  for (const std::string_view hinge : {"hinge", "active_hinge", "ActiveHinge", "ActiveHingeV1", "I"}) {
-    if (name == hinge) return ModuleType::hinge;
-  }
-  for (const std::string_view brick : {"brick", "Brick", "FixedBrick", "BrickV1", "F"}) {
-    if (name == brick) return ModuleType::brick;
-  }
-  throw std::invalid_argument{"is of type " + std::string{name} + ": must be a core, an active hinge or a brick"};
+enum class Dialect { robogen, revolve, revolve2 };
+
+/// A part as its file has it, with all that is attached to it.
+struct Part {
+  std::string where;  ///< FILE:LINE, and its name or the way to it
+  std::string line;
+  std::string type;
+  std::string name;
+  std::string place;  ///< on its parent
+  std::string own_place = "0";
+  std::string turns;  ///< empty for none
+  std::vector<Part> children;
+};
+
+[[noreturn]] void refuse(const Part& part, const std::string& why) {
+  throw std::invalid_argument{part.where + ": " + why};
 }
 
-[[nodiscard]] std::string plain_name(const std::string& name) {
-  if (!is_plain(name)) throw std::invalid_argument{"its name must be text without control characters"};
-  if (!is_utf8(name)) throw std::invalid_argument{"its name must be UTF-8"};
-  return name;
+[[nodiscard]] std::optional<ModuleType> type_of(const Part& part) {
+  using Names = std::span<const std::string_view>;
+  static constexpr std::array<std::string_view, 7> core{"core", "Core", "CoreComponent", "CoreComponentNoIMU", "CoreV1",
+                                                        "E",    "N"};
+  static constexpr std::array<std::string_view, 5> hinge{"hinge", "active_hinge", "ActiveHinge", "ActiveHingeV1", "I"};
+  static constexpr std::array<std::string_view, 5> brick{"brick", "Brick", "FixedBrick", "BrickV1", "F"};
+  for (const auto& [type, names] :
+       {std::pair{ModuleType::core, Names{core}}, {ModuleType::hinge, Names{hinge}}, {ModuleType::brick, Names{brick}}}) {
+    if (std::ranges::find(names, part.type) != names.end()) return type;
+  }
+  return {};
+}
+
+/// "TYPE NAME (line N)"
+[[nodiscard]] std::string label(const Part& part) {
+  return part.type + (part.name.empty() ? "" : " " + part.name) + " (line " + part.line + ")";
+}
+
+/// The first module at or below a part; null if there is none.
+[[nodiscard]] const Part* module_of(const Part& part) {
+  if (type_of(part)) return &part;
+  for (const Part& child : part.children) {
+    if (const Part* const found = module_of(child)) return found;
+  }
+  return nullptr;
+}
+
+[[nodiscard]] int one_digit(const Part& part, const char* what, const std::string& text, int most) {
+  if (text.size() != 1 || text[0] < '0' || text[0] > '9') refuse(part, what + (" = " + json_text(text)) + ": must be one digit");
+  if (text[0] - '0' > most) refuse(part, what + (" = " + text) + ": must be 0 to " + std::to_string(most));
+  return text[0] - '0';
+}
+
+[[nodiscard]] int quarter_turns(Dialect dialect, const Part& part) {
+  if (part.turns.empty()) return 0;
+  if (dialect == Dialect::robogen) return one_digit(part, "turns", part.turns, 3);
+  const double quarter = dialect == Dialect::revolve ? 90.0 : std::numbers::pi / 2.0;
+  std::size_t used = 0;
+  double value = std::nan("");
+  try {
+    value = std::stod(part.turns, &used);
+  } catch (const std::exception&) {  // below
+  }
+  const double turns = std::round(value / quarter);
+  if (used != part.turns.size() || !(std::abs(turns) <= 16.0) || std::abs(value - turns * quarter) > 1e-3 * quarter) {
+    refuse(part, (dialect == Dialect::revolve ? "orientation = " : "rotation = ") + part.turns + ": must be a multiple of " +
+                     (dialect == Dialect::revolve ? "90 degrees" : "pi / 2"));
+  }
+  return static_cast<int>(turns);
+}
+
+/// A face, and the direction in the frame of its module with which the axis of a hinge of RoboGen agrees that is not turned.
+struct Slot {
+  Face face;
+  Eigen::Vector3i tangent;
+};
+
+/// The place of a part on its parent; nothing if the parent has no such place.
+[[nodiscard]] std::optional<Slot> slot_of(Dialect dialect, const Part& parent, ModuleType type, const std::string& place) {
+  using Direction = Eigen::Vector3i;
+  if (dialect == Dialect::revolve2) {
+    static constexpr std::array<Face, 4> core{Face::front, Face::right, Face::back, Face::left};
+    static constexpr std::array<Face, 3> brick{Face::front, Face::right, Face::left};
+    const std::span<const Face> faces = type == ModuleType::core ? std::span<const Face>{core} : std::span<const Face>{brick};
+    for (const Face face : faces) {
+      const bool is_named = place == enum_name(face) || place == std::to_string(std::ranges::find(faces, face) - faces.begin());
+      if (body::has_face(type, face) && (is_named || (type == ModuleType::hinge && place == "attachment"))) return Slot{face, {}};
+    }
+    return {};
+  }
+  if (place.size() != 1) return {};
+  if (dialect == Dialect::revolve) {
+    constexpr std::string_view around = "0213";  // slots of a core and a brick, counterclockwise from the back
+    constexpr std::array<Face, 4> faces{Face::back, Face::right, Face::front, Face::left};
+    if (place == parent.own_place && type != ModuleType::core) return {};
+    if (type == ModuleType::hinge) return place == "0" || place == "1" ? std::optional{Slot{Face::front, {}}} : std::nullopt;
+    const std::size_t at = around.find(place);
+    if (at == std::string_view::npos) return {};
+    return Slot{faces.at(type == ModuleType::core ? at : (at + 4 - around.find(parent.own_place)) % 4), {}};
+  }
+  if (type == ModuleType::hinge) return place == "0" ? std::optional{Slot{Face::front, Direction::UnitY()}} : std::nullopt;
+  if (type == ModuleType::brick) {
+    if (place == "0") return Slot{Face::front, Direction::UnitY()};
+    if (place == "1" || place == "2") return Slot{place == "1" ? Face::right : Face::left, Direction::UnitZ()};
+    return {};
+  }
+  // The core's front faces its -y, and its slots are named as seen from there.
+  if (place == "0" || place == "1") return Slot{place == "0" ? Face::right : Face::left, -Direction::UnitX()};
+  if (place == "2" || place == "3") return Slot{place == "2" ? Face::front : Face::back, Direction::UnitZ()};
+  return {};
 }
 
 /// Adds modules, parents first, to a body.
 class Assembly {
  public:
-  explicit Assembly(std::string format) { body_.format = std::move(format); }
+  explicit Assembly(Dialect dialect) : dialect_{dialect} {}
 
-  void name_core(const std::string& name) { body_.names.assign(1, plain_name(name)); }
-
-  /// Returns the number of the module.
-  std::size_t attach(std::size_t parent, std::size_t depth, Face face, ModuleType type, int turns, const std::string& name) {
-    if (depth > most_depth) throw std::invalid_argument{"is more than " + std::to_string(most_depth) + " modules from the core"};
-    const std::size_t added = body_.modules.attach(parent, face, type, turns);
-    body_.names.push_back(plain_name(name));
-    return added;
+  [[nodiscard]] ForeignBody assemble(const Part& core) {
+    if (type_of(core) != ModuleType::core) refuse(core, "must begin with a core");
+    if (dialect_ != Dialect::robogen && quarter_turns(dialect_, core) % 4 != 0) refuse(core, "must not be turned");
+    body_.names.push_back(core.name);
+    attach_children(core, 0, ModuleType::core, 0);
+    const auto is_hinge = [](const body::Module& module) { return module.type == ModuleType::hinge; };
+    if (!left_out_.empty()) {
+      if (std::ranges::none_of(body_.modules.modules(), is_hinge)) {
+        refuse(core, "has no hinge without " + left_out_ + ", which trophic lacks");
+      }
+      body_.remarks.push_back("left out, as trophic lacks it: " + left_out_);
+    }
+    if (!reversed_.empty()) body_.remarks.push_back("attached by their far end there, turned round: " + reversed_);
+    if (dialect_ == Dialect::robogen) {
+      body_.remarks.emplace_back(
+          "slot 0, which RoboGen calls left, is on the right of its front and becomes right; slot 1 becomes left");
+    }
+    return std::move(body_);
   }
 
-  [[nodiscard]] const body::Module& module(std::size_t i) const { return body_.modules.modules()[i]; }
+ private:
+  void attach_children(const Part& parent, std::size_t on, ModuleType parent_type, std::size_t depth) {
+    for (const Part& part : parent.children) {
+      const std::optional<ModuleType> type = type_of(part);
+      if (!type) {
+        if (const Part* const below = module_of(part)) {
+          refuse(part,
+                 "is of type " + part.type + ": must be a core, an active hinge or a brick, as it carries " + label(*below));
+        }
+        left_out_ += (left_out_.empty() ? "" : ", ") + label(part);
+        continue;
+      }
+      const std::optional<Slot> slot = slot_of(dialect_, parent, parent_type, part.place);
+      if (!slot)
+        refuse(part, "place = " + json_text(part.place) + ": a " + std::string{enum_name(parent_type)} + " has no such place");
+      if (depth == most_depth) refuse(part, "is more than " + std::to_string(most_depth) + " modules from the core");
+      if (*type == ModuleType::hinge && part.own_place == "1") reversed_ += (reversed_.empty() ? "" : ", ") + label(part);
+      std::size_t added = 0;
+      try {
+        added = body_.modules.attach(on, slot->face, *type, turns_of(part, on, *slot, *type));
+      } catch (const std::invalid_argument& error) {
+        refuse(part, error.what());
+      }
+      body_.names.push_back(part.name);
+      attach_children(part, added, *type, depth + 1);
+    }
+  }
+
+  [[nodiscard]] int turns_of(const Part& part, std::size_t on, const Slot& slot, ModuleType type) const {
+    const int turns = quarter_turns(dialect_, part);
+    if (dialect_ != Dialect::robogen || type == ModuleType::core) return turns;
+    if (type == ModuleType::brick) return turns_towards(on, slot.face, 2, Eigen::Vector3i::UnitZ());  // bricks lie flat
+    return turns_towards(on, slot.face, 1, body_.modules.modules()[on].orientation * slot.tangent) - turns;
+  }
 
   /// Quarter turns of a module on a face after which its axis (0, 1, 2: x, y, z) has a direction in the core's frame.
   [[nodiscard]] int turns_towards(std::size_t parent, Face face, Eigen::Index axis, const Eigen::Vector3i& direction) const {
-    const Eigen::Matrix3i towards = module(parent).orientation * body::face_rotation(face);
+    const Eigen::Matrix3i towards = body_.modules.modules()[parent].orientation * body::face_rotation(face);
     for (int turns = 0; turns < 4; ++turns) {
       if ((towards * body::roll_rotation(turns)).col(axis) == direction) return turns;
     }
     throw std::invalid_argument{"cannot lie flat here"};
   }
 
-  [[nodiscard]] ForeignBody take(std::string name) {
-    body_.name = plain_name(name);
-    return std::move(body_);
-  }
-
- private:
+  Dialect dialect_;
   ForeignBody body_;
+  std::string left_out_;
+  std::string reversed_;
 };
 
-// Revolve and revolve2
-
-enum class Dialect { revolve, revolve2 };
-
-[[nodiscard]] std::string text_of(const Json& value) {
-  return value.is_string() ? value.get<std::string>() : json_text(value);
-}
-
-[[nodiscard]] int quarter_turns(const std::string& key, const std::string& text, double quarter) {
-  std::size_t used = 0;
-  double value = std::nan("");
-  try {
-    value = std::stod(text, &used);
-  } catch (const std::exception&) {  // below
-  }
-  const double turns = std::round(value / quarter);
-  if (used != text.size() || !(std::abs(turns) <= 16.0) || std::abs(value - turns * quarter) > 1e-3 * quarter) {
-    throw std::invalid_argument{key + " = " + text + ": must be a multiple of " + (quarter > 2.0 ? "90 degrees" : "pi / 2")};
-  }
-  return static_cast<int>(turns);
-}
-
-/// The face of a key of `children`.
-[[nodiscard]] Face face_of(Dialect dialect, ModuleType type, const std::string& key) {
-  using Slots = std::span<const std::optional<Face>>;
-  static constexpr std::array<std::optional<Face>, 4> revolve_core{Face::back, Face::front, Face::right, Face::left};
-  static constexpr std::array<std::optional<Face>, 4> revolve_brick{std::nullopt, Face::front, Face::right, Face::left};
-  static constexpr std::array<std::optional<Face>, 2> revolve_hinge{std::nullopt, Face::front};
-  static constexpr std::array<std::optional<Face>, 4> core{Face::front, Face::right, Face::back, Face::left};
-  static constexpr std::array<std::optional<Face>, 3> brick{Face::front, Face::right, Face::left};
-  static constexpr std::array<std::optional<Face>, 1> hinge{Face::front};
-  const bool old = dialect == Dialect::revolve;
-  const Slots slots = type == ModuleType::core    ? Slots{old ? Slots{revolve_core} : Slots{core}}
-                      : type == ModuleType::brick ? Slots{old ? Slots{revolve_brick} : Slots{brick}}
-                                                  : Slots{old ? Slots{revolve_hinge} : Slots{hinge}};
-  if (key.size() == 1 && key[0] >= '0' && key[0] < '0' + static_cast<int>(slots.size())) {
-    if (const auto face = slots[static_cast<std::size_t>(key[0] - '0')]) return *face;
-  } else if (!old && type == ModuleType::hinge && key == "attachment") {
-    return Face::front;
-  } else if (!old) {
-    for (const Face face : body::all_faces) {
-      if (key == enum_name(face) && body::has_face(type, face)) return face;
-    }
-  }
-  throw std::invalid_argument{"children." + key + ": a " + std::string{enum_name(type)} + " has no such place"};
-}
-
-class ModuleReader {
+/// Makes parts of what a file says of them.
+class PartReader {
  public:
-  ModuleReader(Dialect dialect, std::string format) : dialect_{dialect}, assembly_{std::move(format)} {}
+  explicit PartReader(const std::string& file) : file_{file} {}
 
-  [[nodiscard]] ForeignBody read(const Json& core) {
-    where_ = "core";
-    check_keys(core);
-    if (type(core) != ModuleType::core) throw std::invalid_argument{"must begin with a core"};
-    if (turns(core) % 4 != 0) throw std::invalid_argument{"must not be turned"};
-    assembly_.name_core(name(core));
-    read_children(core, 0, ModuleType::core, 0);
-    return assembly_.take({});
-  }
-
-  [[nodiscard]] const std::string& where() const { return where_; }
-
- private:
-  void check_keys(const Json& module) const {
-    if (!module.is_object()) throw std::invalid_argument{"must be a module with a type"};
-    const char* const angle = dialect_ == Dialect::revolve ? "orientation" : "rotation";
-    for (const auto& [key, value] : module.items()) {
-      bool known = key == angle;
-      for (const char* other : {"id", "name", "uuid", "type", "children", "params", "slot", "color"}) known |= key == other;
-      if (!known) throw std::invalid_argument{key + ": is not a key that is read here; " + angle + " turns a module"};
+  /// Throws for a name that cannot be printed.
+  [[nodiscard]] Part part(const std::string& line, const std::string& type, const std::string& name,
+                          const std::string& way) const {
+    const std::string at = file_ + ":" + line;
+    for (const std::string& text : {type, name, way}) {
+      if (!is_plain(text)) throw std::invalid_argument{at + ": its name must be text without control characters"};
+      if (!is_utf8(text)) throw std::invalid_argument{at + ": its name must be UTF-8"};
     }
+    Part made;
+    made.where = at + (name.empty() && way.empty() ? "" : ": " + (name.empty() ? way : name));
+    made.line = line;
+    made.type = type;
+    made.name = name;
+    return made;
   }
 
-  [[nodiscard]] static ModuleType type(const Json& module) {
-    if (!module.contains("type")) throw std::invalid_argument{"type: missing"};
-    return type_of(text_of(module.at("type")));
-  }
-  [[nodiscard]] static std::string name(const Json& module) {
-    for (const char* key : {"id", "name", "uuid"}) {
-      if (module.contains(key) && !module.at(key).is_null()) return text_of(module.at(key));
+  /// A tree of modules of Revolve or revolve2.
+  [[nodiscard]] Part read_tree(Dialect dialect, const Json& module, const std::string& line, const std::string& way) const {
+    if (!module.is_object()) refuse(part(line, "", "", way), "must be a module with a type");
+    std::string name = text_at(module, "id");
+    for (const char* const key : {"name", "uuid"}) {
+      if (name.empty()) name = text_at(module, key);
     }
-    return {};
-  }
-  [[nodiscard]] int turns(const Json& module) const {
-    const std::string key = dialect_ == Dialect::revolve ? "orientation" : "rotation";
-    if (!module.contains(key) || module.at(key).is_null()) return 0;
-    return quarter_turns(key, text_of(module.at(key)), dialect_ == Dialect::revolve ? 90.0 : std::numbers::pi / 2.0);
-  }
-
-  void read_children(const Json& module, std::size_t parent, ModuleType parent_type, std::size_t depth) {
-    if (!module.contains("children")) return;
+    Part made = part(line_of(module), text_at(module, "type"), name, way);
+    if (made.type.empty()) refuse(made, "type: missing");
+    const auto [angle, other] =
+        dialect == Dialect::revolve ? std::pair{"orientation", "rotation"} : std::pair{"rotation", "orientation"};
+    if (module.contains(other))
+      refuse(made, std::string{other} + ": is not a key that is read here; " + angle + " turns a module");
+    made.turns = text_at(module, angle);
+    if (dialect == Dialect::revolve && module.contains("slot")) {
+      made.own_place = text_at(module, "slot");
+      const int most = type_of(made) == ModuleType::brick ? 3 : type_of(made) == ModuleType::hinge ? 1 : 9;
+      static_cast<void>(one_digit(made, "slot", made.own_place, most));
+    }
+    if (!module.contains("children") || module.at("children").is_null()) return made;
     const Json& children = module.at("children");
-    if (children.is_null()) return;
-    const std::string above = where_;
-    if (!children.is_structured()) throw std::invalid_argument{"children: must be modules by their places"};
+    if (!children.is_structured()) refuse(made, "children: must be modules by their places");
     std::size_t index = 0;
     for (const auto& [key, child] : children.items()) {
+      if (key == line_key) continue;
       const std::string place = children.is_array() ? std::to_string(index++) : key;
       if (child.is_null()) continue;
-      where_ = above;
-      const Face face = face_of(dialect_, parent_type, place);
-      where_ = above + "." + place;
-      check_keys(child);
-      const ModuleType child_type = type(child);
-      const std::size_t added = assembly_.attach(parent, depth + 1, face, child_type, turns(child), name(child));
-      read_children(child, added, child_type, depth + 1);
+      made.children.push_back(read_tree(dialect, child, made.line, way + "." + place));
+      made.children.back().place = place;
     }
+    return made;
   }
 
-  Dialect dialect_;
-  Assembly assembly_;
-  std::string where_;
-};
-
-[[nodiscard]] ForeignBody read_modules(const Json& whole, bool has_body, const std::string& format, const std::string& file) {
-  ModuleReader reader{has_body ? Dialect::revolve : Dialect::revolve2, format};
-  try {
-    return reader.read(whole);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument{file + ": " + reader.where() + ": " + error.what()};
+  /// The parts and connections of RoboGen's results.
+  [[nodiscard]] Part read_connected(const Json& body) const {
+    std::vector<Part> parts;
+    std::map<std::string, std::size_t> by_name;
+    std::optional<std::size_t> root;
+    for (const Json& one : list_at(body, "part")) {
+      Part made = part(line_of(one), text_at(one, "type"), text_at(one, "id"), "");
+      made.turns = text_at(one, "orientation");
+      if (parts.size() == most_parts) refuse(made, "more than " + std::to_string(most_parts) + " parts");
+      if (!by_name.emplace(made.name, parts.size()).second) refuse(made, "two parts have this id");
+      if (text_at(one, "root") == "true" && root) refuse(made, "is a second root");
+      if (text_at(one, "root") == "true") root = parts.size();
+      parts.push_back(std::move(made));
+    }
+    if (!root) throw std::invalid_argument{file_ + ": no part has \"root\": true"};
+    std::vector<std::vector<std::size_t>> below(parts.size());
+    std::vector<std::size_t> above(parts.size(), *root);
+    for (const Json& one : list_at(body, "connection")) {
+      const Part at = part(line_of(one), "", "", "connection");
+      const auto find = [&](const char* key) {
+        const auto found = by_name.find(text_at(one, key));
+        if (found == by_name.end()) refuse(at, key + (" = " + json_text(text_at(one, key))) + ": is not the id of a part");
+        return found->second;
+      };
+      const std::size_t parent = find("src");
+      const std::size_t child = find("dest");
+      if (text_at(one, "destSlot") != "0") refuse(at, "destSlot must be 0");
+      const auto has_child = [&](const auto& children) { return std::ranges::find(children, child) != children.end(); };
+      if (child == *root || std::ranges::any_of(below, has_child)) refuse(at, parts[child].name + " is attached already");
+      const int slot = one_digit(at, "srcSlot", text_at(one, "srcSlot"), 9);
+      parts[child].place = std::to_string(type_of(parts[parent]) == ModuleType::core ? slot : slot - 1);  // slot 0 is its own
+      below[parent].push_back(child);
+      above[child] = parent;
+    }
+    std::vector<std::size_t> order{*root};  // parents first
+    for (std::size_t i = 0; i < order.size(); ++i) order.insert(order.end(), below[order[i]].begin(), below[order[i]].end());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      if (std::ranges::find(order, i) == order.end()) refuse(parts[i], "is not attached to the root");
+    }
+    for (; order.size() > 1; order.pop_back()) {
+      std::vector<Part>& children = parts[above[order.back()]].children;
+      children.insert(children.begin(), std::move(parts[order.back()]));
+    }
+    return std::move(parts[*root]);
   }
-}
 
-// RoboGen
-
-struct RobogenLine {
-  std::size_t depth;
-  std::size_t slot;
-  std::string type;
-  std::string name;
-  int turns;
-};
-
-/// TABS SLOT TYPE NAME TURNS
-[[nodiscard]] RobogenLine robogen_line(std::string_view line) {
-  const std::size_t depth = std::min(line.find_first_not_of('\t'), line.size());
-  std::vector<std::string> words;
-  for (std::size_t at = depth; at < line.size();) {
-    const std::size_t end = std::min(line.find(' ', at), line.size());
-    if (end > at) words.emplace_back(line.substr(at, end - at));
-    at = end + 1;
-  }
-  const auto is_digit = [&](std::size_t i) { return words[i].size() == 1 && words[i][0] >= '0' && words[i][0] <= '9'; };
-  if (words.size() < 4) {
-    throw std::invalid_argument{"must be SLOT TYPE NAME TURNS behind a tab for each module above it"};
-  }
-  for (const auto& [place, what] : {std::pair{0U, "slot"}, {3U, "turns"}}) {
-    if (!is_digit(place)) throw std::invalid_argument{what + (" = " + json_text(words[place])) + ": must be one digit"};
-  }
-  if (words.size() > 4) static_cast<void>(type_of(words[1]));  // a type with parameters is none of ours
-  if (words.size() > 4) throw std::invalid_argument{words[4] + ": a " + words[1] + " has no parameters"};
-  if (words[3][0] > '3') throw std::invalid_argument{"turns = " + words[3] + ": must be 0 to 3"};
-  return {depth, static_cast<std::size_t>(words[0][0] - '0'), words[1], words[2], words[3][0] - '0'};
-}
-
-/// A face, and the direction in the frame of its module with which the axis of a hinge agrees that is not turned.
-struct RobogenSlot {
-  Face face;
-  Eigen::Vector3i tangent;
-};
-
-[[nodiscard]] RobogenSlot robogen_slot(ModuleType type, std::size_t slot) {
-  using Direction = Eigen::Vector3i;
-  const std::size_t slots = type == ModuleType::core ? 4 : type == ModuleType::brick ? 3 : 1;
-  if (slot >= slots) {
-    throw std::invalid_argument{"slot = " + std::to_string(slot) + ": a " + std::string{enum_name(type)} + " has " +
-                                std::to_string(slots) + (slots == 1 ? " slot" : " slots")};
-  }
-  if (type == ModuleType::hinge) return {Face::front, Direction::UnitY()};
-  if (type == ModuleType::brick) {
-    if (slot == 0) return {Face::front, Direction::UnitY()};
-    return {slot == 1 ? Face::right : Face::left, Direction::UnitZ()};
-  }
-  // The core's front faces its -y, and its slots are named as seen from there.
-  if (slot < 2) return {slot == 0 ? Face::right : Face::left, -Direction::UnitX()};
-  return {slot == 2 ? Face::front : Face::back, Direction::UnitZ()};
-}
-
-[[nodiscard]] ForeignBody read_robogen(std::string_view text, const std::string& format, const std::string& file) {
-  Assembly assembly{format};
-  std::vector<std::size_t> above;  // of the last line: the modules from the core to it
-  std::string where = file;
-  std::size_t number = 0;
-  try {
-    while (!text.empty()) {
+  /// A line for each part, TABS SLOT TYPE NAME TURNS [PARAMETERS], until an empty line.
+  [[nodiscard]] Part read_lines(std::string_view text) const {
+    std::vector<Part> above;  // from the core to the part of the last line
+    const auto close = [&](std::size_t depth) {
+      for (; above.size() > depth; above.pop_back()) above[above.size() - 2].children.push_back(std::move(above.back()));
+    };
+    for (std::size_t number = 1; !text.empty(); ++number) {
       const std::size_t end = std::min(text.find('\n'), text.size());
       std::string_view line = text.substr(0, end);
       text.remove_prefix(std::min(end + 1, text.size()));
-      where = file + ":" + std::to_string(++number);
-      while (!line.empty() && (line.back() == ' ' || line.back() == '\r' || line.back() == '\t')) line.remove_suffix(1);
-      if (line.empty() && above.empty()) continue;
-      if (line.empty()) break;  // the brain follows
-      const RobogenLine read = robogen_line(line);
-      const ModuleType type = type_of(read.type);
-      if (above.empty()) {
-        if (type != ModuleType::core || read.depth != 0) throw std::invalid_argument{"must begin with a core"};
-        assembly.name_core(read.name);
-        above.push_back(0);
-        continue;
+      const std::size_t depth = std::min(line.find_first_not_of('\t'), line.size());
+      const std::vector<std::string> words = words_of(line.substr(depth));
+      if (words.empty() && above.empty()) continue;
+      if (words.empty()) break;  // the brain follows
+      Part made = part(std::to_string(number), words.size() > 1 ? words[1] : "", words.size() > 2 ? words[2] : "", "");
+      if (words.size() < 4) refuse(made, "must be SLOT TYPE NAME TURNS behind a tab for each module above it");
+      made.place = std::to_string(one_digit(made, "slot", words[0], 9));
+      made.turns = words[3];
+      static_cast<void>(one_digit(made, "turns", made.turns, 3));
+      if (words.size() > 4 && type_of(made)) refuse(made, words[4] + ": a " + made.type + " has no parameters");
+      if (above.empty() ? depth != 0 : depth == 0 || depth > above.size()) {
+        refuse(made, std::to_string(depth) + " tabs: must be " + (above.empty() ? "0" : "1 to " + std::to_string(above.size())));
       }
-      if (read.depth == 0 || read.depth > above.size()) {
-        throw std::invalid_argument{std::to_string(read.depth) + " tabs: must be 1 to " + std::to_string(above.size())};
-      }
-      above.resize(read.depth);
-      const body::Module parent = assembly.module(above.back());
-      const RobogenSlot slot = robogen_slot(parent.type, read.slot);
-      int turns = 0;
-      if (type == ModuleType::hinge) {
-        turns = assembly.turns_towards(above.back(), slot.face, 1, parent.orientation * slot.tangent) - read.turns;
-      } else if (type == ModuleType::brick) {
-        turns = assembly.turns_towards(above.back(), slot.face, 2, Eigen::Vector3i::UnitZ());
-      }
-      above.push_back(assembly.attach(above.back(), read.depth, slot.face, type, turns, read.name));
+      close(std::max<std::size_t>(depth, 1));
+      above.push_back(std::move(made));
     }
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument{where + ": " + error.what()};
+    if (above.empty()) throw std::invalid_argument{file_ + ": must begin with a core"};
+    close(1);
+    return std::move(above.front());
   }
-  return assembly.take({});
+
+ private:
+  [[nodiscard]] static std::string text_at(const Json& object, const std::string& key) {
+    const auto found = object.is_object() ? object.find(key) : object.end();
+    if (found == object.end() || found->is_null()) return {};
+    return found->is_string() ? found->get<std::string>() : json_text(*found);
+  }
+  [[nodiscard]] static std::string line_of(const Json& object) { return text_at(object, line_key); }
+
+  [[nodiscard]] static std::vector<std::string> words_of(std::string_view line) {
+    std::istringstream stream{std::string{line}};
+    return {std::istream_iterator<std::string>{stream}, {}};
+  }
+
+  [[nodiscard]] const Json& list_at(const Json& body, const std::string& key) const {
+    static const Json none = Json::array();
+    if (!body.contains(key)) return none;
+    const Json& list = body.at(key);
+    const auto is_object = [](const Json& one) { return one.is_object(); };
+    if (!list.is_array() || !std::ranges::all_of(list, is_object))
+      throw std::invalid_argument{file_ + ": " + key + ": must be a list of objects"};
+    return list;
+  }
+
+  std::string file_;
+};
+
+[[nodiscard]] ForeignBody read_any_body(std::string_view text, const std::string& file) {
+  const std::string_view format = detail::foreign_format(text);
+  const PartReader reader{file};
+  const auto finish = [](std::string name, Dialect dialect, const Part& core) {
+    ForeignBody body = Assembly{dialect}.assemble(core);
+    body.format = std::move(name);
+    return body;
+  };
+  if (format == detail::robogen_text) return finish(std::string{format}, Dialect::robogen, reader.read_lines(text));
+  const std::string must = ": must be a body of revolve2 or Revolve (JSON, YAML) or of RoboGen (text, JSON)";
+  if (format != "JSON" && format != "YAML") {
+    throw std::invalid_argument{file + ": is " + (format.empty() ? "in no format that is known" : std::string{format}) + must};
+  }
+  std::string yaml{text};
+  if (format == "JSON") {
+    try {
+      static_cast<void>(parse_json(text));
+    } catch (const Json::exception& error) {
+      throw std::invalid_argument{file + ": " + error.what()};
+    }
+    std::ranges::replace(yaml, '\t', ' ');  // JSON is YAML whose white space has no tabs; no text of JSON contains one
+  }
+  const Json whole = read_yaml(yaml, file);
+  if (whole.is_object() && whole.contains("body")) {
+    const Json& body = whole.at("body");
+    if (body.is_object() && body.contains("part")) return finish("RoboGen's JSON", Dialect::robogen, reader.read_connected(body));
+    return finish("Revolve's " + std::string{format}, Dialect::revolve, reader.read_tree(Dialect::revolve, body, "1", "core"));
+  }
+  if (!whole.is_object() || !whole.contains("type"))
+    throw std::invalid_argument{file + ": is " + std::string{format} + " without body or type" + must};
+  return finish("revolve2's " + std::string{format}, Dialect::revolve2, reader.read_tree(Dialect::revolve2, whole, "1", "core"));
 }
 
 }  // namespace
@@ -308,28 +412,6 @@ bool is_utf8(const std::string& text) {
     return false;
   }
 }
-
-namespace {
-
-[[nodiscard]] ForeignBody read_any_body(std::string_view text, const std::string& file) {
-  const std::string format{detail::foreign_format(text)};
-  if (format == detail::robogen_text) return read_robogen(text, format, file);
-  const bool is_json = format == detail::revolve2_json;
-  if (!is_json && format != detail::revolve2_yaml) {
-    throw std::invalid_argument{file + ": is " + (format.empty() ? "in no format that is known" : format) +
-                                ": must be a body of revolve2 or Revolve (JSON, YAML) or RoboGen's text"};
-  }
-  Json whole;
-  try {
-    whole = is_json ? parse_json(text) : read_yaml(std::string{text}, file);
-  } catch (const Json::exception& error) {
-    throw std::invalid_argument{file + ": " + error.what()};
-  }
-  const bool has_body = whole.is_object() && whole.contains("body");
-  return read_modules(has_body ? whole.at("body") : whole, has_body, format, file);
-}
-
-}  // namespace
 
 ForeignBody read_foreign_body(std::string_view text, const std::string& file) {
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";

@@ -26,12 +26,12 @@ class Reader {
       return list;
     }
     if (!node.IsMap()) return nullptr;
-    Json object = Json::object();
+    Json object{{line_key, std::to_string(node.Mark().line + 1)}};
     for (const auto& entry : node) {
       const YAML::Node& key = entry.first;
       if (!key.IsScalar()) throw YAML::Exception{key.Mark(), "a key must be a text"};
       if (object.contains(key.Scalar())) throw YAML::Exception{key.Mark(), key.Scalar() + ": appears twice"};
-      if (object.size() == most_keys) throw YAML::Exception{key.Mark(), "more than " + std::to_string(most_keys) + " keys"};
+      if (object.size() > most_keys) throw YAML::Exception{key.Mark(), "more than " + std::to_string(most_keys) + " keys"};
       object[key.Scalar()] = read(entry.second, level + 1);
     }
     return object;
