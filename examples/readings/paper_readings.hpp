@@ -8,6 +8,7 @@
 #include <trophic/death/floor/active_victim_floor.hpp>
 #include <trophic/death/starvation/choice/hungriest_else_oldest.hpp>
 #include <trophic/initialization/placement/uniform_square.hpp>
+#include <trophic/perception/heading/reversed_on_back.hpp>
 #include <trophic/perception/heading/root_yaw_heading.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/perception/sensors/distance_over_diagonal.hpp>
@@ -42,7 +43,9 @@ struct PaperReadings final {
   using Sensors = perception::sensors::List<perception::sensors::SideOfAdversary, Distance, TagRatio>;
   using Brain = Either<Paper::Brain, Paper::Brain::WithBiases>;
 
-  using Heading = Either<Paper::Heading, perception::heading::RootYawHeading>;
+  template <class Rule>
+  using EitherOnBack = Either<Rule, perception::heading::ReversedOnBack<Rule>>;
+  using Heading = Either<EitherOnBack<Paper::Heading>, EitherOnBack<perception::heading::RootYawHeading>>;
   using Steering = Paper::Steering;
 
   using InitialGenome = Paper::InitialGenome;

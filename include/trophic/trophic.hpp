@@ -28,6 +28,7 @@
 #include <trophic/initialization/community/food_chain.hpp>
 #include <trophic/initialization/embodiment/stands_up.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
+#include <trophic/perception/heading/reversed_on_back.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/perception/sensors/distance_over_diagonal.hpp>
 #include <trophic/perception/tag_switch/first_switch_free.hpp>

@@ -35,6 +35,7 @@
 #include <trophic/death/starvation/no_starvation.hpp>
 #include <trophic/initialization/community/food_chain.hpp>
 #include <trophic/params/named_params.hpp>
+#include <trophic/perception/heading/reversed_on_back.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/perception/sensors/distance_over_diagonal.hpp>
 #include <trophic/perception/tag_switch/first_switch_free.hpp>
@@ -82,7 +83,8 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_community_suite, initialization::community::Pr
 TEST_CASE_TEMPLATE_INVOKE(trophic_placement_suite, initialization::placement::Scattered,
                           initialization::placement::UniformSquare);
 
-TEST_CASE_TEMPLATE_INVOKE(trophic_heading_suite, perception::heading::ForwardAxisHeading, perception::heading::RootYawHeading);
+TEST_CASE_TEMPLATE_INVOKE(trophic_heading_suite, perception::heading::ForwardAxisHeading, perception::heading::RootYawHeading,
+                          perception::heading::ReversedOnBack<perception::heading::ForwardAxisHeading>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_visibility_suite, perception::visibility::SameTag, perception::visibility::SameTagIfActive,
                           perception::visibility::AllActive, perception::visibility::WithinRange);
 TEST_CASE_TEMPLATE_INVOKE(trophic_sensor_suite, perception::sensors::SideOfAdversary, perception::sensors::SideAwayFromHunter,

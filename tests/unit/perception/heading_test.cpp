@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/perception/heading/forward_axis_heading.hpp>
+#include <trophic/perception/heading/reversed_on_back.hpp>
 #include <trophic/perception/heading/root_yaw_heading.hpp>
 #include <trophic/support/rng.hpp>
 
@@ -61,4 +62,16 @@ TEST_CASE("root yaw heading: spider on its back -> 90 degrees off its forward ax
   const Pose back{.position_m = {},
                   .orientation = Eigen::Quaterniond{Eigen::AngleAxisd{std::numbers::pi, Eigen::Vector3d::UnitX()}}};
   CHECK(rule.heading_rad(back, std::numbers::pi / 4.0) == doctest::Approx(std::numbers::pi / 4.0));
+}
+
+TEST_CASE("reversed on back: upright -> the rule's heading, turned over about any axis -> the opposite of it") {
+  const perception::heading::ForwardAxisHeading rule;
+  const perception::heading::ReversedOnBack<perception::heading::ForwardAxisHeading> reversed;
+  CHECK(reversed.name == "reversed_on_back_forward_axis_heading");
+  for (const double tilt_rad : {0.0, 1.5, 1.6, std::numbers::pi}) {
+    const Pose root{.position_m = {},
+                    .orientation = Eigen::Quaterniond{Eigen::AngleAxisd{tilt_rad, Eigen::Vector3d{1.0, 0.5, 0.0}.normalized()}}};
+    const double off_rad = wrap_angle(reversed.heading_rad(root, 0.3) - rule.heading_rad(root, 0.3));
+    CHECK(std::abs(off_rad) == doctest::Approx(tilt_rad > 1.58 ? std::numbers::pi : 0.0));
+  }
 }
