@@ -71,7 +71,7 @@ def of_table(text: str) -> Output:
     claims, title = [], ""
     for row in slices(lines[start:end], headings):
         if not row["metric"].startswith(("= ", "* ")) and row["ours - null [95 %]"] == "" and not _is_reference(row["metric"]):
-            title, same = row["metric"], row["conclusion"].startswith("same as")
+            title, same = row["metric"], row["conclusion"].startswith("tested as")
         elif row["metric"].startswith("= "):
             conclusion = "same" if same else row["conclusion"].split(",")[0]
             claims.append(Claim(label, title, row["metric"][2:], row["ours - null [95 %]"], row["p"], conclusion))
@@ -92,7 +92,7 @@ def of_difference_table(text: str) -> Output:
     headings = ["metric", "a", "b", "raw: b - a [95 %]", *([over] if answer == over else []), "p", ""]
     claims = []
     for row in slices(lines[start:end], headings):
-        conclusion = ("same" if row[""].startswith("same as") else "significant" if row[""] == "*" else "inconclusive" if row[""].endswith("runs") else "")
+        conclusion = ("same" if row[""].startswith("tested as") else "significant" if row[""] == "*" else "inconclusive" if row[""].endswith("runs") else "")
         claims.append(Claim("", row["metric"], "over_shadow" if answer == over else "raw", row[answer], row["p"], conclusion))
         if answer == over:
             claims.append(Claim("", row["metric"], "raw", row["raw: b - a [95 %]"], "", ""))
@@ -146,7 +146,7 @@ def of_page(text: str) -> Output:
             claims.append(Claim("", row["metric"], kind, row["difference [95 %]"], row["p"] if row["conclusion"] != "not compared" else "", row["conclusion"]))
         elif row["ours - null [95 %]"]:
             claims.append(Claim(name, row["metric"], row["null"].split(" ")[0], row["ours - null [95 %]"], row["p"], row["conclusion"]))
-    claims = [claim._replace(conclusion="same" if claim.conclusion.startswith("same as") else claim.conclusion) for claim in claims]
+    claims = [claim._replace(conclusion="same" if claim.conclusion.startswith("tested as") else claim.conclusion) for claim in claims]
     items = "\n".join(page.items)
     return Output(claims, counts_in(items), findings_in(items), [part.rsplit(" on ", 1)[0] for part in re.split(r"(?<=kinematic 1) and ", page.title)])
 

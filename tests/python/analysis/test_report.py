@@ -136,7 +136,7 @@ def test_table_has_ours_the_papers_value_nulls_with_a_test_and_references_withou
     of = example()
     shown = squeezed(text.table(of, judge.summarize(of)))
     for part in ("paper on kinematic 1, 6 runs of 6000 s, fingerprint aa\n", "\nshadow: paper on kinematic 1, 6 runs of 6000 s\n", "\nattribution_catches predator 1.000 [1.000, 1.000] -\n",
-                 " = shadow 0.000 +1.000 [+1.000, +1.000] <0.001 above\n", " * two_thirds 0.667\n", "\nvelocity_stored prey, cm/s missing -0.67 same as velocity prey, cm/s\n"):
+                 " = shadow 0.000 +1.000 [+1.000, +1.000] <0.001 above\n", " * two_thirds 0.667\n", "\nvelocity_stored prey, cm/s missing -0.67 tested as velocity prey, cm/s\n"):
         assert part in shown, part
     assert not any(word in shown for word in ("nan", "starved", "too few"))
 

@@ -3,9 +3,9 @@
 import math
 
 import pytest
-from trophic.statistics import Difference, Estimate, Interval, Scatter
+from trophic.statistics import Estimate, Interval
 from trophic.values import Metric
-from trophic.words import Reading, columns, latex_text, markdown_text, metric_title, number_text, p_text, runs_needed_text, width_of
+from trophic.words import Reading, columns, latex_text, metric_title, number_text, p_text, width_of
 
 VELOCITY = Reading(Metric("velocity", "prey", "all", "m/s"))
 SHARE = Reading(Metric("stuck", "prey", "all", "1"))
@@ -46,17 +46,10 @@ def test_p_values(p, text):
     assert p_text(p) == text
 
 
-def test_runs_needed():
-    assert runs_needed_text(Difference(0.5, adjusted=0.9, scatter=Scatter(1.0), level=0.05)) == "34"
-    assert runs_needed_text(Difference(1e-9, adjusted=0.9, scatter=Scatter(1.0), level=0.05)) == "more than 1000000"
-    assert runs_needed_text(Difference(1.0, adjusted=0.01, scatter=Scatter(1.0), level=0.05)) == "" == runs_needed_text(Difference(1.0))
-
-
 def test_special_characters_show_letter_by_letter():
-    assert markdown_text(ODD) == r'50 % of "A & B" {$5} #1 a\_b ^ \~ \\ \<c\|d\> \*'
     assert latex_text(ODD) == (r"50 \% of ``A \& B'' \{\$5\} \#1 a\_\allowbreak{}b \textasciicircum{} \textasciitilde{} \textbackslash{} "
                                r"\textless{}c\textbar{}d\textgreater{} *")
-    assert latex_text("a/b") == r"a/\allowbreak{}b" and markdown_text("plain") == "plain"
+    assert latex_text("a/b") == r"a/\allowbreak{}b"
 
 
 def test_columns_are_as_wide_as_the_widest_cell_and_headings_hold_none():

@@ -14,7 +14,7 @@ import numpy
 import pandas
 
 from . import published
-from .metrics import chosen
+from .metrics import READINGS, chosen
 from .runs import RunError
 from .statistics import (MIN_RUNS_FOR_TEST, SIGNIFICANCE, Difference, adjust_together, contrast, difference_of, estimate, known, mean_of,
                          scatter_of)
@@ -58,7 +58,7 @@ class Finding(NamedTuple):
 def repeated(metrics: Sequence[Metric], sets: Sequence[MeasuredSet]) -> dict[Metric, Metric]:
     """The first earlier metric that a metric repeats, for each that repeats one.
 
-    velocity_points and velocity_stored are other readings of velocity. Otherwise, in every run of every set both have a value, or neither, and
+    READINGS repeat the metric that they read. Otherwise, in every run of every set both have a value, or neither, and
     either their difference or their sum is the same in all runs: their tests are then one test. A metric repeats none if it is constant, or has
     fewer than six values, of which two may agree by chance."""
     missing = [numpy.full(len(one.values), NAN) for one in sets]
@@ -70,8 +70,8 @@ def repeated_values(values: dict[Metric, numpy.ndarray]) -> dict[Metric, Metric]
     """As `repeated`, of values by metric, one a run."""
     repeats: dict[Metric, Metric] = {}
     for place, (later, of_later) in enumerate(values.items()):
-        plain = later._replace(metric="velocity")
-        if later.metric in ("velocity_points", "velocity_stored") and plain in values:
+        plain = later._replace(metric=READINGS.get(later.metric, ""))
+        if plain in values:
             repeats[later] = plain
             continue
         there = ~numpy.isnan(of_later)
@@ -295,8 +295,11 @@ _NOUNS = {"velocity": "the velocity of {who} towards their adversaries", "veloci
           "wall_sticking": "the share of {who} within 1 m of a wall", "wall_sticking_gap": "the excess of {first} over {second} within 1 m of a wall",
           "tag_symmetry": "the tag symmetry of {who}", "population": "the number of {who}", "hunger": "the hunger of {who}",
           "ticks_at": "the share of time with {group} {who}", "deaths": "the number of {who} that die in a run",
-          "stuck": "the share of {who} that are stuck", "extinct": "the share of runs in which {who} die out",
-          "extinct_at": "the time at which {who} die out"}
+          "stuck": "the share of {who} that are stuck", "locked": "the share of {who} that are locked into another one",
+          "near_pairs": "the number of pairs of {who} within 0.3 m", "near_longest": "the longest time that a pair of {who} stays within 0.3 m",
+          "open_speed": "the speed of {who} away from walls", "upright_speed": "the speed of upright {who} away from walls",
+          "overturned": "the share of {who} that lie on their backs", "wall_contact": "the share of {who} that touch a wall",
+          "extinct": "the share of runs in which {who} die out", "extinct_at": "the time at which {who} die out"}
 _CAUSES = {"caught": "are caught", "starved": "starve", "sacrificed": "are sacrificed", "senescence": "die of senescence"}
 
 

@@ -146,21 +146,8 @@ def interval_of_mean(values: Values, level: float = 0.95) -> Interval | None:
     return interval_of(contrast((1.0, values)), level)
 
 
-def interval_of_difference(a: Values, b: Values, level: float = 0.95) -> Interval | None:
-    """The interval of mean(b) - mean(a)."""
-    return interval_of(contrast((-1.0, a), (1.0, b)), level)
-
-
 def estimate(values: Values) -> Estimate:
     return Estimate(len(known(values)), mean_of(values), deviation_of(values), interval_of_mean(values))
-
-
-def side_of(interval: Interval | None) -> str:
-    """The side of zero on which the interval of a difference lies: "above", "below", "not significant", which does not show that there is no
-    difference, or "not tested" without one."""
-    if interval is None:
-        return "not tested"
-    return "above" if interval.lower > 0.0 else "below" if interval.upper < 0.0 else "not significant"
 
 
 def holm(p_values: Values) -> numpy.ndarray:

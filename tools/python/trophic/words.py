@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import decimal
-import re
 import unicodedata
 from collections.abc import Iterable, Sequence
 
-from .statistics import MOST_RUNS, Difference, Estimate, Interval
+from .statistics import MOST_RUNS, Estimate
 from .values import Metric
 
 _PLAIN_UNITS = ("", "1", "ticks")  # shares and counts; hunger in ticks is a metric of trophic's own, whose unit the glossary gives
@@ -74,16 +73,6 @@ def p_text(p: float | None) -> str:
 def runs_text(runs: float | None) -> str:
     """How many runs are needed: "34", or "more than 1000000" for None."""
     return f"more than {MOST_RUNS}" if runs is None or runs != runs else str(int(runs))
-
-
-def runs_needed_text(difference: Difference) -> str:
-    """"34", or "more than 1000000"; empty for a difference that is significant or could not be tested."""
-    return "" if difference.level is None or difference.differs() else runs_text(difference.runs_needed())
-
-
-def markdown_text(text: str) -> str:
-    """The text as Markdown shows it letter by letter."""
-    return re.sub(r"([\\`*_<>\[\]|~])", r"\\\1", text)
 
 
 _LATEX = {"\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}", ">": r"\textgreater{}",

@@ -12,6 +12,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 
+from ..metrics import Web, names_of
 from ..runs import Analysis, RunError, read_analysis
 from ..sweeps import arrays
 from .pictures import catches, film_strip, phylogeny, trajectories
@@ -58,8 +59,8 @@ class Data:
 
     def own_metrics(self):
         """Metrics that `trophic analyze --column` read."""
-        known = {"attribution", "deaths", "velocity", "wall", "tag", "population", "hunger", "ticks", "stuck", "extinct"}
-        return [name for name in dict.fromkeys(self.metrics.metric) if name.split("_")[0] not in known]
+        known = {name.metric for name in names_of(Web(["prey", "predator"], [("predator", "prey")]))}
+        return [name for name in dict.fromkeys(self.metrics.metric) if name not in known]
 
     @property
     def tick_s(self):

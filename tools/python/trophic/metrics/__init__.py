@@ -6,15 +6,16 @@ import dataclasses
 import difflib
 import math
 import pathlib
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+import numpy
 import pandas
 
 from ..runs import RunError
 from ..values import METRIC, Metric, RunValues
 from ..words import number_text
-from . import attribution, demography, own, stuck, tags, velocity, walls
+from . import attribution, demography, locked, motion, own, stuck, tags, velocity, walls
 from .own import OwnColumn, OwnMetric, metric
 from .tables import Agents, Results, Web
 
@@ -26,6 +27,12 @@ __all__ = ["Agents", "Measuring", "OwnColumn", "OwnMetric", "Results", "Web", "c
 
 EVENTS = ("time_s", "event", "id", "species", "body", "origin", "cause", "victim_id")
 AGENTS = ("time_s", "tick", "body", "id", "species", "origin", "active", "tag", "x_m", "y_m", "adversary_id", "hunger_ticks")
+OPTIONAL = ("upright_speed", "overturned", "wall_contact", "velocity_upright")
+"""Left out if no run has a value, unless a choice names it."""
+READINGS = {**dict.fromkeys(("velocity_points", "velocity_stored", "velocity_simulated", "velocity_open", "velocity_upright"), "velocity"),
+            **{f"{metric}_not_locked": metric for metric in ("velocity", "wall_sticking", "wall_sticking_gap", "tag_symmetry", "attribution_caught",
+                                                             "attribution_catches")}}
+"""Metrics that are another reading of a metric, which is tested for them."""
 
 
 @dataclasses.dataclass
@@ -60,19 +67,27 @@ class Measuring:
 
 
 def shipped(web: Web, events: pandas.DataFrame, agents: pandas.DataFrame, *, until_s: float, half_side_m: float, every_ticks: int = 1,
-            tag_values: Sequence[int] = (-1, 1)) -> Results:
-    """All metrics of tables with the columns EVENTS and AGENTS, for any number of species, in an order that depends only on the food web and
-    the tags. A metric whose table has no row or lacks the ticks for it is there with the value nan.
+            tag_values: Sequence[int] = (-1, 1), simulated_s_per_s: float = 1.0) -> Results:
+    """All metrics of tables with the columns EVENTS and AGENTS, and what motion.with_contacts adds, for any number of species, in an order that
+    depends only on the food web and the tags. A metric whose table has no row or lacks the ticks for it is there with the value nan.
 
     `until_s`: the time of the run that is measured, s. `half_side_m`: of the flat floor, m. `every_ticks`: agents has the ticks that are
-    multiples of it. `tag_values`: the tags that the brains may choose."""
+    multiples of it. `tag_values`: the tags that the brains may choose. `simulated_s_per_s`: simulated seconds in a second of the clock."""
     results = Results()
     robots = Agents(agents, web)
+    locks = locked.locks(robots) if locked.TICKS % every_ticks == 0 else None
+    is_free = ~locks.row if locks else numpy.zeros(len(agents), bool)
+    free = Agents(agents[is_free], web)
     attribution.measure(events, web, results)
+    attribution.measure_free(locked.events_of_free(events, robots, ~is_free) if locks else events[:0], web, results)
     demography.measure_deaths(events, web, until_s, results)
-    velocity.measure(robots, web, every_ticks, results)
-    walls.measure(robots, web, half_side_m, results)
-    tags.measure(robots, web, tag_values, results)
+    velocity.measure(robots, web, every_ticks, results, simulated_s_per_s=simulated_s_per_s, free=is_free,
+                     is_open=walls.to_wall_m(robots, half_side_m) > walls.REACH_M, is_upright=motion.is_upright(robots))
+    for rows, suffix in ((robots, ""), (free, "_not_locked")):
+        walls.measure(rows, web, half_side_m, results, suffix)
+        tags.measure(rows, web, tag_values, results, suffix)
+    locked.measure(robots, web, locks, results)
+    motion.measure(robots, web, half_side_m, results)
     demography.measure_populations(robots, web, results)
     stuck.measure(robots, web, results)
     demography.measure_extinction(robots, web, results)
@@ -90,11 +105,13 @@ def measure_run(run: PooledRun, how: Measuring) -> RunValues:
     events, agents = run.load("events.csv", EVENTS, remarks), run.load("agents.csv", AGENTS, remarks)
     if lost := lost_to_thinning(run.every_ticks):
         remarks.append(f"{run.path}/{lost}")
+    agents = motion.with_contacts(agents, run, remarks)
     if how.bodies is not None:
         from . import bodies
         results = bodies.measure_run(run, how.bodies, events, agents)
     else:
-        results = shipped(run.web, events, agents, until_s=run.until_s, half_side_m=run.half_side_m, every_ticks=run.every_ticks, tag_values=run.tags)
+        results = shipped(run.web, events, agents, until_s=run.until_s, half_side_m=run.half_side_m, every_ticks=run.every_ticks, tag_values=run.tags,
+                          simulated_s_per_s=run.manifest["clock"].get("simulated_s_per_clock_s", 1.0))
     results.remarks[:0] = remarks
     for column in how.columns:
         own.measure_column(column, run, results)  # type: ignore[arg-type]
@@ -109,7 +126,7 @@ def lost_to_thinning(every: int) -> str:
     if every == 1:
         return ""
     lost = "no velocity_stored, which needs every tick"
-    for name, apart in (("velocity", velocity.TICKS), ("velocity_points", velocity.TICKS), ("stuck", stuck.TICKS)):
+    for name, apart in (("velocity", velocity.TICKS), ("velocity_points", velocity.TICKS), ("locked", locked.TICKS), ("stuck", stuck.TICKS)):
         if apart % every != 0:
             lost += f", no {name}, which needs rows {apart} ticks apart"
     return f"agents.csv: has the ticks that are multiples of {every}: {lost}"
@@ -160,13 +177,24 @@ def chosen(of: Iterable[Metric], choices: Sequence[str]) -> list[Metric]:
     return [name for name in of if not choices or any(chooses(choice, name) for choice in choices)]
 
 
+def kept(has_value: Mapping[Metric, bool], choices: Sequence[str]) -> list[Metric]:
+    """The metrics that are shown, given whether any run has a value of each: not the extinction of a species that dies out in no run, nor one of
+    OPTIONAL without a value, unless a choice names it."""
+    asked = {choice.split(":")[0] for choice in choices}
+    gone = {of.species for of, value in has_value.items() if of.metric == "extinct_at" and value}
+    return [of for of, value in has_value.items() if of.metric in asked
+            or (of.species in gone if of.metric in demography.EXTINCTION else value or of.metric not in OPTIONAL)]
+
+
 def same_metrics(runs: Sequence[RunValues], choices: Sequence[str] = ()) -> None:
-    """Makes all runs measure the same: what one lacks, such as a species of an own column, it gets without a value. The extinction of a
-    species that dies out in none of the runs goes, unless a choice names it."""
-    if not {choice.split(":")[0] for choice in choices} & set(demography.EXTINCTION):
-        gone = {species for run in runs for species in run.values.species[(run.values.metric == "extinct_at") & run.values.value.notna()]}
+    """Makes all runs measure the same, as far as `kept` keeps it: what one lacks, such as a species of an own column, it gets without a value."""
+    values = pandas.concat([run.values for run in runs])
+    has_value = values[values.baseline == ""].groupby(METRIC, sort=False).value.count() > 0
+    its = {Metric(*name): value for name, value in has_value.items()}
+    stay = {of[:2] for of in kept(its, choices)}
+    if leave := [of[:2] for of in its if of[:2] not in stay]:
         for run in runs:
-            run.values, run.curves = (frame[~frame.metric.isin(demography.EXTINCTION) | frame.species.isin(gone)].reset_index(drop=True)
+            run.values, run.curves = (frame[~pandas.MultiIndex.from_frame(frame[METRIC[:2]]).isin(leave)].reset_index(drop=True)
                                       for frame in (run.values, run.curves))
     keys = [*METRIC, "baseline", "role"]
     if all(run.values[keys].equals(runs[0].values[keys]) for run in runs):

@@ -52,6 +52,15 @@ def credited(events: pandas.DataFrame, web: Web, hunter: str) -> float:
     return float(inherited.mean()) if len(inherited) else float("nan")
 
 
+def measure_free(events: pandas.DataFrame, web: Web, results: Results) -> None:
+    """`events`: those of robots that are not locked."""
+    for species in web.species:
+        if web.is_hunted(species):
+            results.add("attribution_caught_not_locked", species, "all", "1", caught(events, species))
+        if web.hunts(species):
+            results.add("attribution_catches_not_locked", species, "all", "1", catches(events, species))
+
+
 def measure(events: pandas.DataFrame, web: Web, results: Results) -> None:
     two_thirds = (("two_thirds", "paper", NEWBORN_THAT_INHERIT),)
     for species in web.species:

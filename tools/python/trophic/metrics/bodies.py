@@ -16,7 +16,8 @@ import pandas
 
 from ..runs import Run, RunError
 from ..values import Metric
-from .tables import Agents, Means, Results, Web, mean_of, means, numbers, window_of
+from . import motion
+from .tables import Agents, Results, Web, mean_of, numbers
 
 if TYPE_CHECKING:
     from ..pool import PooledRun
@@ -29,7 +30,7 @@ _SHAPES = {"size": "1", "proportion": "1", "coverage": "1", "branching": "1", "l
 _MEASURES = {**{f"body_{column.removesuffix('_kg')}": unit for column, unit in _SHAPES.items()},
              # different plans, their Shannon number, and the tree edit distance from the plan of the species' first individual
              "body_plans": "1", "body_plans_shannon": "1", "body_change": "1",
-             "brain_genes": "1", "gait_genes": "1", "walked": "m/s"}
+             "brain_genes": "1", "gait_genes": "1", "walked": "m/s", "open_speed": "m/s", "upright_speed": "m/s", "overturned": "1", "wall_contact": "1"}
 
 
 def check(run: Run) -> None:
@@ -55,7 +56,7 @@ def measure_run(run: PooledRun, distances: str | os.PathLike, events: pandas.Dat
     for species in run.web.species:
         curves = {metric: (times_s, points) for metric, points in _alive(lives[lives.species == species], times_s).items()}
         if len(times_s):
-            curves["walked"] = walking_speed(robots, species, window_s)[2:]
+            curves.update({metric: of[2:] for metric, of in motion.curves(robots, species, run.half_side_m, window_s).items()})
         for metric, unit in _MEASURES.items():
             time_s, points = curves.get(metric, (times_s, times_s))
             is_early = 2.0 * time_s <= end_s
@@ -63,17 +64,6 @@ def measure_run(run: PooledRun, distances: str | os.PathLike, events: pandas.Dat
                 results.add(metric, species, group, unit, mean_of(points[chosen]))
             results.add_curve(metric, species, "all", unit, time_s, points)
     return results
-
-
-def walking_speed(agents: Agents, species: str, window_s: float) -> Means:
-    """Distance per second, in m/s, between the rows of an individual at consecutive ticks; it includes turns. By the window of the second row."""
-    before = agents.find(agents.at - 1, agents.id)
-    rows = agents.of(species) & (before >= 0) & (agents.species[before] == agents.species)
-    moved_m = numpy.hypot(agents.x_m - agents.x_m[before], agents.y_m - agents.y_m[before])
-    time_s = agents.time_s[agents.at]
-    with numpy.errstate(divide="ignore", invalid="ignore"):
-        speed = moved_m / (time_s - time_s[before])
-    return means(window_of(agents.time_s, window_s), agents.mean(rows, speed), window_s)
 
 
 def shannon_number(individuals: numpy.ndarray) -> float:
@@ -88,7 +78,7 @@ def _alive(lives: pandas.DataFrame, times_s: numpy.ndarray) -> dict[str, numpy.n
     born, died = lives.birth_s.to_numpy(), lives.death_s.to_numpy()
     columns = [column for column in lives.columns if column in _MEASURES]
     values, plan = lives[columns].to_numpy(float), lives.plan.to_numpy(float)
-    curves = {metric: numpy.full(len(times_s), numpy.nan) for metric in _MEASURES if metric != "walked"}
+    curves = {metric: numpy.full(len(times_s), numpy.nan) for metric in _MEASURES}
     for place, time_s in enumerate(times_s):
         alive = (born <= time_s) & (died > time_s)
         for column, of in zip(columns, values[alive].T):

@@ -96,6 +96,8 @@ class Agents:
         self.active = of("active") == 1
         self.id, self.body, self.tag = of("id"), of("body"), of("tag")
         self.x_m, self.y_m, self.adversary_id, self.hunger_ticks = (of(name, float) for name in ("x_m", "y_m", "adversary_id", "hunger_ticks"))
+        self.tilt_rad, self.touches_wall = (frame[name].to_numpy(float) if name in frame else numpy.full(len(frame), numpy.nan)
+                                            for name in ("tilt_rad", "touches_wall"))
         tick = of("tick")
         starts = numpy.flatnonzero(numpy.diff(tick, prepend=-1))
         self.ticks = tick[starts]

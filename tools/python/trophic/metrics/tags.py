@@ -70,13 +70,13 @@ def tag_symmetry(agents: Agents, a: str, b: str, group: str = "inherited", plus_
     return {name: means(agents.window[there], values) for name, values in of.items()}
 
 
-def measure(agents: Agents, web: Web, tags: Sequence[int], results: Results) -> None:
-    """`tags`: those that the rule table's brains may choose."""
+def measure(agents: Agents, web: Web, tags: Sequence[int], results: Results, suffix: str = "") -> None:
+    """`tags`: those that the rule table's brains may choose. `suffix`: of the metric's name."""
     if len(tags) != 2:
         return
     for hunter, victim in web.links:
         for group in ("inherited", "inherited_active"):
-            name = ("tag_symmetry", f"{victim}+{hunter}", group, "1")
+            name = (f"tag_symmetry{suffix}", f"{victim}+{hunter}", group, "1")
             of = tag_symmetry(agents, victim, hunter, group, max(tags))
             nulls = (("permuted_tags", "null", of["permuted_tags"].mean), ("uniform_pairs", "paper", UNIFORM_PAIRS),
                      ("bernoulli_tags", "reference", of["bernoulli_tags"].mean))

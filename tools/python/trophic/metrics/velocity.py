@@ -57,11 +57,20 @@ def velocity(of: Samples, agents: Agents, species: str, group: str) -> Means:
     return means(agents.window[agents.at[of.row[chosen]]], of.velocity_m_s[chosen])
 
 
-def measure(agents: Agents, web: Web, every_ticks: int, results: Results) -> None:
+def of_rows(of: Samples, rows: numpy.ndarray) -> Samples:
+    """The samples that begin at these rows."""
+    return Samples(*(part[rows[of.row]] for part in of))
+
+
+def measure(agents: Agents, web: Web, every_ticks: int, results: Results, *, simulated_s_per_s: float, free: numpy.ndarray, is_open: numpy.ndarray,
+            is_upright: numpy.ndarray) -> None:
+    """`simulated_s_per_s`: simulated seconds in a second of the clock. The others: rows that are not locked, away from walls, and upright."""
     walks = samples(agents)
-    nothing = Samples(*(part[:0] for part in walks))
     kinds = {"velocity": walks, "velocity_points": at_marks(walks, agents),
-             "velocity_stored": stored_samples(agents) if every_ticks == 1 else nothing}
+             "velocity_stored": stored_samples(agents) if every_ticks == 1 else of_rows(walks, numpy.zeros(len(agents.at), bool)),
+             "velocity_simulated": walks._replace(velocity_m_s=walks.velocity_m_s / simulated_s_per_s),
+             "velocity_not_locked": of_rows(walks, free), "velocity_open": of_rows(walks, is_open),
+             "velocity_upright": of_rows(walks, is_open & is_upright)}
     for metric, of in kinds.items():
         for species in web.species:
             for group in GROUPS:

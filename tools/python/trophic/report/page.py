@@ -155,7 +155,7 @@ def _table(frame: pandas.DataFrame) -> dict[str, Any]:
         cells += [_cell(reading.with_interval(row.difference, (lower, upper), True) if _is_known(row.difference) else "", row.difference),
                   {"text": "", "key": None, "bar": _bar(row.difference, lower, upper)},
                   _cell(p_text(row.p_holm), row.p_holm) if row.role == "null" else _cell(""),
-                  _cell(f"same as {row.same_as}" if row.conclusion == "same" else row.conclusion)]
+                  _cell(f"tested as {row.same_as}" if row.conclusion == "same" else row.conclusion)]
         rows.append({"cells": cells, "side": row.conclusion if row.conclusion in ("above", "below") else "neither"})
     return {"headings": headings, "rows": rows}
 

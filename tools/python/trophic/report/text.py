@@ -9,7 +9,7 @@ import pandas
 
 from .. import judge, published
 from ..description import describe
-from ..statistics import Estimate, Interval
+from ..statistics import Estimate, Interval, mean_of
 from ..values import MeasuredSet, Metric
 from ..words import Reading, columns, metric_title, number_text, p_text, runs_text
 
@@ -44,6 +44,8 @@ def _rules(of: MeasuredSet) -> str:
 
 def _heading(of: MeasuredSet) -> str:
     text = f"{described(of)}, fingerprint {describe(of).identity}\n{_rules(of)}"
+    if (locked := mean_of(of.table.get((Metric("locked", "all", "all", "1"), ""), ()))) is not None:
+        text += f"locked: {locked:.3f} of robots are within 0.3 m of another for 12 s or longer; --all has the metrics without them\n"
     return text + (f"shadow: {described(of.shadow)}\n" if of.shadow
                    else "no shadow: attribution and velocity have no null (--replicates with --shadow makes one)\n")
 
@@ -105,7 +107,7 @@ def table(of: MeasuredSet, frame: pandas.DataFrame) -> str:
         if metric.metric == "deaths" and metric.group != "all" and row.mean == 0.0:
             continue
         if metric != last:
-            note = f"same as {_title_of(frame, row.same_as)}" if row.same_as else ""
+            note = f"tested as {_title_of(frame, row.same_as)}" if row.same_as else ""
             if 0 < row.n < len(of.runs):
                 note = f"({row.n} of {len(of.runs)} runs)"
             its = [reading(row.published) if row.published == row.published else "-"] if has_published else []
@@ -165,7 +167,7 @@ def difference_table(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) ->
         line.append(reading.with_interval(row.difference, (row.lower, row.upper), True))
         if over:
             line.append(reading.with_interval(answer.difference, (answer.lower, answer.upper), True) if answer else "missing")
-        note = f"same as {_title_of(frame, row.same_as)}" if row.same_as else ""
+        note = f"tested as {_title_of(frame, row.same_as)}" if row.same_as else ""
         if answer and not note:
             note = f"{runs_text(answer.runs_needed)} runs" if answer.conclusion == "inconclusive" else "*" if _conclusion(answer) else ""
         lines.append([*line, p_text(answer.p_holm) if answer else "", note])

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 import numpy
 
 from .. import metrics, pool
-from ..metrics import Measuring, demography, own
+from ..metrics import Measuring, kept, own
 from ..pool import PooledRun
 from ..runs import RunError
 from ..values import METRIC, Metric, RunValues
@@ -151,7 +151,7 @@ class _Runs(Sequence):
 
 def measure_sweep(sweep: Sweep, how: Measuring) -> tuple[SweepValues, list[str]]:
     """Measures the runs that are there; returns their observed values, and remarks in the order of the plan. A metric that a run of another food
-    web does not have has no value there. The extinction of a species that dies out in none of the runs is left out, unless a choice names it.
+    web does not have has no value there; those that metrics.kept leaves out are not there.
     Raises RunError for the first run in the plan's order that cannot be measured, with its index."""
     runs = _Runs(sweep, how)
     try:
@@ -167,10 +167,8 @@ def measure_sweep(sweep: Sweep, how: Measuring) -> tuple[SweepValues, list[str]]
     for place, (of_run, its) in zip(runs.places, found):
         values[place, [names[name] for name in of_run]] = list(of_run.values())
         remarks += its
-    asked = {choice.split(":")[0] for choice in how.metrics}
-    gone = {name.species for name, number in names.items() if name.metric == "extinct_at" and not numpy.isnan(values[:, number]).all()}
-    kept = [name for name in names if name.metric not in demography.EXTINCTION or name.metric in asked or name.species in gone]
-    return SweepValues(list(names), values, sweep.is_there).only(kept), list(dict.fromkeys(remarks))
+    has_value = {name: not numpy.isnan(values[:, number]).all() for name, number in names.items()}
+    return SweepValues(list(names), values, sweep.is_there).only(kept(has_value, how.metrics)), list(dict.fromkeys(remarks))
 
 
 def _observed(run: RunValues) -> tuple[dict[Metric, float], list[str]]:
