@@ -78,8 +78,7 @@ def shipped(web: Web, events: pandas.DataFrame, agents: pandas.DataFrame, *, unt
     locks = locked.locks(robots) if locked.TICKS % every_ticks == 0 else None
     is_free = ~locks.row if locks else numpy.zeros(len(agents), bool)
     free = Agents(agents[is_free], web)
-    attribution.measure(events, web, results)
-    attribution.measure_free(locked.events_of_free(events, robots, ~is_free) if locks else events[:0], web, results)
+    attribution.measure(events, locked.events_of_free(events, robots, ~is_free) if locks else events[:0], web, results)
     demography.measure_deaths(events, web, until_s, results)
     velocity.measure(robots, web, every_ticks, results, simulated_s_per_s=simulated_s_per_s, free=is_free,
                      is_open=walls.to_wall_m(robots, half_side_m) > walls.REACH_M, is_upright=motion.is_upright(robots))

@@ -52,23 +52,17 @@ def credited(events: pandas.DataFrame, web: Web, hunter: str) -> float:
     return float(inherited.mean()) if len(inherited) else float("nan")
 
 
-def measure_free(events: pandas.DataFrame, web: Web, results: Results) -> None:
-    """`events`: those of robots that are not locked."""
-    for species in web.species:
-        if web.is_hunted(species):
-            results.add("attribution_caught_not_locked", species, "all", "1", caught(events, species))
-        if web.hunts(species):
-            results.add("attribution_catches_not_locked", species, "all", "1", catches(events, species))
-
-
-def measure(events: pandas.DataFrame, web: Web, results: Results) -> None:
+def measure(events: pandas.DataFrame, of_free: pandas.DataFrame, web: Web, results: Results) -> None:
+    """`of_free`: the events of robots that are not locked."""
     two_thirds = (("two_thirds", "paper", NEWBORN_THAT_INHERIT),)
     for species in web.species:
         if web.is_hunted(species):
             results.add("attribution_caught", species, "all", "1", caught(events, species), two_thirds)
+            results.add("attribution_caught_not_locked", species, "all", "1", caught(of_free, species))
             results.add("attribution_died", species, "all", "1", died(events, species), two_thirds)
         if web.hunts(species):
             results.add("attribution_catches", species, "all", "1", catches(events, species), two_thirds)
+            results.add("attribution_catches_not_locked", species, "all", "1", catches(of_free, species))
             results.add("attribution_catchers", species, "all", "1", catchers(events, species), two_thirds)
             results.add("attribution_credited", species, "all", "1", credited(events, web, species), two_thirds)
 

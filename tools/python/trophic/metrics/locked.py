@@ -25,7 +25,7 @@ class Locks(NamedTuple):
     pairs: numpy.ndarray
     """at each tick, pairs that are near, however long"""
     longest_s: float
-    """of the stretches in which a pair is near at all rows; 0 without a pair, nan without a tick"""
+    """for which a pair is near, unbroken; 0 without a pair, nan without a tick"""
 
 
 def locks(agents: Agents, reach_m: float = REACH_M, ticks: int = TICKS) -> Locks:
