@@ -48,9 +48,6 @@ struct Either {
                                               Rng& rng) const requires initialization::Placement<First> {
     return answer([&](const auto& rule) { return rule.place(robots, arena, radius_m, rng); });
   }
-  [[nodiscard]] double heading_rad(const Pose& root, double forward_rad) const requires perception::Heading<First> {
-    return answer([&](const auto& rule) { return rule.heading_rad(root, forward_rad); });
-  }
   [[nodiscard]] bool perceives(BodyIndex self, BodyIndex other, const View& view,
                                Rng& rng) const requires perception::Visibility<First> {
     return answer([&](const auto& rule) { return rule.perceives(self, other, view, rng); });

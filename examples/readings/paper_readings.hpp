@@ -8,8 +8,6 @@
 #include <trophic/death/floor/active_victim_floor.hpp>
 #include <trophic/death/starvation/choice/hungriest_else_oldest.hpp>
 #include <trophic/initialization/placement/uniform_square.hpp>
-#include <trophic/perception/heading/reversed_on_back.hpp>
-#include <trophic/perception/heading/root_yaw_heading.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/perception/sensors/distance_over_diagonal.hpp>
 #include <trophic/perception/sensors/tag_ratio_of_active.hpp>
@@ -20,6 +18,7 @@
 #include <trophic/reproduction/parent/no_parent.hpp>
 #include <trophic/rules/paper.hpp>
 
+#include "readings/any_heading.hpp"
 #include "readings/any_tag_switch.hpp"
 #include "readings/either.hpp"
 
@@ -43,9 +42,7 @@ struct PaperReadings final {
   using Sensors = perception::sensors::List<perception::sensors::SideOfAdversary, Distance, TagRatio>;
   using Brain = Either<Paper::Brain, Paper::Brain::WithBiases>;
 
-  template <class Rule>
-  using EitherOnBack = Either<Rule, perception::heading::ReversedOnBack<Rule>>;
-  using Heading = Either<EitherOnBack<Paper::Heading>, EitherOnBack<perception::heading::RootYawHeading>>;
+  using Heading = AnyHeading;
   using Steering = Paper::Steering;
 
   using InitialGenome = Paper::InitialGenome;

@@ -3,6 +3,7 @@
 """readings_test.py READINGS PREDATOR_PREY ABLATIONS CHOICES: each reading of the paper's open choices is the policy that it names."""
 
 import json
+import pathlib
 import subprocess
 import sys
 import tomllib
@@ -57,6 +58,14 @@ class Readings(InFolder):
                 seed = json.loads((run / "manifest.json").read_text())["seed"]
                 self.run_ok(READINGS, f"ours-{name}", *self.settings(self.choices[name]), *settings, seed=seed)
                 self.assertEqual(self.read(f"ours-{name}"), [(run / table).read_bytes() for table in TABLES])
+
+    def test_the_cells_of_the_study_of_slow_predators_are_accepted(self):
+        sweep = pathlib.Path(CHOICES).parents[1] / "studies/slow_predators/slow_predators.toml"
+        done = subprocess.run([READINGS, "--sweep", sweep, "--dry-run"], capture_output=True, text=True, timeout=300, cwd=self.folder)
+        if "mujoco" in done.stderr:
+            self.skipTest(done.stderr)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("96 runs in 16 cells", done.stdout)
 
 
 if __name__ == "__main__":
