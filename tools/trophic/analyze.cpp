@@ -27,6 +27,7 @@ struct Options {
   bool lineages = false;
   std::optional<double> window_s;
   bool bodies = false;
+  std::vector<std::string> selection;
   bool accept_other_build = false;
   bool published = false;
   bool all = false;
@@ -77,13 +78,16 @@ void check(const Options& options) {
   if (options.runs.size() > 1) refuse(*sweep + ": is a sweep, which must be analyzed alone");
   if (options.shadow || options.published) refuse(*sweep + ": is a sweep: not with --shadow or --published");
   if (options.html) refuse(*sweep + ": is a sweep: not with --html; name one of its cells");
-  if (options.lineages) refuse(*sweep + ": is a sweep: not with --lineages; name one of its cells");
+  if (options.lineages || !options.selection.empty()) {
+    refuse(*sweep + ": is a sweep: not with --lineages or --selection; name one of its cells");
+  }
 }
 
 /// Checks, and adds to the request what only a program can make of runs, as files of a temporary folder.
 void prepare(const Options& options, const Offer& offer, Json& request) {
   check(options);
   if (!options.runs.empty() && analysis::is_sweep(options.runs.front())) request["command"] = "analyze-sweep";
+  if (!options.selection.empty()) request["command"] = "analyze-selection";
   if (!(options.lineages || options.bodies || options.html)) return;
   std::vector<std::vector<std::filesystem::path>> sets;
   if (!options.runs.empty()) sets.emplace_back(options.runs.begin(), options.runs.end());
@@ -155,6 +159,12 @@ Command analyze(const std::string& program, const Offer& offer) {
             .help = "measure bodies instead: shape, size, number of plans, genes of gaits and brains, and how fast robots walk; "
                     "for drift, --compare with runs whose parents are drawn at random",
             .not_with = {"--published", "--lineages"}},
+           {.name = "--selection",
+            .target = &options->selection,
+            .help = "measure instead where selection acts on a trait: turns_to, speed, towards, gene:NUMBER, gene:PART:NUMBER or "
+                    "FILE:COLUMN:UNIT, a table with ids; may be repeated; docs/how-to/where-does-selection-act.md explains it",
+            .not_with = {"--compare", "--published", "--lineages", "--bodies", "--metric", "--column", "--metric-file",
+                         "--html"}},
            {"--accept-other-build", &options->accept_other_build,
             "pool runs that several builds of a program made, whose rules may be other code under the same names"},
            {.name = "--published",

@@ -12,7 +12,7 @@ import sys
 
 # The module whose run(request) does a command.
 MODULES = {"ablation-table": "ablations", "analyze": "report.analyze", "analyze-sweep": "sweeps.report", "card": "card", "cite": "cite", "contest": "contests",
-           "cross-check": "cross_check", "metrics": "metrics.help", "plot": "plot"}
+           "analyze-selection": "selection", "cross-check": "cross_check", "metrics": "metrics.help", "plot": "plot"}
 SYSTEM = "/usr/bin/python3"  # has the packages of apt-get
 
 

@@ -35,7 +35,7 @@ _MOST_SPECIES = 1000
 _NAMES = {"event": ("birth", "activation", "tag_switch", "catch", "death"), "origin": ("random", "inherited"),
           "cause": ("", "caught", "starved", "sacrificed", "senescence", "diverged")}
 _NUMBERS = ("time_s", "x_m", "y_m")
-_OPTIONAL = ("victim_id", "adversary_id", "hunger_ticks")
+_OPTIONAL = ("victim_id", "parent_id", "adversary_id", "hunger_ticks")
 _TYPES = {**dict.fromkeys(("time_s", "species", *_NAMES), "category"),
           **dict.fromkeys(("tick", "id", "body", "tag", "active"), "int64")}  # others: numbers
 

@@ -194,6 +194,32 @@ over_shadow_upper_s exact? s: its other end
 p: of that difference, two-sided
 p_holm: corrected for both roles of a link, period and kind of opponents (Holm)
 """),
+    "selection.csv": ("Results of `trophic analyze --selection`: the terms of Price's equation for a trait of individuals.", """
+trait text: as --selection names it
+species text: whose trait it is
+term text: start, end, change, survival, survival_CAUSE, parenthood, mutation, newcomers, lives, lives_length, lives_rate, offspring_on_parent or mutation_a_birth
+period all,first,second,third: the run or a third of it; of lives and births the third of the birth
+unit text: of all means
+missing whole: individuals of the runs without the trait, which are left out
+runs_n whole: runs that have the term
+runs_mean: over these runs
+runs_lower: of the mean's 95 % interval; empty for fewer than 6 runs
+runs_upper: of the mean's 95 % interval
+shadow_n whole: runs of the neutral shadow that have the term
+shadow_mean: over these runs
+shadow_lower: of the mean's 95 % interval
+shadow_upper: of the mean's 95 % interval
+neutral_n whole: runs of the neutral null that have the term
+neutral_mean: over these runs
+neutral_lower: of the mean's 95 % interval
+neutral_upper: of the mean's 95 % interval
+null neutral,zero: with what the runs are compared; empty: not tested
+difference: runs_mean less that of the null
+difference_lower: of its own 95 % interval
+difference_upper: of its own 95 % interval
+p
+p_holm: corrected for survival, parenthood and mutation of every trait and species (Holm)
+"""),
     "cross_check.csv": ("Results of `trophic cross-check` for gaits and ecologies.", """
 part text: gait or ecology
 engine text: name of the physics engine

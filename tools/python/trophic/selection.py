@@ -1,0 +1,349 @@
+# SPDX-License-Identifier: MIT
+"""`trophic analyze --selection`: where selection acts on a trait of individuals, by Price's equation [price1970].
+
+Each birth and each death changes the mean trait of the n living members of a species, mean z. With z the trait of who is born or dies and z_p
+that of its parent, the change is exactly
+
+    death        -(z - mean z) / (n - 1)        survival
+    birth        (z_p - mean z) / (n + 1)       parenthood, and (z - z_p) / (n + 1)   mutation
+    birth without a parent of its species   (z - mean z) / (n + 1)   newcomers
+
+so that the sums over a run add up to what the mean changes by from the founders to the end. Lives that the end of the run cuts off bias none
+of them. Over whole lives, with w the offspring and L the length of a life, cov(w, z) / mean w = (z_L - mean z) + (z_w - z_L): means weighted by
+L and by w, so length of life and offspring a second. There the end of the run cuts lives off, and a trend of the mean counts as length of life."""
+from __future__ import annotations
+
+import concurrent.futures
+import functools
+import multiprocessing
+import os
+import pathlib
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy
+import pandas
+
+from . import pool, statistics
+from .description import describe
+from .metrics import AGENTS, Agents, Measuring, velocity, walls
+from .metrics.tables import numbers, ratio
+from .pool import PooledRun
+from .report.columns import names
+from .report.tables import csv_text, result_folder, write_new
+from .runs import RunError
+from .values import MeasuredSet, Metric
+from .words import Reading, columns, number_text, p_text
+
+PERIODS = ("all", "first", "second", "third")
+KINDS = ("survival", "parenthood", "mutation", "newcomers")
+TESTED = KINDS[:3]
+DISTANCES = (0.05, 0.15, 0.25, 0.35, 0.45)
+TAG_RATIOS = (-0.2, 0.0, 0.2)
+"""The inputs of turns_to: an adversary on either side, so far away in sides of the arena, at these tag ratios."""
+_SETS = ("runs", "shadow", "neutral")
+
+
+# Traits
+
+class Trait(NamedTuple):
+    """A trait of individuals."""
+
+    name: str
+    unit: str
+    read: Callable[[PooledRun], pandas.Series]
+    """the trait of each individual that has it, by id"""
+    is_behaviour: bool = False
+    """Behaviour is measured during a life: what befalls an individual is part of it, so that the neutral world is not its null."""
+
+
+def trait_of(text: str) -> Trait:
+    """Reads turns_to, turns_to:DISTANCE, speed, towards, gene:NUMBER, gene:PART:NUMBER, FILE:COLUMN or FILE:COLUMN:UNIT. Raises RunError,
+    naming the option, for anything else."""
+    kind, *parts = text.split(":")
+    if kind in ("speed", "towards") and not parts:
+        return Trait(text, "m/s", functools.partial(_behaviour, kind), True)
+    if kind == "gene" and len(parts) in (1, 2) and parts[-1].isdigit():
+        return Trait(text, "1", functools.partial(_column, "genomes.csv", f"w{int(parts[0])}") if len(parts) == 1
+                     else functools.partial(_gene, parts[0], int(parts[1])))
+    if kind == "turns_to" and len(parts) < 2:
+        distances = [float(each) if each.replace(".", "", 1).isdigit() else numpy.nan for each in parts] or list(DISTANCES)
+        if all(0.0 < each <= 1.0 for each in distances):
+            return Trait(text, "1", functools.partial(_turns_to, distances))
+    elif len(parts) in (1, 2) and all((kind, *parts)) and pathlib.PurePath(kind).name == kind and kind.endswith(".csv"):
+        return Trait(f"{kind}:{parts[0]}", (*parts, "1")[1], functools.partial(_column, kind, parts[0]))
+    raise RunError(f"--selection {text}: must be turns_to, turns_to:DISTANCE with 0 < DISTANCE <= 1, speed, towards, gene:NUMBER, gene:PART:NUMBER, "
+                   "FILE:COLUMN or FILE:COLUMN:UNIT")
+
+
+def _column(file: str, column: str, run: PooledRun) -> pandas.Series:
+    """A column of a table with a column id; the mean of an individual's rows."""
+    table = run.texts(file, ["id", column], (), [])
+    ids, values = (numbers(run.path / file, table[name], none) for name, none in (("id", ()), (column, ("", "nan"))))
+    return pandas.Series(values, index=ids.astype(int)).dropna().groupby(level=0).mean()
+
+
+def _gene(part: str, number: int, run: PooledRun) -> pandas.Series:
+    table = run.texts("genes.csv", ["id", "part", "index", "value"], (), [])
+    table = table[(table["part"] == part) & (table["index"] == str(number))]
+    return pandas.Series(numbers(run.path / "genes.csv", table["value"]), index=table["id"].astype(int))
+
+
+def _turns_to(distances: Sequence[float], run: PooledRun) -> pandas.Series:
+    """The share of inputs at which the paper's network chooses the side of its adversary. Raises RunError for another brain or other sensors."""
+    rules, path = run.manifest.get("rules", {}), run.path / "genomes.csv"
+    brain, sensors = rules.get("brain", "unknown"), str(rules.get("sensors", "unknown"))
+    if not brain.startswith("cognitive_brain") or not sensors.startswith("side_of_adversary + distance_over_terrain + tag_ratio_of_"):
+        raise RunError(f"--selection turns_to: {run.path}: brain = {brain}, sensors = {sensors}: must be cognitive_brain with side_of_adversary, "
+                       "distance_over_terrain and a tag ratio")
+    per_neuron = 1 if brain.endswith("_with_biases") else 0
+    width = [f"w{i}" for i in range(3 * (3 + per_neuron) + 2 * (3 + per_neuron))]
+    table = run.texts("genomes.csv", ["id", *width], (), [])
+    weights = numpy.column_stack([numbers(path, table[name]) for name in width])
+    inputs = numpy.array([(side, far, tags) for side in (-1.0, 1.0) for far in distances for tags in TAG_RATIOS])
+    hidden = inputs @ weights[:, :9].reshape(-1, 3, 3).transpose(0, 2, 1)  # genomes x inputs x neurons
+    second = 9 + 3 * per_neuron
+    hidden = numpy.tanh(hidden + (weights[:, None, 9:second] if per_neuron else 0.0))
+    out = (hidden @ weights[:, second:second + 3, None])[..., 0] + (weights[:, None, second + 6] if per_neuron else 0.0)
+    turns_right = out >= 0.0 if "zero_right" in brain else out > 0.0
+    return pandas.Series((turns_right == (inputs[:, 0] > 0.0)).mean(axis=1), index=table["id"].astype(int)).groupby(level=0).first()
+
+
+def _behaviour(kind: str, run: PooledRun) -> pandas.Series:
+    """The mean over an individual's life of its speed, or of its velocity towards its adversary, between places away from walls."""
+    agents = Agents(run.load("agents.csv", AGENTS, []), run.web)
+    is_open = run.half_side_m - numpy.maximum(numpy.abs(agents.x_m), numpy.abs(agents.y_m)) > walls.REACH_M
+    if kind == "towards":
+        found = velocity.samples(agents)
+        row, end, value = found.row, agents.find(found.end, agents.id[found.row]), found.velocity_m_s
+    else:
+        end = numpy.arange(len(agents.id))
+        row = agents.find(agents.at - 1, agents.id)
+        end, row = end[row >= 0], row[row >= 0]
+        time_s = agents.time_s[agents.at[end]] - agents.time_s[agents.at[row]]
+        value = numpy.hypot(agents.x_m[end] - agents.x_m[row], agents.y_m[end] - agents.y_m[row]) / time_s
+    counts = is_open[row] & is_open[end]
+    return pandas.Series(value[counts], index=agents.id[row[counts]]).groupby(level=0).mean()
+
+
+# Price's equation
+
+def price(step: numpy.ndarray, z: numpy.ndarray, parent_z: numpy.ndarray) -> tuple[numpy.ndarray, numpy.ndarray]:
+    """What each event adds to the mean trait of the living, by KINDS, shape (4, ..., events), and the mean after it, (..., events).
+
+    `step`: 1 of a birth, -1 of a death; `z`: of who is born or dies; `parent_z`: of a newborn's parent, nan without one. An event in front of
+    which nobody ever lived adds nan. The mean of nobody is that of those who lived last."""
+    origin = z[..., :1]  # means of a trait that does not vary are exact
+    z, parent_z, living = z - origin, parent_z - origin, numpy.cumsum(step, axis=-1)
+    total = numpy.cumsum(step * z, axis=-1)
+    with numpy.errstate(divide="ignore", invalid="ignore"):
+        mean = numpy.where(living > 0, total / living, numpy.nan)
+        last = numpy.maximum.accumulate(numpy.where(living > 0, numpy.arange(step.shape[-1]), 0), axis=-1)
+        mean = numpy.take_along_axis(mean, last, axis=-1)
+        before = numpy.concatenate([numpy.full_like(mean[..., :1], numpy.nan), mean[..., :-1]], axis=-1)
+        is_birth, has_parent = step > 0, ~numpy.isnan(parent_z)
+        parts = (numpy.where(is_birth, 0.0, numpy.where(living > 0, (before - z) / living, 0.0)),
+                 numpy.where(is_birth & has_parent, (parent_z - before) / living, 0.0),
+                 numpy.where(is_birth & has_parent, (z - parent_z) / living, 0.0),
+                 numpy.where(is_birth & ~has_parent, (z - before) / living, 0.0))
+    return numpy.where(numpy.isnan(before), numpy.nan, numpy.stack(parts)), mean + origin
+
+
+def events_of(run: PooledRun) -> pandas.DataFrame:
+    """Births and deaths in their order. Raises RunError for the death of an individual without a birth."""
+    found = run.load("events.csv", ("time_s", "tick", "event", "id", "species", "parent_id", "cause"), [])
+    found = found[found["event"].isin(["birth", "death"])].astype({"event": str, "species": str, "cause": str}).reset_index(drop=True)
+    born = set(found["id"][found["event"] == "birth"])
+    for id in found["id"]:
+        if id not in born:
+            raise RunError(f"{run.path}/events.csv: individual {id} dies and has no birth: --selection needs runs from their beginning")
+    return found
+
+
+def terms(events: pandas.DataFrame, z: pandas.Series, species: str, end_s: float) -> dict[tuple[str, str], float]:
+    """The terms of a species by (term, period), where PERIODS are the run and its thirds. `events`: as events_of; `z`: traits by id; those who
+    lack it are left out as if they had never lived. Terms of lives and births belong to the third of the birth. nan is what cannot be computed."""
+    of = events[(events["species"] == species) & events["id"].isin(z.index)]
+    is_birth = (of["event"] == "birth").to_numpy()
+    its_z, parent_z = (of[column].map(z).to_numpy(float) for column in ("id", "parent_id"))
+    same = of["parent_id"].isin(events["id"][(events["species"] == species) & (events["event"] == "birth")]).to_numpy()
+    parent_z[~(same & is_birth)] = numpy.nan
+    parts, mean = price(numpy.where(is_birth, 1, -1), its_z, parent_z)
+    time_s, cause = of["time_s"].to_numpy(), of["cause"].to_numpy()
+    founds = is_birth & (of["tick"] == events["tick"].iloc[0]).to_numpy() | numpy.isnan(parts[0]) if len(of) else is_birth
+    third = numpy.minimum(2, (3.0 * time_s / end_s).astype(int))
+    lives = pandas.DataFrame({"z": its_z[is_birth], "birth_s": time_s[is_birth], "third": third[is_birth], "parent_z": parent_z[is_birth]},
+                             index=of["id"][is_birth])
+    deaths = of[~is_birth].set_index("id")["time_s"]
+    lives["life_s"] = deaths.reindex(lives.index).fillna(end_s) - lives["birth_s"]
+    births = events[(events["species"] == species) & (events["event"] == "birth")]
+    lives["offspring"] = births["parent_id"].value_counts().reindex(lives.index).fillna(0.0)
+    found: dict[tuple[str, str], float] = {}
+    for number, period in enumerate(PERIODS):
+        is_in = ~founds & (True if period == "all" else third == number - 1)
+        ends = numpy.flatnonzero(founds | (third <= (2 if period == "all" else number - 1)))
+        starts = numpy.flatnonzero(founds | (third < (0 if period == "all" else number - 1)))
+        start, end = (mean[each[-1]] if len(each) else numpy.nan for each in (starts, ends))
+        values = {"start": start, "end": end, "change": end - start, **dict(zip(KINDS, parts[:, is_in].sum(axis=1)))}
+        values |= {f"survival_{one}": parts[0, is_in & (cause == one)].sum() for one in sorted(set(cause[~is_birth]))}
+        values |= _of_lives(lives if period == "all" else lives[lives["third"] == number - 1])
+        found |= {(term, period): float(value) for term, value in values.items()}
+    return found
+
+
+def _of_lives(lives: pandas.DataFrame) -> dict[str, float]:
+    z, parent_z = lives["z"].to_numpy(), lives["parent_z"].to_numpy()
+    mean = z.mean() if len(z) else numpy.nan
+    by_length, by_offspring = (float(ratio(numpy.array([(weights * z).sum()]), numpy.array([weights.sum()]))[0])
+                               for weights in (lives["life_s"].to_numpy(), lives["offspring"].to_numpy()))
+    child, parent = z[~numpy.isnan(parent_z)], parent_z[~numpy.isnan(parent_z)]
+    varies = len(parent) > 2 and parent.std() > 1e-12 * numpy.abs(parent).max()
+    slope = float(numpy.cov(parent, child)[0, 1] / parent.var(ddof=1)) if varies else numpy.nan
+    return {"lives": by_offspring - mean, "lives_length": by_length - mean, "lives_rate": by_offspring - by_length, "offspring_on_parent": slope,
+            "mutation_a_birth": (child - parent).mean() if len(child) else numpy.nan}
+
+
+def measure(texts: Sequence[str], run: PooledRun) -> pandas.Series:
+    """The terms of all traits and species of a run, by (trait, species, term, period), and the term missing: the individuals without the trait."""
+    events, found = events_of(run), dict[tuple, float]()
+    end_s = min(run.until_s, run.end_s or run.until_s)
+    for trait in map(trait_of, texts):
+        z = trait.read(run)
+        for species in run.web.species:
+            found |= {(trait.name, species, *key): value for key, value in terms(events, z, species, end_s).items()}
+            born = events["id"][(events["event"] == "birth") & (events["species"] == species)]
+            found[trait.name, species, "missing", "all"] = float((~born.isin(z.index)).sum())
+    return pandas.Series(found)
+
+
+# The table
+
+def table(texts: Sequence[str], sets: Mapping[str, pandas.DataFrame]) -> pandas.DataFrame:
+    """selection.csv. `sets`: of runs, shadow and neutral those that there are, a row of `measure` a run. A term of a cause of which nobody died in
+    a run is 0 there."""
+    rows, differences = [], []
+    for trait in map(trait_of, texts):
+        of_trait = {name: of[trait.name] for name, of in sets.items()}
+        keys = [key for of in of_trait.values() for key in of]
+        for species in dict.fromkeys(key[0] for key in keys):
+            order = list(dict.fromkeys(term for name, term, _ in keys if name == species and term != "missing"))
+            order.sort(key=lambda term: (term != "start", term != "end", term != "change", not term.startswith("survival")))
+            for term, period in [(term, period) for term in order for period in PERIODS]:
+                values = {name: _values(of_trait.get(name), species, term, period) for name in _SETS}
+                row = {"trait": trait.name, "species": species, "term": term, "period": period, "unit": "1" if term == "offspring_on_parent" else trait.unit,
+                       "missing": int(of_trait["runs"][species, "missing", "all"].sum())}
+                for name in _SETS:
+                    n, mean, _, interval = statistics.estimate(values[name])
+                    row |= {f"{name}_{part}": value for part, value in zip(("n", "mean", "lower", "upper"), (n, mean, *(interval or (None, None))))}
+                tested = statistics.Difference()
+                if term in TESTED and period == "all":
+                    neutral = values["neutral"] if len(values["neutral"]) and not trait.is_behaviour else None
+                    row["null"] = "zero" if neutral is None else "neutral"
+                    against = () if neutral is None else ((-1.0, neutral),)
+                    value = row["runs_mean"] - (0.0 if neutral is None else row["neutral_mean"])
+                    tested = statistics.difference_of(value, statistics.contrast((1.0, values["runs"]), *against))
+                    differences.append(tested)
+                rows.append((row, tested))
+    statistics.adjust_together(differences)
+    for row, tested in rows:
+        lower, upper = tested.interval or (None, None)
+        row |= {"difference": tested.value, "difference_lower": lower, "difference_upper": upper, "p": tested.p, "p_holm": tested.adjusted}
+    frame = pandas.DataFrame([row for row, _ in rows], columns=names("selection.csv"))
+    texts_of = ("trait", "species", "term", "period", "unit", "null")
+    return frame.astype({name: float for name in frame if name not in texts_of and frame[name].dtype.kind not in "iu"}).fillna({"null": ""})
+
+
+def _values(of: pandas.DataFrame | None, species: str, term: str, period: str) -> numpy.ndarray:
+    if of is None:
+        return numpy.empty(0)
+    key = (species, term, period)
+    values = of[key].to_numpy(float) if key in of else numpy.full(len(of), numpy.nan)
+    return numpy.nan_to_num(values) if term.startswith("survival_") else values
+
+
+_HEADS = {"start": "mean at the start", "end": "mean at the end", "change": "change, the sum of:", "lives": "over lives: cov(w, z) / mean w",
+          "lives_length": "  by length of life", "lives_rate": "  by offspring a second", "offspring_on_parent": "slope of offspring on parent",
+          "mutation_a_birth": "mutation, a birth"}
+
+
+def text(frame: pandas.DataFrame) -> str:
+    """The terminal's table of each trait and species, and a sentence about each."""
+    lines, said = [], ""
+    for (trait, species), of in frame.groupby(["trait", "species"], sort=False):
+        lines.append([f"{species}, {trait}", "whole run [95 %]", "first third", "second", "last", "shadow", "neutral world", "p"])
+        for term, rows in of.groupby("term", sort=False):
+            head = _HEADS.get(term, f"    {term.split('_')[1]}" if "_" in term else f"  {term}")
+            row, reading = rows.iloc[0], Reading(Metric(trait, species, "all", rows.iloc[0]["unit"]))
+            lines.append([f"  {head}", *(reading.with_interval(row[f"{name}_mean"], (row[f"{name}_lower"], row[f"{name}_upper"]), True) for name in _SETS[:1]),
+                          *(reading(value, True) for value in rows["runs_mean"].iloc[1:]),
+                          *("-" if not row[f"{name}_n"] else reading.with_interval(row[f"{name}_mean"], (row[f"{name}_lower"], row[f"{name}_upper"]), True)
+                            for name in _SETS[1:]), p_text(row["p_holm"])])
+        said += _sentence(of)
+    tested = int(frame["p"].notna().sum())
+    said += f"p and sentences: over the neutral world; of behaviour, and without that world, over zero. Corrected for {tested} comparisons (Holm)\n" if tested else (
+        f"fewer than {statistics.MIN_RUNS_FOR_TEST} runs: no intervals and no tests\n")
+    return columns(lines) + said
+
+
+def _sentence(of: pandas.DataFrame) -> str:
+    first = of.iloc[0]
+    reading, words = Reading(Metric(first["trait"], first["species"], "all", first["unit"])), []
+    for row in of[of["p_holm"].notna()].itertuples():
+        amount = reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True)
+        does = ("raises it," if row.difference > 0 else "lowers it,") if statistics.is_significant(row.p_holm) else "has no significant effect,"
+        words.append(f"{row.term} {does} {amount}")
+    left = f"{first['missing']} individuals of the runs lack it and are left out. " if first["missing"] else ""
+    unit = f", {reading.unit}" if reading.unit else ""
+    return f"{first['species']}, {first['trait']}{unit}: {left}{'; '.join(words) or 'not tested'}\n" if words or left else ""
+
+
+# The command
+
+def read_sets(paths: Sequence[str | os.PathLike], shadow: str | os.PathLike | None, how: Measuring) -> tuple[dict[str, list[PooledRun]], list[str]]:
+    """The runs of some folders, their shadow and their neutral world, as far as they are there, and remarks. Raises RunError for runs that may not
+    be pooled and for a shadow or a neutral world that is not one."""
+    folders = [pathlib.Path(path) for path in paths]
+    sets, remarks = {}, []
+    for name, places in (("runs", folders), ("shadow", [pathlib.Path(shadow)] if shadow is not None else pool.shadow_folders(folders)),
+                         ("neutral", [folder / "neutral" for folder in folders if (folder / "neutral").is_dir()])):
+        if places:
+            sets[name], more = pool.pooled_runs(places, how)
+            remarks += more
+    if "shadow" in sets:
+        pool.check_shadow(sets["runs"][0], sets["shadow"][0])
+    for run in sets.get("neutral", [])[:1]:
+        heredity = str(run.manifest.get("rules", {}).get("heredity", "unknown"))
+        if not heredity.startswith("neutral_") or not pool.lasted_alike(run, sets["runs"][0]):
+            raise RunError(f"{run.path}: is not a neutral world of {sets['runs'][0].path}: heredity = {heredity}, {pool.lasted_text(run)}")
+    return sets, remarks
+
+
+def analyse(paths: Sequence[str | os.PathLike], texts: Sequence[str], shadow: str | os.PathLike | None = None,
+            how: Measuring | None = None) -> tuple[pandas.DataFrame, dict[str, list[PooledRun]], list[str]]:
+    """selection.csv of some runs, the runs and remarks. `texts`: traits, as trait_of reads them. Raises RunError, naming what is wrong."""
+    how = how or Measuring()
+    for each in texts:
+        trait_of(each)
+    sets, remarks = read_sets(paths, shadow, how)
+    every = [run for of in sets.values() for run in of]
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    with concurrent.futures.ProcessPoolExecutor(min(how.jobs or cores, len(every)), multiprocessing.get_context("fork")) as executor:
+        rows = iter(list(executor.map(functools.partial(measure, texts), every, chunksize=4)))
+    return table(texts, {name: pandas.concat([next(rows) for _ in of], axis=1).T for name, of in sets.items()}), sets, remarks
+
+
+def run(request: Mapping[str, Any]) -> int:
+    """The command. Raises RunError before any work for a trait that cannot be and for a folder that exists."""
+    how = Measuring(until_s=request.get("until"), accept_other_build=bool(request.get("accept_other_build")), jobs=request.get("jobs"))
+    with result_folder(request.get("out")) as folder:
+        frame, sets, remarks = analyse(request["runs"], request["selection"], request.get("shadow"), how)
+        for remark in remarks:
+            print(f"{request['who']}: {remark}", file=sys.stderr)
+        for name, of in sets.items():
+            said = describe(MeasuredSet("", list(of), [], until_s=of[0].until_s))
+            print(f"{name}: {said.label} on {said.engine}, {len(of)} runs of {number_text(of[0].until_s)} s")
+        print(text(frame), end="")
+        write_new(folder / "selection.csv", csv_text(frame))
+        print(f"files   {folder}/selection.csv")
+    return 0
