@@ -106,7 +106,7 @@ def test_a_stranger_finds_the_same_to_the_digit(runs):
     assert of_run.to_dict() == pytest.approx(theirs, abs=1e-12)
 
 
-def test_the_command_has_shadow_and_neutral_world_beside(runs, tmp_path, monkeypatch, capsys):
+def test_the_command_has_shadow_and_neutral_world_next_to_the_runs(runs, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     request = {"who": "trophic analyze", "runs": [str(runs)], "selection": ["turns_to", "towards", "speed", "agents.csv:tag:1"], "out": "found", "jobs": 1}
     assert selection.run(request) == 0

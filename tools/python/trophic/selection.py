@@ -130,10 +130,10 @@ def _behaviour(kind: str, run: PooledRun) -> pandas.Series:
 # Price's equation
 
 def price(step: numpy.ndarray, z: numpy.ndarray, parent_z: numpy.ndarray) -> tuple[numpy.ndarray, numpy.ndarray]:
-    """What each event adds to the mean trait of the living, by KINDS, shape (4, ..., events), and the mean after it, (..., events).
+    """The change of the mean trait of the living at each event, by KINDS, shape (4, ..., events), and the mean after it, (..., events).
 
-    `step`: 1 of a birth, -1 of a death; `z`: of who is born or dies; `parent_z`: of a newborn's parent, nan without one. An event in front of
-    which nobody ever lived adds nan. The mean of nobody is that of those who lived last."""
+    `step`: 1 of a birth, -1 of a death; `z`: of the newborn or the dead; `parent_z`: of a newborn's parent, nan without one. The first birth changes
+    the mean by nan. An empty species keeps the mean of its last member."""
     origin = z[..., :1]  # means of a trait that does not vary are exact
     z, parent_z, living = z - origin, parent_z - origin, numpy.cumsum(step, axis=-1)
     total = numpy.cumsum(step * z, axis=-1)
@@ -220,8 +220,8 @@ def measure(texts: Sequence[str], run: PooledRun) -> pandas.Series:
 # The table
 
 def table(texts: Sequence[str], sets: Mapping[str, pandas.DataFrame]) -> pandas.DataFrame:
-    """selection.csv. `sets`: of runs, shadow and neutral those that there are, a row of `measure` a run. A term of a cause of which nobody died in
-    a run is 0 there."""
+    """selection.csv. `sets`: of runs, shadow and neutral those that there are, a row of `measure` a run. The term of a cause is 0 in a run
+    without such deaths."""
     rows, differences = [], []
     for trait in map(trait_of, texts):
         of_trait = {name: of[trait.name] for name, of in sets.items()}
