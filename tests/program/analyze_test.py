@@ -239,6 +239,8 @@ class Analyze(InFolderWithSets):
         for arguments, text in ((["nowhere"], "nowhere: does not exist"), ([], "either folders of runs, or --compare"),
                                 (["paper", "--compare", "paper", "paper"], "either folders of runs, or --compare"),
                                 (["--compare", "paper", "paper", "--published"], "--compare: not with --published"),
+                                (["paper", "--selection", "turns"], "--selection turns: must be turns_to"),
+                                (["paper", "--selection", "turns_to", "--bodies"], "--selection: not with --bodies"),
                                 (["paper", "--until", -1], "--until -1: must be > 0"),
                                 (["paper", "--until", 1002], "must be >= 1002 s"),
                                 (["paper", "--shadow", "nowhere"], "nowhere: does not exist")):
