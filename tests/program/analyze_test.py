@@ -51,10 +51,6 @@ class Analyze(InFolderWithSets):
     def summary(self, out="analysis"):
         return json.loads((self.folder / out / "summary.json").read_text())
 
-    def remove_replicates(self, *numbers):
-        for number in numbers:
-            shutil.rmtree(self.folder / f"paper/replicate-0{number}")
-
     def test_one_command_from_replicates_to_results(self):
         result = self.analyze("paper", "--out", "analysis")
         self.assertEqual(result.returncode, 0, result.stderr)
@@ -171,69 +167,6 @@ class Analyze(InFolderWithSets):
         self.assertEqual(broken.returncode, 2)
         self.assertIn("the table was cut or changed after the run", broken.stderr)
         self.assertFalse((self.folder / "broken").exists())
-
-    def test_metrics_by_name_are_fewer_tests(self):
-        few = self.analyze("--compare", "paper", self.sets / "released", "--metric", "deaths:prey:all", "hunger", "population:prey:all")
-        self.assertEqual(few.returncode, 0, few.stderr)
-        self.assertIn("p: corrected for 3 comparisons (Holm)", few.stdout)
-        with open(self.folder / "analysis/differences.csv", newline="") as file:
-            rows = list(csv.DictReader(file))
-        self.assertEqual([row["metric"] for row in rows], ["deaths", "population", "hunger"])
-        self.assertEqual({row["compared"] for row in rows}, {"raw"})
-        for folder in self.folder.glob("paper/**/replicate-0*"):
-            (folder / "own.csv").write_text("crowd\n1\n")
-        for metric, meant in (("crowdd", "crowd"), ("velocty:prey", "velocity:prey")):
-            wrong = self.analyze("paper", "--column", "own.csv:crowd", "--metric", metric, "--out", "wrong")
-            self.assertEqual((wrong.returncode, len(wrong.stderr.splitlines())), (2, 1))
-            self.assertIn(f"did you mean {meant}?", wrong.stderr)
-        wrong = self.analyze("paper", "--metric", "hungr", "--out", "wrong")
-        self.assertEqual((wrong.returncode, len(wrong.stderr.splitlines())), (2, 1))
-        self.assertIn("did you mean hunger?", wrong.stderr)
-        self.assertFalse((self.folder / "wrong").exists())
-
-    def test_columns_of_ones_own_are_metrics_with_shadow_and_interval(self):
-        shutil.copytree(self.sets / "paper-as-shadow", self.folder / "paper/shadow")
-        for k, folder in enumerate(sorted(self.folder.glob("paper/**/replicate-0*"))):
-            in_shadow = folder.parent.name == "shadow"
-            (folder / "own.csv").write_text(f"time_s,crowd\n0,nan\n100,{(1 if in_shadow else 3) + 0.01 * k}\n300,{2 + 0.01 * k}\n")
-        done = self.analyze("paper", "--column", "own.csv:crowd:robots", "--metric", "crowd")
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertRegex(done.stdout, r"crowd, robots +2\.\d+ \[")
-        (metric,) = self.summary()["sets"][0]["metrics"]
-        self.assertEqual((metric["metric"], metric["unit"], metric["runs"], metric["baselines"][0]["name"]), ("crowd", "robots", 6, "shadow"))
-        self.assertTrue(metric["baselines"][0]["differs"])
-        (self.folder / "paper/replicate-00/own.csv").write_text("time_s,crowd\n0,nan\n")
-        short = self.analyze("paper", "--column", "own.csv:crowd", "--out", "short")
-        self.assertEqual(short.returncode, 0)
-        self.assertIn("replicate-00/own.csv: crowd has no value; the run is left out of its mean", short.stderr)
-        taken = self.analyze("paper", "--column", "own.csv:hunger", "--out", "wrong")
-        self.assertEqual((taken.returncode, taken.stdout), (2, ""))
-        self.assertIn("--column own.csv:hunger: there is a metric of this name; rename the column", taken.stderr)
-        (self.folder / "paper/replicate-00/own.csv").unlink()
-        for column, sentence in (("own.csv:crowd", "paper/replicate-00 has no such file"), ("own.csv", "must be FILE:COLUMN")):
-            refused = self.analyze("paper", "--column", column, "--out", "wrong")
-            self.assertEqual((refused.returncode, refused.stdout), (2, ""))
-            self.assertIn(sentence, refused.stderr)
-            self.assertFalse((self.folder / "wrong").exists())
-
-    def test_the_end_that_a_killed_run_left_is_named_and_another_kind_of_table_is_an_error(self):
-        for replicate in (0, 1):  # as of runs that were killed, whose tables have no checksum
-            path = self.folder / f"paper/replicate-0{replicate}/manifest.json"
-            content = json.loads(path.read_text())
-            del content["tables"]
-            path.write_text(json.dumps(content))
-        with open(self.folder / "paper/replicate-00/agents.csv", "ab") as table:
-            table.write(b"1000,500,0,1,pr")
-        self.remove_replicates(2, 3, 4, 5)
-        result = self.analyze("paper")
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(len(result.stderr.strip().splitlines()), 5, result.stderr)
-        for text in ("replicate-00/agents.csv:15032: truncated", "replicate-02: missing"):
-            self.assertIn(text, result.stderr)
-        (self.folder / "paper/replicate-01/events.csv").write_text("generation,fitness\n1,2\n")
-        refused = self.call(TROPHIC, "analyze", "paper", "--out", "other")
-        self.assertEqual((refused.returncode, refused.stdout), (2, ""), refused.stderr)
-        self.assertIn('replicate-01/events.csv:1: no column "time_s"', refused.stderr)
 
     def test_usage_errors(self):
         for arguments, text in ((["nowhere"], "nowhere: does not exist"), ([], "either folders of runs, or --compare"),

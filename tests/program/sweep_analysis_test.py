@@ -111,49 +111,6 @@ class SweepAnalysis(InFolderWithSets):
             if float(row["lower_corrected"]) > 0 or float(row["upper_corrected"]) < 0:
                 self.assertEqual(row["significant"], "yes")
 
-    def test_means_and_differences_follow_from_the_runs(self):
-        self.analyzed("--reference", 3)
-        values = {}
-        for row in table(self.folder / "analysis/runs.csv"):
-            if (row["metric"], row["species"], row["group"]) == ("velocity", "prey", "all"):
-                values[int(row["cell"]), row["shadow"], int(row["replicate"])] = float(row["value"])
-        over = [[values[cell, "0", k] - values[cell, "1", k] for k in range(REPLICATES)] for cell in range(4)]
-        key = {"cell": "1", "metric": "velocity", "species": "prey", "group": "all"}
-        (mean,) = [row for row in table(self.folder / "analysis/sweep_metrics.csv") if row.items() >= key.items()]
-        difference, raw = [row for row in table(self.folder / "analysis/sweep_differences.csv") if row.items() >= key.items()]
-        self.assertEqual((difference["compared"], raw["compared"]), ("over_shadow", "raw"))
-        self.assertAlmostEqual(float(mean["over_shadow"]), sum(over[1]) / REPLICATES)
-        self.assertAlmostEqual(float(difference["difference"]), sum(a - b for a, b in zip(over[1], over[3])) / REPLICATES)
-        self.assertEqual(difference["reference"], "3")
-
-    def test_the_number_of_jobs_changes_nothing(self):
-        self.analyzed("--jobs", 1, out="one")
-        self.analyzed("--jobs", 3, out="two")
-        for name in FILES:
-            self.assertEqual((self.folder / "one" / name).read_bytes(), (self.folder / "two" / name).read_bytes())
-
-    def test_how_many_replicates_a_difference_needs(self):
-        result = self.analyzed("--metric", "deaths:prey:caught", "hunger", "--difference", 5)
-        self.assertIn("a difference of 5.0 in deaths prey (caught), over shadow needs ", result.stdout)
-        self.assertIn("at the level of one of 6 comparisons", result.stdout)
-        summary = json.loads((self.folder / "analysis/summary.json").read_text())["sweep"]
-        self.assertEqual([answer["metric"] for answer in summary["asked"]], ["deaths", "hunger"])
-        for answer in summary["asked"]:
-            self.assertLessEqual(answer["fewest"], answer["runs"])
-            self.assertLessEqual(answer["runs"], answer["most"])
-        self.assertEqual({row["metric"] for row in table(self.folder / "analysis/sweep_differences.csv")}, {"deaths", "hunger"})
-
-    def test_cells_without_common_seeds_are_independent_sets(self):
-        for line in self.lines:
-            if line["cell"] > 0:
-                manifest = self.folder / "sweep" / line["folder"] / "manifest.json"
-                content = json.loads(manifest.read_text())
-                line["seed"] = content["seed"] = line["seed"] + line["cell"]
-                manifest.write_text(json.dumps(content))
-        self.write_plan(self.folder / "sweep", self.lines)
-        self.assertIn("as independent sets (other seeds in each cell)", self.analyzed().stdout)
-        self.assertEqual({row["design"] for row in table(self.folder / "analysis/sweep_differences.csv")}, {"independent"})
-
     def test_missing_runs_are_listed_and_left_out_only_when_asked(self):
         shutil.rmtree(self.folder / "sweep/cell-001/replicate-02")
         stopped = self.folder / "sweep/cell-002/shadow/replicate-01/manifest.json"
@@ -176,23 +133,6 @@ class SweepAnalysis(InFolderWithSets):
         self.assertEqual(again.returncode, 2)
         self.assertIn("--reference 0: must be a cell with a complete run", again.stderr)
 
-    def test_a_run_in_the_place_of_another_is_refused(self):
-        one, other = (self.folder / f"sweep/cell-00{cell}/replicate-00/manifest.json" for cell in (0, 1))
-        fingerprint = json.loads(one.read_text())["fingerprint"]
-        shutil.copy(one, other)
-        self.refused(f"cell-001/replicate-00/manifest.json: fingerprint = {fingerprint}: must be {self.lines[12]['fingerprint']}, as the plan")
-        content = json.loads(one.read_text())
-        content["fingerprint"], content["seed"] = self.lines[12]["fingerprint"], 7
-        other.write_text(json.dumps(content))
-        self.refused(f"seed = 7: must be {self.lines[12]['seed']}, as the plan has it for run 12")
-
-    def test_broken_tables_are_an_error_with_the_run(self):
-        (self.folder / "sweep/cell-001/replicate-03/events.csv").unlink()
-        result = self.analyze("sweep")
-        self.assertEqual(result.returncode, 2, result.stderr)
-        self.assertIn("run 15: ", result.stderr)
-        self.assertFalse((self.folder / "analysis").exists())
-
     def test_a_column_is_a_metric_of_every_cell_and_a_run_without_it_is_named(self):
         for line in self.lines:
             (self.folder / "sweep" / line["folder"] / "own.csv").write_text(f"level\n{1 + line['cell'] + line['replicate'] / 10}\n")
@@ -205,22 +145,6 @@ class SweepAnalysis(InFolderWithSets):
         (self.folder / "sweep/cell-002/shadow/replicate-01/own.csv").unlink()
         shutil.rmtree(self.folder / "analysis")
         self.refused("--column own.csv:level: sweep/cell-002/shadow/replicate-01 has no such file", "sweep", "--column", "own.csv:level")
-
-    def test_broken_plans_are_refused(self):
-        for change, part in ((lambda lines: lines[3].update(index=2), "plan.jsonl:4: index = 2: must be 3"),
-                             (lambda lines: lines[3].update(folder=lines[2]["folder"]), "plan.jsonl:4: folder = "),
-                             (lambda lines: lines[3].update(folder="../x"), "must be a folder within that of the plan"),
-                             (lambda lines: lines[3].update(rule_table="released"), 'plan.jsonl:4: rule_table = "released": must be "paper"'),
-                             (lambda lines: lines[3].pop("seed"), "plan.jsonl:4: seed: must be there"),
-                             (lambda lines: lines[3].update(until_s=300.0), "plan.jsonl:4: until_s = 300.0: must be 400.0"),
-                             (lambda lines: lines.clear(), "plan.jsonl: must list a run")):
-            lines = [dict(line) for line in self.lines]
-            change(lines)
-            with self.subTest(part=part):
-                self.write_plan(self.folder / "sweep", lines)
-                self.refused(part)
-        (self.folder / "sweep/plan.jsonl").write_text('{"index": 0')
-        self.refused("plan.jsonl:1: must be a JSON object")
 
     def test_a_sweep_is_analyzed_alone(self):
         shutil.copytree(self.sets / "sweep", self.folder / "other")
@@ -245,25 +169,10 @@ class SweepAnalysis(InFolderWithSets):
         self.assertEqual(again.returncode, 2)
         self.assertIn("exists already", again.stderr)
 
-    def test_named_metrics_are_on_the_screen(self):
-        shown = self.analyzed("--metric", "deaths:prey:all", "hunger").stdout
-        self.assertRegex(shown, r"metric +cell +mean +reference +difference \[95 %\] +raw +p +g +runs +runs needed\n")
-        for cell in (1, 2, 3):
-            for metric in ("deaths prey", "hunger predator"):
-                self.assertRegex(shown, rf"\n{metric}, over shadow +{cell} \(speed_scale [14].0, base_ticks \d+\) .*\[.*\] +[+-][0-9.]+ +[<0-9].* 6\+6")
-
     def test_named_metrics_that_never_differ_are_one_line(self):
         shown = self.analyzed("--metric", "deaths:prey").stdout
         self.assertIn("\nthe same in all runs, or without a value: deaths prey (senescence)\n", shown)
         self.assertEqual(shown.count("deaths prey (senescence)"), 1)
-
-    def test_rule_tables_may_be_an_axis(self):
-        plan = [line for line in self.lines if line["cell"] == 0]
-        self.run_cell(self.folder / "sweep", plan, 4, "released", plan[0]["settings"] | {"rules.starvation.interval.base_ticks": 15})
-        self.write_plan(self.folder / "sweep", plan)
-        result = self.analyzed()
-        self.assertIn("axis rule_table: paper, released\nreference: cell 0 (rule_table paper)", result.stdout)
-        self.assertEqual([cell["rule_table"] for cell in table(self.folder / "analysis/cells.csv")], ["paper", "released"])
 
     @unittest.skipUnless(figures_python.PYTHON, "needs matplotlib and pandas")
     def test_figures(self):
@@ -283,15 +192,6 @@ class SweepAnalysis(InFolderWithSets):
             self.assertEqual(wrong.returncode, 2)
             self.assertIn(part, wrong.stderr)
         self.assertIn("not what trophic analyze writes", call(TROPHIC, "plot", "sweep", cwd=self.folder).stderr)
-
-    @unittest.skipUnless(figures_python.PYTHON, "needs matplotlib and pandas")
-    def test_tables_read_in_pandas(self):
-        self.analyzed()
-        program = ("import pandas as p; d = p.read_csv('analysis/sweep_differences.csv').merge(p.read_csv('analysis/cells.csv'), on='cell');"
-                   "assert (d['backend.speed_scale'] >= 1).all() and d.p.max() <= 1 and set(d.significant.dropna()) <= {'yes', 'no'};"
-                   "r = p.read_csv('analysis/runs.csv'); assert r.value.notna().all() and r.run.nunique() == 48")
-        read = call(figures_python.PYTHON, "-c", program, cwd=self.folder)
-        self.assertEqual(read.returncode, 0, read.stderr)
 
 
 if __name__ == "__main__":

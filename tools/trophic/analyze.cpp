@@ -161,8 +161,8 @@ Command analyze(const std::string& program, const Offer& offer) {
             .not_with = {"--published", "--lineages"}},
            {.name = "--selection",
             .target = &options->selection,
-            .help = "measure instead where selection acts on a trait: turns_to, speed, towards, gene:NUMBER, gene:PART:NUMBER or "
-                    "FILE:COLUMN:UNIT, a table with ids; may be repeated; docs/how-to/where-does-selection-act.md explains it",
+            .help = "measure instead where selection acts on a trait, by Price's equation: turns_to, open_speed, velocity_open, "
+                    "gene:NUMBER or FILE:COLUMN:UNIT; may be repeated; docs/how-to/where-does-selection-act.md explains it",
             .not_with = {"--compare", "--published", "--lineages", "--bodies", "--metric", "--column", "--metric-file",
                          "--html"}},
            {"--accept-other-build", &options->accept_other_build,

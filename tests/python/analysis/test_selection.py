@@ -106,9 +106,9 @@ def test_a_stranger_finds_the_same_to_the_digit(runs):
     assert of_run.to_dict() == pytest.approx(theirs, abs=1e-12)
 
 
-def test_the_command_has_shadow_and_neutral_world_next_to_the_runs(runs, tmp_path, monkeypatch, capsys):
+def test_the_command_has_shadow_and_neutral_null_next_to_the_runs(runs, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
-    request = {"who": "trophic analyze", "runs": [str(runs)], "selection": ["turns_to", "towards", "speed", "agents.csv:tag:1"], "out": "found", "jobs": 1}
+    request = {"who": "trophic analyze", "runs": [str(runs)], "selection": ["turns_to", "velocity_open", "open_speed", "agents.csv:tag:1"], "out": "found", "jobs": 1}
     assert selection.run(request) == 0
     printed = capsys.readouterr().out
     assert "neutral: paper with heredity = neutral_own_copy" in printed and "predator, turns_to" in printed and "24 comparisons" in printed
@@ -135,7 +135,7 @@ def test_behaviour_is_measured_away_from_walls(tmp_path):
     rows = [robot(tick, id, "prey", x_m, 0.0) for tick, places in enumerate([(1.0, 8.5), (1.2, 8.9), (1.6, 9.4)]) for id, x_m in enumerate(places)]
     folder = write_run(tmp_path / "run", of_agents=rows, of_events=EVENTS[:2], until_s=4.0)
     (run,), _ = selection.pool.pooled_runs([folder], Measuring())
-    assert selection.trait_of("speed").read(run).to_dict() == pytest.approx({0: 0.15, 1: 0.2})
+    assert selection.trait_of("open_speed").read(run).to_dict() == pytest.approx({0: 0.15, 1: 0.2})
 
 
 @pytest.mark.parametrize("trait, why", [
@@ -149,12 +149,12 @@ def test_traits_that_are_not_there_are_refused(trait, why, tmp_path, monkeypatch
         selection.analyse(["runs"], [trait], how=Measuring(jobs=1))
 
 
-def test_runs_without_their_beginning_and_another_neutral_world_are_refused(tmp_path, monkeypatch):
+def test_runs_without_their_beginning_and_another_neutral_null_are_refused(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     write_run("late", of_events=EVENTS[4:5])
     with pytest.raises(RunError, match="late/events.csv: individual 1 dies and has no birth"):
         selection.analyse(["late"], ["agents.csv:tag"])
     write_set("runs", shadow=False)
     write_set(pathlib.Path("runs/neutral"), shadow=False)
-    with pytest.raises(RunError, match="runs/neutral/replicate-00: is not a neutral world of runs/replicate-00: heredity = own_copy"):
+    with pytest.raises(RunError, match="runs/neutral/replicate-00: is not a neutral null of runs/replicate-00: heredity = own_copy"):
         selection.analyse(["runs"], ["agents.csv:tag"])

@@ -55,14 +55,13 @@ class Trait(NamedTuple):
     read: Callable[[PooledRun], pandas.Series]
     """the trait of each individual that has it, by id"""
     is_behaviour: bool = False
-    """Behaviour is measured during a life: what befalls an individual is part of it, so that the neutral world is not its null."""
+    """Behaviour is measured during a life: what befalls an individual is part of it, so that the neutral null is not its null."""
 
 
 def trait_of(text: str) -> Trait:
-    """Reads turns_to, turns_to:DISTANCE, speed, towards, gene:NUMBER, gene:PART:NUMBER, FILE:COLUMN or FILE:COLUMN:UNIT. Raises RunError,
-    naming the option, for anything else."""
+    """Reads a trait as --selection names it. Raises RunError, naming the option and what it may be, for anything else."""
     kind, *parts = text.split(":")
-    if kind in ("speed", "towards") and not parts:
+    if kind in ("open_speed", "velocity_open") and not parts:
         return Trait(text, "m/s", functools.partial(_behaviour, kind), True)
     if kind == "gene" and len(parts) in (1, 2) and parts[-1].isdigit():
         return Trait(text, "1", functools.partial(_column, "genomes.csv", f"w{int(parts[0])}") if len(parts) == 1
@@ -73,8 +72,8 @@ def trait_of(text: str) -> Trait:
             return Trait(text, "1", functools.partial(_turns_to, distances))
     elif len(parts) in (1, 2) and all((kind, *parts)) and pathlib.PurePath(kind).name == kind and kind.endswith(".csv"):
         return Trait(f"{kind}:{parts[0]}", (*parts, "1")[1], functools.partial(_column, kind, parts[0]))
-    raise RunError(f"--selection {text}: must be turns_to, turns_to:DISTANCE with 0 < DISTANCE <= 1, speed, towards, gene:NUMBER, gene:PART:NUMBER, "
-                   "FILE:COLUMN or FILE:COLUMN:UNIT")
+    raise RunError(f"--selection {text}: must be turns_to, turns_to:DISTANCE with 0 < DISTANCE <= 1, open_speed, velocity_open, gene:NUMBER, "
+                   "gene:PART:NUMBER, FILE:COLUMN or FILE:COLUMN:UNIT")
 
 
 def _column(file: str, column: str, run: PooledRun) -> pandas.Series:
@@ -111,20 +110,17 @@ def _turns_to(distances: Sequence[float], run: PooledRun) -> pandas.Series:
 
 
 def _behaviour(kind: str, run: PooledRun) -> pandas.Series:
-    """The mean over an individual's life of its speed, or of its velocity towards its adversary, between places away from walls."""
+    """The mean over an individual's life of what the metrics open_speed and velocity_open are means of."""
     agents = Agents(run.load("agents.csv", AGENTS, []), run.web)
-    is_open = run.half_side_m - numpy.maximum(numpy.abs(agents.x_m), numpy.abs(agents.y_m)) > walls.REACH_M
-    if kind == "towards":
-        found = velocity.samples(agents)
-        row, end, value = found.row, agents.find(found.end, agents.id[found.row]), found.velocity_m_s
-    else:
-        end = numpy.arange(len(agents.id))
-        row = agents.find(agents.at - 1, agents.id)
-        end, row = end[row >= 0], row[row >= 0]
-        time_s = agents.time_s[agents.at[end]] - agents.time_s[agents.at[row]]
-        value = numpy.hypot(agents.x_m[end] - agents.x_m[row], agents.y_m[end] - agents.y_m[row]) / time_s
-    counts = is_open[row] & is_open[end]
-    return pandas.Series(value[counts], index=agents.id[row[counts]]).groupby(level=0).mean()
+    is_open = walls.to_wall_m(agents, run.half_side_m) > walls.REACH_M
+    if kind == "velocity_open":
+        found = velocity.of_rows(velocity.samples(agents), is_open)
+        return pandas.Series(found.velocity_m_s, index=agents.id[found.row]).groupby(level=0).mean()
+    before = agents.find(agents.at - 1, agents.id)
+    rows = numpy.flatnonzero((before >= 0) & is_open & is_open[before])
+    moved_m = numpy.hypot(agents.x_m[rows] - agents.x_m[before[rows]], agents.y_m[rows] - agents.y_m[before[rows]])
+    time_s = agents.time_s[agents.at[rows]] - agents.time_s[agents.at[before[rows]]]
+    return pandas.Series(moved_m / time_s, index=agents.id[rows]).groupby(level=0).mean()
 
 
 # Price's equation
@@ -231,7 +227,8 @@ def table(texts: Sequence[str], sets: Mapping[str, pandas.DataFrame]) -> pandas.
             order.sort(key=lambda term: (term != "start", term != "end", term != "change", not term.startswith("survival")))
             for term, period in [(term, period) for term in order for period in PERIODS]:
                 values = {name: _values(of_trait.get(name), species, term, period) for name in _SETS}
-                row = {"trait": trait.name, "species": species, "term": term, "period": period, "unit": "1" if term == "offspring_on_parent" else trait.unit,
+                unit = "1" if term == "offspring_on_parent" else trait.unit
+                row = {"trait": trait.name, "species": species, "term": term, "period": period, "unit": unit,
                        "missing": int(of_trait["runs"][species, "missing", "all"].sum())}
                 for name in _SETS:
                     n, mean, _, interval = statistics.estimate(values[name])
@@ -251,7 +248,7 @@ def table(texts: Sequence[str], sets: Mapping[str, pandas.DataFrame]) -> pandas.
         row |= {"difference": tested.value, "difference_lower": lower, "difference_upper": upper, "p": tested.p, "p_holm": tested.adjusted}
     frame = pandas.DataFrame([row for row, _ in rows], columns=names("selection.csv"))
     texts_of = ("trait", "species", "term", "period", "unit", "null")
-    return frame.astype({name: float for name in frame if name not in texts_of and frame[name].dtype.kind not in "iu"}).fillna({"null": ""})
+    return frame.astype({name: float for name in frame.columns.difference(texts_of) if frame[name].dtype == object}).fillna({"null": ""})
 
 
 def _values(of: pandas.DataFrame | None, species: str, term: str, period: str) -> numpy.ndarray:
@@ -270,20 +267,24 @@ _HEADS = {"start": "mean at the start", "end": "mean at the end", "change": "cha
 def text(frame: pandas.DataFrame) -> str:
     """The terminal's table of each trait and species, and a sentence about each."""
     lines, said = [], ""
+
+    def cell(reading: Reading, row: pandas.Series, name: str) -> str:
+        if not row[f"{name}_n"]:
+            return "-"
+        return reading.with_interval(row[f"{name}_mean"], (row[f"{name}_lower"], row[f"{name}_upper"]), True)
     for (trait, species), of in frame.groupby(["trait", "species"], sort=False):
-        lines.append([f"{species}, {trait}", "whole run [95 %]", "first third", "second", "last", "shadow", "neutral world", "p"])
+        lines.append([f"{species}, {trait}", "whole run [95 %]", "first third", "second", "last", "shadow", "neutral null", "p"])
         for term, rows in of.groupby("term", sort=False):
             head = _HEADS.get(term, f"    {term.split('_')[1]}" if "_" in term else f"  {term}")
             row, reading = rows.iloc[0], Reading(Metric(trait, species, "all", rows.iloc[0]["unit"]))
-            lines.append([f"  {head}", *(reading.with_interval(row[f"{name}_mean"], (row[f"{name}_lower"], row[f"{name}_upper"]), True) for name in _SETS[:1]),
-                          *(reading(value, True) for value in rows["runs_mean"].iloc[1:]),
-                          *("-" if not row[f"{name}_n"] else reading.with_interval(row[f"{name}_mean"], (row[f"{name}_lower"], row[f"{name}_upper"]), True)
-                            for name in _SETS[1:]), p_text(row["p_holm"])])
+            runs, shadow, neutral = (cell(reading, row, name) for name in _SETS)
+            thirds = [reading(value, True) for value in rows["runs_mean"].iloc[1:]]
+            lines.append([f"  {head}", runs, *thirds, shadow, neutral, p_text(row["p_holm"])])
         said += _sentence(of)
     tested = int(frame["p"].notna().sum())
-    said += f"p and sentences: over the neutral world; of behaviour, and without that world, over zero. Corrected for {tested} comparisons (Holm)\n" if tested else (
-        f"fewer than {statistics.MIN_RUNS_FOR_TEST} runs: no intervals and no tests\n")
-    return columns(lines) + said
+    about = (f"p and sentences: over the neutral null; of behaviour, and without that null, over zero. Corrected for {tested} comparisons (Holm)\n"
+             if tested else f"fewer than {statistics.MIN_RUNS_FOR_TEST} runs: no intervals and no tests\n")
+    return columns(lines) + said + about
 
 
 def _sentence(of: pandas.DataFrame) -> str:
@@ -301,8 +302,8 @@ def _sentence(of: pandas.DataFrame) -> str:
 # The command
 
 def read_sets(paths: Sequence[str | os.PathLike], shadow: str | os.PathLike | None, how: Measuring) -> tuple[dict[str, list[PooledRun]], list[str]]:
-    """The runs of some folders, their shadow and their neutral world, as far as they are there, and remarks. Raises RunError for runs that may not
-    be pooled and for a shadow or a neutral world that is not one."""
+    """The runs of some folders, their shadow and their neutral null, as far as they are there, and remarks. Raises RunError for runs that may not
+    be pooled and for a shadow or a neutral null that is not one."""
     folders = [pathlib.Path(path) for path in paths]
     sets, remarks = {}, []
     for name, places in (("runs", folders), ("shadow", [pathlib.Path(shadow)] if shadow is not None else pool.shadow_folders(folders)),
@@ -315,7 +316,7 @@ def read_sets(paths: Sequence[str | os.PathLike], shadow: str | os.PathLike | No
     for run in sets.get("neutral", [])[:1]:
         heredity = str(run.manifest.get("rules", {}).get("heredity", "unknown"))
         if not heredity.startswith("neutral_") or not pool.lasted_alike(run, sets["runs"][0]):
-            raise RunError(f"{run.path}: is not a neutral world of {sets['runs'][0].path}: heredity = {heredity}, {pool.lasted_text(run)}")
+            raise RunError(f"{run.path}: is not a neutral null of {sets['runs'][0].path}: heredity = {heredity}, {pool.lasted_text(run)}")
     return sets, remarks
 
 
