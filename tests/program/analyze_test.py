@@ -106,32 +106,6 @@ class Analyze(InFolderWithSets):
         for claim in claims:
             self.assertIn(f"\n{claim['claim']}: {claim['summary']}\n", result.stdout)
 
-    def test_runs_of_different_length_are_not_pooled_unless_cut(self):
-        longer = call(PREDATOR_PREY, "--backend", "kinematic", "--duration", 1200, "--out", "longer", cwd=self.folder)
-        self.assertEqual(longer.returncode, 0, longer.stderr)
-        manifest = self.folder / "paper/replicate-03/manifest.json"
-        content = json.loads(manifest.read_text())
-        content["status"], content["result"]["reached_s"] = "stopped", 700
-        manifest.write_text(json.dumps(content))
-        pooled = self.analyze("paper")
-        self.assertEqual(pooled.returncode, 2)
-        self.assertIn('replicate-03: status "stopped" at 700 of 1000 s, but paper/replicate-00 has status "complete" at 1000', pooled.stderr)
-        short = self.analyze("paper", "--until", 800)
-        self.assertEqual(short.returncode, 2)
-        self.assertIn("replicate-03: reached 700 s (status stopped): must be >= 800 s", short.stderr)
-        self.assertEqual(self.analyze("paper", "--until", 600).returncode, 0)
-        self.assertEqual({r["until_s"] for r in self.summary()["sets"][0]["runs"]}, {600})
-        different = self.analyze("--compare", self.sets / "paper", "longer", "--out", "different")
-        self.assertEqual(different.returncode, 2)
-        self.assertIn('longer: status "complete" at 1200 of 1200 s, but', different.stderr)
-        self.assertEqual(self.analyze("--compare", self.sets / "paper", "longer", "--until", 1000, "--out", "cut").returncode, 0)
-
-    def test_same_runs_same_bytes(self):
-        for out in ("one", "two"):
-            self.assertEqual(self.analyze("paper", "--out", out).returncode, 0)
-        self.assertEqual((self.folder / "one/metrics.csv").read_bytes(), (self.folder / "two/metrics.csv").read_bytes())
-        self.assertEqual((self.folder / "one/summary.json").read_bytes(), (self.folder / "two/summary.json").read_bytes())
-
     def test_other_rules_are_compared_but_not_pooled(self):
         other = self.sets / "released"
         pooled = self.analyze("paper", other, "--out", "pooled")

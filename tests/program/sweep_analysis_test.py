@@ -82,7 +82,7 @@ class SweepAnalysis(InFolderWithSets):
         result = self.analyzed("--jobs", 2)
         self.assertEqual(result.stderr, "")
         for text in ("sweep of 4 cells, 48 runs of 400 s", "axis backend.speed_scale: 1.0, 4.0", "reference: cell 0 (speed_scale 1.0, base_ticks 15)",
-                     "seed by seed, each run over its shadow; p corrected for all of them (Holm)", "deaths prey", "/3 ", "inconclusive: "):
+                     "seed by seed, each run over its shadow; p corrected for all of them (Holm)", "inconclusive: "):
             self.assertIn(text, result.stdout)
         self.assertNotIn("no effect", result.stdout)
         self.assertEqual({path.name for path in (self.folder / "analysis").iterdir()}, set(FILES))
@@ -103,8 +103,8 @@ class SweepAnalysis(InFolderWithSets):
         self.assertIn(f"\n{significant} of {len(tested)} comparisons are significant (p <= 0.05, corrected for all of them: Holm).", result.stdout)
         smallest = min(tested, key=lambda row: float(row["p"]))
         self.assertAlmostEqual(float(smallest["p_holm"]), min(1.0, float(smallest["p"]) * len(tested)))
-        self.assertEqual(smallest["significant"], "yes")
         for row in tested:
+            self.assertEqual(row["significant"], "yes" if float(row["p_holm"]) <= 0.05 else "no")
             self.assertEqual((row["design"], row["runs"]), ("paired", row["runs_reference"]))
             self.assertLessEqual(float(row["lower_corrected"]), float(row["lower"]))
             self.assertGreaterEqual(int(row["runs_needed"] or 1_000_001), 6)

@@ -48,14 +48,12 @@ _SETS = ("runs", "shadow", "neutral")
 # Traits
 
 class Trait(NamedTuple):
-    """A trait of individuals."""
-
     name: str
     unit: str
     read: Callable[[PooledRun], pandas.Series]
     """the trait of each individual that has it, by id"""
     is_behaviour: bool = False
-    """Behaviour is measured during a life: what befalls an individual is part of it, so that the neutral null is not its null."""
+    """measured during a life, so that what befalls an individual is part of it and the neutral null does not fit"""
 
 
 def trait_of(text: str) -> Trait:
@@ -64,29 +62,25 @@ def trait_of(text: str) -> Trait:
     if kind in ("open_speed", "velocity_open") and not parts:
         return Trait(text, "m/s", functools.partial(_behaviour, kind), True)
     if kind == "gene" and len(parts) in (1, 2) and parts[-1].isdigit():
-        return Trait(text, "1", functools.partial(_column, "genomes.csv", f"w{int(parts[0])}") if len(parts) == 1
-                     else functools.partial(_gene, parts[0], int(parts[1])))
+        of = ("genomes.csv", f"w{int(parts[0])}", {}) if len(parts) == 1 else ("genes.csv", "value", {"part": parts[0], "index": str(int(parts[1]))})
+        return Trait(text, "1", functools.partial(_column, *of))
     if kind == "turns_to" and len(parts) < 2:
         distances = [float(each) if each.replace(".", "", 1).isdigit() else numpy.nan for each in parts] or list(DISTANCES)
         if all(0.0 < each <= 1.0 for each in distances):
             return Trait(text, "1", functools.partial(_turns_to, distances))
     elif len(parts) in (1, 2) and all((kind, *parts)) and pathlib.PurePath(kind).name == kind and kind.endswith(".csv"):
-        return Trait(f"{kind}:{parts[0]}", (*parts, "1")[1], functools.partial(_column, kind, parts[0]))
+        return Trait(f"{kind}:{parts[0]}", (*parts, "1")[1], functools.partial(_column, kind, parts[0], {}))
     raise RunError(f"--selection {text}: must be turns_to, turns_to:DISTANCE with 0 < DISTANCE <= 1, open_speed, velocity_open, gene:NUMBER, "
                    "gene:PART:NUMBER, FILE:COLUMN or FILE:COLUMN:UNIT")
 
 
-def _column(file: str, column: str, run: PooledRun) -> pandas.Series:
-    """A column of a table with a column id; the mean of an individual's rows."""
-    table = run.texts(file, ["id", column], (), [])
+def _column(file: str, column: str, only: Mapping[str, str], run: PooledRun) -> pandas.Series:
+    """A column of a table with a column id, of the rows with the cells `only`; the mean of an individual's rows."""
+    table = run.texts(file, ["id", column, *only], (), [])
+    for name, cell in only.items():
+        table = table[table[name] == cell]
     ids, values = (numbers(run.path / file, table[name], none) for name, none in (("id", ()), (column, ("", "nan"))))
     return pandas.Series(values, index=ids.astype(int)).dropna().groupby(level=0).mean()
-
-
-def _gene(part: str, number: int, run: PooledRun) -> pandas.Series:
-    table = run.texts("genes.csv", ["id", "part", "index", "value"], (), [])
-    table = table[(table["part"] == part) & (table["index"] == str(number))]
-    return pandas.Series(numbers(run.path / "genes.csv", table["value"]), index=table["id"].astype(int))
 
 
 def _turns_to(distances: Sequence[float], run: PooledRun) -> pandas.Series:
@@ -177,13 +171,12 @@ def terms(events: pandas.DataFrame, z: pandas.Series, species: str, end_s: float
     lives["offspring"] = births["parent_id"].value_counts().reindex(lives.index).fillna(0.0)
     found: dict[tuple[str, str], float] = {}
     for number, period in enumerate(PERIODS):
-        is_in = ~founds & (True if period == "all" else third == number - 1)
-        ends = numpy.flatnonzero(founds | (third <= (2 if period == "all" else number - 1)))
-        starts = numpy.flatnonzero(founds | (third < (0 if period == "all" else number - 1)))
-        start, end = (mean[each[-1]] if len(each) else numpy.nan for each in (starts, ends))
+        first, last = (0, 2) if period == "all" else (number - 1, number - 1)
+        is_in = ~founds & (third >= first) & (third <= last)
+        start, end = (mean[numpy.flatnonzero(founds | before)[-1]] if len(of) else numpy.nan for before in (third < first, third <= last))
         values = {"start": start, "end": end, "change": end - start, **dict(zip(KINDS, parts[:, is_in].sum(axis=1)))}
         values |= {f"survival_{one}": parts[0, is_in & (cause == one)].sum() for one in sorted(set(cause[~is_birth]))}
-        values |= _of_lives(lives if period == "all" else lives[lives["third"] == number - 1])
+        values |= _of_lives(lives[(lives["third"] >= first) & (lives["third"] <= last)])
         found |= {(term, period): float(value) for term, value in values.items()}
     return found
 
@@ -305,19 +298,18 @@ def read_sets(paths: Sequence[str | os.PathLike], shadow: str | os.PathLike | No
     """The runs of some folders, their shadow and their neutral null, as far as they are there, and remarks. Raises RunError for runs that may not
     be pooled and for a shadow or a neutral null that is not one."""
     folders = [pathlib.Path(path) for path in paths]
-    sets, remarks = {}, []
-    for name, places in (("runs", folders), ("shadow", [pathlib.Path(shadow)] if shadow is not None else pool.shadow_folders(folders)),
-                         ("neutral", [folder / "neutral" for folder in folders if (folder / "neutral").is_dir()])):
-        if places:
-            sets[name], more = pool.pooled_runs(places, how)
-            remarks += more
+    places = {"runs": folders, "shadow": [pathlib.Path(shadow)] if shadow is not None else pool.shadow_folders(folders),
+              "neutral": [folder / "neutral" for folder in folders if (folder / "neutral").is_dir()]}
+    pooled = {name: pool.pooled_runs(of, how) for name, of in places.items() if of}
+    sets = {name: runs for name, (runs, _) in pooled.items()}
+    first, *_ = sets["runs"]
     if "shadow" in sets:
-        pool.check_shadow(sets["runs"][0], sets["shadow"][0])
+        pool.check_shadow(first, sets["shadow"][0])
     for run in sets.get("neutral", [])[:1]:
         heredity = str(run.manifest.get("rules", {}).get("heredity", "unknown"))
-        if not heredity.startswith("neutral_") or not pool.lasted_alike(run, sets["runs"][0]):
-            raise RunError(f"{run.path}: is not a neutral null of {sets['runs'][0].path}: heredity = {heredity}, {pool.lasted_text(run)}")
-    return sets, remarks
+        if not heredity.startswith("neutral_") or not pool.lasted_alike(run, first):
+            raise RunError(f"{run.path}: is not a neutral null of {first.path}: heredity = {heredity}, {pool.lasted_text(run)}")
+    return sets, [remark for _, remarks in pooled.values() for remark in remarks]
 
 
 def analyse(paths: Sequence[str | os.PathLike], texts: Sequence[str], shadow: str | os.PathLike | None = None,
@@ -328,8 +320,8 @@ def analyse(paths: Sequence[str | os.PathLike], texts: Sequence[str], shadow: st
         trait_of(each)
     sets, remarks = read_sets(paths, shadow, how)
     every = [run for of in sets.values() for run in of]
-    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    with concurrent.futures.ProcessPoolExecutor(min(how.jobs or cores, len(every)), multiprocessing.get_context("fork")) as executor:
+    jobs = how.jobs or len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else how.jobs or 1
+    with concurrent.futures.ProcessPoolExecutor(min(jobs, len(every)), multiprocessing.get_context("fork")) as executor:
         rows = iter(list(executor.map(functools.partial(measure, texts), every, chunksize=4)))
     return table(texts, {name: pandas.concat([next(rows) for _ in of], axis=1).T for name, of in sets.items()}), sets, remarks
 
