@@ -44,11 +44,14 @@ class Contest(InFolder):
     def test_every_pair_of_epochs_meets_in_runs_and_shadow_and_jobs_do_not_matter(self):
         self.runs("study", "--shadow")
         short = ["--duration", 150, "--reach", 3, "--against", "both", "--epochs", "0,60,120", "--team-size", 5]
+        control = self.contest("study/shadow", "--shadow", self.runs("again", "--shadow", "--seed", 9) + "/shadow", *short[:4], "--out", "control")
+        self.assertEqual(control.returncode, 0, control.stderr)  # a shadow is played as if it were real
+        self.assertEqual({(row["shadow"], row["hunters_run"].split("/")[0]) for row in self.rows("control/contests.csv")}, {("0", "study"), ("1", "again")})
         done = self.contest("study", *short, "--out", "one", "--jobs", 1)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("3 replicates: no intervals and no conclusions; a test needs 6", done.stdout)
         rows = self.rows("one/contests.csv")
-        self.assertEqual(len(rows), 2 * 2 * 3 * 2 * 9)  # shadow, against, replicates, teams, pairs
+        self.assertEqual(len(rows), 2 * 2 * 3 * 6 * 9)  # shadow, against, replicates, teams, pairs
         for row in rows:
             self.assertTrue(0 <= float(row["contact_s"]) <= 150)
             self.assertEqual(row["against"] == "own", row["hunters_run"] == row["victims_run"])
@@ -87,7 +90,7 @@ class Contest(InFolder):
         self.refused("mine", says="rule table ageing: must be paper or released, those of this program; --program names the one that made the runs")
         done = self.contest("mine", "--program", OWN_TABLE, "--duration", 20, "--team-size", 3, "--epochs", "0,120", "--out", "contests")
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertEqual(len(self.rows("contests/contests.csv")), 3 * 2 * 4)
+        self.assertEqual(len(self.rows("contests/contests.csv")), 3 * 6 * 4)
 
     def test_one_shadow_serves_all_parent_rules_of_a_base_and_no_table_with_other_deaths(self):
         for table in ("paper", "paper_most_escapes", "paper_ageing"):

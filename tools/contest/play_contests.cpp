@@ -27,9 +27,12 @@ std::string why_not_played(const contest::Plan& plan, const Offer& offer, const 
     return "rule table " + plan.rule_table + ": must be " + one_of(tables) + ", those of this program; " + otherwise;
   }
   if (find_backend(offer, plan.engine) == nullptr) return about_missing_backend(plan.engine, backend_names(offer.backends));
-  const auto description = experiment_of(plan, offer)->simulations(Null::none)(1)->describe(0.0);
-  if (plan.fingerprint.empty() || description.fingerprint == plan.fingerprint) return "";
-  return "fingerprint " + plan.fingerprint + ": must be " + description.fingerprint +
+  const auto fingerprint_of = [&](Null null) {
+    return experiment_of(plan, offer)->simulations(null)(1)->describe(0.0).fingerprint;
+  };
+  if (plan.fingerprint.empty() || plan.fingerprint == fingerprint_of(Null::none)) return "";
+  if (plan.fingerprint == fingerprint_of(Null::shadow)) return "";
+  return "fingerprint " + plan.fingerprint + ": must be " + fingerprint_of(Null::none) +
          ", what this program makes of the runs' parameters; rules, models or engine changed";
 }
 

@@ -37,7 +37,7 @@ struct Options {
   std::optional<std::string> shadow;
   std::string epochs;
   std::string against = "others";
-  std::uint64_t teams = 2;
+  std::uint64_t teams = 6;
   std::uint64_t team_size = 0;
   double duration_s = 300.0;
   double reach_m = 1.0;
@@ -210,7 +210,7 @@ Command contest_command() {
                    "opponents: others, of another replicate; own; or both (others)",
                    {"others", "own", "both"}},
                   {"--split", &options->split_s, "the epoch at which the late period begins (that in the middle)"},
-                  {"--teams", &options->teams, "teams drawn for each epoch and species, at least 2 (2)"},
+                  {"--teams", &options->teams, "teams drawn for each epoch and species, at least 2 (6)"},
                   {"--team-size", &options->team_size, "robots in a team (half of the runs' robots)"},
                   {"--duration", &options->duration_s, "length of a contest, seconds of the ecology's clock (300)"},
                   {"--reach", &options->reach_m, "distance in metres at which a hunter reaches a victim (1)"},

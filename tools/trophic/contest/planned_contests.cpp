@@ -150,7 +150,8 @@ Planned planned_contests(const Sets& sets, Size size) {
   if (sets.ours.size() < 2 && std::ranges::find(size.against, Against::others) != size.against.end()) {
     throw std::invalid_argument{"--against others: needs at least two replicates; " + first.folder.string() + " is one"};
   }
-  Planned planned{.plan = {.rule_table = first.rules,
+  // A shadow's teams meet in the arena of the table that it is the shadow of.
+  Planned planned{.plan = {.rule_table = first.rules.substr(0, first.rules.find(" with heredity = nothing_inherited")),
                            .engine = first.backend.substr(0, first.backend.find(' ')),
                            .fingerprint = first.fingerprint,
                            .params = first.params,
