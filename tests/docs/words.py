@@ -59,7 +59,7 @@ PATTERNS = [
     Pattern("held against", "compared with", r"\b(held|hold|holds|holding)( \w+){0,3} (against|beside)\b|\b(tells?|told|telling) apart\b",
             "The runs are held against the null.", "The hinge is held by a servo."),
     Pattern("tell", "things return, print, report or contain", r"\b(tells?|told)\b", "The table tells who died.", "The table contains the dead."),
-    Pattern("home-made", "the field's word (docs/GLOSSARY.md)", r"\b(verdicts?|reprieve[sd]?|heirs?|undecided|hand(s|ed)? on|crews?|knots?|cut off)\b",
+    Pattern("home-made", "the field's word (docs/GLOSSARY.md)", r"\b(verdicts?|reprieve[sd]?|heirs?|hand(s|ed)? on|crews?|knots?|cut off)\b",
             "The verdict is above.", "The conclusion is above."),
     Pattern("decided", "an effect is significant, a comparison inconclusive", r"\b(is|are|was|were|not) decided\b(?! (by|in)\b)",
             "The effects that are decided.", "The agents that decided first."),

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Twenty analyses of runs that a program made: what terminal, page, tables, LaTeX, JSON, Python and `cite` say about a set is the same."""
+import html
 import io
 import json
 import os
@@ -13,6 +14,7 @@ import pandas
 import pytest
 from sets import around, metric, set_of
 from trophic import cite, judge
+from trophic.published import QUESTIONS, answers
 from trophic.report import analyze, page, tables, tex, text
 from trophic.runs import read_analysis
 from trophic.sweeps import report as sweep_report
@@ -52,6 +54,10 @@ def outputs_of(outcome, folder):
     latex = claims.of_latex((out / f"{table}.tex").read_text())
     kind = ("over_shadow" if all(of.shadow for of in outcome.sets) else "raw") if compares else ""
     found[f"{table}.tex"] = latex._replace(claims=[claim._replace(null=kind or claim.null) for claim in latex.claims])
+    for answer in [one for of in json.loads((out / "summary.json").read_text())["sets"] for one in of["answers"] if not compares]:
+        for shown in (whole, brief, html.unescape((folder / "page.html").read_text()), (out / "answers.tex").read_text().replace("\\,", "").replace("\\", "")):
+            at = shown.index(answer["question"])
+            assert shown[at + len(answer["question"]):].lstrip(" &").lower().startswith(answer["answer"]), (answer, shown[at:at + 200])
     read, made = read_analysis(out), outcome.analysis(None)
     for name, analysis in (("read_analysis", read), ("analysis in memory", made)):
         shown = "\n".join(re.findall("<li>(.*?)</li>", analysis._repr_html_())).replace("&lt;", "<").replace("&#x27;", "'")
@@ -106,6 +112,7 @@ def simulated(seed, shift, label="paper", count=8, species=("prey", "predator"),
     names = [metric("velocity", one, group) for one in species for group in ("all", "inherited", "active")] + [metric("velocity_points", one) for one in species]
     names += [metric("attribution_caught", prey), metric("attribution_credited", predator), metric("wall_sticking", prey), metric("wall_sticking", predator, "active")]
     names += [metric("deaths", prey), metric("deaths", prey, "caught"), metric("stuck", prey), metric("stuck", "all"), metric("my_own_metric", "", "left, right")]
+    names += [reading.metric for reading in QUESTIONS[0].readings if reading.metric not in names]
     tags = metric("tag_symmetry", f"{prey}+{predator}", "inherited")
     ours = {name: list(rng.normal(0.2 + shift * (i % 3), 0.05, count)) for i, name in enumerate([*names, tags])}
     ours[metric("hunger", predator)] = [1.0] * count
@@ -132,6 +139,9 @@ def test_simulated_sets(name, tmp_path):
     expected = {"strong": True, "negative": True, "own species": True, "compared": True, "compared raw": True, "five runs": False}
     if name in expected:
         assert (judge.count(outcome.answer).significant > 0) == expected[name]
+    if name in ("strong", "nothing"):
+        (answer,) = answers(outcome.sets[0], outcome.frames[0])
+        assert str(answer).split()[0] == {"strong": "depends", "nothing": "undecided"}[name]
 
 
 def test_a_contradiction_is_found(tmp_path):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The paper's claims in numbers, each under every reading that its text allows, and whether runs reproduce them.
+"""The paper's claims in numbers and its questions about evolution, each under every reading that its text allows, and what runs say of them.
 
 Published numbers come from the paper's text, or were counted up to 6000 s in the event logs of its ten runs: NanoNero1/revolve2-multi at b43102d,
 DATA/Run1/deathBorn1.csv to DATA/Run10/deathBorn10.csv. (The same files stand at db9108a in examples/sanity3P/RUNS, the second of them in
@@ -21,13 +21,17 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy
+import pandas
 from scipy import special
 
-from .statistics import (MIN_RUNS_FOR_TEST, Contrast, Estimate, Interval, contrast, estimate, interval_of, test_equivalence)
-from .values import MeasuredSet, Metric
+from .statistics import (MIN_RUNS_FOR_TEST, Contrast, Difference, Estimate, Interval, adjust_together, contrast, deviation_of, difference_of, estimate,
+                         interval_of, scatter_of, test_equivalence)
+from .values import SHADOW, MeasuredSet, Metric
 
 DURATION_S = 6000.0
 RUNS = 10
+MOST_RUNS = 1000
+"""If more would be needed, no number of runs is given."""
 TABLES = ("paper", "released")
 """The rule tables with whose runs the published numbers are compared."""
 
@@ -75,7 +79,57 @@ class ReadingConclusion(NamedTuple):
 class ClaimConclusion(NamedTuple):
     claim: Claim
     readings: tuple[ReadingConclusion, ...]
-    """those that the runs measured"""
+    """those that the runs measured; readings that are one number are one"""
+
+
+class Question(NamedTuple):
+    """Whether something evolves: whether runs differ from their neutral shadow."""
+    text: str
+    above: str
+    """the answer if they lie above it"""
+    below: str
+    shown: Metric
+    """the reading whose effect stands for all"""
+    readings: tuple[ClaimReading, ...]
+
+
+class Effect(NamedTuple):
+    """The difference from the neutral shadow under one reading."""
+    reading: ClaimReading
+    difference: Difference
+    """corrected for the family of the analysis, in which the reading stands in the place of the metric that it repeats"""
+
+    @property
+    def conclusion(self) -> str:
+        return "inconclusive" if not self.difference.differs() else "above" if (self.difference.value or 0.0) > 0.0 else "below"
+
+
+class Answer(NamedTuple):
+    question: Question
+    effects: tuple[Effect, ...]
+    """readings that are one number are one"""
+
+    @property
+    def shown(self) -> Effect:
+        return max(self.effects, key=lambda each: (each.reading.metric.group == self.question.shown.group, each.reading.metric == self.question.shown))
+
+    @property
+    def runs_needed(self) -> int | None:
+        """The runs in each set that would find every effect that is not significant, if all stay as they are; None if 1000 would not."""
+        needed = [each.difference.runs_needed() or MOST_RUNS + 1 for each in self.effects if each.conclusion == "inconclusive"]
+        return max(needed) if needed and max(needed) <= MOST_RUNS else None
+
+    def __str__(self) -> str:
+        """An answer of the question if all readings give it; "undecided" if none does; else the choice that it depends on."""
+        words = {"above": self.question.above, "below": self.question.below}
+        found = {each.conclusion for each in self.effects}
+        if found == {"inconclusive"}:
+            return f"undecided ({self.runs_needed or f'more than {MOST_RUNS}'} runs would decide)"
+        if len(found) == 1:
+            return words[found.pop()]
+        choices = [(words[side], *_condition_for(self.effects, side)) for side in words if side in found]
+        text = f"depends on {choices[0][1]}: " + "; ".join(f"{answer} if {condition}" for answer, _, condition in choices)
+        return text + (f" ({self.runs_needed} runs would decide the rest)" if self.runs_needed else "")
 
 
 def _logs(deviation: float) -> Spread:
@@ -140,6 +194,27 @@ CLAIMS = (
 )
 
 
+def _question(text: str, above: str, below: str, shown: tuple[str, str, str], claim: str, more: tuple[ClaimReading, ...] = ()) -> Question:
+    """A question under the readings of a claim, and under more."""
+    readings = next(one.readings for one in CLAIMS if one.title == claim) + more
+    return Question(text, above, below, next(one.metric for one in readings if one.metric[:3] == shown), readings)
+
+
+QUESTIONS = (
+    _question("Do predators evolve to chase prey?", "yes, they approach faster", "no, they approach more slowly", ("velocity", "predator", "inherited"),
+              "velocity of predators"),
+    _question("Do prey evolve to flee?", "no, they approach", "yes, they move away faster", ("velocity", "prey", "inherited"), "velocity of prey",
+              _velocities("prey", -0.0067, (("inherited", _INHERITED, _ours(0.0013), _ours(0.0013)),))),
+    _question("Do inherited predators make more of the catches?", "yes, more", "no, less", ("attribution_catches", "predator", "all"),
+              "attribution of predators"),
+    _question("Does wall-following of prey evolve?", "yes, more at walls", "yes, less at walls", ("wall_sticking", "prey", "all"), "prey at walls"),
+    _question("Does wall-following of predators evolve?", "yes, more at walls", "yes, less at walls", ("wall_sticking", "predator", "all"),
+              "predators at walls"),
+    _question("Do the tags of the two species become more alike?", "yes, more alike", "no, less alike", ("tag_symmetry", "prey+predator", "inherited"),
+              "tag symmetry"),
+)
+
+
 def value_of(metric: Metric) -> float | None:
     """The published number of a metric, under any reading; None for a metric that was not published, or that only the logs give as another way to
     count."""
@@ -197,7 +272,7 @@ def runs_to_decide(reading: ClaimReading, mean: float, deviation: float) -> int 
     margin = margin_of(reading)
     if margin is None:
         return None
-    runs = numpy.arange(MIN_RUNS_FOR_TEST, 1001)
+    runs = numpy.arange(MIN_RUNS_FOR_TEST, MOST_RUNS + 1)
     own, theirs = deviation ** 2 / runs, margin ** 2 / RUNS
     error, freedom = numpy.sqrt(own + theirs), (own + theirs) ** 2 / (theirs ** 2 / (RUNS - 1) + own ** 2 / (runs - 1))
     off = abs(mean - reading.value)
@@ -217,15 +292,57 @@ def judge(reading: ClaimReading, values: Sequence[float] | numpy.ndarray) -> Rea
     return ReadingConclusion(reading, ours, off, interval_of(difference), conclusion, needed)
 
 
+def _distinct(readings: Sequence[ClaimReading], *sets: MeasuredSet) -> list[ClaimReading]:
+    """The readings that the sets measured, each number once: of readings with one published value whose values differ in no run by more than a
+    hundredth of the spread between runs, the first, in the words of all."""
+    kept: list[ClaimReading] = []
+    for reading in readings:
+        if any((reading.metric, "") not in of.table for of in sets):
+            continue
+        place = next((i for i, one in enumerate(kept) if all(_is_one_number(one, reading, of) for of in sets)), len(kept))
+        members, counting = (one if other in one else f"{one} or {other}" for one, other in zip((kept + [reading])[place][-2:], reading[-2:]))
+        kept[place:place + 1] = [(kept + [reading])[place]._replace(members=members, counting=counting)]
+    return kept
+
+
+def _is_one_number(one: ClaimReading, other: ClaimReading, of: MeasuredSet) -> bool:
+    a, b = (of.table[reading.metric, ""] for reading in (one, other))
+    return one.value == other.value and numpy.allclose(a, b, rtol=0.0, atol=0.01 * (deviation_of(a) or 0.0), equal_nan=True)
+
+
 def judge_claims(of: MeasuredSet) -> list[ClaimConclusion]:
     """Every claim about metrics that the runs have, under each of its readings."""
-    judged = [ClaimConclusion(claim, tuple(judge(reading, of.table[reading.metric, ""]) for reading in claim.readings
-                                           if (reading.metric, "") in of.table)) for claim in CLAIMS]
+    judged = [ClaimConclusion(claim, tuple(judge(reading, of.table[reading.metric, ""]) for reading in _distinct(claim.readings, of)))
+              for claim in CLAIMS]
     return [claim for claim in judged if claim.readings]
 
 
+def answers(of: MeasuredSet, frame: pandas.DataFrame) -> list[Answer]:
+    """The answer to every question whose readings all stand in `frame`, of judge.summarize. None without a shadow, and with too few runs."""
+    tested = frame[(frame["role"] == "null") & frame["p_holm"].notna()]
+    names = frame["metric"] + ":" + frame["species"] + ":" + frame["group"]
+    shadowed = dict(zip(names[frame["null"] == SHADOW], frame.loc[frame["null"] == SHADOW, "same_as"]))
+    found = []
+    for question in QUESTIONS:
+        if of.shadow is None or not all(str(reading.metric) in shadowed for reading in question.readings):
+            continue
+        effects = []
+        for reading in _distinct(question.readings, of, of.shadow):
+            ours, null = of.table[reading.metric, ""], of.shadow.table[reading.metric, ""]
+            against = contrast((1.0, ours), (-1.0, null))
+            difference = difference_of(against and against.value, against, scatter_of(null, ours))
+            place = shadowed[str(reading.metric)] or str(reading.metric)
+            others = tested[(names[tested.index] != place) | (tested["null"] != SHADOW)]
+            adjust_together([difference, *(Difference(p=p) for p in others["p"])])
+            if difference.adjusted is not None:
+                effects.append(Effect(reading, difference))
+        if effects:
+            found.append(Answer(question, tuple(effects)))
+    return found
+
+
 def summary_of(claim: ClaimConclusion) -> str:
-    """A claim's readings in half a sentence: "reproduced if the inactive are left out", "not reproduced under any reading"."""
+    """A claim's readings in half a sentence: "depends on who counts: reproduced if the inactive are left out", "not reproduced under any reading"."""
     conclusions = [each.conclusion for each in claim.readings]
     if len(conclusions) == 1:
         return conclusions[0]
@@ -233,18 +350,17 @@ def summary_of(claim: ClaimConclusion) -> str:
         return {"no conclusion": "no conclusion under any reading", "not reproduced": "not reproduced under any reading"}.get(
             conclusions[0], f"{conclusions[0]} under every reading")
     if "reproduced" in conclusions:
-        return f"reproduced if {_condition_for(claim.readings, 'reproduced')}"
-    if "inconclusive" in conclusions:
-        return f"reproduced under no reading, inconclusive if {_condition_for(claim.readings, 'inconclusive')}"
-    return "reproduced under no reading"
+        return "depends on {}: reproduced if {}".format(*_condition_for(claim.readings, "reproduced"))
+    open_if = ", inconclusive if " + _condition_for(claim.readings, "inconclusive")[1] if "inconclusive" in conclusions else ""
+    return f"reproduced under no reading{open_if}"
 
 
-def _condition_for(readings: Sequence[ReadingConclusion], conclusion: str) -> str:
-    """The condition that the readings of this conclusion share and no other reading has: "the inactive are left out". If there is no such, the
-    conditions of each of them."""
+def _condition_for(readings: Sequence[ReadingConclusion | Effect], conclusion: str) -> tuple[str, str]:
+    """The choice by which the readings of this conclusion differ from all others, and how they have it: "who counts", "the inactive are left out".
+    If there is no such, the conditions of each of them."""
     of_it = [each.reading for each in readings if each.conclusion == conclusion]
-    for part in ("members", "counting"):
-        condition = getattr(of_it[0], part)
-        if condition and all((each.conclusion == conclusion) == (getattr(each.reading, part) == condition) for each in readings):
-            return condition
-    return ", or ".join(" and ".join(filter(None, (each.members, each.counting))) for each in of_it)
+    for part, choice in (("members", "who counts"), ("counting", "how it is counted")):
+        ways = list(dict.fromkeys(getattr(each, part) for each in of_it))
+        if all(ways) and all((each.conclusion == conclusion) == (getattr(each.reading, part) in ways) for each in readings):
+            return choice, " or ".join(ways)
+    return "the reading", ", or ".join(" and ".join(filter(None, (each.members, each.counting))) for each in of_it)

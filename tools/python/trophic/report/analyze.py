@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 
 import pandas
 
-from .. import judge, pool
+from .. import judge, pool, published
 from ..description import describe, distinct
 from ..metrics import Measuring, own
 from ..runs import Analysis, RunError
@@ -119,6 +119,8 @@ def write_tables(folder: pathlib.Path, outcome: Outcome) -> list[str]:
              "means.tex": "".join(tex.means(of, frame) for of, frame in zip(sets, outcome.frames))}
     if compared is not None:
         files |= {"differences.csv": tables.csv_text(made.differences), "differences.tex": tex.differences(sets[0], sets[1], compared)}
+    elif published.answers(sets[0], outcome.frames[0]):
+        files["answers.tex"] = tex.answers(sets[0], outcome.frames[0])
     files["summary.json"] = tables.json_text(made.summary)
     for name, content in files.items():
         tables.write_new(folder / name, content)

@@ -18,6 +18,7 @@ from .. import description, judge
 from ..runs import RunError
 from ..values import METRIC, MeasuredSet, Metric
 from ..words import Reading, metric_title, p_text
+from .text import answers_of
 
 
 def read_figures(folder: str | os.PathLike) -> list[dict[str, Any]]:
@@ -109,6 +110,8 @@ def _question(sets: Sequence[MeasuredSet]) -> str:
 
 def _sentences(sets: Sequence[MeasuredSet], frames: Sequence[pandas.DataFrame], findings: Sequence[judge.Finding]) -> list[str]:
     sentences = [f"{sentence[0].upper()}{sentence[1:]}." for one in sets for sentence in judge.too_few(one)]
+    if len(sets) == 1:
+        sentences += [f"{question} {answer[0].upper()}{answer[1:]}: {effect} over the shadow." for question, answer, effect, _ in answers_of(sets[0], frames[0])]
     sentences += [(f"{one.set}: " if one.set and len(sets) > 1 else "") + one.sentence for one in findings[:judge.MOST_FINDINGS]]
     return [*sentences, *(judge.count(frame).sentence() for frame in frames)]
 

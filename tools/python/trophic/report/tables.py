@@ -145,7 +145,7 @@ def _set(of: MeasuredSet, frame: pandas.DataFrame) -> dict[str, Any]:
             "min_runs_for_test": MIN_RUNS_FOR_TEST, "family": _family(frame), "findings": _findings(frame), "runs": _runs(of),
             "shadow_runs": _runs(of.shadow) if of.shadow else [],
             "metrics": [_metric(rows) for _, rows in frame.groupby(METRIC, sort=False)],
-            "claims": _claims(of) if published.applies_to(of) else [],
+            "answers": [_answer(one) for one in published.answers(of, frame)], "claims": _claims(of) if published.applies_to(of) else [],
             "remarks": [*of.remarks, *(of.shadow.remarks if of.shadow else [])]}
 
 
@@ -178,6 +178,13 @@ def _difference(rows: pandas.DataFrame) -> dict[str, Any]:
                for side in "ab"},
             **{kind: {"value": row.difference, "lower": row.lower, "upper": row.upper, **_test(row), "conclusion": row.conclusion}
                if (row := parts.get(kind)) else nothing for kind in ("raw", "over_shadow")}}
+
+
+def _answer(one: published.Answer) -> dict[str, Any]:
+    effects = [{**each.reading.metric._asdict(), "members": each.reading.members, "counting": each.reading.counting, "difference": each.difference.value,
+                **(each.difference.interval._asdict() if each.difference.interval else {}), "p": each.difference.p, "p_adjusted": each.difference.adjusted,
+                "runs_needed": each.difference.runs_needed(), "conclusion": each.conclusion} for each in one.effects]
+    return {"question": one.question.text, "answer": str(one), "runs_needed": one.runs_needed, "shown": one.effects.index(one.shown), "readings": effects}
 
 
 def _claims(of: MeasuredSet) -> list[dict[str, Any]]:

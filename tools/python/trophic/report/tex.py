@@ -11,7 +11,7 @@ from ..description import describe
 from ..judge import count, runs_of
 from ..values import SHADOW, MeasuredSet, Metric
 from ..words import Reading, latex_text, metric_title, p_text
-from .text import estimate_of
+from .text import answers_of, estimate_of
 
 _PACKAGES = "% \\usepackage{booktabs,tabularx}; \\input{} this file in a table, or in a table* of two columns.\n"
 
@@ -28,6 +28,12 @@ def means(of: MeasuredSet, frame: pandas.DataFrame) -> str:
                      math(runs_of(row).replace("+", "{+}"))])
     about = f"% {heading(of)}. Null: the neutral shadow, unless another is named. {_family(frame)}\n"
     return _PACKAGES + about + _table(["metric", "mean [95\\,\\%]", "null", "mean $-$ null [95\\,\\%]", "$p$", "$n$"], rows)
+
+
+def answers(of: MeasuredSet, frame: pandas.DataFrame) -> str:
+    """The answers to the paper's questions about evolution."""
+    rows = [[latex_text(question), latex_text(answer), math(effect)] for question, answer, effect, _ in answers_of(of, frame)]
+    return _PACKAGES + f"% {heading(of)}. Effects: over the neutral shadow.\n" + _table(["question", "answer", "effect [95\\,\\%]"], rows)
 
 
 def differences(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:

@@ -68,6 +68,21 @@ def findings_text(frame: pandas.DataFrame, most: int | None = None) -> str:
     return text + (f"  and {len(found) - most} more findings (--all)\n" if most is not None and len(found) > most else "")
 
 
+def answers_of(of: MeasuredSet, frame: pandas.DataFrame) -> list[list[str]]:
+    """The paper's questions about evolution, each with its answer, the plainest reading's effect over the shadow, and the number of readings."""
+    rows = []
+    for one in published.answers(of, frame):
+        reading, difference = Reading(one.shown.reading.metric), one.shown.difference
+        effect = reading.with_interval(difference.value, difference.interval, True) + f" {reading.unit}" * bool(reading.unit)
+        rows.append([one.question.text, str(one), effect, f"{len(one.effects)} reading{'s' * (len(one.effects) > 1)}"])
+    return rows
+
+
+def _answers(of: MeasuredSet, frame: pandas.DataFrame) -> str:
+    rows = answers_of(of, frame)
+    return "The paper's questions; an answer stands under every reading of the text (undecided: under none):\n" + columns(rows, "  ") if rows else ""
+
+
 def _inconclusive(frame: pandas.DataFrame, head: Sequence[str], cells: Any) -> str:
     """The inconclusive facts that need the fewest runs; `cells` gives those of a row in front of p and the runs needed."""
     rows = judge.inconclusive(frame)
@@ -91,7 +106,7 @@ def findings(of: MeasuredSet, frame: pandas.DataFrame) -> str:
                 reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True)]
 
     head = ["ours [95 %]", "null", "its mean", "runs", "ours - null [95 %]"]
-    return _heading(of) + findings_text(frame, judge.MOST_FINDINGS) + _inconclusive(frame, head, cells) + _too_few(of)
+    return _heading(of) + _answers(of, frame) + findings_text(frame, judge.MOST_FINDINGS) + _inconclusive(frame, head, cells) + _too_few(of)
 
 
 def table(of: MeasuredSet, frame: pandas.DataFrame) -> str:
@@ -124,7 +139,7 @@ def table(of: MeasuredSet, frame: pandas.DataFrame) -> str:
     return (_heading(of) + columns(lines)
             + "= a null: what the rules give without the effect   * the paper's own baseline, for reference: not tested against\n"
             f"p: corrected for {size.comparisons} comparisons (Holm); intervals are those of single comparisons\n"
-            + (findings_text(frame) if size.comparisons else "") + _too_few(of))
+            + _answers(of, frame) + (findings_text(frame) if size.comparisons else "") + _too_few(of))
 
 
 def _title_of(frame: pandas.DataFrame, choice: str) -> str:
