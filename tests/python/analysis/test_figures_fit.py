@@ -122,7 +122,7 @@ def folders(tmp_path_factory):
     at = tmp_path_factory.mktemp("analyses")
     analysis(at / "one", ["paper"], ["prey", "predator"])
     analysis(at / "two", [LABEL, "paper"], ["prey", "predator", "top_predator"])
-    analysis(at / "bodies", ["evolving_bodies", "evolving_bodies with drift"], ["prey", "predator"], with_bodies=True)
+    analysis(at / "bodies", ["evolving_bodies", "evolving_bodies_by_survival"], ["prey", "predator"], with_bodies=True)
     swept(at / "sweep", {"rules.mutation.sd": [0.05, 0.1, 0.2]})
     swept(at / "grid", {"ecology.duration_s": [round(1e-5 * 3**i, 7) for i in range(9)], "rules.starvation.interval.base_ticks": [15, 25, 35], "ecology.robot":
                         ["spider", "a_gecko_with_a_long_name"]})

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Figures of what `trophic analyze --bodies` wrote: measures over time, bodies in the space of their descriptors, and the tree of plans of a run.
-The set of a comparison whose name has "drift" is the null."""
+A set of a comparison with parents at random or with the neutral null is the null."""
 from __future__ import annotations
 
 import pathlib
@@ -16,7 +16,7 @@ from ..runs import read_analysis
 from .paper import Data, draw_curve, window_s
 from .style import Missing, NULL_COLOUR, caption, colour, legend_above, width_in
 
-MEASURES = {"walked": "walked [cm/s]", "body_modules": "modules", "body_mass": "mass [kg]", "body_proportion": "proportion", "body_coverage": "coverage",
+MEASURES = {"walked": "walked [cm/s]", "wall_contact": "touch a wall", "body_modules": "modules", "body_mass": "mass [kg]", "body_proportion": "proportion", "body_coverage": "coverage",
             "body_branching": "branching", "body_limbs": "limbs", "body_length_of_limbs": "limb length", "body_symmetry": "symmetry",
             "body_joints": "joints", "body_plans_shannon": "plans", "body_change": "change", "brain_genes": "brain genes", "gait_genes": "gait genes"}
 DESCRIPTORS = ["size", "proportion", "coverage", "branching", "limbs", "length_of_limbs", "symmetry", "joints"]
@@ -27,8 +27,9 @@ def has_bodies(metrics):
     return (metrics.metric == "body_size").any()
 
 
-def is_null(data):
-    return "drift" in data.summary["set"]
+def null_of(data):
+    """The null that a set is; empty for a set with inheritance and its parent rule."""
+    return "survival alone" if "by_survival" in data.summary["set"] else "neutral null" if " = neutral_" in data.summary["set"] else ""
 
 
 def species_of(data):
@@ -36,7 +37,7 @@ def species_of(data):
 
 
 def measures(sets):
-    """Every measure that changes, over time: lines with bands; drift dashed and grey, the shadow dotted."""
+    """Every measure that changes, over time: lines with bands; the null dashed and grey, the shadow dotted."""
     shown = [name for name in MEASURES if any(data.rows(name, curve=True).value.nunique() > 1 for data in sets)]
     if not shown:
         raise Missing("no measure with a curve")
@@ -49,8 +50,8 @@ def measures(sets):
                 if data.rows(name, one, curve=True).empty:
                     continue
                 time_s, runs = data.curve(name, one)
-                draw_curve(ax, time_s, runs, "drift" if is_null(data) else "inheritance", NULL_COLOUR if is_null(data) else colour(one, species),
-                           (0, (4, 1.5)) if is_null(data) else "-", average=False, scale=scale)
+                draw_curve(ax, time_s, runs, null_of(data) or "inheritance", NULL_COLOUR if null_of(data) else colour(one, species),
+                           (0, (4, 1.5)) if null_of(data) else "-", average=False, scale=scale)
                 if not data.rows(name, one, baseline="shadow", curve=True).empty:
                     shadow_s, shadows = data.curve(name, one, baseline="shadow")
                     ax.plot(shadow_s - window_s(shadow_s) / 2, scale * np.nanmean(shadows, axis=0), ":", color="black", linewidth=1,
@@ -60,9 +61,10 @@ def measures(sets):
         ax.set_title(one, pad=4 + 11 * legend_above(ax, columns=3))
     for ax in axes[-1]:
         ax.set_xlabel("time [s]")
-    ours = [data for data in sets if not is_null(data)] or sets
+    ours = [data for data in sets if not null_of(data)] or sets
+    null = next(filter(None, map(null_of, sets)), "")
     return caption(fig, f"{ours[0].subject('Measures of docs/bodies.md, means over those alive at the ends of windows (plans: their Shannon number)')} Windows of {window_s(time_s):g} s; lines: mean over "
-                        f"runs; grey, dashed: drift, parents at random; dotted: mean of the shadow, in which nothing is inherited. {sets[-1].intervals('bands', False)}")
+                        f"runs; {f'grey, dashed: {null}; ' * bool(null)}dotted: mean of the shadow, in which nothing is inherited. {sets[-1].intervals('bands', False)}")
 
 
 def living_bodies(data):
@@ -77,7 +79,7 @@ def living_bodies(data):
 
 
 def morphospace(sets):
-    """The two first principal components of the descriptors: founders, the living, and the living of drift."""
+    """The two first principal components of the descriptors: founders, the living, and the living of the null."""
     found = [(data, *living_bodies(data)) for data in sets]
     everything = pd.concat([part for _, founders, living in found for part in (founders, living)])[DESCRIPTORS].to_numpy()
     mean = everything.mean(axis=0)
@@ -89,20 +91,20 @@ def morphospace(sets):
     fig, axes = plt.subplots(1, len(species), figsize=(width_in() * 1.6, 2.9), sharex=True, sharey=True, squeeze=False)
     for ax, one in zip(axes[0], species):
         for data, founders, living in found:
-            for rows, mark, label in ((living, "o", "drift" if is_null(data) else "inheritance"), (founders, "*", "founders")):
+            for rows, mark, label in ((living, "o", null_of(data) or "inheritance"), (founders, "*", "founders")):
                 at = (rows[rows.species == one][DESCRIPTORS].to_numpy() - mean) @ components[:2].T
                 places, counts = np.unique(at.round(6), axis=0, return_counts=True) if len(at) else (np.empty((0, 2)), [])
-                if mark == "*" and is_null(data) and len(sets) > 1:
+                if mark == "*" and null_of(data) and len(sets) > 1:
                     continue
                 ax.scatter(*places.T, s=70 if mark == "*" else 6 + 6 * np.sqrt(counts), marker=mark, label=label, linewidths=0.6, zorder=3 if mark == "*" else 2,
-                           facecolors="white" if mark == "*" else NULL_COLOUR if is_null(data) else colour(one, species), alpha=1 if mark == "*" else 0.6,
+                           facecolors="white" if mark == "*" else NULL_COLOUR if null_of(data) else colour(one, species), alpha=1 if mark == "*" else 0.6,
                            edgecolors="black" if mark == "*" else "none")
         ax.set(title=one, xlabel=f"component 1 ({shares[0]:.0%})")
         ax.legend(loc="best", fontsize=6)
     axes[0][0].set_ylabel(f"component 2 ({shares[1]:.0%})")
     named = [", ".join(f"{weight:+.2f} {name.replace('_', ' ')}" for weight, name in sorted(zip(component, DESCRIPTORS), key=lambda pair: -abs(pair[0]))[:3])
              for component in components[:2]]
-    runs = ", ".join(f"{len(data.folders)} of {'drift' if is_null(data) else 'inheritance'}" for data in sets)
+    runs = ", ".join(f"{len(data.folders)} of {null_of(data) or 'inheritance'}" for data in sets)
     return caption(fig, f"Principal components of the eight descriptors of bodies at the ends of runs ({runs}); larger: more individuals; stars: founders. "
                         f"Component 1: {named[0]}; component 2: {named[1]}.")
 
@@ -199,7 +201,7 @@ def figures_of(folder, run=0, trophic="trophic"):
     """(name, function) for each figure of an analysis by `--bodies`."""
     analysis = read_analysis(folder)
     sets = [Data(analysis.metrics[analysis.metrics["set"] == s["set"]], s, run, trophic) for s in analysis.summary["sets"]]
-    sets.sort(key=is_null, reverse=True)
+    sets.sort(key=lambda data: bool(null_of(data)), reverse=True)
     if any(not 0 <= run < len(data.folders) for data in sets):
         raise IndexError(f"--run {run}: must be >= 0 and < the number of runs")
     figures = [("measures", lambda: measures(sets))]
