@@ -133,7 +133,19 @@ def set_rows(name, summary):
         rows.append({"set": name, "metric": metric["metric"], "species": metric["species"], "group": metric["group"],
                      "unit": metric["unit"], "runs": metric["runs"], **{key: number(metric[key]) for key in ("mean", "deviation", "lower", "upper")},
                      "shadow": number(shadow.get("value")), "difference": number(shadow.get("difference")),
-                     "difference_lower": number(shadow.get("lower")), "difference_upper": number(shadow.get("upper"))})
+                     "difference_lower": number(shadow.get("lower")), "difference_upper": number(shadow.get("upper")),
+                     "p_holm": number(shadow.get("p_adjusted")), "conclusion": shadow.get("conclusion") or ""})
+    return rows
+
+
+def answer_rows(summary):
+    """A row for each question about evolution: the answer under all readings, and the effect of the plainest."""
+    rows = []
+    for answer in summary["sets"][0]["answers"]:
+        shown = answer["readings"][answer["shown"]]
+        rows.append({"question": answer["question"], "answer": answer["answer"], "metric": shown["metric"], "runs": len(summary["sets"][0]["runs"]),
+                     "readings": len(answer["readings"]), **{name: number(shown[name]) for name in ("difference", "lower", "upper")},
+                     "p_holm": number(shown["p_adjusted"])})
     return rows
 
 
@@ -264,17 +276,19 @@ def compared_raw(differences):
         return [row for row in csv.DictReader(file) if row["compared"] == "raw" and row["mean_a"] and row["mean_b"]]
 
 
-def over_drift(row, scale):
-    """Numbers of runs, means and difference of a comparison with drift; the numbers in the unit that `scale` makes."""
+def over_survival(row, scale):
+    """Numbers of runs, means and difference of a comparison with survival alone; the numbers in the unit that `scale` makes."""
     scaled = {name: row[key] and number(scale * float(row[key])) for name, key in
-              (("mean", "mean_b"), ("drift", "mean_a"), ("over_drift", "difference"), ("lower", "lower"), ("upper", "upper"))}
-    return {"runs": row["n_b"], "drift_runs": row["n_a"], **scaled}
+              (("mean", "mean_b"), ("survival", "mean_a"), ("over_survival", "difference"), ("lower", "lower"), ("upper", "upper"))}
+    return {"runs": row["n_b"], "survival_runs": row["n_a"], **scaled}
 
 
-def evolved_rows(study, differences, means):
-    """Measures of bodies, gaits and brains in the late half of runs, with their differences from drift and from the shadow."""
+def evolved_rows(study, differences, means, neutral=None):
+    """Measures of bodies, gaits and brains in the late half of runs, with their differences from survival alone, from the shadow and, if there are
+    such differences, from the neutral null."""
     with open(means, newline="") as file:
         shadows = {(row["metric"], row["species"], row["group"]): row for row in csv.DictReader(file) if row["null"] == "shadow"}
+    neutrals = {(row["metric"], row["species"], row["group"]): row for row in (compared_raw(neutral) if neutral else ())}
     rows = []
     for row in compared_raw(differences):
         key = (row["metric"], row["species"], row["group"])
@@ -282,16 +296,20 @@ def evolved_rows(study, differences, means):
         shadow = shadows.get(key, {})
         of_shadow = {name: shadow.get(column) and number(scale * float(shadow[column])) for name, column in
                      (("shadow", "null_mean"), ("over_shadow", "difference"), ("shadow_lower", "difference_lower"), ("shadow_upper", "difference_upper"))}
+        null = neutrals.get(key, {})
+        of_neutral = {name: number(scale * float(null[column])) if null.get(column) else "" for name, column in
+                      (("neutral", "mean_a"), ("over_neutral", "difference"), ("neutral_lower", "lower"), ("neutral_upper", "upper"))}
+        p_values = {name: of.get("p_holm") and number(float(of["p_holm"])) for name, of in
+                    (("p_holm", row), ("shadow_p_holm", shadow), ("neutral_p_holm", null))}
         rows.append({"study": study, "metric": row["metric"], "species": row["species"], "group": row["group"],
-                     "unit": "cm/s" if scale == 100.0 else row["unit"], **over_drift(row, scale), **of_shadow,
-                     "p_holm": row["p_holm"] and number(float(row["p_holm"])), "shadow_p_holm": shadow.get("p_holm") and number(float(shadow["p_holm"]))})
+                     "unit": "cm/s" if scale == 100.0 else row["unit"], **over_survival(row, scale), **of_shadow, **of_neutral, **p_values})
     return rows
 
 
 def walked_rows(differences):
-    """How far prey walk in the late half of runs, over drift, in cm/s: one measure, so p needs no correction."""
+    """How far prey walk in the late half of runs, over survival alone, in cm/s: one measure, so p needs no correction."""
     rows = [row for row in compared_raw(differences) if (row["metric"], row["species"], row["group"]) == ("walked", "prey", "late")]
-    return [{"metric": row["metric"], "species": row["species"], "group": row["group"], **over_drift(row, 100.0),
+    return [{"metric": row["metric"], "species": row["species"], "group": row["group"], **over_survival(row, 100.0),
              "p": row["p"] and number(float(row["p"]))} for row in rows]
 
 

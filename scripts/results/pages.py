@@ -115,13 +115,14 @@ def against_shadow(rows):
         for row in rows:
             if (row["metric"], row["species"], row["group"]) != key or not row["mean"]:
                 continue
-            says = ""
-            if row["difference_lower"]:
-                lower, upper = float(row["difference_lower"]), float(row["difference_upper"])
-                says = "above" if lower > 0 else "below" if upper < 0 else "no significant difference"
+            says = {"inconclusive": "no significant difference", "same": "as the metric that it repeats"}.get(row["conclusion"], row["conclusion"])
             lines.append([title(row), ranged(row, ("mean", "lower", "upper")), digits(row, row["shadow"]),
-                          ranged(row, ("difference", "difference_lower", "difference_upper"), True), says])
-    return table(["metric", "ours", "shadow", "difference", "against the shadow"], lines)
+                          ranged(row, ("difference", "difference_lower", "difference_upper"), True), p_text(row["p_holm"]), says])
+    return table(["metric", "ours", "shadow", "difference", "p (Holm)", "against the shadow"], lines)
+
+
+def p_text(p):
+    return "" if p == "" else "<0.001" if float(p) < 0.0005 else f"{float(p):.3f}"
 
 
 GRID = [("attribution_caught", "prey", "all"), ("attribution_credited", "predator", "all"), ("velocity", "prey", "all"),
@@ -262,9 +263,9 @@ def seconds(row, places=1):
     return "{:+.{p}f} [{:+.{p}f}, {:+.{p}f}]".format(*(float(row[key]) for key in ("over_shadow", "lower", "upper")), p=places)
 
 
-def race_answer(late):
-    """The decision rule of the study: late global progress of both species above the shadow, Holm over the two."""
-    better = [species for species, row in late.items() if row["p_holm"] and float(row["p_holm"]) <= 0.05 and float(row["over_shadow"]) > 0.0]
+def race_answer(late, cells):
+    """The decision rule of the study: late global progress of both species above the shadow, Holm over the two, corrected for the cells of the table."""
+    better = [species for species, row in late.items() if row["p_holm"] and cells * float(row["p_holm"]) <= 0.05 and float(row["over_shadow"]) > 0.0]
     if any(not row["p_holm"] for row in late.values()):
         return "too few runs"
     return "arms race" if len(better) == 2 else f"progress of {better[0].replace('predator', 'predators')}" if better else "none found"
@@ -278,11 +279,12 @@ def race(rows):
     """Velocity and global progress over the shadow, as far as they are measured, and the answer of the decision rule, in each cell."""
     columns = [column for column in RACED if any((row["measure"], row["species"]) == column[:2] for row in rows)]
     lines = []
-    for cell in dict.fromkeys(row["cell"] for row in rows):
+    cells = list(dict.fromkeys(row["cell"] for row in rows))
+    for cell in cells:
         of_cell = {(row["measure"], row["species"]): row for row in rows if row["cell"] == cell}
         late = {species: of_cell["global late", species] for species in ("predator", "prey")}
         lines.append([f"`{cell}`", *(seconds(of_cell.get((measure, species)), 2 if measure == "velocity" else 1) for measure, species, _ in columns),
-                      late["prey"]["runs"], race_answer(late)])
+                      late["prey"]["runs"], race_answer(late, len(cells))])
     return table(["cell", *(head for _, _, head in columns), "runs", "arms race"], lines)
 
 
@@ -315,35 +317,38 @@ def lineages(rows):
     return table(["cell", "measure", "null", "prey", "prey over the null", "predators", "predators over the null"], lines)
 
 
-EVOLVED = {"brains": ["walked", "brain_genes"], "gaits": ["walked", "gait_genes"],
+EVOLVED = {"brains": ["walked", "open_speed", "wall_contact", "brain_genes"], "gaits": ["walked", "gait_genes"],
            "bodies": ["walked", "body_modules", "body_hinges", "body_mass", "body_size", "body_proportion", "body_coverage", "body_branching", "body_limbs",
                       "body_length_of_limbs", "body_symmetry", "body_joints", "body_plans", "body_plans_shannon", "body_change"]}
 
 
 def evolved(rows, study):
-    """Measures of the late half of the runs, over drift and over the shadow; * after Holm's correction for all measures."""
+    """Measures of the late half of the runs, over survival alone, the shadow and, if it was run, the neutral null; * after Holm's correction for all
+    measures of a comparison."""
     def over(row, keys, p):
         star = "*" if row[p] and float(row[p]) <= 0.05 else ""
         return signed(row, keys) + star
 
-    lines = []
+    lines, has_neutral = [], any(row["neutral"] for row in rows if row["study"] == study)
     for metric in EVOLVED[study]:
         for species in ("predator", "prey"):
             found = [row for row in rows if (row["study"], row["metric"], row["species"], row["group"]) == (study, metric, species, "late")]
             for row in found:
-                lines.append([f"{metric}, cm/s" if row["unit"] == "cm/s" else f"{metric}, kg" if row["unit"] == "kg" else metric, {"predator": "predators"}.get(species, species),
-                              f"{float(row['mean']):.3g}", f"{float(row['drift']):.3g}", over(row, ("over_drift", "lower", "upper"), "p_holm"),
+                neutral = over(row, ("over_neutral", "neutral_lower", "neutral_upper"), "neutral_p_holm") if row["neutral"] else ""
+                lines.append([f"{metric}, {row['unit']}" if row["unit"] != "1" else metric, {"predator": "predators"}.get(species, species),
+                              f"{float(row['mean']):.3g}", f"{float(row['survival']):.3g}", over(row, ("over_survival", "lower", "upper"), "p_holm"),
                               row["shadow"] and f"{float(row['shadow']):.3g}", over(row, ("over_shadow", "shadow_lower", "shadow_upper"), "shadow_p_holm"),
-                              f"{row['runs']} + {row['drift_runs']}"])
-    return table(["measure, late half", "of", "inheritance", "drift", "over drift", "shadow", "over the shadow", "runs"], lines)
+                              *([neutral] if has_neutral else []), f"{row['runs']} + {row['survival_runs']}"])
+    return table(["measure, late half", "of", "inheritance", "survival alone", "over survival alone", "shadow", "over the shadow",
+                  *(["over the neutral null"] if has_neutral else []), "runs"], lines)
 
 
 def evolved_again(rows):
-    """The measure of the second study of bodies, over drift; p is uncorrected, since there is one measure."""
-    return table(["measure, late half", "of", "inheritance", "drift", "over drift", "p", "runs"],
-                 [["walked, cm/s", row["species"], f"{float(row['mean']):.3g}", f"{float(row['drift']):.3g}",
-                   signed(row, ("over_drift", "lower", "upper")), f"{float(row['p']):.2g}",
-                   f"{row['runs']} + {row['drift_runs']}"] for row in rows])
+    """The measure of the second study of bodies, over survival alone; p is uncorrected, since there is one measure."""
+    return table(["measure, late half", "of", "inheritance", "survival alone", "over survival alone", "p", "runs"],
+                 [["walked, cm/s", row["species"], f"{float(row['mean']):.3g}", f"{float(row['survival']):.3g}",
+                   signed(row, ("over_survival", "lower", "upper")), f"{float(row['p']):.2g}",
+                   f"{row['runs']} + {row['survival_runs']}"] for row in rows])
 
 
 def evolved_lives(rows):
@@ -358,17 +363,14 @@ def open_choices(choices):
     return table(["choice", "question", "the text", "in `paper`", "other reading"], lines)
 
 
-ANSWER_HEADS = ["question", "answer", "effect [95 % interval]", "runs", "study"]
-
-
 def tables(data, choices):
     """The function that makes each table."""
     made = {"open choices": lambda: open_choices(choices), "screen effects": lambda: effects(data("screen_effects")),
             "screen reached": lambda: reached(data("screen_cells"), data("kinematic_paper_published")), "ranges": lambda: ranges(data("ranges")),
             "bodies": lambda: bodies(data("bodies")), "walls": lambda: bodies(data("walls"), "released"),
             "walls differences": lambda: at_walls(data("walls")), "conclusions": lambda: table(answers.conclusion_heads(), answers.conclusions(data)),
-            "answers": lambda: table(ANSWER_HEADS, answers.evolved(data) + answers.choices_that_matter(data)),
-            "answers in brief": lambda: table(ANSWER_HEADS, answers.in_brief(data)),
+            "answers": lambda: table(answers.HEADS, answers.evolved(data) + answers.choices_that_matter(data)),
+            "answers in brief": lambda: table(answers.HEADS, answers.in_brief(data)),
             "ablations paper": lambda: swaps(data("ablations"), "paper"),
             "ablations released": lambda: swaps(data("ablations"), "released"),
             "inheritance": lambda: inheritance(data("inheritance")), "lineages": lambda: lineages(data("race_arms_race_lineages")),

@@ -133,19 +133,6 @@ class SweepAnalysis(InFolderWithSets):
         self.assertEqual(again.returncode, 2)
         self.assertIn("--reference 0: must be a cell with a complete run", again.stderr)
 
-    def test_a_column_is_a_metric_of_every_cell_and_a_run_without_it_is_named(self):
-        for line in self.lines:
-            (self.folder / "sweep" / line["folder"] / "own.csv").write_text(f"level\n{1 + line['cell'] + line['replicate'] / 10}\n")
-        self.analyzed("--column", "own.csv:level", "--metric", "level")
-        rows = table(self.folder / "analysis/sweep_differences.csv")
-        self.assertEqual([(row["cell"], round(float(row["difference"]), 9)) for row in rows if row["compared"] == "raw"], [("1", 1.0), ("2", 2.0), ("3", 3.0)])
-        (self.folder / "sweep/cell-001/replicate-02/own.csv").write_text("level\nnan\n")
-        done = self.analyzed("--column", "own.csv:level", "--metric", "level", out="without")
-        self.assertIn("sweep/cell-001/replicate-02/own.csv: level has no value; the run is left out of its mean\n", done.stderr)
-        (self.folder / "sweep/cell-002/shadow/replicate-01/own.csv").unlink()
-        shutil.rmtree(self.folder / "analysis")
-        self.refused("--column own.csv:level: sweep/cell-002/shadow/replicate-01 has no such file", "sweep", "--column", "own.csv:level")
-
     def test_a_sweep_is_analyzed_alone(self):
         shutil.copytree(self.sets / "sweep", self.folder / "other")
         cell = "sweep/cell-000/replicate-00"
@@ -168,11 +155,6 @@ class SweepAnalysis(InFolderWithSets):
         again = self.analyze("sweep", "--out", "analysis")
         self.assertEqual(again.returncode, 2)
         self.assertIn("exists already", again.stderr)
-
-    def test_named_metrics_that_never_differ_are_one_line(self):
-        shown = self.analyzed("--metric", "deaths:prey").stdout
-        self.assertIn("\nthe same in all runs, or without a value: deaths prey (senescence)\n", shown)
-        self.assertEqual(shown.count("deaths prey (senescence)"), 1)
 
     @unittest.skipUnless(figures_python.PYTHON, "needs matplotlib and pandas")
     def test_figures(self):

@@ -157,7 +157,7 @@ Command analyze(const std::string& program, const Offer& offer) {
            {.name = "--bodies",
             .target = &options->bodies,
             .help = "measure bodies instead: shape, size, number of plans, genes of gaits and brains, and how fast robots walk; "
-                    "for drift, --compare with runs whose parents are drawn at random",
+                    "for survival alone, --compare with runs whose parents are drawn at random",
             .not_with = {"--published", "--lineages"}},
            {.name = "--selection",
             .target = &options->selection,
