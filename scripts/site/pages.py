@@ -131,7 +131,8 @@ def converted(root: pathlib.Path, path: str, names: set[str], images: pathlib.Pa
 
 
 def write(root: pathlib.Path, out: pathlib.Path, images: pathlib.Path, cards: list) -> None:
-    names = {str(document.path.relative_to(root)) for document in all_documents(root)}
+    # The site may be built inside the tree: its own pages are not documents.
+    names = {str(document.path.relative_to(root)) for document in all_documents(root) if out.parent not in document.path.parents}
     names = {name for name in names if not name.startswith((".github/", "packaging/", "docs/paper/"))}
     wanted = [name for name, _ in ORDER if name in names]
     wanted += sorted(names - set(wanted))

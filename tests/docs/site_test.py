@@ -13,6 +13,7 @@ ROOT, OUT = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
 sys.path[:0] = [str(ROOT / "scripts/site"), str(ROOT / "tests/docs")]
 
 import check_links  # noqa: E402
+import pages  # noqa: E402
 import rule_cards  # noqa: E402
 import rule_pictures  # noqa: E402
 
@@ -85,6 +86,19 @@ def pictures_are_drawn_from_the_headers() -> None:
     assert "reach 0.25 m" in rule_pictures.picture_of(reach)[0]
 
 
+def a_site_inside_the_tree_is_not_read() -> None:
+    with tempfile.TemporaryDirectory() as name:
+        root = pathlib.Path(name)
+        (root / "docs/how-to").mkdir(parents=True)
+        (root / "docs/how-to/README.md").write_text("# How-tos\n")
+        (root / "docs/references.bib").write_text("")
+        (root / "README.md").write_text("# trophic\n")
+        (root / "debian/site/pages").mkdir(parents=True)
+        (root / "debian/site/pages/card.md").write_text("# A card\n\n![a picture of it](card.svg)\n")
+        pages.write(root, root / "debian/site/pages", root / "debian/site/images", [])
+        assert not list(root.rglob("*debian__site*"))
+
+
 def search_offers_documents_alone() -> None:
     offered = "".join(path.read_text() for path in (OUT / "html/search").glob("*.js"))
     assert "../page_docs_tutorial.html" in offered and "../card_capture_catch_within_reach.html" in offered
@@ -92,6 +106,7 @@ def search_offers_documents_alone() -> None:
 
 
 def main() -> int:
+    a_site_inside_the_tree_is_not_read()
     pictures_are_drawn_from_the_headers()
     cards_are_used_as_they_say()
     finds_broken_links()
