@@ -39,6 +39,7 @@ class PaperTables(InFolderWithSets):
             cls.call(PREDATOR_PREY, "--backend", "kinematic", "--rules", rules, "--duration", 1000, "--replicates", 6, "--jobs", 2, "--shadow",
                      "--out", rules)
         cls.call(TROPHIC, "analyze", "--compare", "paper", "released", "--out", "analysis")
+        cls.call(TROPHIC, "analyze", "paper", "--out", "one")
 
     @classmethod
     def call(cls, *arguments):
@@ -83,6 +84,8 @@ class PaperTables(InFolderWithSets):
             (self.folder / f"means{place}.tex").write_text("% " + part)
             self.compiled("", "table", f"means{place}")
             self.compiled("twocolumn", "table*", f"means{place}")
+        shutil.copy(self.sets / "one/answers.tex", self.folder)
+        self.compiled("", "table", "answers")
         self.compiled("", "table", "differences")
         self.compiled("twocolumn", "table*", "differences")
 

@@ -32,8 +32,9 @@ def means(of: MeasuredSet, frame: pandas.DataFrame) -> str:
 
 def answers(of: MeasuredSet, frame: pandas.DataFrame) -> str:
     """The answers to the paper's questions about evolution."""
-    rows = [[latex_text(question), latex_text(answer), math(effect)] for question, answer, effect, _ in answers_of(of, frame)]
-    return _PACKAGES + f"% {heading(of)}. Effects: over the neutral shadow.\n" + _table(["question", "answer", "effect [95\\,\\%]"], rows)
+    rows = [[latex_text(question), latex_text(answer), math(effect.removesuffix(" cm/s")) + " cm/s" * effect.endswith("cm/s")]
+            for question, answer, effect, _ in answers_of(of, frame)]
+    return _PACKAGES + f"% {heading(of)}. Effects: over the neutral shadow.\n" + _table(["question", "answer", "effect [95\\,\\%]"], rows, 2)
 
 
 def differences(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:
@@ -67,8 +68,8 @@ def _family(frame: pandas.DataFrame) -> str:
     return f"p: Holm, corrected for {count(frame).comparisons} comparisons."
 
 
-def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    """Numbers behind a first column of names, which takes the rest of the line."""
+def _table(head: Sequence[str], rows: Sequence[Sequence[str]], texts: int = 1) -> str:
+    """Numbers behind first columns of texts, which take the rest of the line."""
     lines = [" & ".join(cells) + " \\\\\n" for cells in (head, *rows)]
-    return ("{\\scriptsize\\setlength{\\tabcolsep}{3pt}%\n\\begin{tabularx}{\\linewidth}{@{}>{\\raggedright\\arraybackslash}X*{" + str(len(head) - 1)
-            + "}{r}@{}}\n\\toprule\n" + lines[0] + "\\midrule\n" + "".join(lines[1:]) + "\\bottomrule\n\\end{tabularx}}\n")
+    return ("{\\scriptsize\\setlength{\\tabcolsep}{3pt}%\n\\begin{tabularx}{\\linewidth}{@{}*{" + str(texts) + "}{>{\\raggedright\\arraybackslash}X}*{"
+            + str(len(head) - texts) + "}{r}@{}}\n\\toprule\n" + lines[0] + "\\midrule\n" + "".join(lines[1:]) + "\\bottomrule\n\\end{tabularx}}\n")
