@@ -182,18 +182,16 @@ def test_readings_that_are_one_number_count_once():
     answer = asked(PREDATORS, {"": STRONG}, alike=[(CLOSEST, STORED)])
     assert len(answer.effects) == 4 and answer.shown == answer.effects[2] and len(asked(PREDATORS, {"": STRONG}).effects) == 6
     assert answer.effects[0].reading.counting == "the adversary is the stored one or the adversary is the closest that is perceived"
-    values = {metric(name, "predator", "all"): around(0.0195, spread=0.001) for name in (STORED, CLOSEST)}
-    for closest, count in (([0.0195] * 6, 2), (values[metric(STORED, "predator")], 1)):
-        (claim,) = judge_claims(set_of({**values, metric(CLOSEST, "predator"): list(closest)}))
+    stored = around(0.0195, spread=0.001)
+    for closest, count in (([0.0195] * 6, 2), (stored, 1)):
+        (claim,) = judge_claims(set_of({metric(STORED, "predator"): stored, metric(CLOSEST, "predator"): list(closest)}))
         assert len(claim.readings) == count
 
 
 def test_no_answer_without_a_shadow_with_too_few_runs_and_without_all_readings():
     runs = set_of({reading.metric: around(0.02) for reading in PREDATORS.readings})
     assert answers(runs, summarize(runs)) == []
-    few = set_of({reading.metric: around(0.02, 5) for reading in PREDATORS.readings})
-    few.shadow = few
-    assert answers(few, summarize(few)) == []
-    part = set_of({reading.metric: around(0.02) for reading in PREDATORS.readings[1:]})
-    part.shadow = part
-    assert answers(part, summarize(part)) == []
+    for readings, count in ((PREDATORS.readings, 5), (PREDATORS.readings[1:], 6)):
+        lacking = set_of({reading.metric: around(0.02, count) for reading in readings})
+        lacking.shadow = lacking
+        assert answers(lacking, summarize(lacking)) == []
