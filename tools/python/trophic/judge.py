@@ -70,8 +70,8 @@ def repeated_values(values: dict[Metric, numpy.ndarray]) -> dict[Metric, Metric]
     """As `repeated`, of values by metric, one a run."""
     repeats: dict[Metric, Metric] = {}
     for place, (later, of_later) in enumerate(values.items()):
-        plain = later._replace(metric=READINGS.get(later.metric, ""))
-        if plain in values:
+        read = (READINGS.get(later.metric, ""), *later[1:3])
+        if plain := next((metric for metric in values if metric[:3] == read), None):
             repeats[later] = plain
             continue
         there = ~numpy.isnan(of_later)
@@ -297,8 +297,9 @@ _NOUNS = {"velocity": "the velocity of {who} towards their adversaries", "veloci
           "ticks_at": "the share of time with {group} {who}", "deaths": "the number of {who} that die in a run",
           "stuck": "the share of {who} that are stuck", "locked": "the share of {who} that are locked into another one",
           "near_pairs": "the number of pairs of {who} within 0.3 m", "near_longest": "the longest time that a pair of {who} stays within 0.3 m",
-          "open_speed": "the speed of {who} away from walls", "upright_speed": "the speed of upright {who} away from walls",
-          "overturned": "the share of {who} that lie on their backs", "wall_contact": "the share of {who} that touch a wall",
+          "walked": "the speed of {who}", "open_speed": "the speed of {who} away from walls",
+          "upright_speed": "the speed of upright {who} away from walls", "overturned": "the share of {who} that lie on their backs",
+          "wall_contact": "the share of {who} that touch a wall",
           "extinct": "the share of runs in which {who} die out", "extinct_at": "the time at which {who} die out"}
 _CAUSES = {"caught": "are caught", "starved": "starve", "sacrificed": "are sacrificed", "senescence": "die of senescence"}
 
@@ -319,7 +320,7 @@ def noun_of(metric: Metric) -> str:
         noun = _NOUNS[name].format(who=who, group=group, first=first, second=second)
         if name == "deaths" and group != "all":
             return f"the number of {who} that {_CAUSES.get(group, f'die ({group})')} in a run"
-        return noun + (f" ({group})" if name == "wall_sticking_gap" and group != "all" else "")
+        return noun + (f" ({group})" if group in ("early", "late") or name == "wall_sticking_gap" and group != "all" else "")
     noun = name.replace("_", " ") + (f" of {who}" if who else "")
     return noun + (f" ({group})" if group not in _GROUPS else "")
 

@@ -31,7 +31,8 @@ OPTIONAL = ("upright_speed", "overturned", "wall_contact", "velocity_upright")
 """Left out if no run has a value, unless a choice names it."""
 READINGS = {**dict.fromkeys(("velocity_points", "velocity_stored", "velocity_simulated", "velocity_open", "velocity_upright"), "velocity"),
             **{f"{metric}_not_locked": metric for metric in ("velocity", "wall_sticking", "wall_sticking_gap", "tag_symmetry", "attribution_caught",
-                                                             "attribution_catches")}}
+                                                             "attribution_catches")},
+            "near_pairs": "locked", "near_longest": "locked", "upright_speed": "open_speed", "wall_contact": "wall_sticking"}
 """Metrics that are another reading of a metric, which is tested for them."""
 
 
@@ -102,7 +103,7 @@ def measure_run(run: PooledRun, how: Measuring) -> RunValues:
     status = run.manifest["status"]
     remarks = [] if status == "complete" else [f'{run.path}/manifest.json: status "{status}": the run did not reach its end']
     events, agents = run.load("events.csv", EVENTS, remarks), run.load("agents.csv", AGENTS, remarks)
-    if lost := lost_to_thinning(run.every_ticks):
+    if how.bodies is None and (lost := lost_to_thinning(run.every_ticks)):
         remarks.append(f"{run.path}/{lost}")
     agents = motion.with_contacts(agents, run, remarks)
     if how.bodies is not None:

@@ -30,7 +30,8 @@ _SHAPES = {"size": "1", "proportion": "1", "coverage": "1", "branching": "1", "l
 _MEASURES = {**{f"body_{column.removesuffix('_kg')}": unit for column, unit in _SHAPES.items()},
              # different plans, their Shannon number, and the tree edit distance from the plan of the species' first individual
              "body_plans": "1", "body_plans_shannon": "1", "body_change": "1",
-             "brain_genes": "1", "gait_genes": "1", "walked": "m/s", "open_speed": "m/s", "upright_speed": "m/s", "overturned": "1", "wall_contact": "1"}
+             "brain_genes": "1", "gait_genes": "1", "walked": "m/s", "open_speed": "m/s", "upright_speed": "m/s",
+             "overturned": "1", "wall_contact": "1"}
 
 
 def check(run: Run) -> None:

@@ -1,8 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""Robots that are locked into each other: near the same other one for 12 s or longer.
-
-They hardly move, on legs for minutes to an hour, and a metric of motion is about them as much as about the free. So metrics are also given
-without them: NAME_not_locked."""
+"""Robots that are locked into each other: near the same other one for 12 s or longer. They hardly move, on legs for minutes to an hour, so
+metrics are also given without them: NAME_not_locked."""
 from __future__ import annotations
 
 from typing import NamedTuple
@@ -18,14 +16,12 @@ TICKS = 6
 
 
 class Locks(NamedTuple):
-    """Pairs of bodies that are near each other."""
+    """row: whether the robot in each row of agents is locked, that is in a pair that stays near for at least TICKS ticks around that row. pairs: at
+    each tick, pairs that are near, however long. longest_s: of a pair, unbroken; 0 without a pair, nan without a tick."""
 
     row: numpy.ndarray
-    """whether the robot in each row of agents is locked: it belongs to a pair that stays near for at least TICKS ticks around that row"""
     pairs: numpy.ndarray
-    """at each tick, pairs that are near, however long"""
     longest_s: float
-    """for which a pair is near, unbroken; 0 without a pair, nan without a tick"""
 
 
 def locks(agents: Agents, reach_m: float = REACH_M, ticks: int = TICKS) -> Locks:
@@ -57,7 +53,7 @@ def events_of_free(events: pandas.DataFrame, agents: Agents, locked: numpy.ndarr
 def measure(agents: Agents, web: Web, found: Locks | None, results: Results) -> None:
     """`found`: None if the table lacks the ticks for it."""
     for species in (*web.species, None):
-        share = numpy.full(len(agents.ticks), numpy.nan) if found is None else agents.mean(agents.of(species), found.row.astype(float))
+        share = agents.mean(agents.of(species), found.row.astype(float)) if found else numpy.full(len(agents.ticks), numpy.nan)
         results.add_means("locked", species or "all", "all", "1", means(agents.window, share))
     results.add_means("near_pairs", "all", "all", "1", means(agents.window, found.pairs if found else numpy.full(len(agents.ticks), numpy.nan)))
     results.add("near_longest", "all", "all", "s", found.longest_s if found else numpy.nan)

@@ -15,8 +15,6 @@ from .walls import REACH_M, to_wall_m
 if TYPE_CHECKING:
     from ..pool import PooledRun
 
-_ROUNDED_M = 1e-6  # of positions in agents.csv
-
 
 def with_contacts(agents: pandas.DataFrame, run: PooledRun, remarks: list[str]) -> pandas.DataFrame:
     """The rows of agents.csv with the columns tilt_rad and touches_wall, as far as they are known. Raises RunError for a cell of senses.csv that
@@ -24,7 +22,7 @@ def with_contacts(agents: pandas.DataFrame, run: PooledRun, remarks: list[str]) 
     radius_m = run.manifest.get("params", {}).get("backend", {}).get("radius_m")
     if radius_m is not None:
         from_wall_m = run.half_side_m - agents[["x_m", "y_m"]].abs().max(axis=1)
-        return agents.assign(touches_wall=(from_wall_m <= radius_m + _ROUNDED_M).astype(float))
+        return agents.assign(touches_wall=(from_wall_m <= radius_m + 1e-6).astype(float))  # positions are rounded
     if not (run.path / "senses.csv").exists():
         return agents
     table = run.texts("senses.csv", ["tick", "body", "tilt_rad", "touches_wall"], (), remarks)
@@ -49,7 +47,8 @@ def curves(agents: Agents, species: str, half_side_m: float, window_s: float = W
 
     def both(rows: numpy.ndarray) -> numpy.ndarray:
         return rows & (before >= 0) & rows[before]
-    of = {"walked": (both(own), speed), "open_speed": (both(own & is_open), speed), "upright_speed": (both(own & is_open & is_upright(agents)), speed),
+    of = {"walked": (both(own), speed), "open_speed": (both(own & is_open), speed),
+          "upright_speed": (both(own & is_open & is_upright(agents)), speed),
           "overturned": (own & ~numpy.isnan(agents.tilt_rad), (~is_upright(agents)).astype(float)),
           "wall_contact": (own & ~numpy.isnan(agents.touches_wall), agents.touches_wall)}
     window = window_of(agents.time_s, window_s)
