@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <conformance/backend_suite.hpp>
+#include <conformance/placing_suite.hpp>
 #include <trophic/backend/kinematic.hpp>
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_backend_suite, trophic::backend::Kinematic);
+TEST_CASE_TEMPLATE_INVOKE(trophic_placing_suite, trophic::backend::Kinematic);

@@ -32,6 +32,12 @@ class AnyBackend {
   /// Throws std::logic_error if the backend cannot exchange bodies (Embodying).
   virtual void embody(std::size_t robot, const RobotModel& model, const Pose& pose) = 0;
 
+  /// Both throw std::logic_error if the backend's robots cannot come and go (Placing).
+  virtual void take_away(std::size_t robot) = 0;
+  virtual void place(std::size_t robot, const Pose& pose) = 0;
+  /// True for all robots of a backend that cannot.
+  [[nodiscard]] virtual bool is_there(std::size_t robot) const = 0;
+
   /// A sentence if the backend has been much slower than its parameters promise (its own speed_remark()); else empty.
   [[nodiscard]] virtual std::string speed_remark() const = 0;
   /// The share of steps that the engine itself took (its own engine_share()); 0 without such a function.
@@ -93,6 +99,24 @@ class BackendOf final : public AnyBackend {
     } else {
       throw std::logic_error{"backend " + std::string{B::name} + ": cannot exchange bodies"};
     }
+  }
+  void take_away([[maybe_unused]] std::size_t robot) override {
+    if constexpr (Placing<B>) {
+      backend.take_away(robot);
+    } else {
+      throw std::logic_error{"backend " + std::string{B::name} + ": cannot take robots away"};
+    }
+  }
+  void place([[maybe_unused]] std::size_t robot, [[maybe_unused]] const Pose& pose) override {
+    if constexpr (Placing<B>) {
+      backend.place(robot, pose);
+    } else {
+      throw std::logic_error{"backend " + std::string{B::name} + ": cannot place robots"};
+    }
+  }
+  [[nodiscard]] bool is_there([[maybe_unused]] std::size_t robot) const override {
+    if constexpr (Placing<B>) return backend.is_there(robot);
+    return true;
   }
   [[nodiscard]] std::string speed_remark() const override {
     if constexpr (requires { backend.speed_remark(); }) return backend.speed_remark();

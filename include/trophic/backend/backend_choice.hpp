@@ -38,6 +38,8 @@ class BackendChoice {
   [[nodiscard]] bool has_joints() const { return choice_->has_joints(); }
   /// Whether bodies can be exchanged (Embodying).
   [[nodiscard]] bool can_embody() const { return choice_->can_embody(); }
+  /// Whether robots can come and go (Placing).
+  [[nodiscard]] bool can_place() const { return choice_->can_place(); }
   /// Its number of threads; null for a backend without threads.
   [[nodiscard]] std::size_t* threads() { return choice_->threads(); }
 
@@ -73,6 +75,7 @@ class BackendChoice {
     [[nodiscard]] virtual std::vector<std::string> remarks(const Physics& physics) const = 0;
     [[nodiscard]] virtual bool has_joints() const = 0;
     [[nodiscard]] virtual bool can_embody() const = 0;
+    [[nodiscard]] virtual bool can_place() const = 0;
     [[nodiscard]] virtual std::size_t* threads() = 0;
     virtual void validate(std::string_view path) const = 0;
     virtual void append_param_refs(std::string_view path, ParamRefs& refs) = 0;
@@ -91,6 +94,7 @@ class BackendChoice {
     [[nodiscard]] std::vector<std::string> remarks(const Physics& physics) const override { return B::remarks(physics); }
     [[nodiscard]] bool has_joints() const override { return JointDriven<B>; }
     [[nodiscard]] bool can_embody() const override { return Embodying<B>; }
+    [[nodiscard]] bool can_place() const override { return Placing<B>; }
     [[nodiscard]] std::size_t* threads() override {
       if constexpr (requires { params.threads; }) return &params.threads;
       return nullptr;

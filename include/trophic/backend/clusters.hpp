@@ -11,11 +11,12 @@
 
 namespace trophic::backend {
 
-/// A disc on the floor that a robot cannot leave within the coming steps.
+/// A disc on the floor that a robot cannot leave within the coming steps. A negative radius: the robot is absent.
 struct Disc {
   double x_m = 0.0;
   double y_m = 0.0;
   double radius_m = 0.0;
+  [[nodiscard]] bool is_absent() const { return radius_m < 0.0; }
 };
 
 /// Whether two discs overlap or touch.
@@ -27,7 +28,8 @@ struct Disc {
 }
 
 /// Splits the discs 0 .. n-1 into the connected sets of "overlap or touch". Each set is ascending; the sets are ordered by
-/// size, largest first, then by their first member. Grid and union-find: linear in n for scattered discs.
+/// size, largest first, then by their first member. Absent robots are in no set. Grid and union-find: linear in n for scattered
+/// discs.
 [[nodiscard]] inline std::vector<std::vector<std::size_t>> connected_sets(std::span<const Disc> discs) {
   std::vector<std::size_t> root(discs.size());
   std::iota(root.begin(), root.end(), std::size_t{0});
@@ -45,8 +47,9 @@ struct Disc {
   const SpatialGrid grid{centres};
   for (std::size_t i = 0; i < discs.size(); ++i) {
     const Disc& a = discs[i];
+    if (a.is_absent()) continue;
     grid.for_each_near(a.x_m, a.y_m, a.radius_m + largest_m, [&](std::size_t j) {
-      if (j <= i || !touch(a, discs[j])) return;
+      if (j <= i || discs[j].is_absent() || !touch(a, discs[j])) return;
       const auto [low, high] = std::minmax({find(i), find(j)});
       root[high] = low;
     });
@@ -55,6 +58,7 @@ struct Disc {
   std::vector<std::vector<std::size_t>> sets;
   std::vector<std::size_t> set_of_root(discs.size());
   for (std::size_t i = 0; i < discs.size(); ++i) {
+    if (discs[i].is_absent()) continue;
     const std::size_t own_root = find(i);
     if (own_root == i) {
       set_of_root[i] = sets.size();

@@ -77,6 +77,17 @@ concept Embodying = JointDriven<B> &&
   { observed.model(robot) } -> std::same_as<const RobotModel&>;
 };
 
+/// Robots that come and go; all are there at first. `take_away(robot)`: it is no longer in the world: nothing touches it, it does
+/// not move and costs no step; it keeps its pose. `place(robot, pose)`: it is there again, or elsewhere, as it was built: joint
+/// angles and targets 0, at rest, without warm start; throws std::invalid_argument as the constructor does. `embody` does the
+/// same with another body. `is_there(robot)`: returns whether it is in the world. The state holds which robots are.
+template <class B>
+concept Placing = Backend<B> && requires(B backend, const B& observed, std::size_t robot, const Pose& pose) {
+  {backend.take_away(robot)};
+  {backend.place(robot, pose)};
+  { observed.is_there(robot) } -> std::same_as<bool>;
+};
+
 /// Driven by the target angle alone (no joints): positive turns right, held until the next call.
 template <class B>
 concept SteeringDriven = Backend<B> && requires(B backend, std::size_t robot, double target_angle_rad) {

@@ -50,8 +50,11 @@ class Kinematic {
     double y_m = 0.0;
     double heading_rad = 0.0;
     double target_angle_rad = 0.0;
+    bool is_absent = false;
     bool operator==(const Body&) const = default;
-    static constexpr auto saved() { return std::tuple{&Body::x_m, &Body::y_m, &Body::heading_rad, &Body::target_angle_rad}; }
+    static constexpr auto saved() {
+      return std::tuple{&Body::x_m, &Body::y_m, &Body::heading_rad, &Body::target_angle_rad, &Body::is_absent};
+    }
   };
   struct State {
     std::uint64_t steps = 0;
@@ -69,6 +72,7 @@ class Kinematic {
         turn_rate_per_rad_{params.turn_scale * robot.walk.turn_rate_per_rad},
         forward_rad_{robot.forward_rad},
         height_m_{robot.rest_height_m},
+        half_side_m_{arena.half_side_m},
         limit_m_{arena.half_side_m - params.radius_m} {
     validate(physics, "physics");
     validate(params, "kinematic");
@@ -85,23 +89,14 @@ class Kinematic {
                                   number_text(arena.half_side_m)};
     }
     if (starts.empty()) throw std::invalid_argument{"robots = 0: must be >= 1"};
-    for (std::size_t i = 0; i < starts.size(); ++i) {
-      const GroundPose start = ground_pose(starts[i], forward_rad_);
-      const bool is_inside = std::abs(start.x_m) <= arena.half_side_m && std::abs(start.y_m) <= arena.half_side_m;
-      if (!is_inside) {
-        throw std::invalid_argument{"start pose " + std::to_string(i) + " at (" + number_text(start.x_m) + ", " +
-                                    number_text(start.y_m) + "): must be finite and within +-" + number_text(arena.half_side_m)};
-      }
-      if (!std::isfinite(start.heading_rad)) {
-        throw std::invalid_argument{"start pose " + std::to_string(i) + ": its heading must be finite"};
-      }
-      state_.bodies.push_back({.x_m = start.x_m, .y_m = start.y_m, .heading_rad = start.heading_rad});
-    }
+    for (std::size_t i = 0; i < starts.size(); ++i) state_.bodies.push_back(body_at(i, starts[i]));
   }
 
   void advance_to(double time_s) {
     while (this->time_s() < time_s - 1e-9) {
-      for (Body& body : state_.bodies) step(body);
+      for (Body& body : state_.bodies) {
+        if (!body.is_absent) step(body);
+      }
       ++state_.steps;
     }
   }
@@ -127,6 +122,10 @@ class Kinematic {
     state_.bodies.at(robot).target_angle_rad = target_angle_rad;
   }
 
+  void take_away(std::size_t robot) { state_.bodies.at(robot).is_absent = true; }
+  void place(std::size_t robot, const Pose& pose) { state_.bodies.at(robot) = body_at(robot, pose); }
+  [[nodiscard]] bool is_there(std::size_t robot) const { return !state_.bodies.at(robot).is_absent; }
+
   [[nodiscard]] State save() const { return state_; }
 
   /// Throws std::invalid_argument for a state with another number of robots.
@@ -139,6 +138,19 @@ class Kinematic {
   }
 
  private:
+  [[nodiscard]] Body body_at(std::size_t robot, const Pose& pose) const {
+    const GroundPose start = ground_pose(pose, forward_rad_);
+    const bool is_inside = std::abs(start.x_m) <= half_side_m_ && std::abs(start.y_m) <= half_side_m_;
+    if (!is_inside) {
+      throw std::invalid_argument{"start pose " + std::to_string(robot) + " at (" + number_text(start.x_m) + ", " +
+                                  number_text(start.y_m) + "): must be finite and within +-" + number_text(half_side_m_)};
+    }
+    if (!std::isfinite(start.heading_rad)) {
+      throw std::invalid_argument{"start pose " + std::to_string(robot) + ": its heading must be finite"};
+    }
+    return {.x_m = start.x_m, .y_m = start.y_m, .heading_rad = start.heading_rad};
+  }
+
   /// Along an arc of angle 2 h the chord is the arc's length times sin(h) / h and points h away from the old heading.
   void step(Body& body) const {
     const double half_turn_rad = -0.5 * turn_rate_per_rad_ * body.target_angle_rad * params_.timestep_s;
@@ -155,9 +167,10 @@ class Kinematic {
   double turn_rate_per_rad_;
   double forward_rad_;
   double height_m_;
+  double half_side_m_;
   double limit_m_;
   State state_;
 };
-static_assert(SteeringDriven<Kinematic>);
+static_assert(SteeringDriven<Kinematic> && Placing<Kinematic>);
 
 }  // namespace trophic::backend

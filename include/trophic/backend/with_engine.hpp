@@ -6,7 +6,7 @@
 
 namespace trophic::backend {
 
-/// An engine that satisfies Embodying: see trophic/backend/contract.hpp for each function.
+/// An engine that satisfies Embodying and Placing: see trophic/backend/contract.hpp for each function.
 template <Savable SavedState>
 class Engine {
  public:
@@ -20,6 +20,8 @@ class Engine {
   virtual void advance_to(double time_s) = 0;
   virtual void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) = 0;
   virtual void embody(std::size_t robot, const RobotModel& model, const Pose& pose) = 0;
+  virtual void take_away(std::size_t robot) = 0;
+  [[nodiscard]] virtual bool is_there(std::size_t robot) const = 0;
   [[nodiscard]] virtual const RobotModel& model(std::size_t robot) const = 0;
   [[nodiscard]] virtual std::size_t robots() const = 0;
   [[nodiscard]] virtual double time_s() const = 0;
@@ -43,6 +45,10 @@ class WithEngine {
   /// Takes a robot's body away and puts this one at `pose`: joint angles and targets 0, at rest. Throws std::invalid_argument as
   /// the constructor does. Names and gaits of models have no effect here.
   void embody(std::size_t robot, const RobotModel& model, const Pose& pose) { engine_->embody(robot, model, pose); }
+  /// The robot comes and goes; a placed one has the body that it had.
+  void take_away(std::size_t robot) { engine_->take_away(robot); }
+  void place(std::size_t robot, const Pose& pose) { engine_->embody(robot, RobotModel{model(robot)}, pose); }
+  [[nodiscard]] bool is_there(std::size_t robot) const { return engine_->is_there(robot); }
   /// The body of a robot now.
   [[nodiscard]] const RobotModel& model(std::size_t robot) const { return engine_->model(robot); }
   [[nodiscard]] std::size_t robots() const { return engine_->robots(); }

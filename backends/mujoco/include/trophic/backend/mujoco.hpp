@@ -20,14 +20,17 @@ struct State {
   std::vector<double> robots;         ///< RobotStates::values
   std::vector<double> targets_rad;    ///< robot by robot
   std::vector<std::uint64_t> bodies;  ///< body_hash of each
+  std::vector<std::uint64_t> absent;  ///< robots that are not in the world, ascending
 
   friend bool operator==(const State&, const State&) = default;
-  static constexpr auto saved() { return std::tuple{&State::steps, &State::robots, &State::targets_rad, &State::bodies}; }
+  static constexpr auto saved() {
+    return std::tuple{&State::steps, &State::robots, &State::targets_rad, &State::bodies, &State::absent};
+  }
 };
 
 }  // namespace mujoco
 
-/// Robots in MuJoCo (Newton solver, pyramidal friction cone, one position servo per hinge). Satisfies Embodying.
+/// Robots in MuJoCo (Newton solver, pyramidal friction cone, one position servo per hinge). Satisfies Embodying and Placing.
 ///
 /// Numbers: positions m, angles rad, velocities m/s and rad/s, torques N m. No random draws. Results do not depend on
 /// `Params::threads`, bitwise; `fast`, `islands` and `one_model` agree to rounding, which contacts amplify slowly. Errors:
@@ -79,7 +82,7 @@ class Mujoco : public WithEngine<mujoco::State> {
   class Simulation;
 };
 
-static_assert(Embodying<Mujoco>);
+static_assert(Embodying<Mujoco> && Placing<Mujoco>);
 
 }  // namespace trophic::backend
 

@@ -73,11 +73,18 @@ class Mujoco::Simulation final : public Engine<State> {
     const std::size_t kind = std::visit([&](auto& stepper) { return stepper.set_body(robot, model); }, stepper_);
     bodies_[robot] = std::move(body);
     states_.set_body(robot, kind, layout_of(robot));
+    states_.set_there(robot, true);
     states_.set_root(robot, pose);
     next_ = states_;
     targets_rad_.reset(robot, model.hinges.size());
     angles_rad_.reset(robot, model.hinges.size());
   }
+
+  void take_away(std::size_t robot) override {
+    states_.set_there(checked(robot), false);
+    next_ = states_;
+  }
+  [[nodiscard]] bool is_there(std::size_t robot) const override { return states_.is_there(checked(robot)); }
 
   [[nodiscard]] const RobotModel& model(std::size_t robot) const override { return bodies_[checked(robot)]->model; }
   [[nodiscard]] double engine_share() const {
@@ -95,7 +102,9 @@ class Mujoco::Simulation final : public Engine<State> {
   [[nodiscard]] Pose pose(std::size_t robot) const override { return states_.root(checked(robot)); }
   [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const override { return angles_rad_[checked(robot)]; }
 
-  [[nodiscard]] State save() const override { return {steps_, states_.values(), targets_rad_.values(), body_hashes()}; }
+  [[nodiscard]] State save() const override {
+    return {steps_, states_.values(), targets_rad_.values(), body_hashes(), states_.absent()};
+  }
 
   /// Throws std::invalid_argument for a state of other bodies or another number of robots.
   void restore(const State& state) override {
@@ -109,6 +118,8 @@ class Mujoco::Simulation final : public Engine<State> {
     check_size("targets_rad", state.targets_rad.size(), targets_rad_.values().size());
     steps_ = state.steps;
     states_.set_values(state.robots);
+    states_.set_absent(state.absent);
+    next_ = states_;
     targets_rad_.set_values(state.targets_rad);
     read_angles();
   }

@@ -13,10 +13,11 @@
 
 namespace trophic::backend {
 
-/// ODE as a backend. Satisfies JointDriven and Embodying. Steps are semi-implicit Euler on velocities, for any integrator in
-/// Physics (ODE has no other; `remarks` reports it), with servos, contacts, friction and joint limits solved implicitly within
-/// the step. Boxes touch the floor, the walls or the height field, other robots, and links of their own robot that no hinge joins
-/// to theirs. Links are free bodies joined by constraints, so a hinge's anchor drifts by micrometres under load.
+/// ODE as a backend. Satisfies JointDriven, Embodying and Placing. Steps are semi-implicit Euler on velocities, for any
+/// integrator in Physics (ODE has no other; `remarks` reports it), with servos, contacts, friction and joint limits solved
+/// implicitly within the step. Boxes touch the floor, the walls or the height field, other robots, and links of their own robot
+/// that no hinge joins to theirs. Links are free bodies joined by constraints, so a hinge's anchor drifts by micrometres under
+/// load.
 ///
 /// Numbers: SI units. No random draws from the library's streams. Results do not depend on `Params::threads`, bitwise. Errors:
 /// std::invalid_argument on construction; Diverged if ODE reports an error or a robot leaves the arena or is unphysically fast:
@@ -37,7 +38,7 @@ class Ode : public WithEngine<ode::State> {
  private:
   class Simulation;
 };
-static_assert(Embodying<Ode>);
+static_assert(Embodying<Ode> && Placing<Ode>);
 
 }  // namespace trophic::backend
 

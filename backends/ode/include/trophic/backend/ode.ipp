@@ -34,6 +34,7 @@ class Ode::Simulation final : public Engine<State> {
     state_.angles_rad.assign(starts.size() * robot.hinges.size(), 0.0);
     state_.targets_rad.assign(starts.size() * robot.hinges.size(), 0.0);
     state_.bodies.assign(starts.size(), body_hash(robot));
+    state_.absent.assign(starts.size(), 0);
     groups_ = std::make_unique<ode::Groups>(*setup_);
   }
 
@@ -62,10 +63,14 @@ class Ode::Simulation final : public Engine<State> {
     replace(state_.links, bodies_->first_link(robot), bodies_->links(robot), links);
     replace(state_.angles_rad, bodies_->first_hinge(robot), bodies_->hinges(robot), angles_rad);
     replace(state_.targets_rad, bodies_->first_hinge(robot), bodies_->hinges(robot), angles_rad);
+    state_.absent[robot] = 0;
+    if (state_.bodies[robot] == body_hash(model) && bodies_->model(robot).name == model.name) return;
     state_.bodies[robot] = body_hash(model);
     bodies_->replace(robot, model);
     groups_->forget_scenes();
   }
+  void take_away(std::size_t robot) override { state_.absent[checked(robot)] = 1; }
+  [[nodiscard]] bool is_there(std::size_t robot) const override { return state_.absent[checked(robot)] == 0; }
   [[nodiscard]] const RobotModel& model(std::size_t robot) const override { return bodies_->model(checked(robot)); }
 
   [[nodiscard]] std::size_t robots() const override { return bodies_->size(); }
@@ -114,6 +119,7 @@ class Ode::Simulation final : public Engine<State> {
     check_size("links", state.links.size(), state_.links.size());
     check_size("angles_rad", state.angles_rad.size(), state_.angles_rad.size());
     check_size("targets_rad", state.targets_rad.size(), state_.targets_rad.size());
+    check_size("absent", state.absent.size(), state_.absent.size());
     require_same_bodies(state.bodies, state_.bodies);
     state_ = state;
   }

@@ -151,7 +151,8 @@ class Islands {
     discs_.clear();
     for (std::size_t i = 0; i < states.robots(); ++i) {
       const std::span<const double> root = states.positions(i);
-      discs_.push_back({root[0], root[1], kinds_[states.kind(i)].robot.bounding_radius_m + slack_m_[i]});
+      const double radius_m = kinds_[states.kind(i)].robot.bounding_radius_m + slack_m_[i];
+      discs_.push_back({root[0], root[1], states.is_there(i) ? radius_m : -1.0});
     }
     std::vector<std::vector<std::size_t>> groups = connected_sets(discs_);
     // Robots near walls share lanes, so that the other packs need not look for walls.
@@ -170,7 +171,7 @@ class Islands {
       return model_of(robots, states);
     };
 
-    robot_steps_ += states.robots() * steps;
+    for (const std::vector<std::size_t>& group : groups) robot_steps_ += group.size() * steps;
     for (const std::vector<std::size_t>& group : by_mujoco) group_robot_steps_ += group.size() * steps;
     results_.assign(by_mujoco.size() + batches.size(), {});
     pool_->run(results_.size(), [&](std::size_t i, std::size_t thread) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <trophic/backend/mujoco/compiled_model.hpp>
 #include <trophic/backend/mujoco/rows.hpp>
@@ -19,11 +20,11 @@ inline constexpr double fastest_m_s = 100.0;
 
 /// Per robot one row: generalized positions (root x, y, z, quaternion w, x, y, z, then angles in MuJoCo's order), velocities
 /// (root linear in the world's frame, angular in the root's, then angles), and the accelerations from which the solver starts
-/// next; and the number of its body's kind.
+/// next; and the number of its body's kind, and whether the robot is in the world.
 class RobotStates {
  public:
   RobotStates(const Layout& layout, std::size_t robots)
-      : rows_{robots, layout.positions + 2 * layout.velocities}, kinds_(robots) {}
+      : rows_{robots, layout.positions + 2 * layout.velocities}, kinds_(robots), is_there_(robots, true) {}
 
   [[nodiscard]] std::size_t robots() const { return rows_.size(); }
   [[nodiscard]] const std::vector<double>& values() const { return rows_.values(); }
@@ -35,6 +36,22 @@ class RobotStates {
     kinds_[robot] = kind;
   }
   [[nodiscard]] std::size_t kind(std::size_t robot) const { return kinds_[robot]; }
+
+  [[nodiscard]] bool is_there(std::size_t robot) const { return is_there_[robot]; }
+  void set_there(std::size_t robot, bool is_there) { is_there_[robot] = is_there; }
+  /// The robots that are not, ascending.
+  [[nodiscard]] std::vector<std::uint64_t> absent() const {
+    std::vector<std::uint64_t> robots;
+    for (std::size_t robot = 0; robot < is_there_.size(); ++robot) {
+      if (!is_there_[robot]) robots.push_back(robot);
+    }
+    return robots;
+  }
+  /// Throws std::out_of_range for a robot that does not exist.
+  void set_absent(std::span<const std::uint64_t> robots) {
+    is_there_.assign(is_there_.size(), true);
+    for (const std::uint64_t robot : robots) is_there_.at(robot) = false;
+  }
 
   /// A robot's whole row.
   [[nodiscard]] std::span<double> numbers(std::size_t robot) { return rows_[robot]; }
@@ -98,6 +115,7 @@ class RobotStates {
 
   Rows rows_;
   std::vector<std::size_t> kinds_;
+  std::vector<bool> is_there_;
 };
 
 }  // namespace trophic::backend::mujoco

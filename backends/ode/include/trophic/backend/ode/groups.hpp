@@ -41,7 +41,8 @@ class Groups {
     discs_.clear();
     for (std::size_t robot = 0; robot < bodies.size(); ++robot) {
       const auto& at_m = state.links[bodies.first_link(robot)].position_m;
-      discs_.push_back({.x_m = at_m[0], .y_m = at_m[1], .radius_m = bodies.kind(robot)->reach_m + drift_m});
+      const double radius_m = bodies.kind(robot)->reach_m + drift_m;
+      discs_.push_back({.x_m = at_m[0], .y_m = at_m[1], .radius_m = state.absent[robot] == 0 ? radius_m : -1.0});
     }
     const std::vector<std::vector<std::size_t>> groups = connected_sets(discs_);
     std::vector<std::optional<Failure>> failures(groups.size());
