@@ -25,7 +25,7 @@ class Invariants {
   void on_event(const observe::Event& event, const View&) {
     if (event.kind == observe::EventKind::birth) {
       require(event.individual.id == next_id_, "individual " + std::to_string(event.individual.id) + " is born out of turn");
-      require(!event.individual.parent || *event.individual.parent < event.individual.id, "a child is older than its parent");
+      require(!event.individual.parent() || *event.individual.parent() < event.individual.id, "a child is older than its parent");
       ++next_id_;
       alive_.insert(event.individual.id);
     }

@@ -19,7 +19,7 @@ class Recorder {
     if (event.other) line += " other " + number_text(*event.other);
     events.push_back(line);
     line += " tag " + number_text(who.tag) + " " + std::string{enum_name(who.origin)} + " genome " + number_text(who.genome->id);
-    if (who.parent) line += " parent " + number_text(*who.parent);
+    if (who.parent()) line += " parent " + number_text(*who.parent());
     for (const double weight : who.genome->weights) line += " " + number_text(weight);
     all.push_back(line);
   }

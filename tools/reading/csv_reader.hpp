@@ -45,6 +45,9 @@ class CsvReader {
     } else if constexpr (std::same_as<T, std::string>) {
       if (!is_plain(cell)) reject(column, "text without control characters");
       return std::string{cell};
+    } else if constexpr (std::same_as<T, Cause>) {
+      if (!is_cause_name(cell)) reject(column, "the name of a cause");
+      return cause_named(cell);
     } else if constexpr (NamedEnum<T>) {
       constexpr auto names = enum_names(T{});
       const auto found = std::ranges::find(names, cell);

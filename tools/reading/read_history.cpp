@@ -19,7 +19,7 @@ SharedHistory read_history(const std::filesystem::path& folder) {
                         .id = row.id,
                         .species = row.species,
                         .origin = row.origin,
-                        .parent = row.parent,
+                        .parents = row.parent ? std::vector{*row.parent} : std::vector<IndividualId>{},
                         .cause = row.cause,
                         .killer_or_victim = row.kind == observe::EventKind::death ? row.killer : row.victim});
   });

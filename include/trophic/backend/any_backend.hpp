@@ -32,6 +32,8 @@ class AnyBackend {
   /// Throws std::logic_error if the backend cannot exchange bodies (Embodying).
   virtual void embody(std::size_t robot, const RobotModel& model, const Pose& pose) = 0;
 
+  /// Whether robots that leave the arena come back on the other side (its own `is_periodic`).
+  [[nodiscard]] virtual bool is_periodic() const = 0;
   /// Both throw std::logic_error if the backend's robots cannot come and go (Placing).
   virtual void take_away(std::size_t robot) = 0;
   virtual void place(std::size_t robot, const Pose& pose) = 0;
@@ -99,6 +101,10 @@ class BackendOf final : public AnyBackend {
     } else {
       throw std::logic_error{"backend " + std::string{B::name} + ": cannot exchange bodies"};
     }
+  }
+  [[nodiscard]] bool is_periodic() const override {
+    if constexpr (requires { B::is_periodic; }) return B::is_periodic;
+    return false;
   }
   void take_away([[maybe_unused]] std::size_t robot) override {
     if constexpr (Placing<B>) {

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <any>
+#include <array>
+#include <cmath>
+#include <numbers>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/control/locomotion/locomotion.hpp>
 #include <trophic/ecology/body_genes.hpp>
@@ -32,7 +35,8 @@ class Bodies {
       : rules_{rules},
         habitat_{habitat},
         population_{population},
-        poses_{places_of(params, rules, habitat)},
+        seed_{params.seed},
+        poses_{places_of(params, rules, habitat, founders_in(population))},
         backend_{choice.build(habitat.robot, habitat.arena, standing_poses(poses_, habitat.robot), params.physics)},
         locomotion_{habitat.robot,
                     habitat.gait,
@@ -46,6 +50,9 @@ class Bodies {
                .clock_scale = params.ecology.clock_scale} {
     if (phenotypes_differ) locomotion_.separate();
     population_.stand_at(poses_);
+    for (BodyIndex body = 0; body < poses_.size(); ++body) {
+      if (!population_[body].lives()) backend_->take_away(body);
+    }
   }
 
   [[nodiscard]] std::span<const GroundPose> poses() const { return poses_; }
@@ -70,7 +77,49 @@ class Bodies {
     if (phenotypes_differ) walk_by(body);
   }
   void embody_founders() {
-    for (BodyIndex body = 0; phenotypes_differ && body < poses_.size(); ++body) embody(body, body);
+    for (BodyIndex body = 0; phenotypes_differ && body < poses_.size(); ++body) {
+      if (population_[body].lives()) embody(body, body);
+    }
+  }
+
+  /// Takes a body in which nobody lives any longer out of the world.
+  void take_away(BodyIndex body) { backend_->take_away(body); }
+  /// Sets the body of an individual that was born without a death into the world, at rest. `stand` comes after the tick's last.
+  void set_down(BodyIndex body, const GroundPose& place) {
+    poses_[body] = place;
+    population_.leave_tree();
+    if (bodies_differ) return embody(body, population_.individuals().size());
+    backend_->place(body, standing_poses(std::array{place}, robot_in(body)).front());
+    if (phenotypes_differ) {
+      walk_by(body);
+    } else {
+      restart(body);
+    }
+  }
+  /// Searches can use a tree again.
+  void stand() { population_.stand_at(poses_); }
+
+  /// A place for a birth at which no robot's circle overlaps another's: on rings around `parent`, or anywhere without one. None
+  /// if none was found.
+  [[nodiscard]] std::optional<GroundPose> free_place(std::optional<BodyIndex> parent, IndividualId newborn) const {
+    Rng rng{seed_, Stream::birth_place, newborn};
+    const double radius_m = habitat_.robot.bounding_radius_m;
+    const double reach_m = habitat_.arena.half_side_m - radius_m;
+    const double first_rad = rng.uniform(-std::numbers::pi, std::numbers::pi);
+    for (int attempt = 0; attempt < places_tried; ++attempt) {
+      GroundPose place{.heading_rad = rng.uniform(-std::numbers::pi, std::numbers::pi)};
+      if (parent) {
+        const double angle_rad = first_rad + 2.0 * std::numbers::pi * (attempt % places_on_ring) / places_on_ring;
+        const double from_m = (2.0 + 0.5 * (attempt / places_on_ring)) * radius_m * (1.0 + 1e-9);
+        place.x_m = poses_[*parent].x_m + from_m * std::cos(angle_rad);
+        place.y_m = poses_[*parent].y_m + from_m * std::sin(angle_rad);
+      } else {
+        place.x_m = rng.uniform(-reach_m, reach_m);
+        place.y_m = rng.uniform(-reach_m, reach_m);
+      }
+      if (std::abs(place.x_m) <= reach_m && std::abs(place.y_m) <= reach_m && is_free(place, 2.0 * radius_m)) return place;
+    }
+    return std::nullopt;
   }
 
   /// Moves all bodies through the tick that begins at `clock_s`. Returns false, with everything as before, if an observer
@@ -116,10 +165,24 @@ class Bodies {
  private:
   static constexpr bool phenotypes_differ = Phenotypes<Rules>::differ;
   static constexpr bool bodies_differ = BodyGenes<Rules>::differ;
+  static constexpr int places_on_ring = 16;
+  static constexpr int places_tried = 64;             ///< for a birth
   static constexpr std::size_t most_ended = 1000;     ///< individuals in a tick; then the run ends
   static constexpr std::ptrdiff_t most_replaced = 5;  ///< times that one body is replaced in a tick before those next to it
 
   using Locomotion = locomotion::Locomotion<typename Rules::Steering>;
+
+  [[nodiscard]] static std::size_t founders_in(const Population<Rules>& population) {
+    return static_cast<std::size_t>(std::ranges::count_if(population.individuals(), &Individual::lives));
+  }
+
+  /// Whether nobody who lives stands nearer than this.
+  [[nodiscard]] bool is_free(const GroundPose& place, double distance_m) const {
+    for (BodyIndex body = 0; body < poses_.size(); ++body) {
+      if (population_[body].lives() && trophic::distance_m(place, poses_[body]) < distance_m) return false;
+    }
+    return true;
+  }
 
   /// The state of all motion.
   struct Motion {
@@ -168,7 +231,7 @@ class Bodies {
   [[nodiscard]] BodyIndex cause_of(BodyIndex body, std::span<const BodyIndex> ended) const {
     BodyIndex nearest = body;
     for (BodyIndex other = 0; other < poses_.size(); ++other) {
-      if (std::ranges::count(ended, other) >= most_replaced) continue;
+      if (std::ranges::count(ended, other) >= most_replaced || !population_[other].lives()) continue;
       if (other == body) return body;
       if (nearest == body || distance_m(poses_[body], poses_[other]) < distance_m(poses_[body], poses_[nearest])) nearest = other;
     }
@@ -211,7 +274,7 @@ class Bodies {
   [[nodiscard]] std::vector<PlacedBox> boxes_near(BodyIndex body, std::size_t standing) const {
     std::vector<PlacedBox> near;
     for (BodyIndex other = 0; other < standing; ++other) {
-      if (other == body) continue;
+      if (other == body || !population_[other].lives()) continue;
       const RobotModel& robot = robot_in(other);
       const Pose root = backend_->pose(other);
       const GroundPose there{.x_m = root.position_m.x(), .y_m = root.position_m.y()};
@@ -236,6 +299,7 @@ class Bodies {
   const Policies<Rules>& rules_;
   const Habitat& habitat_;
   Population<Rules>& population_;
+  std::uint64_t seed_;
   std::vector<GroundPose> poses_;
   std::unique_ptr<AnyBackend> backend_;
   Locomotion locomotion_;

@@ -73,6 +73,9 @@ void check_parts(const BackendChoice& backend) {
             "a backend with joints, which show bodies and gaits of individuals");
   refuse_if(bodies_differ && !backend.can_embody(), bodies + on_backend,
             "a backend that exchanges bodies (Embodying in backend/contract.hpp)");
+  refuse_if(!is_neutral<Rules, RuleSlot::recruitment> && !backend.can_place(),
+            "rules.recruitment = " + std::string{policy_name<PolicyIn<Rules, RuleSlot::recruitment>>()} + on_backend,
+            "a backend whose robots come and go (Placing in backend/contract.hpp)");
   refuse_if(bodies_differ && is_neutral<Rules, RuleSlot::embodiment>, bodies + " with rules.embodiment = keeps_body",
             "a rule Embodiment that sets bodies down");
   refuse_if(BodyGenes<Rules>::are_inherited && fits_one_body, gaits + " with " + bodies,

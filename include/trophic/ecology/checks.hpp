@@ -70,20 +70,22 @@ inline void check_saved_poses(std::span<const GroundPose> poses, std::size_t rob
                   "spare_bodies = " + std::to_string(spare) + ": must be < " + std::to_string(robots) + ", the number of robots"};
 }
 
-/// Throws RuleError unless the body of a birth without a death is spare and the parent, if any, is of the newborn's species and
-/// has a genome that violates no `demand` (Population::misfit).
-inline void check_recruit(const FoodWeb& web, const reproduction::Recruit& recruit, std::span<const Individual> robots,
-                          const std::optional<std::string>& demand) {
-  check_index("recruitment", "body", recruit.body, robots.size());
+/// Throws RuleError unless a birth without a death has a place in the arena, if any, and parents of the newborn's species whose
+/// genomes violate no demand: `demand_of(parent)` returns it (Population::misfit).
+template <class DemandOf>
+void check_recruit(const FoodWeb& web, const Arena& arena, const reproduction::Recruit& recruit, const DemandOf& demand_of) {
   check_index("recruitment", "species", recruit.species, web.size());
-  if (robots[recruit.body].lives()) {
-    throw RuleError{"recruitment", "a birth in body " + std::to_string(recruit.body) + ": must be a body without an individual"};
+  for (const Ancestor& parent : recruit.parents) {
+    const std::string who = "individual " + std::to_string(parent.id) + " as a parent: must ";
+    if (parent.species != recruit.species) throw RuleError{"recruitment", who + "be of the newborn's species"};
+    if (const std::optional<std::string> demand = demand_of(parent)) throw RuleError{"recruitment", who + "have " + *demand};
   }
-  if (!recruit.parent) return;
-  const Ancestor& parent = *recruit.parent;
-  const std::string who = "individual " + std::to_string(parent.id) + " as a parent: must ";
-  if (parent.species != recruit.species) throw RuleError{"recruitment", who + "be of the newborn's species"};
-  if (demand) throw RuleError{"recruitment", who + "have " + *demand};
+  if (!recruit.place) return;
+  const GroundPose& at = *recruit.place;
+  const bool is_inside = std::abs(at.x_m) <= arena.half_side_m && std::abs(at.y_m) <= arena.half_side_m;
+  if (is_inside && std::isfinite(at.heading_rad)) return;
+  throw RuleError{"recruitment", "a birth at (" + number_text(at.x_m) + ", " + number_text(at.y_m) +
+                                     "): must be finite and within +-" + number_text(arena.half_side_m) + " m"};
 }
 
 /// Throws RuleError for a species' name that would break a row of a table: with a comma, a quote or a control character.

@@ -5,6 +5,7 @@
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/ecology/body_genes.hpp>
 #include <trophic/ecology/brain_genes.hpp>
+#include <trophic/ecology/economy.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/gait_genes.hpp>
 #include <trophic/habitat/habitat.hpp>
@@ -67,6 +68,8 @@ template <class Rules>
   run.other_params = observe::other_params(run.named_params, named_params_of(Experiment<Rules>{}, backend.fresh()));
   run.brains_grow = BrainGenes<Rules>::grow;
   run.bodies_differ = BodyGenes<Rules>::differ;
+  run.has_energy = Economy<Rules>::has_energy;
+  run.has_resource = Economy<Rules>::has_field;
   run.inherits_bodies = BodyGenes<Rules>::are_inherited;
   run.has_more_genes = run.brains_grow || run.inherits_bodies || GaitGenes<Rules>::are_inherited;
   run.fingerprint = observe::fingerprint(run, numbers_text(habitat));

@@ -7,7 +7,7 @@
 #include <trophic/ecology/bodies.hpp>
 #include <trophic/ecology/checked_experiment.hpp>
 #include <trophic/ecology/checks.hpp>
-#include <trophic/ecology/choice.hpp>
+#include <trophic/ecology/decisions.hpp>
 #include <trophic/ecology/describe.hpp>
 #include <trophic/ecology/engine_nursery.hpp>
 #include <trophic/ecology/experiment.hpp>
@@ -30,9 +30,10 @@ namespace trophic {
 /// of any type: `Ecology<Paper> ecology({.seed = 1}, backend::Mujoco::Params{.threads = 2})`.
 ///
 /// A tick is `EcologyParams::tick_s` of the ecology's clock. Within a tick, after the bodies have moved: activation of newborn,
-/// catches, senescence, starvation, the minimum-predators rule, births in spare bodies, perception and brains, log. Tick 0 is the
-/// start. Equal parameters and seeds give equal runs, for any number of threads and any observers. A policy that returns a value
-/// that does not exist or violates its contract causes a RuleError.
+/// catches, senescence, hunger by the rule Metabolism, starvation, the minimum-predators rule, births without a death, perception
+/// and brains, log. Energy is spent and taken from the resource before them all. Tick 0 is the start. Equal parameters and seeds
+/// give equal runs, for any number of threads and any observers. A policy that returns a value that does not exist or violates
+/// its contract causes a RuleError.
 template <class Rules, bool is_table>
 class Ecology final : public Simulation {
  public:
@@ -49,7 +50,8 @@ class Ecology final : public Simulation {
 
   void persist(Archive& archive) override {
     archive(tick_, started_, starvation_clock_, population_, bodies_);
-    if (params_.history) archive(repeated_, born_);
+    archive(history_);
+    if (grows) archive(refused_births_);
   }
 
   [[nodiscard]] double time_s() const override { return clock_s(tick_, params_.ecology.tick_s); }
@@ -68,10 +70,15 @@ class Ecology final : public Simulation {
             .arena = habitat_.arena,
             .robots = population_.individuals(),
             .poses = bodies_.poses(),
-            .tree = population_.individuals().size() >= tree_from_robots ? population_.tree() : nullptr,
+            .tree = population_.individuals().size() >= tree_from_robots && period_m_ <= 0.0 ? population_.tree() : nullptr,
             .members = population_.members(),
             .refused_bodies = population_.refused_bodies(),
-            .phenotypes = population_.phenotypes()};
+            .phenotypes = population_.phenotypes(),
+            .field = population_.economy().field(),
+            .energy = population_.economy().flows(),
+            .resource = population_.economy().resource_flow(),
+            .refused_births = refused_births_,
+            .period_m = period_m_};
   }
 
   [[nodiscard]] observe::RunDescription describe(double until_s) const override {
@@ -84,6 +91,9 @@ class Ecology final : public Simulation {
   [[nodiscard]] io::StateColumns state_columns() const override { return io::state_columns(states()); }
 
  private:
+  /// Whether the number of individuals may change.
+  static constexpr bool grows = !is_neutral<Rules, RuleSlot::recruitment>;
+
   explicit Ecology(CheckedExperiment<Rules> from)
       : params_{std::move(from.params)},
         choice_{std::move(from.backend)},
@@ -92,7 +102,10 @@ class Ecology final : public Simulation {
         web_{rules_.community.web()},
         nursery_{choice_, habitat_.arena, params_.physics, params_.ecology, rules_.steering},
         population_{rules_, web_, genome_seed(params_), founders_of(params_, rules_, web_), {params_.null, &habitat_, &nursery_}},
-        bodies_{params_, choice_, habitat_, rules_, population_} {
+        bodies_{params_, choice_, habitat_, rules_, population_},
+        decisions_{params_.ecology, rules_, params_.seed, population_},
+        history_{params_.history},
+        period_m_{bodies_.backend().is_periodic() ? 2.0 * habitat_.arena.half_side_m : 0.0} {
     if (!params_.lineup.empty()) population_.enlist(params_.lineup);
     bodies_.embody_founders();
   }
@@ -107,7 +120,8 @@ class Ecology final : public Simulation {
         bodies_.show_start(audience, time_s());
         for (BodyIndex body = 0; body < population_.individuals().size(); ++body)
           if (population_[body].lives()) emit(audience, observe::EventKind::birth, body);
-        if (params_.history) repeat_founders();
+        for (const Individual& one : population_.individuals())
+          if (history_ && one.lives()) history_.found(one);
         starvation_clock_ = death::ask::start(rules_.starvation, view());
         tick(audience);
       }
@@ -132,6 +146,7 @@ class Ecology final : public Simulation {
   /// Moves the bodies through a tick. Returns false, with everything as before, if an observer cancelled it.
   [[nodiscard]] bool move(observe::Audience& audience) {
     const auto end = [&](BodyIndex body) { end_diverged(audience, body); };
+    population_.open_ledger();
     if (!bodies_.move(audience, time_s(), end)) return false;
     ++tick_;
     population_.walk(bodies_.poses_before(), view());
@@ -151,17 +166,18 @@ class Ecology final : public Simulation {
 
   void tick(observe::Audience& audience) {
     const bool rules_act = time_s() >= params_.ecology.first_tick_s;
-    if (params_.history) {
+    if (history_) {
       repeat(audience);
     } else if (rules_act && params_.lineup.empty()) {
       activate(audience);
       capture(audience);
       age(audience);
+      exhaust(audience);
       starve(audience);
       minimum_predators(audience);
       recruit(audience);
     }
-    if (rules_act) decide(audience);
+    if (rules_act) decisions_.make(audience, [this] { return view(); });
     audience.tick(view());
   }
 
@@ -170,34 +186,26 @@ class Ecology final : public Simulation {
     return params.history ? Rng{params.seed, Stream::null_model}.bits() : params.seed;
   }
 
-  /// Notes the founders as possible parents. Throws std::invalid_argument if they are not those of the history.
-  void repeat_founders() {
-    for (const Individual& founder : population_.individuals()) {
-      if (!founder.lives()) continue;
-      const Happening* birth = repeated_ < params_.history->size() ? &(*params_.history)[repeated_++] : nullptr;
-      const bool fits = birth && birth->kind == observe::EventKind::birth && birth->id == founder.id &&
-                        birth->species == founder.species && birth->id == born_.size();
-      if (!fits) throw std::invalid_argument{"a history of other founders"};
-      born_.push_back(founder.as_ancestor());
-    }
-  }
-
   /// Repeats what happened in the history up to this tick.
   void repeat(observe::Audience& audience) {
-    for (; repeated_ < params_.history->size() && (*params_.history)[repeated_].tick <= tick_; ++repeated_) {
-      const Happening& event = (*params_.history)[repeated_];
+    while (const Happening* const next = history_.next(tick_)) {
+      const Happening& event = *next;
       const auto other = event.killer_or_victim ? population_.body_of(*event.killer_or_victim) : std::nullopt;
       if (event.kind == observe::EventKind::birth) {
         using reproduction::Descent;
-        const auto parent = event.parent ? std::optional{born_.at(*event.parent)} : std::nullopt;
         const Descent orphan = event.origin == Origin::inherited ? Descent::of_parent_in_name : Descent::random;
-        const Parentage parentage{.descent = parent ? Descent::of_parent : orphan, .parent = parent};
+        const Parentage parentage{.descent = event.parents.empty() ? orphan : Descent::of_parent,
+                                  .parents = history_.parents_of(event)};
+        std::optional<GroundPose> place;
+        if (!bodies_.backend().is_there(event.body))
+          place = place_of_birth(parentage.parents).value_or(bodies_.poses()[event.body]);
         population_.replace(event.body, event.species, parentage, view());
-        born_.push_back(population_[event.body].as_ancestor());
-        begin_life(audience, event.body);
+        history_.note_birth(population_[event.body]);
+        begin_life(audience, event.body, place);
       } else if (event.kind == observe::EventKind::death) {
         emit_death(audience, {.body = event.body, .cause = *event.cause, .killer = other, .successor = {}});
         population_.vacate(event.body);
+        if (grows && !history_.goes_on_in(event.body)) bodies_.take_away(event.body);
       } else if (event.kind == observe::EventKind::activation) {
         const auto rule = death::ask::activates(rules_.activation, states().activation[event.body], event.body, view());
         population_.activate(event.body, time_s(), rule == death::Activates::yes_and_restarts_age);
@@ -245,7 +253,25 @@ class Ecology final : public Simulation {
       if (!individual.lives()) continue;
       Rng rng{params_.seed, Stream::senescence, individual.id, static_cast<std::uint64_t>(tick_)};
       if (!death::ask::dies(rules_.senescence, states().senescence[body], individual, view(), rng)) continue;
-      replace_occupant(audience, {.body = body, .cause = Cause::senescence, .killer = {}, .successor = individual.species});
+      replace_occupant(audience, {.body = body, .cause = ageing_cause(), .killer = {}, .successor = individual.species});
+    }
+  }
+
+  /// The cause that the rule Senescence names, `static constexpr std::string_view cause`.
+  [[nodiscard]] static Cause ageing_cause() {
+    using Rule = AnswersForSpecies<PolicyIn<Rules, RuleSlot::senescence>>;
+    if constexpr (requires { Rule::cause; }) return cause_named(Rule::cause);
+    return Cause::senescence;
+  }
+
+  /// Deaths of hunger by the rule Metabolism.
+  void exhaust(observe::Audience& audience) {
+    if (!Economy<Rules>::has_energy) return;
+    const IndividualId first_newborn = population_.next_id();
+    for (BodyIndex body = 0; body < population_.individuals().size(); ++body) {
+      const Individual& self = population_[body];
+      if (!self.lives() || self.id >= first_newborn || !population_.economy().starves(self, body, view())) continue;
+      replace_occupant(audience, {.body = body, .cause = Cause::starved, .killer = {}, .successor = self.species});
     }
   }
 
@@ -280,24 +306,47 @@ class Ecology final : public Simulation {
     }
   }
 
-  /// Births in spare bodies.
+  /// Births without a death.
   void recruit(observe::Audience& audience) {
+    if (!grows) return;
     Rng rng{params_.seed, Stream::recruitment, 0, static_cast<std::uint64_t>(tick_)};
     const auto recruiting = states().recruitment.all();
+    BodyIndex spare = 0;
     for (const auto& recruit : reproduction::ask::recruits(rules_.recruitment, recruiting, view(), rng)) {
-      const auto demand = recruit.parent ? population_.misfit(recruit.parent->genome.get()) : std::nullopt;
-      detail::check_recruit(web_, recruit, population_.individuals(), demand);
-      const auto descent = recruit.parent ? reproduction::Descent::of_parent : reproduction::Descent::random;
-      population_.replace(recruit.body, recruit.species, {.descent = descent, .parent = recruit.parent}, view());
-      begin_life(audience, recruit.body);
+      detail::check_recruit(web_, habitat_.arena, recruit,
+                            [&](const Ancestor& parent) { return population_.misfit(parent.genome.get()); });
+      while (spare < population_.individuals().size() && population_[spare].lives()) ++spare;
+      const bool has_body = spare < population_.individuals().size();
+      const auto place = recruit.place || !has_body ? recruit.place : place_of_birth(recruit.parents);
+      if (!has_body || !place) {
+        ++refused_births_;
+        continue;
+      }
+      using reproduction::Descent;
+      const Parentage parentage{.descent = recruit.parents.empty() ? Descent::random : Descent::of_parent,
+                                .parents = recruit.parents,
+                                .endowment_J = recruit.endowment_J};
+      population_.replace(spare, recruit.species, parentage, view());
+      begin_life(audience, spare, place);
     }
+    bodies_.stand();
+  }
+
+  /// A free place beside the first living one of these, or anywhere; none if there is no room.
+  [[nodiscard]] std::optional<GroundPose> place_of_birth(std::span<const Ancestor> parents) const {
+    std::optional<BodyIndex> beside;
+    for (const Ancestor& parent : parents) {
+      if (!beside) beside = population_.body_of(parent.id);
+    }
+    return bodies_.free_place(beside, population_.next_id());
   }
 
   /// Death of the occupant and birth of its successor, unless the Recruitment rule leaves the body spare.
   void replace_occupant(observe::Audience& audience, const Vacancy& vacancy) {
     if (rules_.recruitment.leaves_spare(vacancy, view())) {
       emit_death(audience, vacancy);
-      return population_.vacate(vacancy.body);
+      population_.vacate(vacancy.body);
+      return bodies_.take_away(vacancy.body);
     }
     reproduce_into(audience, vacancy);
   }
@@ -308,8 +357,11 @@ class Ecology final : public Simulation {
     population_.note_death(vacancy, view());
   }
 
-  void begin_life(observe::Audience& audience, BodyIndex body) {
-    if (Phenotypes<Rules>::differ) {
+  /// `place`: where the body of an individual comes into the world; none if it is there.
+  void begin_life(observe::Audience& audience, BodyIndex body, const std::optional<GroundPose>& place = {}) {
+    if (place) {
+      bodies_.set_down(body, *place);
+    } else if (Phenotypes<Rules>::differ) {
       bodies_.embody(body, population_.individuals().size());
     } else if (params_.ecology.phase_at_birth == PhaseAtBirth::reset) {
       bodies_.restart(body);
@@ -322,61 +374,14 @@ class Ecology final : public Simulation {
   void reproduce_into(observe::Audience& audience, const Vacancy& vacancy) {
     const Parentage parentage = population_.parentage(vacancy, view());
     const Species dead = population_[vacancy.body].species;
-    if (parentage.parent) {
-      detail::check_parent(web_, vacancy, *parentage.parent, population_.misfit(parentage.parent->genome.get()));
-    }
+    for (const Ancestor& parent : parentage.parents)
+      detail::check_parent(web_, vacancy, parent, population_.misfit(parent.genome.get()));
     auto successor = vacancy.successor;
-    if (!successor) successor = parentage.parent ? parentage.parent->species : web_.first_victim(dead).value_or(dead);
+    if (!successor)
+      successor = parentage.parents.empty() ? web_.first_victim(dead).value_or(dead) : parentage.parents.front().species;
     emit_death(audience, vacancy);
     population_.replace(vacancy.body, *successor, parentage, view());
     begin_life(audience, vacancy.body);
-  }
-
-  /// Perception, decisions, and their effects. Unless robots decide in turn, all perceive the same moment: all decisions are
-  /// made before the first tag changes.
-  void decide(observe::Audience& audience) {
-    const View now = view();
-    const Moment<Rules> moment{rules_, population_, params_.seed, now};
-    const auto common = rules_.sensors.sense_common(now);
-    choices_.clear();
-    const bool is_observed = audience.wants_decisions();
-    const bool in_turn = params_.ecology.decision_order == DecisionOrder::in_turn;
-    for (BodyIndex body = 0; body < population_.individuals().size(); ++body) {
-      choices_.push_back(population_[body].lives() ? moment.choice(body, common, params_.ecology.without_target, is_observed)
-                                                   : Choice<Rules>{});
-      if (in_turn) act(audience, body, choices_[body]);
-    }
-    if (in_turn) return;
-    for (BodyIndex body = 0; body < population_.individuals().size(); ++body) act(audience, body, choices_[body]);
-  }
-
-  void act(observe::Audience& audience, BodyIndex body, const Choice<Rules>& choice) {
-    if (!population_[body].lives()) return;
-    population_.sight(body, choice.sighting, view());
-    if (!choice.decision) return;
-    const Individual& self = population_[body];
-    const int tag_before = self.tag;
-    population_.turn(body, choice.decision->target_angle_rad);
-    using perception::MaySwitch;
-    const MaySwitch may_switch = perception::ask::may_switch(rules_.tag_switch, states().tag_switch[body], self, view());
-    if (may_switch != MaySwitch::no) {
-      show_tag(audience, body, choice.decision->tag, may_switch == MaySwitch::yes_and_clock_restarts);
-    }
-    audience.decision({.body = body,
-                       .inputs = choice.inputs,
-                       .outputs = choice.outputs ? std::span<const double>{*choice.outputs} : std::span<const double>{},
-                       .target_angle_rad = choice.decision->target_angle_rad,
-                       .tag = choice.decision->tag,
-                       .tag_before = tag_before,
-                       .might_switch = may_switch != MaySwitch::no},
-                      view());
-  }
-
-  void show_tag(observe::Audience& audience, BodyIndex body, int tag, bool restarts_clock) {
-    const bool switched = tag != population_[body].tag;
-    population_.show_tag(body, tag);
-    if (switched || restarts_clock) population_.restart_tag_clock(body, time_s());
-    if (switched) emit(audience, observe::EventKind::tag_switch, body);
   }
 
   Params params_;
@@ -387,12 +392,13 @@ class Ecology final : public Simulation {
   EngineNursery<PolicyIn<Rules, RuleSlot::steering>> nursery_;
   Population<Rules> population_;
   Bodies<Rules> bodies_;
+  Decisions<Rules> decisions_;
+  RepeatedHistory history_;
+  double period_m_;
   death::ClockOf<PolicyIn<Rules, RuleSlot::starvation>> starvation_clock_;
   std::int64_t tick_ = 0;
   bool started_ = false;
-  std::size_t repeated_ = 0;         ///< events of the history
-  std::vector<Ancestor> born_ = {};  ///< all individuals by id, of a run that repeats a history
-  std::vector<Choice<Rules>> choices_;
+  std::uint64_t refused_births_ = 0;  ///< without a free body or a free place
 };
 
 }  // namespace trophic

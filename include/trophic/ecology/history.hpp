@@ -6,7 +6,10 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <trophic/observe/event.hpp>
+#include <trophic/params/archive.hpp>
+#include <utility>
 #include <vector>
 
 namespace trophic {
@@ -18,9 +21,9 @@ struct Happening {
   BodyIndex body = 0;
   IndividualId id = 0;
   Species species = 0;
-  Origin origin = Origin::random;           ///< of a newborn
-  std::optional<IndividualId> parent = {};  ///< of a newborn
-  std::optional<Cause> cause = {};          ///< of a death
+  Origin origin = Origin::random;          ///< of a newborn
+  std::vector<IndividualId> parents = {};  ///< of a newborn
+  std::optional<Cause> cause = {};         ///< of a death
   std::optional<IndividualId> killer_or_victim = {};
 };
 
@@ -30,6 +33,47 @@ struct Happening {
 /// as brains choose them.
 using History = std::vector<Happening>;
 using SharedHistory = std::shared_ptr<const History>;
+
+/// A history on its way through a run that repeats it.
+class RepeatedHistory {
+ public:
+  explicit RepeatedHistory(SharedHistory history) : history_{std::move(history)} {}
+
+  [[nodiscard]] explicit operator bool() const { return history_ != nullptr; }
+
+  /// Notes a founder as a possible parent. Throws std::invalid_argument if it is not that of the history.
+  void found(const Individual& founder) {
+    const Happening* birth = at_ < history_->size() ? &(*history_)[at_++] : nullptr;
+    const bool fits = birth && birth->kind == observe::EventKind::birth && birth->id == founder.id &&
+                      birth->species == founder.species && birth->id == born_.size();
+    if (!fits) throw std::invalid_argument{"a history of other founders"};
+    note_birth(founder);
+  }
+  void note_birth(const Individual& newborn) { born_.push_back(newborn.as_ancestor()); }
+
+  /// The next event up to a tick; null if there is none left.
+  [[nodiscard]] const Happening* next(std::int64_t tick) {
+    return at_ < history_->size() && (*history_)[at_].tick <= tick ? &(*history_)[at_++] : nullptr;
+  }
+  /// Whether the event after the last one is a birth in this body, which then stays in the world.
+  [[nodiscard]] bool goes_on_in(BodyIndex body) const {
+    return at_ < history_->size() && (*history_)[at_].kind == observe::EventKind::birth && (*history_)[at_].body == body;
+  }
+  [[nodiscard]] std::vector<Ancestor> parents_of(const Happening& birth) const {
+    std::vector<Ancestor> parents;
+    for (const IndividualId parent : birth.parents) parents.push_back(born_.at(parent));
+    return parents;
+  }
+
+  void persist(Archive& archive) {
+    if (history_) archive(at_, born_);
+  }
+
+ private:
+  SharedHistory history_;
+  std::size_t at_ = 0;               ///< the next event
+  std::vector<Ancestor> born_ = {};  ///< all individuals so far, by id
+};
 
 /// Reads the history that the neutral null of a seed repeats.
 using HistoryOf = std::function<SharedHistory(std::uint64_t seed)>;

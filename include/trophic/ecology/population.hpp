@@ -4,6 +4,7 @@
 
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/ecology/brain_genes.hpp>
+#include <trophic/ecology/economy.hpp>
 #include <trophic/ecology/lineup.hpp>
 #include <trophic/ecology/phenotypes.hpp>
 #include <trophic/ecology/state_hooks.hpp>
@@ -19,10 +20,11 @@
 
 namespace trophic {
 
-/// The origin of the next individual in a vacant body.
+/// The origin of the next individual in a body.
 struct Parentage {
   reproduction::Descent descent = reproduction::Descent::random;
-  std::optional<Ancestor> parent;  ///< none if the genome is random by rule or there is no individual to inherit from
+  std::vector<Ancestor> parents = {};  ///< none if the genome is random by rule or there is no individual to inherit from
+  double endowment_J = 0.0;            ///< of the living parents; if 0 the energy comes from outside
 };
 
 /// The circumstances of births besides the rules: `habitat` is for tables whose bodies or gaits differ, `nursery` for those that
@@ -56,7 +58,8 @@ class Population {
         null_{setting.null},
         tags_{rules.brain.tags()},
         brains_{rules, seed},
-        phenotypes_{rules, seed, setting.habitat, setting.nursery} {
+        phenotypes_{rules, seed, setting.habitat, setting.nursery},
+        economy_{rules, seed, web.size(), setting.habitat} {
     check_tags(tags_);
     for (const Species species : founders)
       if (species != no_species) check_index("community", "species", species, web.size());
@@ -73,6 +76,7 @@ class Population {
         states.push_back(for_species(policy, born.species).born(born, nullptr, StateOf<P>{}));
       });
       born.genome = drawn_genome(born, individuals_.size());
+      economy_.endow_from_outside(born);
       ++members_[species];
       bodies_[born.id] = individuals_.size();
       individuals_.push_back(std::move(born));
@@ -85,6 +89,7 @@ class Population {
   [[nodiscard]] IndividualId next_id() const { return next_id_; }                  ///< of the next newborn
   [[nodiscard]] const Individual& operator[](BodyIndex body) const { return individuals_[body]; }
   [[nodiscard]] const RuleStates<Rules>& states() const { return states_; }
+  [[nodiscard]] const Economy<Rules>& economy() const { return economy_; }
 
   /// Writes all individuals and states to an archive, or reads them from it (trophic/params/archive.hpp). Throws
   /// std::invalid_argument for bytes that are not a population of these rules, and is then in an undefined state.
@@ -99,6 +104,7 @@ class Population {
     archive(next_id_, next_genome_id_, individuals_);
     for_each_state(rules_, states_, [&](const auto&, auto& states) { archive(states); });
     phenotypes_.persist(archive, web_.size());
+    archive(economy_);
     if (!archive.reads()) return;
     Archive::require(individuals_.size() == bodies, "another number of robots");
     for (const Individual& individual : individuals_) check_saved(individual);
@@ -114,11 +120,13 @@ class Population {
     });
   }
 
-  /// Places bodies at `poses`, one for each; refers to them. Searches can use a tree from then on.
+  /// Places bodies at `poses`, one for each; refers to them. Searches can use a tree from then on, until `leave_tree`.
   void stand_at(std::span<const GroundPose> poses) {
     poses_ = poses;
     tree_ = SearchTree{poses_, individuals_};
   }
+  /// Bodies stand elsewhere: searches visit all of them until the next `stand_at`.
+  void leave_tree() { poses_ = {}; }
   /// Finds the closest bodies; null before `stand_at`.
   [[nodiscard]] const SearchTree* tree() const { return poses_.empty() ? nullptr : &tree_; }
 
@@ -149,17 +157,27 @@ class Population {
     if (restarts_age) individuals_[body].age_from_s = time_s;
   }
 
-  /// Notes that all bodies have moved, from `before`.
-  void walk(std::span<const GroundPose> before, const View& view) { notify_walk(rules_, states_, before, view); }
+  /// Begins the ledger of energy of a tick.
+  void open_ledger() { economy_.open_ledger(); }
+
+  /// Notes that all bodies have moved, from `before`, and lets all spend and bite.
+  void walk(std::span<const GroundPose> before, const View& view) {
+    notify_walk(rules_, states_, before, view);
+    economy_.spend_and_bite(individuals_, before, view);
+  }
 
   /// Feeds the hunter. Its victim is still there; `replace` removes it.
   void feed(BodyIndex hunter, BodyIndex victim, const View& view) {
     individuals_[hunter].fed_tick = view.tick;
+    economy_.eat(hunter, victim, individuals_, view);
     notify_catch(rules_, states_, hunter, victim, view);
   }
 
   /// Notifies the rules of all others of a death. The dying individual is still there; `replace` or `vacate` removes it.
-  void note_death(const Vacancy& death, const View& view) { notify_death(rules_, states_, death, view); }
+  void note_death(const Vacancy& death, const View& view) {
+    notify_death(rules_, states_, death, view);
+    economy_.lose(death, individuals_[death.body], view);
+  }
 
   /// Notes an individual's adversary at this tick, if it perceives one.
   void sight(BodyIndex body, const std::optional<Sighting>& sighting, const View& view) {
@@ -195,10 +213,11 @@ class Population {
   /// Chooses between a random and an inherited genome and calls the parent rule. Changes nothing.
   [[nodiscard]] Parentage parentage(const reproduction::Vacancy& vacancy, const View& view) const {
     Rng source{seed_, Stream::genome_source, next_id_};
-    Parentage result{.descent = rules_.genome_source.descent(source), .parent = std::nullopt};
+    Parentage result{.descent = rules_.genome_source.descent(source)};
     if (result.descent != reproduction::Descent::random) {
       Rng rng{seed_, Stream::parent, next_id_};
-      result.parent = reproduction::ask::parent(rules_.parent, states_.parent.all(), vacancy, view, rng);
+      const auto parent = reproduction::ask::parent(rules_.parent, states_.parent.all(), vacancy, view, rng);
+      if (parent) result.parents.push_back(*parent);
     }
     return result;
   }
@@ -226,31 +245,53 @@ class Population {
 
   /// Replaces the body's occupant by an offspring or a random newcomer of `species`, in the same place; fills a spare body.
   void replace(BodyIndex body, Species species, const Parentage& parentage, const View& view) {
+    const std::span parents{parentage.parents};
     Individual born = newborn(species, view.time_s, view.tick, &individuals_[body]);
-    std::vector<double> before;  // a heredity may share the parent's genome and change it
-    if (parentage.parent) before = parentage.parent->genome->weights;
+    std::vector<std::vector<double>> before;  // a heredity may share a parent's genome and change it
+    for (const Ancestor& parent : parents) before.push_back(parent.genome->weights);
+    Rng crossover{seed_, Stream::crossover, born.id};
     const auto& heredity = for_species(rules_.heredity, species);
-    auto genome = parentage.parent && null_ != Null::shadow ? heredity.inherit(parentage.parent->genome) : nullptr;
+    auto genome = parents.empty() || null_ == Null::shadow ? nullptr : reproduction::ask::inherit(heredity, parents, crossover);
     if (const auto demand = genome && !genome->weights.empty() ? brains_.misfit(genome.get()) : std::nullopt) {
       throw RuleError{"heredity", "a genome of " + std::to_string(genome->weights.size()) + " weights: must have " + *demand};
     }
-    create_states(born, body, genome ? body_of(parentage.parent->id) : std::nullopt);
-    if (parentage.parent) {
-      descend(born, body, *parentage.parent, std::move(genome), before);
+    const std::vector<BodyIndex> living = bodies_of(parents);
+    create_states(born, body, genome && !living.empty() ? std::optional{living.front()} : std::nullopt);
+    if (!parents.empty()) {
+      descend(born, body, parents, std::move(genome), before);
     } else {
       born.genome = drawn_genome(born, body);
       if (parentage.descent == reproduction::Descent::of_parent_in_name) born.origin = Origin::inherited;
     }
+    endow(born, parentage.endowment_J, living);
     remove(body);
     ++members_[species];
     bodies_[born.id] = body;
     individuals_[body] = std::move(born);
     mark(body);
-    if (!parentage.parent) return;
-    if (const auto parent = body_of(parentage.parent->id)) notify_offspring(rules_, states_, *parent, body, view);
+    for (const BodyIndex parent : living) {
+      if (parent != body) notify_offspring(rules_, states_, parent, body, view);
+    }
   }
 
  private:
+  /// The bodies of those ancestors that live.
+  [[nodiscard]] std::vector<BodyIndex> bodies_of(std::span<const Ancestor> ancestors) const {
+    std::vector<BodyIndex> bodies;
+    for (const Ancestor& one : ancestors) {
+      if (const auto body = body_of(one.id)) bodies.push_back(*body);
+    }
+    return bodies;
+  }
+
+  /// Gives a newborn its energy.
+  void endow(Individual& born, double endowment_J, std::span<const BodyIndex> living) {
+    if (endowment_J == 0.0 || living.empty()) return economy_.endow_from_outside(born);
+    std::vector<Individual*> parents;
+    for (const BodyIndex body : living) parents.push_back(&individuals_[body]);
+    economy_.endow(born, endowment_J, parents);
+  }
+
   /// A body's species, tag or activity changed.
   void mark(BodyIndex body) {
     if (!poses_.empty()) tree_.mark(body, poses_[body], individuals_[body]);
@@ -307,16 +348,17 @@ class Population {
     return genome;
   }
 
-  /// Sets origin, parent and genome of a newborn with a parent. `genome` is the inherited one, mutated here, with parts that are
-  /// empty drawn; if null, a genome is drawn. `before`: the parent's weights before all this.
-  void descend(Individual& born, BodyIndex body, const Ancestor& parent, std::shared_ptr<Genome> genome,
-               const std::vector<double>& before) {
+  /// Sets origin, parents and genome of a newborn with parents. `genome` is the inherited one, mutated here, with parts that are
+  /// empty drawn; if null, a genome is drawn. `before`: the weights of each parent before all this.
+  void descend(Individual& born, BodyIndex body, std::span<const Ancestor> parents, std::shared_ptr<Genome> genome,
+               std::span<const std::vector<double>> before) {
     born.origin = Origin::inherited;
-    born.parent = parent.id;
+    for (const Ancestor& parent : parents) born.parents.push_back(parent.id);
     if (!genome) {
       born.genome = drawn_genome(born, body);
     } else {
-      if (genome != parent.genome) genome->id = next_genome_id_++;
+      const bool is_shared = std::ranges::any_of(parents, [&](const Ancestor& parent) { return parent.genome == genome; });
+      if (!is_shared) genome->id = next_genome_id_++;
       if (genome->weights.empty()) {
         brains_.draw(*genome, born);
       } else {
@@ -325,7 +367,9 @@ class Population {
       phenotypes_.develop(body, born, *genome);
       born.genome = std::move(genome);
     }
-    born.mutation_distance = brains_.distance(before, born.genome->weights);
+    born.mutation_distance = std::numeric_limits<double>::infinity();
+    for (const std::vector<double>& weights : before)
+      born.mutation_distance = std::min(born.mutation_distance, brains_.distance(weights, born.genome->weights));
   }
 
   const Policies<Rules>& rules_;
@@ -335,6 +379,7 @@ class Population {
   std::vector<int> tags_;
   BrainGenes<Rules> brains_;
   Phenotypes<Rules> phenotypes_;
+  Economy<Rules> economy_;
   IndividualId next_id_ = 0;
   std::uint64_t next_genome_id_ = 0;
   std::vector<Individual> individuals_;

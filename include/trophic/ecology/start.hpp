@@ -34,13 +34,15 @@ template <class Rules>
   return species;
 }
 
-/// A place for each robot by the Placement rule. Throws RuleError for other numbers of places, or for one that is not finite.
+/// A place for each founder by the Placement rule; a spare body, which is not in the world, has that of a founder. Throws
+/// RuleError for other numbers of places, or for one that is not finite.
 template <class Rules>
 [[nodiscard]] std::vector<GroundPose> places_of(const Experiment<Rules>& params, const Policies<Rules>& rules,
-                                                const Habitat& habitat) {
+                                                const Habitat& habitat, std::size_t founders) {
   Rng rng{params.seed, Stream::placement};
-  auto places = rules.placement.place(params.ecology.robots, habitat.arena, habitat.robot.bounding_radius_m, rng);
-  detail::check_places(places, params.ecology.robots);
+  auto places = rules.placement.place(founders, habitat.arena, habitat.robot.bounding_radius_m, rng);
+  detail::check_places(places, founders);
+  for (std::size_t body = founders; body < params.ecology.robots; ++body) places.push_back(places[body - founders]);
   return places;
 }
 

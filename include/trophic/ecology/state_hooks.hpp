@@ -15,7 +15,7 @@ void notify_walk(const Policies<Rules>& rules, RuleStates<Rules>& all, std::span
     if constexpr (requires { for_species(policy, Species{}).on_walk(states[0], BodyIndex{}, 0.0, view); }) {
       for (BodyIndex body = 0; body < view.robots.size(); ++body) {
         if (!view.robots[body].lives()) continue;
-        const double walked_m = distance_m(before[body], view.poses[body]);
+        const double walked_m = view.distance_m(before[body], view.poses[body]);
         for_species(policy, view.robots[body].species).on_walk(states[body], body, walked_m, view);
       }
     }
@@ -66,8 +66,9 @@ void notify_sighting(const Policies<Rules>& rules, RuleStates<Rules>& all, BodyI
 template <class Rules>
 void notify_offspring(const Policies<Rules>& rules, RuleStates<Rules>& all, BodyIndex parent, BodyIndex newborn,
                       const View& view) {
-  for_each_state(rules, all, [&](const auto& policy, auto& states) {
+  for_each_state(rules, all, [&]<class P>(const P& policy, auto& states) {
     const auto& rule = for_species(policy, view.robots[parent].species);
+    if constexpr (detail::HandsOver<AnswersForSpecies<P>>) rule.hand_over(states[parent], states[newborn], view);
     if constexpr (requires { rule.on_offspring(states[parent], parent, newborn, view); }) {
       rule.on_offspring(states[parent], parent, newborn, view);
     }

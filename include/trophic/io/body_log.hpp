@@ -41,7 +41,7 @@ class BodyLog {
     row.push_back(',');
     add(view.web.name(event.individual.species));
     add(plan);
-    const auto parent = event.individual.parent;
+    const auto parent = event.individual.parent();
     const bool has_parent = parent && *parent < plan_of_.size();
     add(has_parent ? std::optional{plan_of_[*parent]} : std::nullopt);
     add(has_parent ? std::optional{distance(plan_of_[*parent], plan, tree)} : std::nullopt);

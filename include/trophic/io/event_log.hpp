@@ -22,7 +22,7 @@ namespace trophic::io {
           .tag = self.tag,
           .active = self.active,
           .origin = self.origin,
-          .parent = self.parent,
+          .parent = self.parent(),
           .genome = self.genome->id,
           .cause = event.cause,
           .killer = is_catch ? std::nullopt : event.other,

@@ -42,6 +42,7 @@ class Manifest {
   void on_tick(const View& view) {
     reached_s_ = view.time_s;
     refused_bodies_ = view.refused_bodies;
+    refused_births_ = view.refused_births;
   }
   void on_end(const View& view) { finish(view.time_s < until_s_ ? "stopped" : "complete"); }
   void on_failure(std::string_view what);
@@ -84,6 +85,7 @@ class Manifest {
   double reached_s_ = 0.0;
   bool inherits_bodies_ = false;
   std::uint64_t refused_bodies_ = 0;  ///< mutations, up to the last tick
+  std::uint64_t refused_births_ = 0;  ///< without a free body or room, up to the last tick
 };
 
 }  // namespace trophic::io

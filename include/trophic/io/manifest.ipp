@@ -171,11 +171,8 @@ TROPHIC_INLINE void Manifest::finish(std::string_view status) {
     result["reached_s"] = reached_s_;
     result["births"] = tally_.births();
     result["deaths"] = tally_.deaths();
-    for (std::size_t cause = 0; cause < enum_names(Cause{}).size(); ++cause) {
-      const std::size_t deaths = tally_.deaths(static_cast<Cause>(cause));
-      if (deaths == 0 && static_cast<Cause>(cause) == Cause::diverged) continue;
-      result[std::string{enum_name(static_cast<Cause>(cause))}] = deaths;
-    }
+    for (const auto& [cause, deaths] : tally_.deaths_by_cause()) result[cause] = deaths;
+    if (refused_births_ > 0) result["refused_births"] = refused_births_;
     if (inherits_bodies_) result["refused_bodies"] = refused_bodies_;
   });
   content_->write();

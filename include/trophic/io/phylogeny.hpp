@@ -52,11 +52,19 @@ class Phylogeny {
   [[nodiscard]] TableSum sum() const { return file_.sum(); }
 
  private:
+  /// "[none]", "[7]" or "[7,9]".
+  [[nodiscard]] static std::string list_of(std::span<const IndividualId> parents) {
+    if (parents.empty()) return "[none]";
+    std::string list;
+    for (const IndividualId parent : parents) list += (list.empty() ? '[' : ',') + std::to_string(parent);
+    return list + ']';
+  }
+
   /// The row of an individual that lives.
   [[nodiscard]] TaxonRow row_of(const Individual& self, BodyIndex body) const {
     return {.id = self.id,
-            .ancestor_list = self.parent ? "[" + std::to_string(*self.parent) + "]" : "[none]",
-            .ancestor = self.parent.value_or(self.id),
+            .ancestor_list = list_of(self.parents),
+            .ancestor = self.parent().value_or(self.id),
             .origin_time = self.born_s,
             .destruction_time = {},
             .species = self.species,

@@ -5,6 +5,7 @@
 #include <system_error>
 #include <trophic/io/agent_log.hpp>
 #include <trophic/io/body_log.hpp>
+#include <trophic/io/energy_log.hpp>
 #include <trophic/io/event_log.hpp>
 #include <trophic/io/genome_log.hpp>
 #include <trophic/io/phylogeny.hpp>
@@ -63,7 +64,10 @@ struct RunFolder::Shipped {
                                        Shipped{SenseLog::file_name, senses},
                                        Shipped{StateLog::file_name, states},
                                        Shipped{GeneLog::file_name, plain<GeneLog>},
-                                       Shipped{BodyLog::file_name, plain<BodyLog>}};
+                                       Shipped{BodyLog::file_name, plain<BodyLog>},
+                                       Shipped{EnergyLog::file_name, plain<EnergyLog>},
+                                       Shipped{ResourceLog::file_name, plain<ResourceLog>},
+                                       Shipped{FieldLog::file_name, plain<FieldLog>}};
     return tables;
   }
   static constexpr std::size_t in_every_run = 4;  ///< the first ones
@@ -117,6 +121,9 @@ TROPHIC_INLINE void RunFolder::on_start(const observe::RunDescription& run, cons
   if (senses_ != nullptr) manifest_.set_inputs(run.inputs);
   if (run.has_more_genes) open(GeneLog::file_name, Opening::created);
   if (run.bodies_differ) open(BodyLog::file_name, Opening::created);
+  if (run.has_energy) open(EnergyLog::file_name, Opening::created);
+  if (run.has_resource) open(ResourceLog::file_name, Opening::created);
+  if (run.has_resource) open(FieldLog::file_name, Opening::created);
   each([&](AnyOwnTable& table) { table.observer().start(run, view); });
   manifest_.on_start(run, view);
   recording_.on_start(run, view);

@@ -38,7 +38,7 @@ struct EventRow {
         column("tag", &EventRow::tag, "", "the tag that it shows; of a switch the new one"),
         column("active", &EventRow::active, "", "0 for one that hunters neither perceive nor catch yet; it perceives and walks"),
         column("origin", &EventRow::origin, "", "whether its genome is labelled random or inherited"),
-        column("parent_id", &EventRow::parent, "", "whom it descends from; empty without a parent"),
+        column("parent_id", &EventRow::parent, "", "whom it descends from, the first of several; empty without a parent"),
         column("genome_id", &EventRow::genome, "", "its genome, which several share where the rules share genomes"),
         column("cause", &EventRow::cause, "", "of a death"),
         column("killer_id", &EventRow::killer, "", "of a death by being caught: the hunter"),
@@ -159,8 +159,8 @@ struct TaxonRow {
   static constexpr auto columns() {
     return std::tuple{
         column("id", &TaxonRow::id, "", "the individual"),
-        column("ancestor_list", &TaxonRow::ancestor_list, "", "[none], or its parent: [7]"),
-        column("ancestor_id", &TaxonRow::ancestor, "", "its parent as a plain number; a root's is its own id"),
+        column("ancestor_list", &TaxonRow::ancestor_list, "", "[none], or its parents: [7], [7,9]"),
+        column("ancestor_id", &TaxonRow::ancestor, "", "its first parent as a plain number; a root's is its own id"),
         column("origin_time", &TaxonRow::origin_time, "s", "birth, by the ecology's clock", seconds),
         column("destruction_time", &TaxonRow::destruction_time, "s", "death; inf for who lives at the end",
                {.none = "inf", .plain = true}),

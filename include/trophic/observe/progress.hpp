@@ -81,12 +81,12 @@ class Progress {
     out << "births  " << tally_.births() << " (" << view.robots.size() - run_.spare_bodies << " founders; "
         << tally_.births(Origin::inherited) << " inherited)\n";
     out << "deaths  " << tally_.deaths();
-    for (std::size_t cause = 0; cause < enum_names(Cause{}).size(); ++cause) {
-      if (tally_.deaths(static_cast<Cause>(cause)) == 0 && static_cast<Cause>(cause) == Cause::diverged) continue;
-      out << (cause == 0 ? " (" : ", ") << tally_.deaths(static_cast<Cause>(cause)) << " "
-          << enum_name(static_cast<Cause>(cause));
-    }
-    out << ")\nalive  ";
+    bool is_first = true;
+    for (const auto& [cause, deaths] : tally_.deaths_by_cause())
+      out << (std::exchange(is_first, false) ? " (" : ", ") << deaths << " " << cause;
+    out << ")\n";
+    if (view.refused_births > 0) out << "remark  " << view.refused_births << " births had no free body or no room\n";
+    out << "alive  ";
     for (Species species = 0; species < view.web.size(); ++species)
       out << " " << view.count(species) << " " << view.web.name(species);
     out << "\n";

@@ -54,6 +54,8 @@ struct RunDescription {
   std::vector<ParameterChange> changes = {};    ///< in the order in which they were made
   std::optional<Branch> branch = std::nullopt;  ///< none of a run from time 0
   std::size_t spare_bodies = 0;                 ///< bodies that start without an individual
+  bool has_energy = false;                      ///< whether there is a rule Metabolism
+  bool has_resource = false;                    ///< whether there is a rule Resource
   bool brains_grow = false;                     ///< whether the number of a brain's genes may change
   bool bodies_differ = false;                   ///< whether robots have bodies of their own
   bool inherits_bodies = false;                 ///< whether these are inherited

@@ -2,9 +2,12 @@
 // Counts of births and deaths.
 #pragma once
 
-#include <numeric>
+#include <algorithm>
+#include <string>
 #include <trophic/observe/event.hpp>
 #include <trophic/population/view.hpp>
+#include <utility>
+#include <vector>
 
 namespace trophic::observe {
 
@@ -13,13 +16,26 @@ class Tally {
  public:
   void on_event(const Event& event, const View&) {
     if (event.kind == EventKind::birth) ++births_.at(static_cast<std::size_t>(event.individual.origin));
-    if (event.kind == EventKind::death && event.cause) ++deaths_.at(static_cast<std::size_t>(*event.cause));
+    if (event.kind == EventKind::death && event.cause) ++count_of(*event.cause);
   }
 
   [[nodiscard]] std::size_t births() const { return births_[0] + births_[1]; }
   [[nodiscard]] std::size_t births(Origin origin) const { return births_.at(static_cast<std::size_t>(origin)); }
-  [[nodiscard]] std::size_t deaths() const { return std::accumulate(deaths_.begin(), deaths_.end(), std::size_t{0}); }
-  [[nodiscard]] std::size_t deaths(Cause cause) const { return deaths_.at(static_cast<std::size_t>(cause)); }
+  [[nodiscard]] std::size_t deaths() const {
+    std::size_t sum = 0;
+    for (const auto& [cause, deaths] : deaths_) sum += deaths;
+    return sum;
+  }
+  /// (name of the cause, deaths), the library's causes first; `diverged` only if there was any.
+  [[nodiscard]] std::vector<std::pair<std::string, std::size_t>> deaths_by_cause() const {
+    auto all = deaths_;
+    std::erase_if(all, [](const auto& one) { return one.first == enum_name(Cause::diverged) && one.second == 0; });
+    return all;
+  }
+  [[nodiscard]] std::size_t deaths(Cause cause) const {
+    const auto found = std::ranges::find(deaths_, enum_name(cause), &std::pair<std::string, std::size_t>::first);
+    return found == deaths_.end() ? 0 : found->second;
+  }
 
   template <class Archive>
   void persist(Archive& archive) {
@@ -27,8 +43,18 @@ class Tally {
   }
 
  private:
+  [[nodiscard]] std::size_t& count_of(Cause cause) {
+    auto found = std::ranges::find(deaths_, enum_name(cause), &std::pair<std::string, std::size_t>::first);
+    if (found == deaths_.end()) found = deaths_.emplace(deaths_.end(), enum_name(cause), 0);
+    return found->second;
+  }
+
   std::array<std::size_t, enum_names(Origin{}).size()> births_{};
-  std::array<std::size_t, enum_names(Cause{}).size()> deaths_{};
+  std::vector<std::pair<std::string, std::size_t>> deaths_ = [] {
+    std::vector<std::pair<std::string, std::size_t>> all;
+    for (const std::string_view cause : enum_names(Cause{})) all.emplace_back(cause, 0);
+    return all;
+  }();
 };
 
 }  // namespace trophic::observe

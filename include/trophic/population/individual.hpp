@@ -6,13 +6,16 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string_view>
+#include <trophic/population/cause.hpp>
 #include <trophic/population/food_web.hpp>
 #include <tuple>
+#include <vector>
 
 namespace trophic {
 
-/// Index of a robot body; bodies live for the whole run.
+/// Index of a robot body, in which one individual after the other lives.
 using BodyIndex = std::size_t;
 
 /// Number of an individual (the controller in a body), unique in a run, in order of birth from 0.
@@ -26,12 +29,6 @@ inline constexpr IndividualId no_individual = std::numeric_limits<IndividualId>:
 enum class Origin { random, inherited };
 [[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(Origin) {
   return {"random", "inherited"};
-}
-
-/// Why an individual died. `diverged`: the engine could not compute the motion of its body.
-enum class Cause { caught, starved, sacrificed, senescence, diverged };
-[[nodiscard]] constexpr std::array<std::string_view, 5> enum_names(Cause) {
-  return {"caught", "starved", "sacrificed", "senescence", "diverged"};
 }
 
 /// The numbers that an individual is made of, in parts; one slot's policy defines the meaning of each part. A part that a table
@@ -56,11 +53,12 @@ struct Ancestor {
 /// One living individual, or a spare body without one. The `Population` holds one per body and is its only writer.
 struct Individual {
   IndividualId id = 0;
-  std::optional<IndividualId> parent;
+  std::vector<IndividualId> parents;  ///< none, one or more; the first one is also the `parent_id` of tables
   std::shared_ptr<Genome> genome;
   Species species = 0;
   Origin origin = Origin::random;
-  double mutation_distance = 0.0;  ///< Euclidean distance of its weights at birth from its parent's before the mutation
+  double mutation_distance = 0.0;  ///< Euclidean distance of its weights at birth from those of the nearest parent before that
+  double energy_J = 0.0;           ///< 0 in a table without a rule Metabolism
 
   bool active = true;  ///< a newborn of a hunted species is inactive: it cannot be caught and hunters do not perceive it
   double born_s = 0.0;
@@ -77,14 +75,19 @@ struct Individual {
   /// Whether there is an individual; a spare body is of no species, inactive, and has no genome.
   [[nodiscard]] bool lives() const { return species != no_species; }
   [[nodiscard]] Ancestor as_ancestor() const { return {id, species, genome}; }
+  /// The first parent, if any.
+  [[nodiscard]] std::optional<IndividualId> parent() const {
+    return parents.empty() ? std::nullopt : std::optional{parents.front()};
+  }
 
   static constexpr auto saved() {
     return std::tuple{&Individual::id,
-                      &Individual::parent,
+                      &Individual::parents,
                       &Individual::genome,
                       &Individual::species,
                       &Individual::origin,
                       &Individual::mutation_distance,
+                      &Individual::energy_J,
                       &Individual::active,
                       &Individual::born_s,
                       &Individual::age_from_s,

@@ -14,9 +14,10 @@
 ///   State born(const Individual& newborn, const State* parent, const State& body) const
 ///
 /// returns the state of a newborn; a policy with a State must have it. The newborn has no genome yet. `parent` is the state of
-/// its living parent; null for founders, random newcomers, offspring of the dead, and if Heredity passes nothing on. `body` is
-/// the state of the body's previous occupant; State{} for founders. `return {};` resets it, `return body;` keeps it with the
-/// body, `return parent ? *parent : State{};` inherits it.
+/// its first living parent; null for founders, random newcomers, offspring of the dead, and if Heredity passes nothing on. `body`
+/// is the state of the body's previous occupant; State{} for founders. `return {};` resets it, `return body;` keeps it with the
+/// body, `return parent ? *parent : State{};` inherits it. What is inherited is not inherited in the shadow; what a parent hands
+/// over, whatever it passes on, is `hand_over` below, in every null.
 ///
 /// A checkpoint holds all states, so that a resumed run gives the same bytes. A State may therefore hold only the types that
 /// rule_states.hpp allows.
@@ -35,7 +36,9 @@
 ///   void on_sighting(State& own, BodyIndex self, const std::optional<Sighting>& sighting, const View&) const
 ///     after perception: the adversary, if self perceives one
 ///   void on_offspring(State& own, BodyIndex self, BodyIndex newborn, const View&) const
-///     self is the parent of an individual that is born in the body `newborn`; also if the newborn inherits nothing
+///     self is a parent of an individual that is born in the body `newborn`; also if the newborn inherits nothing
+///   void hand_over(State& own, State& newborn, const View&) const
+///     just before it: what a parent gives changes hands, such as a shell; for each living parent
 ///   void on_other_death(State& own, BodyIndex self, const Vacancy& death, const View&) const
 ///     another individual dies of any cause and is still in the view; its successor's parent has been chosen
 #define TROPHIC_STATE_HOOKS(HOOK)                                                                       \
@@ -125,6 +128,13 @@ struct answers_for_species<P> {
 TROPHIC_STATE_HOOKS(TROPHIC_PROBE_HOOK)
 TROPHIC_PROBE_HOOK(born, Vacancy, )
 #undef TROPHIC_PROBE_HOOK
+
+/// A policy with a State whose parents give some of it to newborns.
+template <class P>
+concept HandsOver = Stateful<P> &&
+    requires(const P& policy, typename P::State& own, typename P::State& newborn, const View& view) {
+  policy.hand_over(own, newborn, view);
+};
 
 /// A policy with a State that has `born`.
 template <class P>

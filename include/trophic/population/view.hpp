@@ -2,11 +2,14 @@
 // All that a rule may read: a snapshot of the population and its positions. Read-only, engine-free.
 #pragma once
 
+#include <cmath>
 #include <concepts>
 #include <span>
 #include <trophic/habitat/arena.hpp>
+#include <trophic/population/energy_flow.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/population/phenotype.hpp>
+#include <trophic/population/resource_field.hpp>
 #include <trophic/population/search.hpp>
 #include <trophic/population/search_tree.hpp>
 #include <trophic/support/clock.hpp>
@@ -15,8 +18,8 @@
 namespace trophic {
 
 /// The world as rules see it at one tick. `robots` and `poses` have one element per body, in the same order. Spans refer to the
-/// ecology's own data: within a tick a view shows each birth and death at once. Only a table with a Recruitment rule has spare
-/// bodies, for which `robots[body].lives()` is false.
+/// ecology's own data: within a tick a view shows each birth and death at once. Only a table with a Recruitment rule has bodies
+/// in which nobody lives: `robots[body].lives()` is false, they are not in the world, and no search finds them.
 struct View {
   double time_s = 0.0;          ///< the ecology's clock
   std::int64_t tick = 0;        ///< number of this decision step; 0 at the start
@@ -30,6 +33,11 @@ struct View {
   std::span<const std::size_t> members = {};   ///< of each species; if empty, they are counted
   std::uint64_t refused_bodies = 0;            ///< mutations of bodies so far that the rules refused
   std::span<const Phenotype> phenotypes = {};  ///< of each body; empty if all have the habitat's robot and gait
+  const ResourceField* field = nullptr;        ///< the resource; null in a table without a rule Resource
+  std::span<const EnergyFlow> energy = {};     ///< of each species since the last tick; empty without a rule Metabolism
+  ResourceFlow resource = {};                  ///< since the last tick
+  std::uint64_t refused_births = 0;            ///< for which no body or no room was free, so far
+  double period_m = 0.0;  ///< the side of a torus, on which distances are the shortest; 0: an arena with walls
 
   [[nodiscard]] std::size_t count(Species species) const {
     if (!members.empty()) return species < members.size() ? members[species] : 0;
@@ -41,7 +49,14 @@ struct View {
     for (Species species = 0; species < web.size(); ++species) hunters += web.hunts(species) ? count(species) : 0;
     return hunters;
   }
-  [[nodiscard]] double distance_m(BodyIndex a, BodyIndex b) const { return trophic::distance_m(poses[a], poses[b]); }
+  [[nodiscard]] double distance_m(BodyIndex a, BodyIndex b) const { return distance_m(poses[a], poses[b]); }
+  /// Between two places, over the edges of a torus too.
+  [[nodiscard]] double distance_m(const GroundPose& a, const GroundPose& b) const {
+    if (period_m <= 0.0) return trophic::distance_m(a, b);
+    const double dx_m = std::remainder(a.x_m - b.x_m, period_m);
+    const double dy_m = std::remainder(a.y_m - b.y_m, period_m);
+    return std::sqrt(dx_m * dx_m + dy_m * dy_m);
+  }
   /// The marks of all whose species `accepts`: of all of them, of those with one tag, or of the active ones.
   template <std::predicate<Species> Accepts>
   [[nodiscard]] Marks marks(Accepts&& accepts, std::optional<int> tag = {}, bool only_active = false) const {
@@ -68,11 +83,11 @@ struct View {
     }
   }
 
-  /// All bodies whose centres are at most `radius_m` from a point on the floor, ascending.
+  /// All bodies with an individual whose centres are at most `radius_m` from a point on the floor, ascending.
   [[nodiscard]] std::vector<BodyIndex> within(const GroundPose& point, double radius_m) const {
     std::vector<BodyIndex> bodies;
     const auto take = [&](BodyIndex body) {
-      if (trophic::distance_m(point, poses[body]) <= radius_m) bodies.push_back(body);
+      if (distance_m(point, poses[body]) <= radius_m && robots[body].lives()) bodies.push_back(body);
     };
     if (tree != nullptr) {
       tree->for_each_near(point, radius_m, take);
@@ -90,7 +105,7 @@ struct View {
     std::optional<BodyIndex> best;
     double best_m = search.within_m;
     for (BodyIndex other = 0; other < robots.size(); ++other) {
-      if (other == self || !accepts(other)) continue;
+      if (other == self || !robots[other].lives() || !accepts(other)) continue;
       const double d = distance_m(self, other);
       if (d < best_m || (d == best_m && !best)) {
         best_m = d;

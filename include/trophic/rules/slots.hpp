@@ -18,6 +18,10 @@
 #include <trophic/death/senescence/no_senescence.hpp>
 #include <trophic/death/starvation/contract.hpp>
 #include <trophic/death/starvation/no_starvation.hpp>
+#include <trophic/energy/metabolism/contract.hpp>
+#include <trophic/energy/metabolism/no_metabolism.hpp>
+#include <trophic/energy/resource/contract.hpp>
+#include <trophic/energy/resource/no_resource.hpp>
 #include <trophic/initialization/community/contract.hpp>
 #include <trophic/initialization/embodiment/contract.hpp>
 #include <trophic/initialization/embodiment/keeps_body.hpp>
@@ -75,7 +79,9 @@
   SLOT(Floor, floor, death, Floor, death::floor::NoFloor, true)                                                      \
   SLOT(Starvation, starvation, death, Starvation, death::starvation::NoStarvation, false)                            \
   SLOT(MinimumPredators, minimum_predators, death, MinimumPredators, death::minimum_predators::NoMinimum, false)     \
-  SLOT(Senescence, senescence, death, Senescence, death::senescence::NoSenescence, true)
+  SLOT(Senescence, senescence, death, Senescence, death::senescence::NoSenescence, true)                             \
+  SLOT(Metabolism, metabolism, energy, Metabolism, energy::metabolism::NoMetabolism, true)                           \
+  SLOT(Resource, resource, energy, Resource, energy::resource::NoResource, false)
 
 namespace trophic {
 

@@ -39,6 +39,11 @@ enum class Stream : std::uint64_t {
   gait_mutation,
   body_genes,
   body_mutation,
+  crossover,
+  resource,
+  bites,
+  endowment,
+  birth_place,
   user = 1'000'000,  ///< first number for rules of users
 };
 

@@ -20,6 +20,7 @@ struct GroundPose {
   double y_m = 0.0;
   double heading_rad = 0.0;  ///< counter-clockwise from world x to the robot's forward axis, in (-pi, pi]
   static constexpr auto saved() { return std::tuple{&GroundPose::x_m, &GroundPose::y_m, &GroundPose::heading_rad}; }
+  friend bool operator==(const GroundPose&, const GroundPose&) = default;
 };
 
 /// Wraps an angle into (-pi, pi] by whole turns.

@@ -30,8 +30,8 @@ struct Lives {
     if (event.kind == observe::EventKind::birth) {
       CHECK(learnt.empty());
       genomes[self.id] = self.genome->weights;
-      if (!self.parent) return;
-      CHECK(genomes[self.id] == genomes[*self.parent]);
+      if (!self.parent()) return;
+      CHECK(genomes[self.id] == genomes[*self.parent()]);
       CHECK(self.mutation_distance == 0.0);
       ++inherited;
     }

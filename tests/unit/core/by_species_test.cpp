@@ -29,7 +29,7 @@ TEST_CASE("by species: numbers -> one set per species, under its name") {
 
   struct Births {
     void on_event(const observe::Event& event, const View&) {
-      if (event.kind != observe::EventKind::birth || !event.individual.parent) return;
+      if (event.kind != observe::EventKind::birth || !event.individual.parent()) return;
       const bool is_prey = event.individual.species == PredatorPrey::prey;
       CHECK((event.individual.mutation_distance > 0.0) == is_prey);
       ++(is_prey ? prey : predators);

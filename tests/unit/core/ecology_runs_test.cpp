@@ -62,8 +62,8 @@ struct Auditor {
     const Individual& born = event.individual;
     CHECK(born.id == births);
     ++births;
-    if (born.parent) {
-      CHECK(*born.parent < born.id);
+    if (born.parent()) {
+      CHECK(*born.parent() < born.id);
       CHECK(born.origin == Origin::inherited);
       CHECK(born.mutation_distance > 0.0);
       ++with_parent;

@@ -146,7 +146,7 @@ TEST_CASE("ecology: catch -> hunter fed, victim's body remembers its killer") {
   Kinematics<Rules> ecology{params, still};
   ecology.run_until(0.0);
   const auto robots = ecology.view().robots;
-  CHECK(robots[0].parent == 2);
+  CHECK(robots[0].parent() == 2);
   CHECK(robots[0].species == 1);
   const auto& killers = ecology.states().parent.part<static_cast<std::size_t>(Cause::sacrificed)>();
   REQUIRE(killers[0].killer);
@@ -552,7 +552,7 @@ TEST_CASE("ecology: prey die of age -> prey, with a parent of their species or n
     CHECK(robots[0].species == test::prey);
     CHECK(robots[1].species == test::prey);
     CHECK(robots[2].species == test::predator);
-    return robots[0].parent;
+    return robots[0].parent();
   };
   CHECK_FALSE(successor(std::type_identity<Ageing>{}));
   CHECK(successor(std::type_identity<Nearest>{}) == 1);
@@ -588,7 +588,7 @@ TEST_CASE("ecology: a predator starves -> offspring of the nearest active prey o
     const Individual& born = ecology.view().robots[1];
     CHECK(born.id == 2);
     CHECK(born.species == test::prey);
-    CHECK(born.parent == (is_parent ? std::optional<IndividualId>{0} : std::nullopt));
+    CHECK(born.parent() == (is_parent ? std::optional<IndividualId>{0} : std::nullopt));
     CHECK(born.origin == (is_parent ? Origin::inherited : Origin::random));
   }
 }

@@ -164,7 +164,7 @@ struct Ended {
       species = event.individual.species;
     } else if (event.kind == observe::EventKind::birth && died == event.body) {
       CHECK(event.individual.species == species);
-      CHECK_FALSE(event.individual.parent);
+      CHECK_FALSE(event.individual.parent());
       CHECK(view.phenotypes[event.body].individual == event.individual.id);
       died.reset();
     }

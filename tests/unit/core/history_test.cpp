@@ -22,7 +22,7 @@ struct Writer {
                        .id = event.individual.id,
                        .species = event.individual.species,
                        .origin = event.individual.origin,
-                       .parent = event.individual.parent,
+                       .parents = event.individual.parents,
                        .cause = event.cause,
                        .killer_or_victim = event.other});
   }
@@ -31,9 +31,9 @@ struct Writer {
 };
 
 auto fields(const Happening& event) {
-  return std::tuple{event.tick,   event.kind,    event.body,
-                    event.id,     event.species, event.origin,
-                    event.parent, event.cause,   event.killer_or_victim};
+  return std::tuple{event.tick,    event.kind,    event.body,
+                    event.id,      event.species, event.origin,
+                    event.parents, event.cause,   event.killer_or_victim};
 }
 
 }  // namespace

@@ -25,12 +25,18 @@ using Recruiting = with_recruitment<rules::Paper, AfterEscapes>;
 
 /// Follows who lives in which body, by events alone, and compares with the view.
 struct Occupants {
-  void on_event(const observe::Event& event, const View&) {
+  static BodyIndex body_of(const View& view, IndividualId id) {
+    return static_cast<BodyIndex>(std::ranges::find(view.robots, id, &Individual::id) - view.robots.begin());
+  }
+  void on_event(const observe::Event& event, const View& view) {
     if (event.kind == observe::EventKind::birth) {
       CHECK(!occupants.contains(event.body));
       occupants[event.body] = event.individual.id;
       most = std::max(most, occupants.size());
-      if (!event.individual.parent || died_now.contains(event.body)) return;
+      if (!event.individual.parent() || died_now.contains(event.body)) return;
+      const BodyIndex parent = body_of(view, *event.individual.parent());
+      CHECK(view.distance_m(event.body, parent) < 4.0 * view.robot_radius_m);
+      CHECK(view.distance_m(event.body, parent) >= 2.0 * view.robot_radius_m);
       ++recruits;
       CHECK(event.individual.species == prey);
       CHECK(event.individual.origin == Origin::inherited);
@@ -97,7 +103,7 @@ struct Mourner {
     ++own.deaths;
   }
   void on_offspring(State& own, BodyIndex self, BodyIndex newborn, const View& view) const {
-    CHECK(view.robots[newborn].parent == view.robots[self].id);
+    CHECK(view.robots[newborn].parent() == view.robots[self].id);
     ++own.offspring;
   }
   [[nodiscard]] bool dies(const Individual&, const View&, Rng&, const State&) const { return false; }
@@ -111,7 +117,7 @@ struct Mourned {
       for (const Individual& one : view.robots) ++deaths[one.id];
       deaths.erase(event.individual.id);
     } else if (event.kind == observe::EventKind::birth) {
-      if (event.individual.parent) ++offspring[*event.individual.parent];
+      if (event.individual.parent()) ++offspring[*event.individual.parent()];
     }
   }
   void on_tick(const View& view) {
@@ -181,15 +187,14 @@ TEST_CASE("recruitment: interrupted run -> the same bytes, a row in phylogeny.cs
 }
 
 TEST_CASE("recruitment: invalid birth -> error that names it") {
-  CHECK(error_of({{.body = 29, .species = prey}}) == "");
-  CHECK(error_of({{.body = 0, .species = prey}}).ends_with("a birth in body 0: must be a body without an individual"));
-  CHECK(error_of({{.body = 29, .species = prey}, {.body = 29, .species = prey}})
-            .ends_with("a birth in body 29: must be a body without an individual"));
-  CHECK(error_of({{.body = 30, .species = prey}}).find("body") != std::string::npos);
-  CHECK(error_of({{.body = 29, .species = 2}}).find("species") != std::string::npos);
-  CHECK(error_of({{.body = 29, .species = prey, .parent = ancestor(1, predator)}})
+  CHECK(error_of({{.species = prey}}) == "");
+  CHECK(error_of({{.species = 2}}).find("species") != std::string::npos);
+  CHECK(error_of({{.species = prey, .place = GroundPose{.x_m = 10.5}}})
+            .ends_with("a birth at (10.5, 0): must be finite and within +-10 m"));
+  CHECK(error_of({{.species = prey, .endowment_J = 1.0}, {.species = prey, .endowment_J = 1.0}}) == "");
+  CHECK(error_of({{.species = prey, .parents = {ancestor(1, predator)}}})
             .ends_with("individual 1 as a parent: must be of the newborn's species"));
-  CHECK(error_of({{.body = 29, .species = prey, .parent = ancestor(1, prey)}})
+  CHECK(error_of({{.species = prey, .parents = {ancestor(1, prey)}}})
             .ends_with("individual 1 as a parent: must have a genome of 15 weights"));
   CHECK(error_of({}, 30).ends_with("spare_bodies = 30: must be < 30, the number of robots"));
 }
@@ -223,7 +228,7 @@ TEST_CASE("initial genome: newborn given -> id of a founder is its body, species
   }
   struct Newcomers {
     void on_event(const observe::Event& event, const View&) {
-      if (event.kind != observe::EventKind::birth || event.individual.parent || event.individual.id < 30) return;
+      if (event.kind != observe::EventKind::birth || event.individual.parent() || event.individual.id < 30) return;
       CHECK(event.individual.genome->weights[0] == 1000.0 + static_cast<double>(event.individual.species));
       ++seen;
     }
@@ -252,7 +257,7 @@ TEST_CASE("ageing victims: prey at max_age -> die, most of their successors inhe
         ++deaths;
       } else if (event.kind == observe::EventKind::birth && aged == event.body) {
         CHECK(event.individual.species == prey);
-        inherited += event.individual.parent ? 1U : 0U;
+        inherited += event.individual.parent() ? 1U : 0U;
         aged.reset();
       }
     }

@@ -59,8 +59,8 @@ struct Watch {
     Diary::State& mine = seen[event.body];
     if (event.kind == observe::EventKind::birth) {
       std::optional<std::size_t> parent;
-      for (BodyIndex body = 0; body < view.robots.size() && event.individual.parent; ++body) {
-        if (body != event.body && view.robots[body].id == event.individual.parent) parent = seen[body].ancestors;
+      for (BodyIndex body = 0; body < view.robots.size() && event.individual.parent(); ++body) {
+        if (body != event.body && view.robots[body].id == event.individual.parent()) parent = seen[body].ancestors;
       }
       mine = {.caught = mine.caught, .ancestors = parent && inherits ? *parent + 1 : 0};
       CHECK(own.ancestors == mine.ancestors);

@@ -17,7 +17,7 @@ namespace trophic::test {
   robots.individuals[0].adversary = 1;
   robots.individuals[0].adversary_distance_m = 2.5;
   robots.individuals[0].target_angle_rad = 0.7;
-  robots.individuals[2].parent = 8;
+  robots.individuals[2].parents = {8};
   robots.individuals[2].origin = Origin::inherited;
   robots.individuals[2].born_s = 6.0;
   robots.individuals[2].mutation_distance = 0.125;

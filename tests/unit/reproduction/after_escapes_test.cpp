@@ -30,8 +30,8 @@ struct Scene {
     Rng rng{1, Stream::recruitment};
     return rule.recruits(robots.view(), rng, states);
   }
-  [[nodiscard]] Recruit birth(BodyIndex body, BodyIndex parent) const {
-    return {.body = body, .species = prey, .parent = robots.individuals[parent].as_ancestor()};
+  [[nodiscard]] Recruit birth(BodyIndex parent) const {
+    return {.species = prey, .parents = {robots.individuals[parent].as_ancestor()}};
   }
 
   AfterEscapes rule;
@@ -41,29 +41,29 @@ struct Scene {
 
 }  // namespace
 
-TEST_CASE("after escapes: escape -> one birth in the closest spare body, another after the next escape") {
+TEST_CASE("after escapes: escape -> one birth, another after the next escape") {
   Scene scene{{-9.0, 9.0}};
   scene.to(3.0, 4.0);
   CHECK(scene.recruits().empty());
   scene.to(6.0, 6.0);
-  REQUIRE(scene.recruits() == std::vector{scene.birth(4, 1)});
+  REQUIRE(scene.recruits() == std::vector{scene.birth(1)});
   scene.rule.on_offspring(scene.states[1], 1, 4, scene.robots.view());
   CHECK(scene.recruits().empty());
   scene.to(2.0, 6.0);
   scene.to(-6.0, 6.0);
-  CHECK(scene.recruits() == std::vector{scene.birth(3, 1)});
+  CHECK(scene.recruits() == std::vector{scene.birth(1)});
 }
 
 TEST_CASE("after escapes: fewer spare bodies than parents -> most escapes first, of equal ones the oldest") {
   Scene scene{{0.5}};
   scene.to(1.0, 1.0);
   scene.to(6.0, 6.0);
-  CHECK(scene.recruits() == std::vector{scene.birth(3, 1)});
+  CHECK(scene.recruits() == std::vector{scene.birth(1)});
   scene.to(6.0, 1.0);
   scene.to(6.0, 6.0);
-  CHECK(scene.recruits() == std::vector{scene.birth(3, 2)});
+  CHECK(scene.recruits() == std::vector{scene.birth(2)});
   scene.robots.individuals[2].active = false;
-  CHECK(scene.recruits() == std::vector{scene.birth(3, 1)});
+  CHECK(scene.recruits() == std::vector{scene.birth(1)});
   CHECK(Scene{{}}.recruits().empty());
 }
 
@@ -74,7 +74,7 @@ TEST_CASE("after escapes: escapes = 2 -> birth after the second") {
   CHECK(scene.recruits().empty());
   scene.to(1.0, 9.0);
   scene.to(6.0, 9.0);
-  CHECK(scene.recruits() == std::vector{scene.birth(3, 1)});
+  CHECK(scene.recruits() == std::vector{scene.birth(1)});
 }
 
 TEST_CASE("after escapes: starvation or senescence -> spare body up to the number, other causes -> none") {

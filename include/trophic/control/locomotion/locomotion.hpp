@@ -137,6 +137,7 @@ class Locomotion {
   void step_together(Bodies& backend, std::span<const double> target_angles_rad) {
     cpg_.step(states_);
     for (std::size_t robot = 0; robot < target_angles_rad.size(); ++robot) {
+      if (!is_there(backend, robot)) continue;
       cpg_.outputs(states_, robot, targets_rad_);
       steering_.steer(target_angles_rad[robot], sides_, targets_rad_);
       backend.set_joint_targets(robot, targets_rad_);
@@ -146,6 +147,7 @@ class Locomotion {
   template <class Bodies>
   void step_apart(Bodies& backend, std::span<const double> target_angles_rad) {
     for (std::size_t robot = 0; robot < target_angles_rad.size(); ++robot) {
+      if (!is_there(backend, robot)) continue;
       Own& own = own_[robot];
       own.cpg.step(own.states);
       targets_rad_.resize(own.sides.size());
@@ -153,6 +155,12 @@ class Locomotion {
       steering_.steer(target_angles_rad[robot], own.sides, targets_rad_);
       backend.set_joint_targets(robot, targets_rad_);
     }
+  }
+
+  template <class Bodies>
+  [[nodiscard]] static bool is_there([[maybe_unused]] const Bodies& backend, [[maybe_unused]] std::size_t robot) {
+    if constexpr (requires { backend.is_there(robot); }) return backend.is_there(robot);
+    return true;
   }
 
   template <class Visitor>

@@ -3,18 +3,41 @@
 #pragma once
 
 #include <concepts>
+#include <span>
 #include <trophic/population/individual.hpp>
+#include <trophic/support/rng.hpp>
 
-#define TROPHIC_SENTENCE_Heredity \
-  "std::shared_ptr<Genome> inherit(const std::shared_ptr<Genome>& parent) const; see trophic/reproduction/heredity/contract.hpp"
+#define TROPHIC_SENTENCE_Heredity                                                                                       \
+  "std::shared_ptr<Genome> inherit(const std::shared_ptr<Genome>& parent) const, or inherit(std::span<const Ancestor> " \
+  "parents, Rng&) const; see trophic/reproduction/heredity/contract.hpp"
 
 namespace trophic::reproduction {
 
-/// `inherit(parent)`: returns the offspring's genome before mutation: the parent's own object or a new one. Null: no genome is
-/// passed on; the offspring's is drawn like one without a parent and does not mutate.
+/// A heredity of all parents, one or more.
 template <class P>
-concept Heredity = requires(const P policy, const std::shared_ptr<Genome>& parent) {
+concept HeredityOfAll = requires(const P policy, std::span<const Ancestor> parents, Rng& rng) {
+  { policy.inherit(parents, rng) } -> std::same_as<std::shared_ptr<Genome>>;
+};
+
+/// `inherit(parent)`: returns the offspring's genome before mutation: the parent's own object or a new one. Null: no genome is
+/// passed on; the offspring's is drawn like one without a parent and does not mutate. Of several parents it gets the first.
+/// `inherit(parents, rng)` gets all.
+template <class P>
+concept Heredity = HeredityOfAll<P> || requires(const P policy, const std::shared_ptr<Genome>& parent) {
   { policy.inherit(parent) } -> std::same_as<std::shared_ptr<Genome>>;
 };
+
+namespace ask {
+
+template <class P>
+[[nodiscard]] std::shared_ptr<Genome> inherit(const P& policy, std::span<const Ancestor> parents, [[maybe_unused]] Rng& rng) {
+  if constexpr (HeredityOfAll<P>) {
+    return policy.inherit(parents, rng);
+  } else {
+    return policy.inherit(parents.front().genome);
+  }
+}
+
+}  // namespace ask
 
 }  // namespace trophic::reproduction

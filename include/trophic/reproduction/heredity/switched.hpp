@@ -23,8 +23,8 @@ struct Switched {
   };
   Params params;
 
-  [[nodiscard]] std::shared_ptr<Genome> inherit(const std::shared_ptr<Genome>& parent) const {
-    return params.inherited ? Rule{}.inherit(parent) : nullptr;
+  [[nodiscard]] std::shared_ptr<Genome> inherit(std::span<const Ancestor> parents, Rng& rng) const {
+    return params.inherited ? ask::inherit(Rule{}, parents, rng) : nullptr;
   }
 };
 

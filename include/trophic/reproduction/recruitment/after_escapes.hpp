@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Prey reproduce by escaping, into bodies that the dead have left.
+// Prey reproduce by escaping.
 #pragma once
 
+#include <ranges>
 #include <trophic/reproduction/parent/detail/pursuit.hpp>
 #include <trophic/reproduction/recruitment/contract.hpp>
 
 namespace trophic::reproduction::recruitment {
 
-/// Rule: an active prey that has escaped `escapes` times since its birth or its last offspring reproduces into the spare body
-/// closest to it; if spare bodies are few, the prey with most escapes first, of equal ones the oldest. After starvation or
+/// Rule: an active prey that has escaped `escapes` times since its birth or its last offspring has an offspring beside it; if
+/// spare bodies are few, the prey with most escapes first, of equal ones the oldest. After starvation or
 /// senescence a body stays spare unless `spare_bodies` already are; after a catch or a sacrifice it is filled at once. An escape:
 /// a living predator that was within distances.near_m of the active prey is farther than distances.far_m. So escapes add prey
 /// and starvation takes predators away, by at most `spare_bodies` in all. All its parameters are free.   Reads: positions,
@@ -51,10 +52,10 @@ struct AfterEscapes {
 
   [[nodiscard]] std::vector<Recruit> recruits(const View& view, Rng&, std::span<const State> states) const {
     std::vector<BodyIndex> parents;
-    std::vector<BodyIndex> spare;
+    std::size_t spare = 0;
     for (BodyIndex body = 0; body < view.robots.size(); ++body) {
       if (!view.robots[body].lives()) {
-        spare.push_back(body);
+        ++spare;
       } else if (view.robots[body].active && states[body].escapes >= params.escapes) {
         parents.push_back(body);
       }
@@ -64,12 +65,8 @@ struct AfterEscapes {
                                                     : view.robots[a].id < view.robots[b].id;
     });
     std::vector<Recruit> births;
-    for (const BodyIndex one : parents) {
-      if (spare.empty()) break;
-      const auto closest = std::ranges::min_element(spare, {}, [&](BodyIndex body) { return view.distance_m(one, body); });
-      births.push_back({.body = *closest, .species = view.robots[one].species, .parent = view.robots[one].as_ancestor()});
-      spare.erase(closest);
-    }
+    for (const BodyIndex one : parents | std::views::take(spare))
+      births.push_back({.species = view.robots[one].species, .parents = {view.robots[one].as_ancestor()}});
     return births;
   }
 };

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: births without a death, into spare bodies.
+// The contract of a slot: births without a death, and deaths without a birth.
 #pragma once
 
 #include <trophic/population/state.hpp>
 #include <trophic/support/rng.hpp>
+#include <trophic/support/units.hpp>
 
 #define TROPHIC_SENTENCE_Recruitment                                                                                 \
   "std::size_t spare_bodies() const, bool leaves_spare(const Vacancy&, const View&) const and std::vector<Recruit> " \
@@ -11,21 +12,24 @@
 
 namespace trophic::reproduction {
 
-/// A birth into a spare body.
+/// A birth without a death.
 struct Recruit {
-  BodyIndex body = 0;                   ///< a body without an individual
-  Species species = 0;                  ///< of the newborn
-  std::optional<Ancestor> parent = {};  ///< of the newborn's species; without one the genome is random
+  Species species = 0;                   ///< of the newborn
+  std::vector<Ancestor> parents = {};    ///< of the newborn's species; without one the genome is random
+  double endowment_J = 0.0;              ///< that living parents hand over, in equal parts; 0: the energy comes from outside
+  std::optional<GroundPose> place = {};  ///< none: beside the first living parent, else anywhere, free of others
   friend bool operator==(const Recruit&, const Recruit&) = default;
 };
 
-/// A spare body is a body without an individual. It keeps walking with its last target angle, and its tag is the next newborn's
-/// previous one; it is of no species, inactive and not counted, so that no individual perceives, catches or inherits from it.
+/// A spare body is a body without an individual. It is not in the world: nobody perceives, meets or counts it, and no engine
+/// moves it. Its tag is the next newborn's previous one. There are EcologyParams::robots bodies, so at most as many individuals
+/// live.
 ///
 /// `spare_bodies()`: returns how many bodies start without an individual, fewer than the robots; they are the last ones.
 /// `leaves_spare(vacancy, view)`: returns whether the body of a dying individual stays without one; otherwise the Parent rule
-/// replaces it at once. `recruits(view, rng)`: returns the births of this tick, after all deaths, each in another spare body.
-/// GenomeSource is not applied to them: their parent is the one that this rule names.
+/// replaces it at once. `recruits(view, rng)`: returns the births of this tick, after all deaths. A birth for which no body or no
+/// room is free does not take place; it is counted (View::refused_births). GenomeSource is not applied to births: their parents
+/// are those that this rule names.
 template <class P>
 concept Recruitment = requires(const P policy, const Vacancy& vacancy, const View& view) {
   { policy.spare_bodies() } -> std::same_as<std::size_t>;

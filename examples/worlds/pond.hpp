@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// A pond: prey graze, predators hunt, all pay for living, and numbers change.
+#pragma once
+
+#include <trophic/energy/metabolism/grazing_and_hunting.hpp>
+#include <trophic/energy/resource/logistic_field.hpp>
+#include <trophic/reproduction/genome_source/always_inherited.hpp>
+#include <trophic/reproduction/recruitment/at_energy.hpp>
+#include <trophic/rules/by_species.hpp>
+#include <trophic/rules/paper.hpp>
+
+namespace trophic::worlds {
+
+/// Prey graze a field that grows again, predators live on what their prey have, both spend energy on living and walking, starve
+/// without, and share it with an offspring beside them once they have enough. No number is kept: there is no floor, no rescue and
+/// no newcomer, and either species may die out. Bodies, senses, brains, tags and activation are the paper's. No criterion selects:
+/// who eats more has more offspring.
+struct Pond final {
+  static constexpr std::string_view name = "pond";
+
+  using Community = initialization::community::PredatorPrey;
+  using Placement = initialization::placement::Scattered;
+
+  using Visibility = perception::visibility::SameTag;
+  using TagSwitch = perception::tag_switch::TagCoolDown;
+  using NewbornTag = perception::newborn_tag::KeepsBodyTag;
+  using Sensors = rules::Paper::Sensors;
+  using Brain = control::brain::CognitiveBrain;
+  using Heading = perception::heading::ForwardAxisHeading;
+  using Steering = control::steering::TargetedSteering;
+
+  using Resource = energy::resource::LogisticField;
+  using Metabolism = rules::by_species<energy::metabolism::GrazingAndHunting>;
+  using Recruitment = reproduction::recruitment::AtEnergy;
+
+  using InitialGenome = reproduction::initial_genome::UniformWeights;
+  using GenomeSource = reproduction::genome_source::AlwaysInherited;
+  using Heredity = reproduction::heredity::OwnCopy;
+  using Mutation = reproduction::mutation::NormalMutation;
+
+  using Activation = death::activation::ActiveAwayFromHunters;
+  using Capture = death::capture::CatchWithinReach;
+
+  static TableParams<Pond> params() {
+    TableParams<Pond> own{.community = {.predators = 8},
+                          .tag_switch = {.cool_down_s = 50.0},
+                          .activation = {.distance_m = 3.0},
+                          .capture = {.reach_m = 1.0, .min_age_s = 20.0},
+                          .resource = {.cells_in_a_row = 20, .capacity_J_m2 = 10.0, .growth_1_s = 0.005, .seed_1_s = 0.0001}};
+    own.recruitment = {.spare_bodies = 60, .birth_J = 60.0, .share = 0.5};
+    own.metabolism.get<0>() = {.first_J = 30.0, .capacity_J = 120.0, .resting_W = 0.05, .walking_J_per_m = 1.0, .bite_W = 0.3};
+    own.metabolism.get<1>() = {.first_J = 30.0, .capacity_J = 120.0, .resting_W = 0.1, .walking_J_per_m = 1.0, .bite_W = 0.0, .efficiency = 0.6};
+    return own;
+  }
+  static EcologyParams ecology() {
+    EcologyParams own = rules::Paper::ecology();
+    own.robots = 100;
+    return own;
+  }
+  static Physics physics() { return rules::Paper::physics(); }
+};
+
+}  // namespace trophic::worlds

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// Perception and decisions of all robots at a tick, and what follows from them.
+#pragma once
+
+#include <trophic/ecology/choice.hpp>
+#include <trophic/ecology/population.hpp>
+#include <trophic/habitat/ecology_params.hpp>
+#include <trophic/observe/audience.hpp>
+#include <trophic/perception/tag_switch/contract.hpp>
+#include <trophic/rules/table.hpp>
+
+namespace trophic {
+
+/// Lets the individuals of a population perceive and decide.
+template <class Rules>
+class Decisions {
+ public:
+  /// All arguments outlive it.
+  Decisions(const EcologyParams& params, const Policies<Rules>& rules, std::uint64_t seed, Population<Rules>& population)
+      : params_{params}, rules_{rules}, seed_{seed}, population_{population} {}
+
+  /// Unless robots decide in turn, all perceive the same moment: all decisions are made before the first tag changes. `view()`
+  /// returns the world as it is now.
+  template <class ViewNow>
+  void make(observe::Audience& audience, const ViewNow& view) {
+    const View now = view();
+    const Moment<Rules> moment{rules_, population_, seed_, now};
+    const auto common = rules_.sensors.sense_common(now);
+    choices_.clear();
+    const bool is_observed = audience.wants_decisions();
+    const bool in_turn = params_.decision_order == DecisionOrder::in_turn;
+    for (BodyIndex body = 0; body < population_.individuals().size(); ++body) {
+      choices_.push_back(population_[body].lives() ? moment.choice(body, common, params_.without_target, is_observed)
+                                                   : Choice<Rules>{});
+      if (in_turn) act(audience, body, choices_[body], view);
+    }
+    if (in_turn) return;
+    for (BodyIndex body = 0; body < population_.individuals().size(); ++body) act(audience, body, choices_[body], view);
+  }
+
+ private:
+  template <class ViewNow>
+  void act(observe::Audience& audience, BodyIndex body, const Choice<Rules>& choice, const ViewNow& view) {
+    if (!population_[body].lives()) return;
+    population_.sight(body, choice.sighting, view());
+    if (!choice.decision) return;
+    const Individual& self = population_[body];
+    const int tag_before = self.tag;
+    population_.turn(body, choice.decision->target_angle_rad);
+    using perception::MaySwitch;
+    const MaySwitch may_switch =
+        perception::ask::may_switch(rules_.tag_switch, population_.states().tag_switch[body], self, view());
+    if (may_switch != MaySwitch::no) {
+      show_tag(audience, body, choice.decision->tag, may_switch == MaySwitch::yes_and_clock_restarts, view);
+    }
+    audience.decision({.body = body,
+                       .inputs = choice.inputs,
+                       .outputs = choice.outputs ? std::span<const double>{*choice.outputs} : std::span<const double>{},
+                       .target_angle_rad = choice.decision->target_angle_rad,
+                       .tag = choice.decision->tag,
+                       .tag_before = tag_before,
+                       .might_switch = may_switch != MaySwitch::no},
+                      view());
+  }
+
+  template <class ViewNow>
+  void show_tag(observe::Audience& audience, BodyIndex body, int tag, bool restarts_clock, const ViewNow& view) {
+    const bool switched = tag != population_[body].tag;
+    population_.show_tag(body, tag);
+    if (switched || restarts_clock) population_.restart_tag_clock(body, view().time_s);
+    if (!switched) return;
+    audience.event(
+        observe::Event{
+            .kind = observe::EventKind::tag_switch, .body = body, .individual = population_[body], .cause = {}, .other = {}},
+        view());
+  }
+
+  const EcologyParams& params_;
+  const Policies<Rules>& rules_;
+  std::uint64_t seed_;
+  Population<Rules>& population_;
+  std::vector<Choice<Rules>> choices_;
+};
+
+}  // namespace trophic

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The contract of a slot: the energy of individuals.
+#pragma once
+
+#include <trophic/population/state.hpp>
+#include <trophic/support/rng.hpp>
+
+#define TROPHIC_SENTENCE_Metabolism                                                                                              \
+  "double first_J(const Individual&, Rng&) const, double upkeep_J(BodyIndex, double walked_m, const View&) const, double "       \
+  "bite_J(BodyIndex, double there_J, const View&) const, double meal_J(BodyIndex hunter, BodyIndex victim, const View&) const, " \
+  "bool starves(BodyIndex, const View&) const; see trophic/energy/metabolism/contract.hpp"
+
+namespace trophic::energy {
+
+/// The one owner of energy. `view.robots[body].energy_J` is the stock of the individual in a body, for every rule and sensor to
+/// read; only the population changes it, by what this rule says, so that energy never comes from nowhere. energy.csv is its
+/// ledger.
+///
+/// - `first_J(newborn, rng)`: returns the energy of a founder, or of a newborn that no parent endows
+/// - `upkeep_J(self, walked_m, view)`: returns what an individual spends in a tick in which it walked so far, >= 0
+/// - `bite_J(self, there_J, view)`: returns what it takes of the there_J in its cell of the resource, >= 0 and at most there_J;
+///   asked once a tick, after upkeep, in random order, in a table with a rule Resource
+/// - `meal_J(hunter, victim, view)`: returns what a hunter gets of what its victim has, >= 0 and at most that; the rest is lost
+/// - `starves(self, view)`: returns whether an individual dies of hunger (Cause::starved); asked after bites and catches
+///
+/// A newborn's endowment is part of its birth: Recruit::endowment_J of the rule Recruitment.
+template <class P>
+concept Metabolism = requires(const P policy, const Individual& newborn, BodyIndex body, double number, const View& view,
+                              Rng& rng) {
+  { policy.first_J(newborn, rng) } -> std::same_as<double>;
+  { policy.upkeep_J(body, number, view) } -> std::same_as<double>;
+  { policy.bite_J(body, number, view) } -> std::same_as<double>;
+  { policy.meal_J(body, body, view) } -> std::same_as<double>;
+  { policy.starves(body, view) } -> std::same_as<bool>;
+};
+
+}  // namespace trophic::energy

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// The world has no food of its own.
+#pragma once
+
+#include <trophic/energy/resource/contract.hpp>
+
+namespace trophic::energy::resource {
+
+/// Rule: the floor bears nothing (the paper).   Reads: nothing.   Random draws: 0.
+struct NoResource {
+  static constexpr std::string_view name = "no_resource";
+  static constexpr std::string_view source = "paper";
+  [[nodiscard]] ResourceField start(const Arena&, Rng&) const { return {}; }
+  void grow(ResourceField&, const View&, Rng&) const {}
+};
+static_assert(Resource<NoResource>);
+
+}  // namespace trophic::energy::resource

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: MIT
+// energy.csv, resource.csv and field.csv: the ledger of energy, and the resource in time and space.
+#pragma once
+
+#include <trophic/io/csv_file.hpp>
+#include <trophic/population/view.hpp>
+
+namespace trophic::io {
+
+/// energy.csv: one row per species and tick, after that tick's rules. stock_J is the last one's plus the other columns, those
+/// from upkeep_J on subtracted.
+struct EnergyRow {
+  double time_s = 0.0;
+  std::int64_t tick = 0;
+  Species species = 0;
+  std::size_t individuals = 0;
+  double outside_J = 0.0;
+  double field_J = 0.0;
+  double victims_J = 0.0;
+  double received_J = 0.0;
+  double upkeep_J = 0.0;
+  double eaten_J = 0.0;
+  double given_J = 0.0;
+  double lost_J = 0.0;
+  double stock_J = 0.0;
+
+  static constexpr auto columns() {
+    return std::tuple{column("time_s", &EnergyRow::time_s, "s", "the ecology's clock", seconds),
+                      column("tick", &EnergyRow::tick, "", "number of the decision step; 0 at the start"),
+                      species_column("species", &EnergyRow::species, "the species"),
+                      column("individuals", &EnergyRow::individuals, "", "that live"),
+                      column("outside_J", &EnergyRow::outside_J, "J", "of founders and newcomers, whom no parent endows"),
+                      column("field_J", &EnergyRow::field_J, "J", "taken from the resource"),
+                      column("victims_J", &EnergyRow::victims_J, "J", "got of those that it caught"),
+                      column("received_J", &EnergyRow::received_J, "J", "of newborns, from their parents"),
+                      column("upkeep_J", &EnergyRow::upkeep_J, "J", "spent on living and walking"),
+                      column("eaten_J", &EnergyRow::eaten_J, "J", "that those got who caught it"),
+                      column("given_J", &EnergyRow::given_J, "J", "by parents to newborns"),
+                      column("lost_J", &EnergyRow::lost_J, "J", "with the dead"),
+                      column("stock_J", &EnergyRow::stock_J, "J", "of all who live")};
+  }
+};
+
+/// resource.csv: one row per tick. stock_J is the last one's plus grown_J less taken_J.
+struct ResourceRow {
+  double time_s = 0.0;
+  std::int64_t tick = 0;
+  double grown_J = 0.0;
+  double taken_J = 0.0;
+  double stock_J = 0.0;
+
+  static constexpr auto columns() {
+    return std::tuple{column("time_s", &ResourceRow::time_s, "s", "the ecology's clock", seconds),
+                      column("tick", &ResourceRow::tick, "", "number of the decision step; 0 at the start"),
+                      column("grown_J", &ResourceRow::grown_J, "J", "by the rule Resource; negative if it decays"),
+                      column("taken_J", &ResourceRow::taken_J, "J", "by individuals"),
+                      column("stock_J", &ResourceRow::stock_J, "J", "of all cells")};
+  }
+};
+
+/// field.csv: one row per cell of the resource at every hundredth tick.
+struct FieldRow {
+  double time_s = 0.0;
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double food_J = 0.0;
+
+  static constexpr auto columns() {
+    return std::tuple{column("time_s", &FieldRow::time_s, "s", "the ecology's clock", seconds),
+                      column("x_m", &FieldRow::x_m, "m", "the centre of the cell", micro),
+                      column("y_m", &FieldRow::y_m, "m", "the centre of the cell", micro),
+                      column("food_J", &FieldRow::food_J, "J", "in the cell")};
+  }
+};
+
+/// Writes an EnergyRow per species and tick.
+class EnergyLog {
+ public:
+  static constexpr std::string_view file_name = "energy.csv";
+
+  EnergyLog(const std::filesystem::path& path, Opening opening) : file_{path, opening} {}
+
+  void on_tick(const View& view) {
+    std::vector<double> stock_J(view.energy.size());
+    for (const Individual& one : view.robots) {
+      if (one.lives()) stock_J[one.species] += one.energy_J;
+    }
+    for (Species species = 0; species < view.energy.size(); ++species) {
+      const EnergyFlow& flow = view.energy[species];
+      file_.write({.time_s = view.time_s,
+                   .tick = view.tick,
+                   .species = species,
+                   .individuals = view.count(species),
+                   .outside_J = flow.outside_J,
+                   .field_J = flow.field_J,
+                   .victims_J = flow.victims_J,
+                   .received_J = flow.received_J,
+                   .upkeep_J = flow.upkeep_J,
+                   .eaten_J = flow.eaten_J,
+                   .given_J = flow.given_J,
+                   .lost_J = flow.lost_J,
+                   .stock_J = stock_J[species]},
+                  view.web);
+    }
+    file_.flush();
+  }
+
+  void persist(Archive& archive) { archive(file_); }
+  [[nodiscard]] TableSum sum() const { return file_.sum(); }
+
+ private:
+  CsvFile<EnergyRow> file_;
+};
+
+/// Writes a ResourceRow per tick.
+class ResourceLog {
+ public:
+  static constexpr std::string_view file_name = "resource.csv";
+
+  ResourceLog(const std::filesystem::path& path, Opening opening) : file_{path, opening} {}
+
+  void on_tick(const View& view) {
+    file_.write({.time_s = view.time_s,
+                 .tick = view.tick,
+                 .grown_J = view.resource.grown_J,
+                 .taken_J = view.resource.taken_J,
+                 .stock_J = view.field->total_J()});
+    file_.flush();
+  }
+
+  void persist(Archive& archive) { archive(file_); }
+  [[nodiscard]] TableSum sum() const { return file_.sum(); }
+
+ private:
+  CsvFile<ResourceRow> file_;
+};
+
+/// Writes a FieldRow per cell at every hundredth tick.
+class FieldLog {
+ public:
+  static constexpr std::string_view file_name = "field.csv";
+  static constexpr std::int64_t every_ticks = 100;
+
+  FieldLog(const std::filesystem::path& path, Opening opening) : file_{path, opening} {}
+
+  void on_tick(const View& view) {
+    if (view.tick % every_ticks != 0) return;
+    for (std::size_t cell = 0; cell < view.field->cells(); ++cell) {
+      const GroundPose at = view.field->centre(cell);
+      file_.write({.time_s = view.time_s, .x_m = at.x_m, .y_m = at.y_m, .food_J = view.field->food_J(cell)});
+    }
+    file_.flush();
+  }
+
+  void persist(Archive& archive) { archive(file_); }
+  [[nodiscard]] TableSum sum() const { return file_.sum(); }
+
+ private:
+  CsvFile<FieldRow> file_;
+};
+
+}  // namespace trophic::io

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// The ledger of energy: what went to and fro between the resource, the individuals and the outside since the last tick.
+#pragma once
+
+#include <tuple>
+
+namespace trophic {
+
+/// The energy of a species since the last tick, J. Its stock changes by
+///   outside_J + field_J + victims_J + received_J - upkeep_J - eaten_J - given_J - lost_J.
+struct EnergyFlow {
+  double outside_J = 0.0;   ///< of founders and newcomers, which no parent endows
+  double field_J = 0.0;     ///< taken from the resource
+  double victims_J = 0.0;   ///< got of those that it caught
+  double received_J = 0.0;  ///< of newborns, from their parents
+  double upkeep_J = 0.0;    ///< spent on living and walking
+  double eaten_J = 0.0;     ///< that those got who caught it
+  double given_J = 0.0;     ///< by parents to newborns
+  double lost_J = 0.0;      ///< with the dead
+  static constexpr auto saved() {
+    return std::tuple{&EnergyFlow::outside_J, &EnergyFlow::field_J, &EnergyFlow::victims_J, &EnergyFlow::received_J,
+                      &EnergyFlow::upkeep_J,  &EnergyFlow::eaten_J, &EnergyFlow::given_J,   &EnergyFlow::lost_J};
+  }
+  /// The change of the stock.
+  [[nodiscard]] double sum_J() const {
+    return outside_J + field_J + victims_J + received_J - upkeep_J - eaten_J - given_J - lost_J;
+  }
+};
+
+/// The energy of the resource since the last tick, J. Its stock changes by grown_J - taken_J.
+struct ResourceFlow {
+  double grown_J = 0.0;  ///< by the rule Resource: growth, decay, what its hooks add
+  double taken_J = 0.0;  ///< by individuals
+  static constexpr auto saved() { return std::tuple{&ResourceFlow::grown_J, &ResourceFlow::taken_J}; }
+};
+
+}  // namespace trophic

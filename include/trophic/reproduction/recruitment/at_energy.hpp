@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Births of energy: those who have enough reproduce.
+#pragma once
+
+#include <trophic/params/params.hpp>
+#include <trophic/reproduction/recruitment/contract.hpp>
+
+namespace trophic::reproduction::recruitment {
+
+/// Rule: an active individual with at least `birth` energy has an offspring of its species beside it and hands over `share` of its
+/// energy. The dead have no successor. `spare_bodies` start without an individual. All parameters are free.   Reads: energies,
+/// activity.   Random draws: 0.
+struct AtEnergy {
+  static constexpr std::string_view name = "at_energy";
+  static constexpr std::string_view source = "not in the paper; as in Polyworld [yaeger1994]";
+
+  struct Params {
+    std::size_t spare_bodies = 0;
+    double birth_J = 100.0;
+    double share = 0.5;
+    static constexpr auto fields() {
+      return std::tuple{field("spare_bodies", &Params::spare_bodies, at_least(0), "bodies without an individual at the start"),
+                        field("birth_J", &Params::birth_J, above(0.0), "energy of a parent"),
+                        field("share", &Params::share, above_to(0.0, 1.0), "of its energy, for the offspring")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] std::size_t spare_bodies() const { return params.spare_bodies; }
+  [[nodiscard]] bool leaves_spare(const Vacancy&, const View&) const { return true; }
+  [[nodiscard]] std::vector<Recruit> recruits(const View& view, Rng&) const {
+    std::vector<Recruit> births;
+    for (const Individual& one : view.robots) {
+      if (!one.lives() || !one.active || one.energy_J < params.birth_J) continue;
+      births.push_back({.species = one.species, .parents = {one.as_ancestor()}, .endowment_J = params.share * one.energy_J});
+    }
+    return births;
+  }
+};
+static_assert(Recruitment<AtEnergy>);
+
+}  // namespace trophic::reproduction::recruitment
