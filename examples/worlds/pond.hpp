@@ -12,9 +12,9 @@
 namespace trophic::worlds {
 
 /// Prey graze a field that grows again, predators live on what their prey have, both spend energy on living and walking, starve
-/// without, and share it with an offspring beside them once they have enough. No number is kept: there is no floor, no rescue and
-/// no newcomer, and either species may die out. Bodies, senses, brains, tags and activation are the paper's. No criterion selects:
-/// who eats more has more offspring.
+/// without, and share it with an offspring next to them once they have enough. No number is kept: there is no floor, no rescue
+/// and no newcomer, and either species may die out. Bodies, senses, brains, tags and activation are the paper's. No criterion
+/// selects: who eats more has more offspring.
 struct Pond final {
   static constexpr std::string_view name = "pond";
 
@@ -49,7 +49,8 @@ struct Pond final {
                           .resource = {.cells_in_a_row = 20, .capacity_J_m2 = 10.0, .growth_1_s = 0.005, .seed_1_s = 0.0001}};
     own.recruitment = {.spare_bodies = 60, .birth_J = 60.0, .share = 0.5};
     own.metabolism.get<0>() = {.first_J = 30.0, .capacity_J = 120.0, .resting_W = 0.05, .walking_J_per_m = 1.0, .bite_W = 0.3};
-    own.metabolism.get<1>() = {.first_J = 30.0, .capacity_J = 120.0, .resting_W = 0.1, .walking_J_per_m = 1.0, .bite_W = 0.0, .efficiency = 0.6};
+    own.metabolism.get<1>() = {
+        .first_J = 30.0, .capacity_J = 120.0, .resting_W = 0.1, .walking_J_per_m = 1.0, .bite_W = 0.0, .efficiency = 0.6};
     return own;
   }
   static EcologyParams ecology() {

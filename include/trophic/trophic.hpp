@@ -25,6 +25,9 @@
 #include <trophic/death/starvation/choice/hungriest_else_oldest.hpp>
 #include <trophic/death/starvation/choice/hungriest_share.hpp>
 #include <trophic/ecology/simulations_of.hpp>
+#include <trophic/energy/metabolism/grazing_and_hunting.hpp>
+#include <trophic/energy/resource/delayed_patches.hpp>
+#include <trophic/energy/resource/logistic_field.hpp>
 #include <trophic/initialization/community/food_chain.hpp>
 #include <trophic/initialization/embodiment/stands_up.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
@@ -37,6 +40,7 @@
 #include <trophic/reproduction/body_plan/inherited_modules.hpp>
 #include <trophic/reproduction/body_plan/named_body.hpp>
 #include <trophic/reproduction/heredity/all_but.hpp>
+#include <trophic/reproduction/heredity/crossover.hpp>
 #include <trophic/reproduction/heredity/switched.hpp>
 #include <trophic/reproduction/initial_genome/normal_weights.hpp>
 #include <trophic/reproduction/parent/any_survivor.hpp>
@@ -45,6 +49,7 @@
 #include <trophic/reproduction/parent/most_escapes.hpp>
 #include <trophic/reproduction/parent/nearest_victim.hpp>
 #include <trophic/reproduction/recruitment/after_escapes.hpp>
+#include <trophic/reproduction/recruitment/at_energy.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/reproduction/viability/survives_trial.hpp>
 #include <trophic/reproduction/viability/within_mass.hpp>

@@ -9,7 +9,7 @@ import references
 import rule_pictures
 from documents import parse
 
-KINDS = ("perception", "control", "reproduction", "death", "initialization")
+KINDS = ("perception", "control", "reproduction", "death", "energy", "initialization")
 
 
 @dataclasses.dataclass

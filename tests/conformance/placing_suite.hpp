@@ -50,7 +50,7 @@ TEST_CASE_TEMPLATE_DEFINE("robots that come and go", B, trophic_placing_suite) {
     CHECK(seen(backend, 0) == seen(other, 0));
     CHECK(seen(backend, 2) == seen(other, 2));
   }
-  SUBCASE("who is away is no obstacle; who is placed stands there at rest, and moves again") {
+  SUBCASE("who is away does not block the way; who is placed stands there at rest, and moves again") {
     backend.take_away(0);
     backend.take_away(1);
     const Pose here = backend.pose(2);
@@ -91,7 +91,7 @@ TEST_CASE_TEMPLATE_DEFINE("robots that come and go", B, trophic_placing_suite) {
     same.drive(other, 1.5);
     CHECK(conformance::observe(other) == conformance::observe(backend));
   }
-  SUBCASE("nobody is there") {
+  SUBCASE("all are away") {
     for (std::size_t robot = 0; robot < 3; ++robot) backend.take_away(robot);
     const std::vector<double> before = seen(backend, 0);
     driver.drive(backend, 1.0);

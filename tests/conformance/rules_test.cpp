@@ -3,6 +3,7 @@
 #include <conformance/community_suite.hpp>
 #include <conformance/control_suite.hpp>
 #include <conformance/death_suite.hpp>
+#include <conformance/energy_suite.hpp>
 #include <conformance/parts_suite.hpp>
 #include <conformance/perception_suite.hpp>
 #include <conformance/placement_suite.hpp>
@@ -33,6 +34,11 @@
 #include <trophic/death/starvation/exemption/no_exemption.hpp>
 #include <trophic/death/starvation/interval/never_due.hpp>
 #include <trophic/death/starvation/no_starvation.hpp>
+#include <trophic/energy/metabolism/grazing_and_hunting.hpp>
+#include <trophic/energy/metabolism/no_metabolism.hpp>
+#include <trophic/energy/resource/delayed_patches.hpp>
+#include <trophic/energy/resource/logistic_field.hpp>
+#include <trophic/energy/resource/no_resource.hpp>
 #include <trophic/initialization/community/food_chain.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/perception/heading/reversed_on_back.hpp>
@@ -47,6 +53,7 @@
 #include <trophic/reproduction/body_plan/named_body.hpp>
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
 #include <trophic/reproduction/heredity/all_but.hpp>
+#include <trophic/reproduction/heredity/crossover.hpp>
 #include <trophic/reproduction/heredity/nothing_inherited.hpp>
 #include <trophic/reproduction/heredity/switched.hpp>
 #include <trophic/reproduction/initial_genome/normal_weights.hpp>
@@ -58,6 +65,7 @@
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/reproduction/parent/nearest_victim.hpp>
 #include <trophic/reproduction/recruitment/after_escapes.hpp>
+#include <trophic/reproduction/recruitment/at_energy.hpp>
 #include <trophic/reproduction/recruitment/no_recruitment.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/reproduction/viability/survives_trial.hpp>
@@ -118,7 +126,7 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_parent_species_suite, rules::Paper::Parent, ru
                           reproduction::parent::FastestEscape, reproduction::parent::LastEscapee,
                           reproduction::parent::MostEscapes);
 TEST_CASE_TEMPLATE_INVOKE(trophic_recruitment_suite, reproduction::recruitment::NoRecruitment,
-                          reproduction::recruitment::AfterEscapes);
+                          reproduction::recruitment::AfterEscapes, reproduction::recruitment::AtEnergy);
 TEST_CASE_TEMPLATE_INVOKE(trophic_gait_suite, control::gait::RobotsGait, control::gait::NamedGait, control::gait::InheritedCpg,
                           control::gait::InheritedCppn, control::gait::Learnt<control::gait::InheritedCpg>,
                           control::gait::Learnt<control::gait::InheritedCppn>);
@@ -127,10 +135,14 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_body_plan_suite, reproduction::body_plan::OneB
 TEST_CASE_TEMPLATE_INVOKE(trophic_viability_suite, reproduction::viability::AlwaysViable, reproduction::viability::WithinMass,
                           reproduction::viability::ModuleLimits,
                           reproduction::viability::SurvivesTrial<reproduction::viability::ModuleLimits>);
-TEST_CASE_TEMPLATE_INVOKE(trophic_heredity_suite, reproduction::heredity::OwnCopy, reproduction::heredity::SharedCopy,
-                          reproduction::heredity::NothingInherited, reproduction::heredity::AllButBrain,
-                          reproduction::heredity::AllButGait, reproduction::heredity::AllButBody,
-                          reproduction::heredity::Switched<reproduction::heredity::OwnCopy>);
+TEST_CASE_TEMPLATE_INVOKE(trophic_metabolism_suite, energy::metabolism::GrazingAndHunting, energy::metabolism::NoMetabolism);
+TEST_CASE_TEMPLATE_INVOKE(trophic_resource_suite, energy::resource::LogisticField, energy::resource::DelayedPatches,
+                          energy::resource::NoResource);
+
+TEST_CASE_TEMPLATE_INVOKE(trophic_heredity_suite, reproduction::heredity::Crossover, reproduction::heredity::OwnCopy,
+                          reproduction::heredity::SharedCopy, reproduction::heredity::NothingInherited,
+                          reproduction::heredity::AllButBrain, reproduction::heredity::AllButGait,
+                          reproduction::heredity::AllButBody, reproduction::heredity::Switched<reproduction::heredity::OwnCopy>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_mutation_suite, reproduction::mutation::NormalMutation, reproduction::mutation::UniformMutation,
                           reproduction::mutation::NoMutation);
 

@@ -189,7 +189,7 @@ def slots(tree: Tree, document: Document) -> list[str]:
     if document.path != tree.root / "docs/how-to/which-slot.md":
         return []
     linked = {(document.path.parent / target).resolve() for _, target in document.links}
-    folders = [tree.root / "include/trophic" / kind for kind in ("perception", "control", "reproduction", "death", "initialization")]
+    folders = [tree.root / "include/trophic" / kind for kind in ("perception", "control", "reproduction", "death", "energy", "initialization")]
     headers = [path for folder in folders for path in folder.glob("*/**/*.hpp") if "detail" not in path.parts]
     policies = [path for path in headers if re.search(r"^  static constexpr std::string_view name\b|^using \w+ = .*\nstatic_assert", path.read_text(), re.M)]
     missing = [path.relative_to(tree.root) for path in policies if path.resolve() not in linked]

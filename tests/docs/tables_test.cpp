@@ -11,6 +11,7 @@
 #include <tools/gait_evolution/history.hpp>
 #include <tools/trophic/cross_check/walk_tables.hpp>
 #include <trophic/io/column.hpp>
+#include <trophic/io/energy_log.hpp>
 #include <trophic/io/tables.hpp>
 
 namespace {
@@ -113,6 +114,15 @@ brains grow.)");
                                       "The rule parameters that changed during a run, in the order of their changes. Written "
                                       "only with --changes and --live; --changes reads it.");
   text += bodies;
+  text += section<io::EnergyRow>(
+      "energy.csv",
+      R"(The energy of each species at every tick, after that tick's rules. Written only with a rule Metabolism.
+stock_J is the last one's plus outside_J, field_J, victims_J and received_J, less upkeep_J, eaten_J, given_J and lost_J.)");
+  text += section<io::ResourceRow>(
+      "resource.csv",
+      R"(The resource at every tick. Written only with a rule Resource. stock_J is the last one's plus grown_J less taken_J.)");
+  text += section<io::FieldRow>("field.csv",
+                                "Every cell of the resource at every hundredth tick. Written only with a rule Resource.");
   text += section<contest::ContestRow>("contests.csv", "Results of `trophic contest`: one row per contest of two teams.");
   text += section<command::cross_check::WalkRow>("walks.csv", "The walks of the robots in a cross-check of gaits, one per row.");
   text += section<command::cross_check::TrajectoryRow>("trajectories.csv", "The paths of the robots in a cross-check of gaits.");

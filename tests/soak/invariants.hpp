@@ -2,7 +2,6 @@
 // Invariants of every moment of every run of any length.
 #pragma once
 
-#include <cmath>
 #include <trophic/observe/event.hpp>
 #include <trophic/observe/frame.hpp>
 #include <trophic/observe/run_description.hpp>

@@ -116,7 +116,7 @@ def policies_have_tests():
     """Each policy has a test file of its name, or cases that begin with its name in the file of its slot; each observer and each reader has
     a file."""
     files = {path.name: path for path in (ROOT / "tests").rglob("*_test.cpp")}
-    folders = [*(f"include/trophic/{kind}" for kind in ("perception", "reproduction", "death", "observe")), "tools/reading"]
+    folders = [*(f"include/trophic/{kind}" for kind in ("perception", "reproduction", "death", "energy", "observe")), "tools/reading"]
     offences = []
     for path in sources(*folders, suffixes=(".hpp",)):
         if path.stem in ("contract", "brain_inputs") or "detail" in path.parts or f"{path.stem}_test.cpp" in files:
@@ -130,7 +130,7 @@ def policies_have_tests():
 def policies_in_suites():
     """Each policy is named in tests/conformance/rules_test.cpp, but for rules made of parts and the slot Embodiment, which needs an engine."""
     named = set(re.findall(r"\w+", (ROOT / "tests/conformance/rules_test.cpp").read_text()))
-    kinds = ("perception", "control", "reproduction", "death", "initialization")
+    kinds = ("perception", "control", "reproduction", "death", "energy", "initialization")
     headers = [path for path in sources(*(f"include/trophic/{kind}" for kind in kinds), suffixes=(".hpp",)) if path.parent.name != "embodiment"]
     checked = [(path, path.read_text()) for path in headers if path.stem != "contract" and "detail" not in path.parts]
     policies = [(path, name) for path, text in checked if ": Parts<" not in text for name in re.findall(r"^static_assert\(\w+<(?:\w+::)*(\w+)", text, re.M)]
@@ -197,7 +197,7 @@ def sources_cited():
 
 def pure_policies():
     """A policy remembers nothing by itself, reads no clock and draws from no engine but the stream that it is given."""
-    kinds = [f"include/trophic/{kind}" for kind in ("perception", "control", "reproduction", "death", "initialization")]
+    kinds = [f"include/trophic/{kind}" for kind in ("perception", "control", "reproduction", "death", "energy", "initialization")]
     impure = r"\bmutable\b|\bthread_local\b|^\s*static (?!constexpr|consteval|_assert|bool|auto|std::|double|void|State\b|Params\b)\w|#include <(random|chrono|ctime|thread|mutex|atomic|fstream|iostream)>|\bextern\b|\bvolatile\b"
     return lines_with(impure, sources(*kinds))
 
@@ -235,7 +235,7 @@ def small_library():
     lines, includes = (sum(len(re.findall(pattern, text, re.M)) for text in texts) for pattern in (r"^", r"^\s*#\s*include"))
     apart = sum(path.read_text().count("TROPHIC_INLINE") for path in sources("include", "backends"))
     read = sum(path.read_text().count("\n") for path in reached_from("trophic/run.hpp", "trophic/rules/paper.hpp", "trophic/backend/kinematic.hpp"))
-    bars = {"% of include/ are #include lines": (100 * includes / lines, 9), "times TROPHIC_INLINE": (apart, 150), "lines of the library in the smallest program": (read, 16050)}
+    bars = {"% of include/ are #include lines": (100 * includes / lines, 9), "times TROPHIC_INLINE": (apart, 150), "lines of the library in the smallest program": (read, 17200)}
     print(*(f"{value:.0f} {what}, at most {most}" for what, (value, most) in bars.items()), sep="\n")
     return [f"{value:.1f} {what}: must be <= {most}" for what, (value, most) in bars.items() if value > most]
 

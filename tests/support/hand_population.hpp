@@ -105,7 +105,7 @@ class HandPopulation {
 }
 
 /// A population drawn from a seed at tick 100: species, tags, activity, ages, hunger and places within +- half_side_m at
-/// random. Ids run against the order of bodies. No two distances are equal.
+/// random, energies from -1 to 250 J. Ids run against the order of bodies. No two distances are equal.
 [[nodiscard]] inline HandPopulation random_population(std::uint64_t seed, std::size_t robots, FoodWeb web = predator_prey_web(),
                                                       double half_side_m = 9.0) {
   Rng rng{seed, Stream::user};
@@ -125,6 +125,8 @@ class HandPopulation {
     drawn.push_back(robot);
   }
   HandPopulation population{drawn, std::move(web)};
+  Rng energies{seed, Stream::user, 2};
+  for (Individual& one : population.individuals) one.energy_J = energies.uniform(-1.0, 250.0);
   return population.at_tick(100);
 }
 

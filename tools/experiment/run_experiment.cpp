@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Definitions of run_experiment.hpp.
-#include <cmath>
 #include <exception>
 #include <system_error>
 #include <thread>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Definitions of footage.hpp.
-#include <cmath>
 #include <tools/live/footage.hpp>
 #include <trophic/io/recording_head.hpp>
 #include <trophic/io/recording_planes.hpp>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Definitions of plan_file.hpp.
-#include <cmath>
 #include <map>
 #include <set>
 #include <tools/sweep/plan_file.hpp>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Definitions of sweep_file.hpp.
-#include <cmath>
 #include <tools/command/read_parameters.hpp>
 #include <tools/command/words.hpp>
 #include <tools/sweep/sweep_file.hpp>

@@ -33,13 +33,15 @@ inline constexpr std::array slot_texts{
     SlotText{"mutation", "How do genomes change between generations?"},
     SlotText{"body_plan", "With which body is an individual born?"},
     SlotText{"viability", "Which bodies may be born?"},
-    SlotText{"recruitment", "Who is born without a death, and which bodies are spare?"},
+    SlotText{"recruitment", "Who is born without a death, and who dies without a birth?"},
     SlotText{"activation", "From when on is a newborn part of the ecology, to be seen and caught?"},
     SlotText{"capture", "Who is caught by whom?"},
     SlotText{"floor", "Below which number may no more of a species die?"},
     SlotText{"starvation", "Who starves, and when?"},
     SlotText{"minimum_predators", "What happens when there are too few predators (minimum-predators rule)?"},
     SlotText{"senescence", "Who dies of age or of an empty store of energy?"},
+    SlotText{"metabolism", "What does living cost, and what does an eater get?"},
+    SlotText{"resource", "Where does food grow?"},
 };
 
 static_assert(slot_texts.size() == rules::slot_names.size());

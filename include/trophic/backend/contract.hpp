@@ -77,7 +77,7 @@ concept Embodying = JointDriven<B> &&
   { observed.model(robot) } -> std::same_as<const RobotModel&>;
 };
 
-/// Robots that come and go; all are there at first. `take_away(robot)`: it is no longer in the world: nothing touches it, it does
+/// Robots that come and go; all are there at first. `take_away(robot)`: it leaves the world: nothing touches it, it does
 /// not move and costs no step; it keeps its pose. `place(robot, pose)`: it is there again, or elsewhere, as it was built: joint
 /// angles and targets 0, at rest, without warm start; throws std::invalid_argument as the constructor does. `embody` does the
 /// same with another body. `is_there(robot)`: returns whether it is in the world. The state holds which robots are.

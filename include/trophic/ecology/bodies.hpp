@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <any>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <trophic/backend/backend_choice.hpp>
@@ -82,7 +81,7 @@ class Bodies {
     }
   }
 
-  /// Takes a body in which nobody lives any longer out of the world.
+  /// Takes a body without an individual out of the world.
   void take_away(BodyIndex body) { backend_->take_away(body); }
   /// Sets the body of an individual that was born without a death into the world, at rest. `stand` comes after the tick's last.
   void set_down(BodyIndex body, const GroundPose& place) {
@@ -176,7 +175,7 @@ class Bodies {
     return static_cast<std::size_t>(std::ranges::count_if(population.individuals(), &Individual::lives));
   }
 
-  /// Whether nobody who lives stands nearer than this.
+  /// Whether all individuals stand at least this far away.
   [[nodiscard]] bool is_free(const GroundPose& place, double distance_m) const {
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
       if (population_[body].lives() && trophic::distance_m(place, poses_[body]) < distance_m) return false;

@@ -332,7 +332,7 @@ class Ecology final : public Simulation {
     bodies_.stand();
   }
 
-  /// A free place beside the first living one of these, or anywhere; none if there is no room.
+  /// A free place next to the first living one of these, or anywhere; none if there is no room.
   [[nodiscard]] std::optional<GroundPose> place_of_birth(std::span<const Ancestor> parents) const {
     std::optional<BodyIndex> beside;
     for (const Ancestor& parent : parents) {

@@ -2,12 +2,8 @@
 // Moves energy between the resource, the individuals and the outside, and keeps the ledger.
 #pragma once
 
-#include <cmath>
-#include <span>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/params/params.hpp>
-#include <trophic/population/energy_flow.hpp>
-#include <trophic/population/resource_field.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/support/rng.hpp>
@@ -35,7 +31,7 @@ class Economy {
   }
 
   [[nodiscard]] const ResourceField* field() const { return has_field ? &field_ : nullptr; }
-  /// Of each species; empty without a rule Metabolism.
+  /// One for each species; empty without a rule Metabolism.
   [[nodiscard]] std::span<const EnergyFlow> flows() const { return flows_; }
   [[nodiscard]] const ResourceFlow& resource_flow() const { return resource_flow_; }
 

@@ -2,15 +2,9 @@
 // The events of a run, for a run that repeats them.
 #pragma once
 
-#include <cstdint>
 #include <functional>
-#include <memory>
-#include <optional>
-#include <stdexcept>
 #include <trophic/observe/event.hpp>
 #include <trophic/params/archive.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic {
 

@@ -2,7 +2,6 @@
 // Definitions of recording.hpp.
 #pragma once
 
-#include <cmath>
 #include <trophic/io/recording.hpp>
 #include <trophic/io/recording_head.hpp>
 #include <trophic/io/recording_planes.hpp>

@@ -2,7 +2,6 @@
 // senses.csv: contacts of every robot, and inputs and outputs of its brain, at every tick or every n-th tick.
 #pragma once
 
-#include <cmath>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/habitat/touch.hpp>

@@ -2,12 +2,8 @@
 // Counts of births and deaths.
 #pragma once
 
-#include <algorithm>
-#include <string>
 #include <trophic/observe/event.hpp>
 #include <trophic/population/view.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::observe {
 

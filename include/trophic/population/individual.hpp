@@ -6,12 +6,10 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <optional>
 #include <string_view>
 #include <trophic/population/cause.hpp>
 #include <trophic/population/food_web.hpp>
 #include <tuple>
-#include <vector>
 
 namespace trophic {
 

@@ -4,14 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 #include <numeric>
-#include <stdexcept>
-#include <string>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/support/units.hpp>
-#include <vector>
 
 namespace trophic {
 

@@ -16,8 +16,8 @@
 /// returns the state of a newborn; a policy with a State must have it. The newborn has no genome yet. `parent` is the state of
 /// its first living parent; null for founders, random newcomers, offspring of the dead, and if Heredity passes nothing on. `body`
 /// is the state of the body's previous occupant; State{} for founders. `return {};` resets it, `return body;` keeps it with the
-/// body, `return parent ? *parent : State{};` inherits it. What is inherited is not inherited in the shadow; what a parent hands
-/// over, whatever it passes on, is `hand_over` below, in every null.
+/// body, `return parent ? *parent : State{};` inherits it. The shadow inherits nothing; `hand_over` below is for what a parent
+/// gives away, in every null.
 ///
 /// A checkpoint holds all states, so that a resumed run gives the same bytes. A State may therefore hold only the types that
 /// rule_states.hpp allows.

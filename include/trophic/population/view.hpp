@@ -19,7 +19,7 @@ namespace trophic {
 
 /// The world as rules see it at one tick. `robots` and `poses` have one element per body, in the same order. Spans refer to the
 /// ecology's own data: within a tick a view shows each birth and death at once. Only a table with a Recruitment rule has bodies
-/// in which nobody lives: `robots[body].lives()` is false, they are not in the world, and no search finds them.
+/// without an individual: `robots[body].lives()` is false, they are not in the world, and no search finds them.
 struct View {
   double time_s = 0.0;          ///< the ecology's clock
   std::int64_t tick = 0;        ///< number of this decision step; 0 at the start

@@ -3,7 +3,9 @@
 #include <doctest/doctest.h>
 
 #include <memory>
+#include <numeric>
 #include <trophic/reproduction/heredity/all_but.hpp>
+#include <trophic/reproduction/heredity/crossover.hpp>
 #include <trophic/reproduction/heredity/nothing_inherited.hpp>
 #include <trophic/reproduction/heredity/own_copy.hpp>
 #include <trophic/reproduction/heredity/shared_copy.hpp>
@@ -64,4 +66,36 @@ TEST_CASE("shared copy: parent, offspring and grandchild -> one object, each mut
   CHECK(parent->weights[1] == 1.0);
   CHECK(offspring->weights[1] == 1.0);
   CHECK(grandchild->id == 3);
+}
+
+TEST_CASE("crossover: two parents -> each gene is one parent's, about half of them, and the body the first one's") {
+  const auto genome = [](double value) {
+    return std::make_shared<Genome>(
+        Genome{.weights = std::vector<double>(300, value), .gait_genes = std::vector<double>(30, value), .body_genes = {value}});
+  };
+  const std::vector<Ancestor> parents{{.id = 1, .species = 0, .genome = genome(1.0)},
+                                      {.id = 2, .species = 0, .genome = genome(2.0)}};
+  const auto sum = [](const std::vector<double>& genes) { return std::accumulate(genes.begin(), genes.end(), 0.0); };
+  Rng rng{1, Stream::user};
+  const auto child = Crossover{}.inherit(parents, rng);
+  for (const double weight : child->weights) CHECK((weight == 1.0 || weight == 2.0));
+  CHECK(sum(child->weights) == doctest::Approx(450.0).epsilon(0.08));
+  CHECK(sum(child->gait_genes) > 30.0);
+  CHECK(sum(child->gait_genes) < 60.0);
+  CHECK(child->body_genes == std::vector<double>{1.0});
+  CHECK(sum(parents[0].genome->weights) == 300.0);
+
+  const Crossover runs{{.unit = CrossoverUnit::run, .length = 3}};
+  const auto by_runs = runs.inherit(parents, rng);
+  for (std::size_t gene = 0; gene < 300; ++gene) CHECK(by_runs->weights[gene] == by_runs->weights[gene - gene % 3]);
+}
+
+TEST_CASE("crossover: one parent, or parts of other lengths -> the first one's genes") {
+  const auto first = std::make_shared<Genome>(Genome{.weights = {1.0, 2.0}});
+  const auto second = std::make_shared<Genome>(Genome{.weights = {3.0}});
+  const std::vector<Ancestor> parents{{.id = 1, .species = 0, .genome = first}, {.id = 2, .species = 0, .genome = second}};
+  Rng rng{1, Stream::user};
+  CHECK(Crossover{}.inherit(parents, rng)->weights == first->weights);
+  CHECK(Crossover{}.inherit(std::span{parents}.first(1), rng)->weights == first->weights);
+  CHECK(Crossover{}.inherit(parents, rng) != first);
 }

@@ -2,9 +2,7 @@
 // Grazers live on the resource, hunters on what they catch, and both pay for living and walking.
 #pragma once
 
-#include <algorithm>
 #include <trophic/energy/metabolism/contract.hpp>
-#include <trophic/params/params.hpp>
 
 namespace trophic::energy::metabolism {
 
@@ -27,14 +25,14 @@ struct GrazingAndHunting {
     double bite_W = 1.0;
     double efficiency = 1.0;
     static constexpr auto fields() {
-      return std::tuple{field("first_J", &Params::first_J, at_least(0.0), "mean energy of founders and newcomers"),
-                        field("spread", &Params::spread, between(0.0, 1.0), "theirs is uniform in first_J * (1 -+ spread)"),
-                        field("capacity_J", &Params::capacity_J, above(0.0), "the most that an individual holds"),
-                        field("resting_W", &Params::resting_W, at_least(0.0), "power at rest and while walking"),
-                        field("walking_J_per_m", &Params::walking_J_per_m, at_least(0.0), "energy per metre walked"),
-                        field("bite_W", &Params::bite_W, at_least(0.0), "the fastest that a grazer takes from the resource"),
-                        field("efficiency", &Params::efficiency, between(0.0, 1.0),
-                              "share of the victim's energy that the hunter gets")};
+      return std::tuple{
+          field("first_J", &Params::first_J, at_least(0.0), "mean energy of founders and newcomers"),
+          field("spread", &Params::spread, between(0.0, 1.0), "theirs is uniform in first_J * (1 -+ spread)"),
+          field("capacity_J", &Params::capacity_J, above(0.0), "the most that an individual holds"),
+          field("resting_W", &Params::resting_W, at_least(0.0), "power at rest and while walking"),
+          field("walking_J_per_m", &Params::walking_J_per_m, at_least(0.0), "energy per metre walked"),
+          field("bite_W", &Params::bite_W, at_least(0.0), "the fastest that a grazer takes from the resource"),
+          field("efficiency", &Params::efficiency, between(0.0, 1.0), "share of the victim's energy that the hunter gets")};
     }
   };
   Params params;

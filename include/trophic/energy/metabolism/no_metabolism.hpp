@@ -6,11 +6,11 @@
 
 namespace trophic::energy::metabolism {
 
-/// Rule: nobody has, spends or needs energy (the paper's predators count ticks, Sec. "Predator Death").   Reads: nothing.
+/// Rule: individuals have, spend and need no energy (the paper's predators count ticks, Sec. "Predator Death").   Reads: nothing.
 /// Random draws: 0.
 struct NoMetabolism {
   static constexpr std::string_view name = "no_metabolism";
-  static constexpr std::string_view source = "paper";
+  static constexpr std::string_view source = "paper: no such rule";
   [[nodiscard]] double first_J(const Individual&, Rng&) const { return 0.0; }
   [[nodiscard]] double upkeep_J(BodyIndex, double, const View&) const { return 0.0; }
   [[nodiscard]] double bite_J(BodyIndex, double, const View&) const { return 0.0; }

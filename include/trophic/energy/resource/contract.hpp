@@ -2,7 +2,6 @@
 // The contract of a slot: food in space and time.
 #pragma once
 
-#include <trophic/population/resource_field.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/rng.hpp>
 

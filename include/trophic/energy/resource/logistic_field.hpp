@@ -2,19 +2,17 @@
 // Food that grows logistically in every cell, faster in season.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <trophic/energy/resource/contract.hpp>
 #include <trophic/params/params.hpp>
 
 namespace trophic::energy::resource {
 
 /// Rule, for the food F of a cell in a tick of length t:
-///   F <- min(K, F + t (r F (1 - F / K) + seed K)),   r = growth (1 + season sin(2 pi time / year)),   K = capacity * area of the cell
+///   F <- min(K, F + t (r F (1 - F / K) + seed K)),   r = growth (1 + season sin(2 pi time / year)),   K = capacity * area of the
+///   cell
 /// Each cell starts full. `patches` of the cells bear nothing, drawn at the start: the others share their capacity. Verhulst's
-/// growth [rosenzweig1963]; `seed` lets an empty cell recover. All parameters are free.   Reads: time.   Random draws: one for each
-/// cell at the start if there are patches.
+/// growth [rosenzweig1963]; `seed` lets an empty cell recover. All parameters are free.   Reads: time.   Random draws: one for
+/// each cell at the start if there are patches.
 struct LogisticField {
   static constexpr std::string_view name = "logistic_field";
   static constexpr std::string_view source = "not in the paper; growth as in [rosenzweig1963]";
@@ -25,7 +23,7 @@ struct LogisticField {
     double growth_1_s = 0.01;
     double seed_1_s = 0.0001;
     double barren = 0.0;
-    double season = 0.0;
+    double season = 0.5;
     double year_s = 1000.0;
     static constexpr auto fields() {
       return std::tuple{field("cells_in_a_row", &Params::cells_in_a_row, between(1, 1000), "cells along a side of the arena"),

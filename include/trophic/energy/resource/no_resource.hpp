@@ -9,7 +9,7 @@ namespace trophic::energy::resource {
 /// Rule: the floor bears nothing (the paper).   Reads: nothing.   Random draws: 0.
 struct NoResource {
   static constexpr std::string_view name = "no_resource";
-  static constexpr std::string_view source = "paper";
+  static constexpr std::string_view source = "paper: no such rule";
   [[nodiscard]] ResourceField start(const Arena&, Rng&) const { return {}; }
   void grow(ResourceField&, const View&, Rng&) const {}
 };

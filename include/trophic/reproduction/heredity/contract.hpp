@@ -3,7 +3,6 @@
 #pragma once
 
 #include <concepts>
-#include <span>
 #include <trophic/population/individual.hpp>
 #include <trophic/support/rng.hpp>
 
@@ -20,7 +19,7 @@ concept HeredityOfAll = requires(const P policy, std::span<const Ancestor> paren
 };
 
 /// `inherit(parent)`: returns the offspring's genome before mutation: the parent's own object or a new one. Null: no genome is
-/// passed on; the offspring's is drawn like one without a parent and does not mutate. Of several parents it gets the first.
+/// passed on; the offspring's is drawn like one without a parent and does not mutate. It gets the first of several parents.
 /// `inherit(parents, rng)` gets all.
 template <class P>
 concept Heredity = HeredityOfAll<P> || requires(const P policy, const std::shared_ptr<Genome>& parent) {

@@ -14,9 +14,9 @@ enum class CrossoverUnit { weight, run };
 }
 
 /// Rule: each weight of the brain and each number of the gait is that of one of the parents, at random: every gene alone (uniform
-/// crossover [syswerda1989]), or runs of `length` genes, such as the weights of one neuron. The body is the first parent's, and so is
-/// a part in which parents differ in length. For brains of one size. Of one parent the offspring has a copy.   Reads: parents'
-/// genomes.   Random draws: one for each gene or run, if there are several parents.
+/// crossover [syswerda1989]), or runs of `length` genes, such as the weights of one neuron. The body is the first parent's, and
+/// so is a part in which parents differ in length. For brains of one size. The offspring of one parent has a copy.   Reads:
+/// parents' genomes.   Random draws: one for each gene or run, if there are several parents.
 struct Crossover {
   static constexpr std::string_view name = "crossover";
   static constexpr std::string_view source = "not in the paper; [syswerda1989]";

@@ -8,7 +8,7 @@
 
 namespace trophic::reproduction::recruitment {
 
-/// Rule: an active prey that has escaped `escapes` times since its birth or its last offspring has an offspring beside it; if
+/// Rule: an active prey that has escaped `escapes` times since its birth or its last offspring has an offspring next to it; if
 /// spare bodies are few, the prey with most escapes first, of equal ones the oldest. After starvation or
 /// senescence a body stays spare unless `spare_bodies` already are; after a catch or a sacrifice it is filled at once. An escape:
 /// a living predator that was within distances.near_m of the active prey is farther than distances.far_m. So escapes add prey

@@ -2,14 +2,13 @@
 // Births of energy: those who have enough reproduce.
 #pragma once
 
-#include <trophic/params/params.hpp>
 #include <trophic/reproduction/recruitment/contract.hpp>
 
 namespace trophic::reproduction::recruitment {
 
-/// Rule: an active individual with at least `birth` energy has an offspring of its species beside it and hands over `share` of its
-/// energy. The dead have no successor. `spare_bodies` start without an individual. All parameters are free.   Reads: energies,
-/// activity.   Random draws: 0.
+/// Rule: an active individual with at least `birth` energy has an offspring of its species next to it and hands over `share` of
+/// its energy. The dead have no successor. `spare_bodies` start without an individual. All parameters are free.   Reads:
+/// energies, activity.   Random draws: 0.
 struct AtEnergy {
   static constexpr std::string_view name = "at_energy";
   static constexpr std::string_view source = "not in the paper; as in Polyworld [yaeger1994]";

@@ -4,7 +4,6 @@
 
 #include <trophic/population/state.hpp>
 #include <trophic/support/rng.hpp>
-#include <trophic/support/units.hpp>
 
 #define TROPHIC_SENTENCE_Recruitment                                                                                 \
   "std::size_t spare_bodies() const, bool leaves_spare(const Vacancy&, const View&) const and std::vector<Recruit> " \
@@ -17,13 +16,13 @@ struct Recruit {
   Species species = 0;                   ///< of the newborn
   std::vector<Ancestor> parents = {};    ///< of the newborn's species; without one the genome is random
   double endowment_J = 0.0;              ///< that living parents hand over, in equal parts; 0: the energy comes from outside
-  std::optional<GroundPose> place = {};  ///< none: beside the first living parent, else anywhere, free of others
+  std::optional<GroundPose> place = {};  ///< none: next to the first living parent, else anywhere, free of others
   friend bool operator==(const Recruit&, const Recruit&) = default;
 };
 
-/// A spare body is a body without an individual. It is not in the world: nobody perceives, meets or counts it, and no engine
-/// moves it. Its tag is the next newborn's previous one. There are EcologyParams::robots bodies, so at most as many individuals
-/// live.
+/// A spare body is a body without an individual. It is not in the world: no individual perceives, meets or counts it, and no
+/// engine moves it. Its tag is the next newborn's previous one. There are EcologyParams::robots bodies, so at most as many
+/// individuals live.
 ///
 /// `spare_bodies()`: returns how many bodies start without an individual, fewer than the robots; they are the last ones.
 /// `leaves_spare(vacancy, view)`: returns whether the body of a dying individual stays without one; otherwise the Parent rule

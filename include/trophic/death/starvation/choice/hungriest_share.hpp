@@ -2,7 +2,6 @@
 // A share of all predators starves in one procedure: for large ecologies.
 #pragma once
 
-#include <cmath>
 #include <trophic/death/starvation/choice/contract.hpp>
 #include <trophic/death/starvation/choice/detail/by_hunger.hpp>
 #include <trophic/params/params.hpp>

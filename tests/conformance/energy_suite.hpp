@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// The contract of every rule of energy: TEST_CASE_TEMPLATE_INVOKE(trophic_metabolism_suite, MyMetabolism);
+#pragma once
+
+#include <conformance/policy_suite.hpp>
+#include <trophic/energy/metabolism/contract.hpp>
+#include <trophic/energy/resource/contract.hpp>
+
+TEST_CASE_TEMPLATE_DEFINE("metabolism", Policy, trophic_metabolism_suite) {
+  using namespace trophic;
+  static_assert(energy::Metabolism<Policy>);
+  conformance::check_policy<Policy>();
+  const auto policy = conformance::defaulted<Policy>();
+  const auto all_of = [](conformance::Answers& answers, const Policy& made, const test::HandPopulation& robots,
+                         std::uint64_t seed) {
+    for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
+      if (!robots.individuals[body].lives()) continue;
+      Rng rng{seed, Stream::user, body};
+      answers.add(made.first_J(robots.individuals[body], rng));
+      answers.add(made.upkeep_J(body, 0.01 * static_cast<double>(body), robots.view()));
+      answers.add(made.bite_J(body, 50.0, robots.view()));
+      answers.add(made.meal_J(body, 0, robots.view()));
+      answers.add(made.starves(body, robots.view()));
+    }
+  };
+  conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+    for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
+      const double first_J =
+          conformance::asked_twice(seed, [&](Rng& rng) { return policy.first_J(robots.individuals[body], rng); });
+      CHECK(first_J >= 0.0);
+      CHECK(std::isfinite(first_J));
+      for (const double walked_m : {0.0, 0.1, 5.0}) {
+        CHECK(policy.upkeep_J(body, walked_m, robots.view()) >= 0.0);
+        CHECK(std::isfinite(policy.upkeep_J(body, walked_m, robots.view())));
+      }
+      for (const double there_J : {0.0, 0.01, 1000.0}) {
+        CHECK(policy.bite_J(body, there_J, robots.view()) >= 0.0);
+        CHECK(policy.bite_J(body, there_J, robots.view()) <= there_J);
+      }
+      const BodyIndex victim = robots.individuals.size() - 1 - body;
+      CHECK(policy.meal_J(body, victim, robots.view()) >= 0.0);
+      CHECK(policy.meal_J(body, victim, robots.view()) <= std::max(robots.individuals[victim].energy_J, 0.0));
+    }
+    conformance::check_each_robot(robots, seed, [&](const test::HandPopulation& any, BodyIndex body) {
+      return std::tuple{policy.upkeep_J(body, 0.1, any.view()), policy.bite_J(body, 5.0, any.view()),
+                        policy.starves(body, any.view())};
+    });
+  });
+  conformance::check_params_used_on_populations<Policy>(all_of);
+}
+
+TEST_CASE_TEMPLATE_DEFINE("resource", Policy, trophic_resource_suite) {
+  using namespace trophic;
+  static_assert(energy::Resource<Policy>);
+  conformance::check_policy<Policy>();
+  // The field of a policy after some ticks, with bites in between.
+  const auto grown = [](const Policy& policy, test::HandPopulation robots, std::uint64_t seed) {
+    Rng rng{seed, Stream::user};
+    ResourceField field = policy.start(robots.arena, rng);
+    std::vector<double> numbers;
+    for (int tick = 1; tick <= 40; ++tick) {
+      policy.grow(field, robots.at_tick(tick).view(), rng);
+      for (std::size_t cell = 0; cell < field.cells(); cell += 7) {
+        const double bite_J = tick == 1 ? field.food_J(cell) : 0.5 * field.food_J(cell);
+        field.food_J(cell) -= bite_J;
+        if constexpr (requires { policy.on_bite(field, cell, bite_J, BodyIndex{0}, robots.view()); }) {
+          if (bite_J > 0.0) policy.on_bite(field, cell, bite_J, BodyIndex{0}, robots.view());
+        }
+      }
+      for (std::size_t cell = 0; cell < field.cells(); ++cell) {
+        REQUIRE(field.food_J(cell) >= 0.0);
+        REQUIRE(std::isfinite(field.food_J(cell)));
+        if (cell % 5 == 0) numbers.push_back(field.food_J(cell));
+      }
+    }
+    return numbers;
+  };
+  const auto policy = conformance::defaulted<Policy>();
+  for (const std::uint64_t seed : {std::uint64_t{1}, std::uint64_t{2}}) {
+    const auto robots = test::random_population(seed, 5);
+    CHECK(grown(policy, robots, seed) == grown(policy, robots, seed));
+    CHECK(grown(policy, robots, seed) == grown(policy, conformance::renamed(robots), seed));
+  }
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    answers.add(grown(made, test::random_population(1, 5), 1));
+    return answers;
+  });
+}

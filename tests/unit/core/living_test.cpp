@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: MIT
+// Worlds in which energy is owned once and numbers change.
+#include <doctest/doctest.h>
+
+#include <examples/worlds/pond.hpp>
+#include <map>
+#include <support/hand_population.hpp>
+#include <support/temporary_folder.hpp>
+#include <trophic/backend/kinematic.hpp>
+#include <trophic/reproduction/heredity/crossover.hpp>
+#include <trophic/rules/with_ageing_victims.hpp>
+#include <unit/checkpoint/resumed.hpp>
+
+using namespace trophic;
+using namespace trophic::test;
+using worlds::Pond;
+
+namespace {
+
+/// Compares the stock of each species and of the resource with the last one and the ledger.
+struct Auditor {
+  void on_tick(const View& view) {
+    std::vector<double> now_J(view.web.size());
+    for (const Individual& one : view.robots) {
+      if (one.lives()) now_J[one.species] += one.energy_J;
+    }
+    const double most_J = std::max(1.0, *std::ranges::max_element(now_J));
+    for (Species species = 0; species < now_J.size(); ++species) {
+      const double before_J = stock_J.empty() ? 0.0 : stock_J[species];
+      worst = std::max(worst, std::abs(now_J[species] - before_J - view.energy[species].sum_J()) / most_J);
+      turned_over_J += view.energy[species].upkeep_J;
+    }
+    if (view.field != nullptr) {
+      const double now_there_J = view.field->total_J();
+      const ResourceFlow& flow = view.resource;
+      if (view.tick > 0) worst = std::max(worst, std::abs(now_there_J - there_J - flow.grown_J + flow.taken_J) / now_there_J);
+      there_J = now_there_J;
+    }
+    stock_J = now_J;
+  }
+  std::vector<double> stock_J = {};
+  double there_J = 0.0;
+  double worst = 0.0;
+  double turned_over_J = 0.0;
+};
+
+/// Counts lives.
+struct Lives {
+  void on_event(const observe::Event& event, const View& view) {
+    if (event.kind == observe::EventKind::birth && event.individual.born_s > 0.0) {
+      births += 1;
+      with_parent += event.individual.parents.empty() ? 0U : 1U;
+      most_parents = std::max(most_parents, event.individual.parents.size());
+    }
+    if (event.kind == observe::EventKind::death) ++deaths[std::string{enum_name(*event.cause)}];
+    most = std::max(most, view.count(prey) + view.count(predator));
+  }
+  void on_tick(const View& view) {
+    refused = view.refused_births;
+    fewest = std::min(fewest, view.count(prey) + view.count(predator));
+    for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+      for (const BodyIndex near : view.within(view.poses[body], 3.0)) CHECK(view.robots[near].lives());
+      if (view.robots[body].adversary) CHECK(view.robots[*view.robots[body].adversary].lives());
+    }
+  }
+  std::size_t births = 0;
+  std::size_t with_parent = 0;
+  std::size_t most_parents = 0;
+  std::size_t most = 0;
+  std::size_t fewest = 1000;
+  std::uint64_t refused = 0;
+  std::map<std::string, std::size_t> deaths;
+};
+
+/// The cold kills one in a thousand, by a name of its own.
+struct Cold {
+  static constexpr std::string_view name = "cold";
+  static constexpr std::string_view cause = "frost";
+  [[nodiscard]] bool dies(const Individual&, const View&, Rng& rng) const { return rng.chance(0.001); }
+};
+
+/// Two neighbours with enough energy have an offspring.
+struct Mates {
+  static constexpr std::string_view name = "mates";
+  [[nodiscard]] std::size_t spare_bodies() const { return 60; }
+  [[nodiscard]] bool leaves_spare(const Vacancy&, const View&) const { return true; }
+  [[nodiscard]] std::vector<reproduction::Recruit> recruits(const View& view, Rng&) const {
+    std::vector<reproduction::Recruit> births;
+    for (BodyIndex one = 0; one < view.robots.size(); ++one) {
+      const auto ready = [&](const Individual& other) {
+        return other.species == view.robots[one].species && other.active && other.energy_J > 40.0;
+      };
+      const auto mate = view.closest(one, ready, {.within_m = 3.0});
+      if (view.robots[one].lives() && mate && one < *mate && ready(view.robots[one]))
+        births.push_back({view.robots[one].species, {view.robots[one].as_ancestor(), view.robots[*mate].as_ancestor()}, 30.0});
+    }
+    return births;
+  }
+};
+
+/// Parents give a shell to their young, whatever these inherit.
+struct Shells {
+  static constexpr std::string_view name = "shells";
+  struct State {
+    std::int64_t shells = 0;
+    std::int64_t inherited = 0;
+    static constexpr auto fields() { return std::tuple{field("shells", &State::shells), field("inherited", &State::inherited)}; }
+  };
+  [[nodiscard]] State born(const Individual& newborn, const State* parent, const State&) const {
+    return {.shells = newborn.born_s == 0.0 ? 5 : 0, .inherited = parent ? 1 : 0};
+  }
+  void hand_over(State& own, State& newborn, const View&) const {
+    own.shells -= 1;
+    newborn.shells += 1;
+  }
+  [[nodiscard]] bool dies(const Individual&, const View&, Rng&, const State&) const { return false; }
+};
+
+/// Bites more than there is.
+struct Greedy : energy::metabolism::GrazingAndHunting {
+  static constexpr std::string_view name = "greedy";
+  [[nodiscard]] double bite_J(BodyIndex, double there_J, const View&) const { return there_J + 1.0; }
+};
+
+/// Robots that cannot come and go.
+class Fixed : public backend::Kinematic {
+ public:
+  static constexpr std::string_view name = "fixed";
+  struct Params {
+    using Backend = Fixed;
+    static constexpr auto fields() { return std::tuple{}; }
+  };
+  Fixed(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics, const Params&)
+      : Kinematic{robot, arena, starts, physics, {}} {}
+
+ private:
+  using Kinematic::take_away;
+};
+
+/// Successors follow the dead at once, as in the paper, and still all energy is accounted for.
+using PaperWithEnergy = with_metabolism<rules::Paper, energy::metabolism::GrazingAndHunting>;
+using ColdPond = with_senescence<Pond, Cold>;
+using MatingPond = with_heredity<with_recruitment<Pond, Mates>, reproduction::heredity::Crossover>;
+
+template <class Rules>
+[[nodiscard]] Experiment<Rules> short_pond(std::uint64_t seed = 1) {
+  Experiment<Rules> experiment{.seed = seed};
+  experiment.ecology.duration_s = 800.0;
+  return experiment;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("living: ledger of energy -> closes for each species and the resource at every tick", Rules, Pond, ColdPond,
+                   MatingPond, PaperWithEnergy) {
+  Ecology<Rules> ecology{short_pond<Rules>(), backend::Kinematic::Params{}};
+  Auditor auditor;
+  ecology.run_until(1000.0, auditor);
+  CHECK(auditor.worst < 1e-9);
+  CHECK(auditor.turned_over_J > 100.0);
+}
+
+TEST_CASE("living: numbers change -> births without deaths, deaths without births, no search finds the dead") {
+  Ecology<Pond> ecology{short_pond<Pond>(), backend::Kinematic::Params{}};
+  Lives lives;
+  ecology.run_until(1500.0, lives);
+  CHECK(lives.births > 20);
+  CHECK(lives.with_parent == lives.births);
+  CHECK(lives.deaths["starved"] > 5);
+  CHECK(lives.deaths["caught"] > 5);
+  CHECK(lives.most > lives.fewest + 10);
+  CHECK(lives.most <= 100);
+}
+
+TEST_CASE("living: births without a free body -> counted, not made") {
+  auto experiment = short_pond<Pond>();
+  experiment.rules.recruitment.spare_bodies = 1;
+  experiment.rules.recruitment.birth_J = 31.0;
+  Ecology<Pond> ecology{experiment, backend::Kinematic::Params{}};
+  Lives lives;
+  ecology.run_until(300.0, lives);
+  CHECK(lives.refused > 0);
+  CHECK(lives.most <= 100);
+}
+
+TEST_CASE("living: run killed three times -> the same bytes") {
+  const TemporaryFolder folder;
+  const auto experiment = short_pond<MatingPond>(4);
+  const io::OutputOptions output{.replay_hz = 0.0, .senses = true, .states = true};
+  run_part(experiment, backend::Kinematic::Params{}, folder.path() / "whole", never, 100.0, output);
+  for (const std::int64_t tick : {60, 170, 301}) {
+    run_part(experiment, backend::Kinematic::Params{}, folder.path() / "cut", tick, 100.0, output);
+  }
+  run_part(experiment, backend::Kinematic::Params{}, folder.path() / "cut", never, 100.0, output);
+  CHECK(results_in(folder.path() / "whole") == results_in(folder.path() / "cut"));
+  for (const char* table : {"energy.csv", "resource.csv", "field.csv"})
+    CHECK(content(folder.path() / "whole" / table).size() > 500);
+}
+
+TEST_CASE("living: cause that a rule names -> in events, counts and parents' rules") {
+  Ecology<ColdPond> ecology{short_pond<ColdPond>(), backend::Kinematic::Params{}};
+  Lives lives;
+  observe::Tally tally;
+  ecology.run_until(800.0, lives, tally);
+  CHECK(lives.deaths["frost"] > 5);
+  CHECK(lives.deaths.count("senescence") == 0);
+  CHECK(tally.deaths(cause_named("frost")) == lives.deaths["frost"]);
+  CHECK(tally.deaths_by_cause().back() == std::pair<std::string, std::size_t>{"frost", lives.deaths["frost"]});
+  CHECK(cause_named("starved") == Cause::starved);
+  CHECK_THROWS_AS(static_cast<void>(cause_named("Not a name")), std::invalid_argument);
+}
+
+TEST_CASE("living: two parents -> both in the phylogeny, genes of both, the distance from the nearer one") {
+  struct Couples {
+    void on_event(const observe::Event& event, const View& view) {
+      const Individual& child = event.individual;
+      if (event.kind != observe::EventKind::birth || child.parents.size() != 2) return;
+      double nearest = 1e9;
+      for (const Individual& one : view.robots) {
+        if (one.id != child.parents[0] && one.id != child.parents[1]) continue;
+        double square = 0.0;
+        for (std::size_t i = 0; i < 15; ++i) square += std::pow(one.genome->weights[i] - child.genome->weights[i], 2);
+        nearest = std::min(nearest, std::sqrt(square));
+      }
+      CHECK(child.mutation_distance <= nearest * (1.0 + 1e-12));
+      CHECK(child.energy_J == doctest::Approx(30.0));
+      ++couples;
+    }
+    std::size_t couples = 0;
+  } couples;
+  Ecology<MatingPond> ecology{short_pond<MatingPond>(), backend::Kinematic::Params{}};
+  ecology.run_until(800.0, couples);
+  CHECK(couples.couples > 10);
+
+  const TemporaryFolder folder;
+  run_part(short_pond<MatingPond>(), backend::Kinematic::Params{}, folder.path() / "run", never, 100.0, {.replay_hz = 0.0});
+  const std::string phylogeny = content(folder.path() / "run" / "phylogeny.csv");
+  CHECK(phylogeny.find(",\"[") != std::string::npos);
+}
+
+TEST_CASE("living: what parents hand over -> in the shadow too, where nothing is inherited") {
+  using Rules = with_senescence<Pond, Shells>;
+  struct Count {
+    void on_event(const observe::Event& event, const View&) {
+      if (event.kind != observe::EventKind::birth || event.individual.parents.empty()) return;
+      const auto& own = ecology.states().senescence[event.body];
+      CHECK(own.shells == 1);
+      inherited += own.inherited;
+      received_J += event.individual.energy_J;
+      ++births;
+    }
+    const Ecology<Rules>& ecology;
+    std::int64_t inherited = 0;
+    double received_J = 0.0;
+    std::int64_t births = 0;
+  };
+  for (const Null null : {Null::none, Null::shadow}) {
+    Ecology<Rules> ecology{under(null, short_pond<Rules>()), backend::Kinematic::Params{}};
+    Count count{ecology};
+    ecology.run_until(800.0, count);
+    REQUIRE(count.births > 10);
+    CHECK(count.inherited == (null == Null::none ? count.births : 0));
+    CHECK(count.received_J / static_cast<double>(count.births) >= 30.0);  // half of what a parent needs for a birth
+  }
+}
+
+TEST_CASE("living: energy that a rule takes from nowhere -> error that names value and bound") {
+  using Rules = with_metabolism<Pond, Greedy>;
+  CHECK(message_of<RuleError>([] {
+          Ecology<Rules> ecology{short_pond<Rules>(), backend::Kinematic::Params{}};
+          ecology.run_until(10.0);
+        }).starts_with("the policy in rules.metabolism returned bite_J = "));
+}
+
+TEST_CASE("living: backend whose robots cannot come and go -> refused before the run") {
+  CHECK(message_of<std::invalid_argument>([] {
+          Ecology<Pond>{short_pond<Pond>(), Fixed::Params{}};
+        }) ==
+        "rules.recruitment = at_energy on backend fixed: must be a backend whose robots come and go (Placing in "
+        "backend/contract.hpp)");
+}
