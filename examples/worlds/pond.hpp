@@ -42,20 +42,21 @@ struct Pond final {
   using Capture = death::capture::CatchWithinReach;
 
   static TableParams<Pond> params() {
-    TableParams<Pond> own{.community = {.predators = 8},
-                          .tag_switch = {.cool_down_s = 50.0},
-                          .activation = {.distance_m = 3.0},
-                          .capture = {.reach_m = 1.0, .min_age_s = 20.0},
-                          .resource = {.cells_in_a_row = 20, .capacity_J_m2 = 10.0, .growth_1_s = 0.005, .seed_1_s = 0.0001}};
-    own.recruitment = {.spare_bodies = 60, .birth_J = 60.0, .share = 0.5};
-    own.metabolism.get<0>() = {.first_J = 30.0, .capacity_J = 120.0, .resting_W = 0.05, .walking_J_per_m = 1.0, .bite_W = 0.3};
+    TableParams<Pond> own{
+        .community = {.predators = 12},
+        .tag_switch = {.cool_down_s = 50.0},
+        .recruitment = {.spare_bodies = 90, .birth_J = 80.0, .share = 0.5},
+        .activation = {.distance_m = 4.0},
+        .capture = {.reach_m = 0.7, .min_age_s = 20.0},
+        .resource = {.cells_in_a_row = 20, .capacity_J_m2 = 15.0, .growth_1_s = 0.006, .seed_1_s = 0.002, .season = 0.0}};
+    own.metabolism.get<0>() = {.first_J = 30.0, .capacity_J = 200.0, .resting_W = 0.05, .walking_J_per_m = 1.0, .bite_W = 0.4};
     own.metabolism.get<1>() = {
-        .first_J = 30.0, .capacity_J = 120.0, .resting_W = 0.1, .walking_J_per_m = 1.0, .bite_W = 0.0, .efficiency = 0.6};
+        .first_J = 30.0, .capacity_J = 300.0, .resting_W = 0.05, .walking_J_per_m = 1.0, .bite_W = 0.0, .efficiency = 0.3};
     return own;
   }
   static EcologyParams ecology() {
     EcologyParams own = rules::Paper::ecology();
-    own.robots = 100;
+    own.robots = 150;
     return own;
   }
   static Physics physics() { return rules::Paper::physics(); }

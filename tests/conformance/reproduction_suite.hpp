@@ -174,7 +174,7 @@ TEST_CASE_TEMPLATE_DEFINE("recruitment", Policy, trophic_recruitment_suite) {
         Rng rng{seed, Stream::user};
         answers.add(made.spare_bodies());
         for (const auto& birth : reproduction::ask::recruits(made, states.all(), robots.view(), rng))
-          answers.add(birth.parents.empty() ? 0 : birth.parents.front().id);
+          answers.add(std::pair{birth.parents.empty() ? 0 : birth.parents.front().id, birth.endowment_J});
         for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
           answers.add(made.leaves_spare({.body = body, .cause = Cause::starved}, robots.view()));
         }

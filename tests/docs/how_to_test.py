@@ -34,13 +34,14 @@ def main() -> int:
         run(*ecology, "--duration", "600", "--out", "runs/first-1")
         run(*ecology, "--duration", "60", "--senses", "--out", "runs/senses")
         run(*ecology, "--duration", "200", "--replicates", "2", "--shadow", "--out", "runs/paper")
+        follow(ROOT / "docs/how-to/a-living-world.md", folder, {"PATH": f"{PROGRAMS}:{os.environ['PATH']}"})
         follow(ROOT / "docs/how-to/a-sweep.md", folder, {"PATH": f"{PROGRAMS}:{os.environ['PATH']}"})
         tables = next(block.code for block in parse(ROOT / "docs/how-to/compare-two-tables.md").blocks if block.language == "toml")
         assert "ecology.duration_s = 6000.0" in tables and "replicates = 10" in tables
         (folder / "tables.toml").write_text(tables.replace("6000.0", "100.0").replace("replicates = 10", "replicates = 2"))
         run(ecology[0], "--sweep", "tables.toml", "--out", "runs/tables")
         run(str(PROGRAMS / "trophic"), "analyze", "runs/tables", "--metric", "velocity:predator", "attribution_caught", "--out", "analysis/tables")
-        for document in ("read-in-pandas", "a-null-for-my-metric"):
+        for document in ("read-in-pandas", "a-null-for-my-metric", "a-living-world"):
             for block in parse(ROOT / f"docs/how-to/{document}.md").blocks:
                 if block.language == "python" and PYTHON:
                     run(PYTHON, "-c", block.code)

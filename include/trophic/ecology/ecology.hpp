@@ -253,15 +253,9 @@ class Ecology final : public Simulation {
       if (!individual.lives()) continue;
       Rng rng{params_.seed, Stream::senescence, individual.id, static_cast<std::uint64_t>(tick_)};
       if (!death::ask::dies(rules_.senescence, states().senescence[body], individual, view(), rng)) continue;
-      replace_occupant(audience, {.body = body, .cause = ageing_cause(), .killer = {}, .successor = individual.species});
+      replace_occupant(
+          audience, {.body = body, .cause = death::ask::cause(rules_.senescence), .killer = {}, .successor = individual.species});
     }
-  }
-
-  /// The cause that the rule Senescence names, `static constexpr std::string_view cause`.
-  [[nodiscard]] static Cause ageing_cause() {
-    using Rule = AnswersForSpecies<PolicyIn<Rules, RuleSlot::senescence>>;
-    if constexpr (requires { Rule::cause; }) return cause_named(Rule::cause);
-    return Cause::senescence;
   }
 
   /// Deaths of hunger by the rule Metabolism.
@@ -271,7 +265,7 @@ class Ecology final : public Simulation {
     for (BodyIndex body = 0; body < population_.individuals().size(); ++body) {
       const Individual& self = population_[body];
       if (!self.lives() || self.id >= first_newborn || !population_.economy().starves(self, body, view())) continue;
-      replace_occupant(audience, {.body = body, .cause = Cause::starved, .killer = {}, .successor = self.species});
+      replace_occupant(audience, {.body = body, .cause = Cause::starved, .killer = {}, .successor = {}});
     }
   }
 

@@ -3,7 +3,7 @@
 
 #include <support/temporary_folder.hpp>
 #include <tools/reading/csv_reader.hpp>
-#include <trophic/population/individual.hpp>
+#include <trophic/observe/event.hpp>
 
 using namespace trophic;
 using analysis::CsvReader;
@@ -12,7 +12,7 @@ using test::TemporaryFolder;
 
 TEST_CASE("columns are found by name, in the order asked for") {
   const TemporaryFolder folder;
-  CsvReader csv{folder.file("t.csv", "a,b,c\n1,2.5,caught\r\n-3,,x\n"), {"c", "a", "b"}};
+  CsvReader csv{folder.file("t.csv", "a,b,c\n1,2.5,caught\r\n-3,,?\n"), {"c", "a", "b"}};
   REQUIRE(csv.next());
   CHECK(csv.get<Cause>(0) == Cause::caught);
   CHECK(csv.get<int>(1) == 1);
@@ -21,8 +21,9 @@ TEST_CASE("columns are found by name, in the order asked for") {
   CHECK(csv.get<int>(1) == -3);
   CHECK_FALSE(csv.get_optional<double>(2));
   CHECK(message_of<std::runtime_error>([&] {
-          static_cast<void>(csv.get<Cause>(0));
-        }).ends_with("t.csv:3: c = \"x\": must be one of the names that the program writes"));
+          static_cast<void>(csv.get<observe::EventKind>(0));
+        }).ends_with("t.csv:3: c = \"?\": must be one of the names that the program writes"));
+  CHECK(message_of<std::runtime_error>([&] { static_cast<void>(csv.get<Cause>(0)); }).ends_with("must be the name of a cause"));
   CHECK_THROWS_AS(static_cast<void>(csv.get<std::uint64_t>(1)), std::runtime_error);
   CHECK_FALSE(csv.next());
   CHECK_FALSE(csv.truncated());

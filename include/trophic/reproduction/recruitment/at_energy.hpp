@@ -7,8 +7,8 @@
 namespace trophic::reproduction::recruitment {
 
 /// Rule: an active individual with at least `birth` energy has an offspring of its species next to it and hands over `share` of
-/// its energy. The dead have no successor. `spare_bodies` start without an individual. All parameters are free.   Reads:
-/// energies, activity.   Random draws: 0.
+/// its energy, the oldest first. The dead have no successor. `spare_bodies` start without an individual. All parameters are free.
+/// Reads: energies, activity.   Random draws: 0.
 struct AtEnergy {
   static constexpr std::string_view name = "at_energy";
   static constexpr std::string_view source = "not in the paper; as in Polyworld [yaeger1994]";
@@ -33,6 +33,7 @@ struct AtEnergy {
       if (!one.lives() || !one.active || one.energy_J < params.birth_J) continue;
       births.push_back({.species = one.species, .parents = {one.as_ancestor()}, .endowment_J = params.share * one.energy_J});
     }
+    std::ranges::sort(births, {}, [](const Recruit& birth) { return birth.parents.front().id; });
     return births;
   }
 };
