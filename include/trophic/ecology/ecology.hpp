@@ -310,7 +310,7 @@ class Ecology final : public Simulation {
       detail::check_recruit(web_, habitat_.arena, recruit,
                             [&](const Ancestor& parent) { return population_.misfit(parent.genome.get()); });
       while (spare < population_.individuals().size() && population_[spare].lives()) ++spare;
-      const bool has_body = spare < population_.individuals().size();
+      const bool has_body = spare < population_.individuals().size() && population_.can_endow(recruit);
       const auto place = recruit.place || !has_body ? recruit.place : place_of_birth(recruit.parents);
       if (!has_body || !place) {
         ++refused_births_;

@@ -47,10 +47,11 @@ class Economy {
   }
 
   /// The energy of a newborn from its living parents, in equal parts. Throws RuleError if one has less than its part.
-  void endow(Individual& newborn, double energy_J, std::span<Individual* const> parents) {
+  void endow(Individual& newborn, double energy_J, std::span<Individual> robots, std::span<const BodyIndex> parents) {
     if constexpr (has_energy) {
       const double part_J = energy_J / static_cast<double>(parents.size());
-      for (Individual* parent : parents) {
+      for (const BodyIndex body : parents) {
+        Individual* const parent = &robots[body];
         if (!(part_J >= 0.0 && part_J <= std::max(parent->energy_J, 0.0))) {
           throw RuleError{"recruitment", "endowment_J = " + number_text(energy_J) + " from " + std::to_string(parents.size()) +
                                              " parents: must be >= 0, and individual " + std::to_string(parent->id) + " has " +

@@ -231,10 +231,18 @@ class Population {
   /// The demand of the table's brain that a genome violates, "a genome of 15 weights"; none if it fits.
   [[nodiscard]] std::optional<std::string> misfit(const Genome* genome) const { return brains_.misfit(genome); }
 
-  /// The body and the gait in each body, also a spare one; empty if all have the habitat's.
+  /// The body and the gait in each body; empty if all have the habitat's.
   [[nodiscard]] std::span<const Phenotype> phenotypes() const { return phenotypes_.all(); }
   /// The number of mutations of bodies that were refused.
   [[nodiscard]] std::uint64_t refused_bodies() const { return phenotypes_.refused(); }
+
+  /// Whether the living parents of a birth have the energy that it hands over, in equal parts.
+  [[nodiscard]] bool can_endow(const reproduction::Recruit& recruit) const {
+    const std::vector<BodyIndex> living = bodies_of(recruit.parents);
+    if (!Economy<Rules>::has_energy || living.empty()) return true;
+    const double part_J = recruit.endowment_J / static_cast<double>(living.size());
+    return std::ranges::all_of(living, [&](BodyIndex body) { return part_J <= std::max(individuals_[body].energy_J, 0.0); });
+  }
 
   /// Takes the individual out of a body, which is spare from then on.
   void vacate(BodyIndex body) {
@@ -287,9 +295,7 @@ class Population {
   /// Gives a newborn its energy.
   void endow(Individual& born, double endowment_J, std::span<const BodyIndex> living) {
     if (endowment_J == 0.0 || living.empty()) return economy_.endow_from_outside(born);
-    std::vector<Individual*> parents;
-    for (const BodyIndex body : living) parents.push_back(&individuals_[body]);
-    economy_.endow(born, endowment_J, parents);
+    economy_.endow(born, endowment_J, individuals_, living);
   }
 
   /// A body's species, tag or activity changed.
