@@ -3,7 +3,8 @@
 #include <trophic/experiment.hpp>
 
 #include "worlds/pond.hpp"
+#include "worlds/wolf_sheep.hpp"
 
 int main(int argc, char** argv) {
-  return trophic::experiment<trophic::worlds::Pond>(argc, argv);
+  return trophic::experiment<trophic::worlds::Pond, trophic::worlds::WolfSheep>(argc, argv);
 }

@@ -104,6 +104,12 @@ class Economy {
       eater.energy_J += meal_J;
       flows_[eater.species].victims_J += meal_J;
       flows_[eaten.species].eaten_J += meal_J;
+      if constexpr (requires { rule_of(eater).bonus_J(hunter, victim, view); }) {
+        const double bonus_J = rule_of(eater).bonus_J(hunter, victim, view);
+        check("bonus_J", bonus_J, 0.0, std::numeric_limits<double>::max());
+        eater.energy_J += bonus_J;
+        flows_[eater.species].outside_J += bonus_J;
+      }
     }
   }
 

@@ -29,7 +29,7 @@ struct EnergyRow {
                       column("tick", &EnergyRow::tick, "", "number of the decision step; 0 at the start"),
                       species_column("species", &EnergyRow::species, "the species"),
                       column("individuals", &EnergyRow::individuals, "", "that live"),
-                      column("outside_J", &EnergyRow::outside_J, "J", "of founders and newcomers, whom no parent endows"),
+                      column("outside_J", &EnergyRow::outside_J, "J", "of founders and newcomers, whom no parent endows, and bonuses of catches"),
                       column("field_J", &EnergyRow::field_J, "J", "taken from the resource"),
                       column("victims_J", &EnergyRow::victims_J, "J", "got of those that it caught"),
                       column("received_J", &EnergyRow::received_J, "J", "of newborns, from their parents"),

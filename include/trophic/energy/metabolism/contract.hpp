@@ -21,6 +21,8 @@ namespace trophic::energy {
 /// - `bite_J(self, there_J, view)`: returns what it takes of the there_J in its cell of the resource, >= 0 and at most there_J;
 ///   asked once a tick, after upkeep, in random order, in a table with a rule Resource
 /// - `meal_J(hunter, victim, view)`: returns what a hunter gets of what its victim has, >= 0 and at most that; the rest is lost
+/// - optional: `bonus_J(hunter, victim, view)`: returns what a hunter gets from outside at a catch, >= 0, as in worlds without a
+/// budget
 /// - `starves(self, view)`: returns whether an individual dies of hunger (Cause::starved); asked after bites and catches
 ///
 /// A newborn's endowment is part of its birth: Recruit::endowment_J of the rule Recruitment.
