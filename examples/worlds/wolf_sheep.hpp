@@ -77,7 +77,7 @@ struct OnItsPatch {
   [[nodiscard]] std::vector<death::Capture> captures(const View& view, Rng& rng) const {
     std::vector<std::vector<BodyIndex>> sheep(view.field->cells());
     std::vector<BodyIndex> wolves;
-    for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+    for (BodyIndex body = 0; view.tick > 0 && body < view.robots.size(); ++body) {
       if (view.robots[body].species == 0) sheep[view.field->cell_at(view.poses[body])].push_back(body);
       if (view.robots[body].species == 1) wolves.push_back(body);
     }

@@ -3,6 +3,7 @@
 #include <tools/command/backends.hpp>
 #include <tools/command/words.hpp>
 #include <trophic/backend/kinematic.hpp>
+#include <trophic/backend/torus.hpp>
 // CMake defines these for the engines that it found.
 #ifdef TROPHIC_WITH_MUJOCO
 #include <trophic/backend/mujoco.hpp>
@@ -27,6 +28,7 @@ constexpr std::array known_engines{Engine{"mujoco", "libmujoco-dev libgl-dev lib
 std::vector<BackendChoice> built_backends() {
   return {
       backend::Kinematic::Params{},
+      backend::Torus::Params{},
 #ifdef TROPHIC_WITH_MUJOCO
       backend::Mujoco::Params{},
 #endif

@@ -19,11 +19,9 @@ class Decisions {
   Decisions(const EcologyParams& params, const Policies<Rules>& rules, std::uint64_t seed, Population<Rules>& population)
       : params_{params}, rules_{rules}, seed_{seed}, population_{population} {}
 
-  /// Unless robots decide in turn, all perceive the same moment: all decisions are made before the first tag changes. `view()`
-  /// returns the world as it is now.
-  template <class ViewNow>
-  void make(observe::Audience& audience, const ViewNow& view) {
-    const View now = view();
+  /// Unless robots decide in turn, all perceive the same moment: all decisions are made before the first tag changes. `now`
+  /// refers to the individuals, so it shows each change at once.
+  void make(observe::Audience& audience, const View& now) {
     const Moment<Rules> moment{rules_, population_, seed_, now};
     const auto common = rules_.sensors.sense_common(now);
     choices_.clear();
@@ -32,26 +30,24 @@ class Decisions {
     for (BodyIndex body = 0; body < population_.individuals().size(); ++body) {
       choices_.push_back(population_[body].lives() ? moment.choice(body, common, params_.without_target, is_observed)
                                                    : Choice<Rules>{});
-      if (in_turn) act(audience, body, choices_[body], view);
+      if (in_turn) act(audience, body, choices_[body], now);
     }
     if (in_turn) return;
-    for (BodyIndex body = 0; body < population_.individuals().size(); ++body) act(audience, body, choices_[body], view);
+    for (BodyIndex body = 0; body < population_.individuals().size(); ++body) act(audience, body, choices_[body], now);
   }
 
  private:
-  template <class ViewNow>
-  void act(observe::Audience& audience, BodyIndex body, const Choice<Rules>& choice, const ViewNow& view) {
+  void act(observe::Audience& audience, BodyIndex body, const Choice<Rules>& choice, const View& now) {
     if (!population_[body].lives()) return;
-    population_.sight(body, choice.sighting, view());
+    population_.sight(body, choice.sighting, now);
     if (!choice.decision) return;
     const Individual& self = population_[body];
     const int tag_before = self.tag;
     population_.turn(body, choice.decision->target_angle_rad);
     using perception::MaySwitch;
-    const MaySwitch may_switch =
-        perception::ask::may_switch(rules_.tag_switch, population_.states().tag_switch[body], self, view());
+    const MaySwitch may_switch = perception::ask::may_switch(rules_.tag_switch, population_.states().tag_switch[body], self, now);
     if (may_switch != MaySwitch::no) {
-      show_tag(audience, body, choice.decision->tag, may_switch == MaySwitch::yes_and_clock_restarts, view);
+      show_tag(audience, body, choice.decision->tag, may_switch == MaySwitch::yes_and_clock_restarts, now);
     }
     audience.decision({.body = body,
                        .inputs = choice.inputs,
@@ -60,19 +56,18 @@ class Decisions {
                        .tag = choice.decision->tag,
                        .tag_before = tag_before,
                        .might_switch = may_switch != MaySwitch::no},
-                      view());
+                      now);
   }
 
-  template <class ViewNow>
-  void show_tag(observe::Audience& audience, BodyIndex body, int tag, bool restarts_clock, const ViewNow& view) {
+  void show_tag(observe::Audience& audience, BodyIndex body, int tag, bool restarts_clock, const View& now) {
     const bool switched = tag != population_[body].tag;
     population_.show_tag(body, tag);
-    if (switched || restarts_clock) population_.restart_tag_clock(body, view().time_s);
+    if (switched || restarts_clock) population_.restart_tag_clock(body, now.time_s);
     if (!switched) return;
     audience.event(
         observe::Event{
             .kind = observe::EventKind::tag_switch, .body = body, .individual = population_[body], .cause = {}, .other = {}},
-        view());
+        now);
   }
 
   const EcologyParams& params_;

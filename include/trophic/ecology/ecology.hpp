@@ -177,7 +177,7 @@ class Ecology final : public Simulation {
       minimum_predators(audience);
       recruit(audience);
     }
-    if (rules_act) decisions_.make(audience, [this] { return view(); });
+    if (rules_act) decisions_.make(audience, view());
     audience.tick(view());
   }
 
