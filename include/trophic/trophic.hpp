@@ -7,6 +7,7 @@
 #include <trophic/backend/clusters.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/start_pose.hpp>
+#include <trophic/backend/torus.hpp>
 #include <trophic/backend/with_engine.hpp>
 #include <trophic/control/brain/cognitive_brain_with_biases.hpp>
 #include <trophic/control/brain/feed_forward_brain.hpp>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <numbers>
 #include <support/hand_population.hpp>
 #include <trophic/backend/torus.hpp>
 

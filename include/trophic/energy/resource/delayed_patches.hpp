@@ -7,9 +7,9 @@
 
 namespace trophic::energy::resource {
 
-/// Rule: a patch, one cell, holds `patch` or nothing; once something is bitten off it is bare, and full again `delay_ticks` later.
-/// At the start `grown` of the patches are full, the others bare for a random part of the delay, as in NetLogo's wolf sheep
-/// predation [wilensky1997]. All parameters are free.   Reads: nothing.   Random draws: two for each cell at the start.
+/// Rule: a patch, one cell, holds `patch` or nothing; once something is bitten off it is bare, and full again `delay_ticks`
+/// later. At the start `grown` of the patches are full, the others bare for a random part of the delay, as in NetLogo's wolf
+/// sheep predation [wilensky1997]. All parameters are free.   Reads: nothing.   Random draws: two for each cell at the start.
 struct DelayedPatches {
   static constexpr std::string_view name = "delayed_patches";
   static constexpr std::string_view source = "not in the paper; [wilensky1997]";
