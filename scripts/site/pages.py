@@ -81,7 +81,7 @@ def converted(root: pathlib.Path, path: str, names: set[str], images: pathlib.Pa
         spans: list[str] = []
 
         def keep(match: re.Match) -> str:
-            spans.append(match[0])
+            spans.append(f"`{match[0]}`" if "'" in match[0] else match[0])  # Doxygen ends a span of one backtick at a quote
             return f"\x00{len(spans) - 1}\x00"
 
         text = re.sub(r"`[^`]*`", keep, text)
