@@ -8,9 +8,10 @@
 namespace trophic::analysis {
 
 /// The forest in which the parent of each individual that has one is drawn among those of its species that are alive just before
-/// its birth and after its tick's deaths; if there are none, it keeps its parent. Each offspring's weights are those of its new
-/// parent plus the same mutation: the difference between its weights and its parent's. Roots keep their weights. So births,
-/// deaths, random newcomers and mutations are the run's, and no genome has more offspring for what it does.
+/// its birth and after its tick's deaths; if there are none, it keeps its parent. Genomes of roots are permuted among the
+/// founders of a species, and among its later roots. Each offspring's weights are those of its new parent plus the mutation of
+/// another offspring of its species, also permuted. So births, deaths and the numbers of newcomers are the run's, and no genome
+/// lives longer or has more offspring for what it does.
 [[nodiscard]] Forest drift_of(const Forest& forest, Rng& rng);
 
 }  // namespace trophic::analysis

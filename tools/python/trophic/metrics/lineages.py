@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Lineage measures of a run, each with the same measure under drift: in forests in which the run's births, deaths, newcomers and mutations have
-parents by chance, so that no genome has more offspring for what it does.
+"""Lineage measures of a run, each with the same measure under drift: in forests in which the run's births and deaths have parents, newcomers'
+genomes and mutations by chance, so that no genome lives longer or has more offspring for what it does.
 
-The types and the complexity of genomes, and the parents under drift, are in signatures.csv, which `trophic analyze` writes with the brain of the
+The types and the complexity of genomes, and the forests of drift, are in signatures.csv, which `trophic analyze` writes with the brain of the
 run's rule table."""
 from __future__ import annotations
 
