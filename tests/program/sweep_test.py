@@ -394,6 +394,7 @@ class Refusals(Sweeps):
             "[grid]\nrules.capture.reach_m = [1.0, 1]\n": "cell 1 (rules.capture.reach_m=1): is the same experiment as cell 0",
             "[set]\necology.robots = 0\n[grid]\nrules.capture.reach_m = [1.0]\n": "ecology.robots = 0: must be",
             "[grid]\n": "[grid]: is empty",
+            "neutral = true\n[grid]\nrules.capture.reach_m = [1.0]\n": "neutral: a sweep makes no neutral nulls; run a cell's settings with",
         }.items():
             self.write("bad.toml", "engine = \"kinematic\"\n" + text if "engine" not in text else text)
             self.assertIn(says, self.refused(file="bad.toml"), text)

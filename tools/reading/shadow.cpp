@@ -6,10 +6,10 @@
 
 namespace trophic::analysis {
 
-std::vector<std::filesystem::path> shadow_folders(std::span<const std::filesystem::path> paths) {
+std::vector<std::filesystem::path> null_folders(std::span<const std::filesystem::path> paths, Null null) {
   std::vector<std::filesystem::path> found;
   for (const std::filesystem::path& path : paths) {
-    if (std::filesystem::is_directory(path / "shadow")) found.push_back(path / "shadow");
+    if (std::filesystem::is_directory(path / enum_name(null))) found.push_back(path / enum_name(null));
   }
   return found;
 }

@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 #include <tools/reading/run_manifest.hpp>
+#include <trophic/population/null.hpp>
 #include <vector>
 
 namespace trophic::analysis {
@@ -14,8 +15,8 @@ namespace trophic::analysis {
 inline constexpr std::string_view shadow_slot = "heredity";
 inline constexpr std::string_view shadow_policy = "nothing_inherited";
 
-/// The folders PATH/shadow that exist, into which --shadow put the shadows of these runs.
-[[nodiscard]] std::vector<std::filesystem::path> shadow_folders(std::span<const std::filesystem::path> paths);
+/// The folders PATH/shadow or PATH/neutral that exist, into which --shadow and --neutral put the nulls of these runs.
+[[nodiscard]] std::vector<std::filesystem::path> null_folders(std::span<const std::filesystem::path> paths, Null null);
 
 /// Throws std::invalid_argument, naming both runs and what differs, unless `shadow` is a run of the same rules, parameters,
 /// engine and duration as `ours` with nothing inherited. Seeds may differ. With `any_parent` the rule in slot Parent may differ

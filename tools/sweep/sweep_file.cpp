@@ -138,6 +138,9 @@ inline void check(const SweepFile& sweep) {
 inline void check_keys(const toml::table& table, const ParamRefs& params) {
   std::vector<std::string> known{"set", "grid", "zip", "runs", "rule_table", "engine"};
   for (const ParamRef& param : params) known.push_back(param.path);
+  if (table.contains("neutral")) {
+    throw std::invalid_argument{"neutral: a sweep makes no neutral nulls; run a cell's settings with --replicates and --neutral"};
+  }
   for (const auto& [key, node] : table) {
     const auto nearest = command::nearest_word(key.str(), known);
     if (!nearest) continue;

@@ -102,7 +102,7 @@ void append_distances(const std::filesystem::path& folder, std::string& rows) {
 
 void write_signatures(const std::filesystem::path& file, const AnalysedRuns& runs, const Offer& offer, std::size_t jobs) {
   using namespace detail::tables;
-  const auto shadows = runs.shadow ? std::vector{*runs.shadow} : analysis::shadow_folders(runs.folders);
+  const auto shadows = runs.shadow ? std::vector{*runs.shadow} : analysis::null_folders(runs.folders, Null::shadow);
   std::vector<RunManifest> all = analysis::pooled_runs(runs.folders, false, runs.any_build).manifests;
   std::vector<RunManifest> met{all.front()};
   if (!shadows.empty()) {
@@ -110,6 +110,9 @@ void write_signatures(const std::filesystem::path& file, const AnalysedRuns& run
     analysis::check_shadow(all.front(), shadow.front());
     met.push_back(shadow.front());
     all.insert(all.end(), shadow.begin(), shadow.end());
+  }
+  if (const auto folders = analysis::null_folders(runs.folders, Null::neutral); !folders.empty()) {
+    std::ranges::move(analysis::pooled_runs(folders, false, runs.any_build).manifests, std::back_inserter(all));
   }
   for (const RunManifest& run : all) analysis::check_lineages(run);
   const analysis::Decide brain = brain_of(all.front(), offer);

@@ -22,7 +22,7 @@ struct SignatureRow {
     using io::column;
     using Row = SignatureRow;
     return std::tuple{column("run", &Row::run, "", "folder of the run"),
-                      column("forest", &Row::forest, "", "0: the run; 1 to 4: parents by chance, see drift_of"),
+                      column("forest", &Row::forest, "", "0: the run; 1 to 4: parents and genomes by chance, see drift_of"),
                       column("id", &Row::id, "", "the individual"),
                       column("parent", &Row::parent, "", "its parent in this forest; a root's is its own id"),
                       column("type", &Row::type, "", "equal for genomes of a run whose brains decide alike"),
@@ -52,7 +52,7 @@ struct AnalysedRuns {
   bool any_build = false;                            ///< several builds of a program may have made the runs
 };
 
-/// Writes signatures.csv of runs and their shadow into a new file, `jobs` runs at a time. Types have up to 24 inputs that the
+/// Writes signatures.csv of runs and their nulls into a new file, `jobs` runs at a time. Types have up to 24 inputs that the
 /// brains met in the first run and in the first one of the shadow. Throws std::invalid_argument, a sentence that names the file,
 /// if the runs may not be pooled, lack a table, or have another rule table than `offer`, and std::runtime_error if `file` cannot
 /// be written.

@@ -123,16 +123,16 @@ Command analyze(const std::string& program, const Offer& offer) {
       .name = "analyze",
       .about =
           "Measures runs: the paper's metrics with 95 % intervals over runs, next to its published values and their nulls. The "
-          "neutral shadow, runs in which nothing is inherited, is the null of every metric; it is found in RUNS/shadow. Each "
-          "cell "
-          "of a sweep is compared with one of them, corrected for the number of comparisons. Needs Python with pandas, scipy and "
-          "jinja2.",
+          "neutral shadow, runs in which nothing is inherited, is found in RUNS/shadow. Measures of genomes, bodies and brains "
+          "are "
+          "compared with the neutral null in RUNS/neutral, which --neutral makes, if there is one. Each cell of a sweep is "
+          "compared with one of them, corrected for the number of comparisons. Needs Python with pandas, scipy and jinja2.",
       .options =
           {{"runs", &options->runs,
             "folders of runs, or of replicates, pooled, so they must have one fingerprint; or one folder of a sweep"},
            {.name = "--compare",
             .target = &options->compare,
-            .help = "two such folders: the difference of every metric, raw and over their shadows",
+            .help = "two such folders: the difference of every metric, raw and over their nulls",
             .values = 2,
             .not_with = {"--shadow", "--published"}},
            {"--shadow", &options->shadow, "the runs' neutral shadow, if it is not in RUNS/shadow"},
@@ -148,7 +148,7 @@ Command analyze(const std::string& program, const Offer& offer) {
            {.name = "--lineages",
             .target = &options->lineages,
             .help = "measure lineages instead: change, novelty, ecology and complexity of what persists, evolutionary activity "
-                    "and descent, next to the shadow and to drift; docs/how-to/is-it-open-ended.md explains them",
+                    "and descent, next to their nulls; docs/how-to/is-it-open-ended.md explains them",
             .not_with = {"--published", "--until", "--compare", "--column", "--metric-file"}},
            {.name = "--window",
             .target = &options->window_s,
@@ -157,7 +157,7 @@ Command analyze(const std::string& program, const Offer& offer) {
            {.name = "--bodies",
             .target = &options->bodies,
             .help = "measure bodies instead: shape, size, number of plans, genes of gaits and brains, and how fast robots walk; "
-                    "for survival alone, --compare with runs whose parents are drawn at random",
+                    "selection needs the neutral null of the runs (--neutral)",
             .not_with = {"--published", "--lineages"}},
            {.name = "--selection",
             .target = &options->selection,

@@ -72,9 +72,9 @@ def of_table(text: str) -> Output:
     for row in slices(lines[start:end], headings):
         if not row["metric"].startswith(("= ", "* ")) and row["ours - null [95 %]"] == "" and not _is_reference(row["metric"]):
             title, same = row["metric"], row["conclusion"].startswith("tested as")
-        elif row["metric"].startswith("= "):
+        elif row["metric"].startswith("= ") or row["metric"] == "shadow":  # a reference next to a neutral null
             conclusion = "same" if same else row["conclusion"].split(",")[0]
-            claims.append(Claim(label, title, row["metric"][2:], row["ours - null [95 %]"], row["p"], conclusion))
+            claims.append(Claim(label, title, row["metric"].removeprefix("= ").removesuffix(" null"), row["ours - null [95 %]"], row["p"], conclusion))
     return Output(claims, counts_in(text), findings_in(text), [label])
 
 
@@ -159,7 +159,7 @@ def of_latex(text: str) -> Output:
         if len(cells) != 6 or cells[0] == "metric":
             continue
         title, _, null = cells[0].removesuffix(")").partition(" (null: ")
-        claims.append(Claim("", title if null else cells[0], null or "shadow", cells[3], "" if cells[4] == "--" else cells[4], ""))
+        claims.append(Claim("", title if null else cells[0], null.removesuffix(" null") or "shadow", cells[3], "" if cells[4] == "--" else cells[4], ""))
     return Output(claims, counts_in(text), [], re.findall(r"(?:^%(?: a:)?|; b:) ([^%\n]*?) on kinematic", text, re.MULTILINE))
 
 
@@ -181,8 +181,8 @@ def of_json(text: str, title_of, reading_of) -> Output:
     for one in content["sets"]:
         for metric in one["metrics"]:
             for baseline in metric["baselines"]:
-                if baseline["role"] == "null":
-                    add(one["set"], metric, baseline["name"], baseline, "difference")
+                if baseline["role"] == "null" or baseline["name"] == "shadow":  # a reference next to a neutral null
+                    add(one["set"], metric, baseline["name"], {**baseline, "conclusion": baseline["conclusion"] or "not compared"}, "difference")
     for metric in content.get("differences", []):
         for kind in ("over_shadow", "raw"):
             if metric[kind]["value"] is not None:

@@ -106,7 +106,7 @@ def check_findings(outcome, truth):
 
 # Sets of simulated values, in which much is significant
 
-def simulated(seed, shift, label="paper", count=8, species=("prey", "predator"), shadow=True):
+def simulated(seed, shift, label="paper", count=8, species=("prey", "predator"), shadow=True, neutral=False):
     rng = numpy.random.default_rng(seed)
     prey, predator = species
     names = [metric("velocity", one, group) for one in species for group in ("all", "inherited", "active")] + [metric("velocity_points", one) for one in species]
@@ -118,7 +118,10 @@ def simulated(seed, shift, label="paper", count=8, species=("prey", "predator"),
     ours[metric("hunger", predator)] = [1.0] * count
     own = {(tags, "permuted_tags", "null"): list(rng.normal(0.2, 0.05, count)), (tags, "uniform_pairs", "paper"): [2 / 3] * count}
     null = {name: list(rng.normal(0.2, 0.05, len(values))) for name, values in ours.items()}
-    return set_of(ours, own, set_of(null, label=label) if shadow else None, label)
+    made = set_of(ours, own, set_of(null, label=label) if shadow else None, label)
+    if neutral:
+        made.neutral, made.inherited = set_of({name: values[1:] + values[:1] for name, values in null.items()}, label=label), frozenset({"stuck", "my_own_metric"})
+    return made
 
 
 def outcome_of(*sets):
@@ -127,7 +130,7 @@ def outcome_of(*sets):
 
 SIMULATED = {"strong": lambda: outcome_of(simulated(1, 0.4)), "negative": lambda: outcome_of(simulated(2, -0.3)), "weak": lambda: outcome_of(simulated(3, 0.06)),
              "nothing": lambda: outcome_of(simulated(4, 0.0)), "own species": lambda: outcome_of(simulated(5, 0.4, "forest", species=("grass", "wolf"))),
-             "no shadow": lambda: outcome_of(simulated(6, 0.4, shadow=False)), "five runs": lambda: outcome_of(simulated(7, 0.4, count=5)),
+             "neutral null": lambda: outcome_of(simulated(12, 0.4, neutral=True)), "no shadow": lambda: outcome_of(simulated(6, 0.4, shadow=False)), "five runs": lambda: outcome_of(simulated(7, 0.4, count=5)),
              "compared": lambda: outcome_of(simulated(8, 0.0), simulated(9, 0.5, "released")), "compared, equal": lambda: outcome_of(simulated(8, 0.1), simulated(9, 0.1, "released")),
              "compared raw": lambda: outcome_of(simulated(10, 0.0, shadow=False), simulated(11, 0.5, "mine, changed"))}
 
@@ -136,7 +139,7 @@ SIMULATED = {"strong": lambda: outcome_of(simulated(1, 0.4)), "negative": lambda
 def test_simulated_sets(name, tmp_path):
     outcome = SIMULATED[name]()
     check(outcome, tmp_path)
-    expected = {"strong": True, "negative": True, "own species": True, "compared": True, "compared raw": True, "five runs": False}
+    expected = {"strong": True, "neutral null": True, "negative": True, "own species": True, "compared": True, "compared raw": True, "five runs": False}
     if name in expected:
         assert (judge.count(outcome.answer).significant > 0) == expected[name]
     if name in ("strong", "nothing"):

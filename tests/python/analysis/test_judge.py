@@ -193,6 +193,40 @@ def test_findings_begin_with_the_papers_questions_then_go_by_strength():
     assert [f.metric.metric for f in findings_of(*sets)] == ["velocity", "attribution_caught", "wall_sticking", "tag_symmetry", "strong", "weak"]
 
 
+# The neutral null
+
+def with_neutral(label="paper", shift=0.01):
+    """Runs that inherit X, whose levels their repetitions share, in another order and without the last; Y is behaviour."""
+    levels = [0.2, 0.9, 0.5, 0.7, 0.3, 0.6, 0.4]
+    made = set_of({X: [level + shift for level in levels], Y: around(1.0, 7)}, shadow=set_of({X: around(0.9, 7), Y: around(0.8, 7)}), label=label)
+    made.neutral = set_of({X: levels[5::-1], Y: around(3.0, 6)})
+    made.neutral.runs = made.runs[5::-1]
+    made.inherited = frozenset({"x"})
+    return made
+
+
+def test_what_is_inherited_is_tested_against_the_neutral_null_paired_by_seed_and_all_else_against_the_shadow():
+    frame = judge.summarize(with_neutral())
+    assert list(zip(frame.metric, frame.null, frame.role)) == [("x", "shadow", "reference"), ("x", "neutral", "null"), ("y", "shadow", "null")]
+    neutral, shadow = row_of(frame, "neutral"), row_of(frame, metric="x")
+    assert (neutral.difference, neutral.difference_lower, neutral.null_n, neutral.conclusion, judge.runs_of(neutral)) == (approx(0.01), approx(0.01), 6, "above", "6")
+    assert (shadow.difference, shadow.conclusion) == (approx(0.5243 - 0.9 - 0.01 / 7, abs=1e-3), "not compared") and math.isnan(shadow.p_holm)
+    assert judge.count(frame).comparisons == 2
+    assert "X of prey is 0.52, 0.01 higher than in the neutral null" in re.sub(r"(\.\d\d)\d", r"\1", " ".join(one.sentence for one in judge.findings(frame)))
+    assert list(judge.with_nulls(frame).null) == ["shadow", "neutral", "shadow"]
+    assert judge.too_few(with_neutral()) == []
+
+
+def test_two_sets_are_compared_over_the_null_that_both_have():
+    a, b = with_neutral(), with_neutral("released", 0.05)
+    frame = judge.compare(a, b)
+    assert list(frame.compared) == ["over_neutral", "raw", "over_shadow", "raw"] and list(frame.role) == ["null", "", "null", ""]
+    assert (frame.difference[0], frame.lower[0]) == (approx(0.04), approx(0.04))
+    assert "X of prey is 0.040 higher in runs of released than in runs of paper, each over its neutral null" in judge.findings(frame)[0].sentence
+    b.neutral = None
+    assert list(judge.compare(a, b).compared) == ["over_shadow", "raw"] * 2
+
+
 @pytest.mark.parametrize("name, mean, null, sentence", [
     (metric("velocity"), -0.0069, -0.0024, r"Prey move away from predators at 0\.6. cm/s, 0\.4. cm/s faster than in the shadow \[0\.4., 0\.4.\] \(p <0\.001, 10\+10 runs\)\."),
     (metric("velocity", "predator", "inherited"), 0.01, 0.02, r"Inherited predators move towards prey at 1\.00 cm/s, 1\.0. cm/s slower than in the shadow \[.*"),

@@ -6,9 +6,11 @@ import pathlib
 
 import pytest
 from hand_written import CATCH, NONE, WALK, robot, sum_of, write_run, write_set
-from trophic import pool
-from trophic.metrics import AGENTS, EVENTS, Measuring
-from trophic.runs import RunError
+from trophic import metrics, pool
+from trophic.description import describe
+from trophic.metrics import AGENTS, EVENTS, Measuring, own
+from trophic.runs import RunError, read_runs, read_study
+from trophic.words import NO_NEUTRAL
 
 
 @pytest.fixture(autouse=True)
@@ -143,6 +145,24 @@ def test_the_shadow_in_the_folder_is_found_and_another_can_be_named():
     shadow.manifest["rules"]["parent"] = "none"
     assert "rules/parent" in refusal(pool.check_shadow, run, shadow)
     pool.check_shadow(run, shadow, any_parent=True)
+
+
+def test_the_neutral_null_in_the_folder_is_found_and_one_of_other_rules_or_runs_is_refused():
+    of = own.own_metric(metrics.metric(lambda run: 1.0, name="genes", inherited=True))
+    write_set("set", 2)
+    found = pool.read_set(["set"], how=Measuring(jobs=1, functions=[of]))
+    assert found.inherited == {"genes"} and found.neutral is None and found.remarks == [f"set/replicate-00: {NO_NEUTRAL}"]
+    assert pool.read_set(["set"], how=Measuring(jobs=1)).remarks == []
+    write_set("set/neutral", 2, shadow=False, heredity="neutral_own_copy", fingerprint="cc")
+    found = pool.read_set(["set"], how=Measuring(jobs=1, functions=[of]))
+    assert list(found.nulls) == ["shadow", "neutral"] and found.remarks == [] and describe(found).facts()["runs"].endswith("2 of the shadow, 2 of the neutral null")
+    assert len(read_runs("set").neutral) == 2 and list(read_study(".")) == ["set"]
+    write_run("run", 5)
+    write_run("run/neutral", 6, heredity="neutral_own_copy")
+    assert refusal(pool.read_set, ["run"]) == "run/neutral: seed 6: must be that of a run that it repeats"
+    pathlib.Path("run/neutral").rename("gone")
+    write_run("run/neutral", 5)
+    assert refusal(pool.read_set, ["run"]) == "run/neutral: is not a neutral null of run: its rule in slot heredity is own_copy: must be neutral_own_copy"
 
 
 @pytest.mark.parametrize("entry, why", [

@@ -156,5 +156,5 @@ def test_runs_without_their_beginning_and_another_neutral_null_are_refused(tmp_p
         selection.analyse(["late"], ["agents.csv:tag"])
     write_set("runs", shadow=False)
     write_set(pathlib.Path("runs/neutral"), shadow=False)
-    with pytest.raises(RunError, match="runs/neutral/replicate-00: is not a neutral null of runs/replicate-00: heredity = own_copy"):
+    with pytest.raises(RunError, match="runs/neutral/replicate-00: is not a neutral null of runs/replicate-00: its rule in slot heredity is own_copy"):
         selection.analyse(["runs"], ["agents.csv:tag"])

@@ -14,9 +14,9 @@ using test::TemporaryFolder;
 TEST_CASE("shadow: run with a shadow in its folder -> found") {
   const TemporaryFolder folder;
   const auto run = run_of(folder.path() / "run", "copy");
-  CHECK(analysis::shadow_folders(std::vector{run}).empty());
+  CHECK(analysis::null_folders(std::vector{run}, Null::shadow).empty());
   const auto shadow = run_of(run / "shadow", "nothing_inherited");
-  CHECK(analysis::shadow_folders(std::vector{run}) == std::vector{shadow});
+  CHECK(analysis::null_folders(std::vector{run}, Null::shadow) == std::vector{shadow});
   CHECK_NOTHROW(analysis::check_shadow(analysis::read_manifest(run), analysis::read_manifest(shadow)));
 }
 

@@ -83,7 +83,7 @@ def read_study(folder: str | os.PathLike, jobs: int | None = None) -> list[Direc
 def _complete_runs(path: pathlib.Path) -> tuple[pool.PooledRun, pool.PooledRun | None]:
     """The first runs of a set and of its shadow, if there is one."""
     firsts: list[pool.PooledRun] = []
-    for folder in [path, *pool.shadow_folders([path])]:
+    for folder in [path, *pool.null_folders([path])]:
         found, remarks = pool.pooled_runs([folder], Measuring())
         for run in found:
             if not run.complete:

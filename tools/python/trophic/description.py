@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The one description of a set of runs: rule table, parameters, changes during the run, branch, engine, builds, replicates, length, shadow.
+"""The one description of a set of runs: rule table, parameters, changes during the run, branch, engine, builds, replicates, length, nulls.
 
 The program writes what it knows of a run's rules into the manifest (`identity`, `description`); terminal, page, tables and `trophic cite` print
 what stands here."""
@@ -38,6 +38,8 @@ class SetOfRuns(Protocol):
     def runs(self) -> Sequence[Any]: ...
     @property
     def shadow(self) -> Any: ...
+    @property
+    def neutral(self) -> Any: ...
 
 
 @dataclasses.dataclass(frozen=True)
@@ -62,6 +64,8 @@ class Description:
     replicates: int
     shadow: int
     """Runs of the neutral shadow; 0 without one."""
+    neutral: int
+    """Runs of the neutral null; 0 without one."""
     until_s: float
     """Simulated time, s."""
     whole_s: float
@@ -83,7 +87,8 @@ class Description:
 
     def facts(self) -> dict[str, str]:
         """(what, which) for cards and pages."""
-        facts = {"runs": self.length() + (f", {self.shadow} of the shadow" if self.shadow else ""), "rules": self.rules, "engine": self.engine}
+        nulls = [f", {count} of the {title}" for count, title in ((self.shadow, "shadow"), (self.neutral, "neutral null")) if count]
+        facts = {"runs": self.length() + "".join(nulls), "rules": self.rules, "engine": self.engine}
         facts["fingerprint"] = self.identity
         facts["program"] = f"trophic {', '.join(self.versions)}, {'builds' if len(self.builds) > 1 else 'build'} {' and '.join(self.builds) or 'unknown'}"
         return facts
@@ -109,7 +114,8 @@ def describe(of: SetOfRuns) -> Description:
                        changes=changes, begins=begins, identity=identity(first),
                        builds=tuple(sorted({build for run in of.runs for build in run.builds})),
                        versions=tuple(sorted({run.manifest.get("trophic", "unknown") for run in of.runs})),
-                       replicates=len(of.runs), shadow=len(of.shadow.runs) if of.shadow else 0, until_s=until_s, whole_s=whole_s)
+                       replicates=len(of.runs), **{name: len(its.runs) if (its := getattr(of, name)) else 0 for name in ("shadow", "neutral")},
+                       until_s=until_s, whole_s=whole_s)
 
 
 def distinct(labels: Sequence[str]) -> list[str]:

@@ -18,8 +18,8 @@ from .metrics import READINGS, chosen
 from .runs import RunError
 from .statistics import (MIN_RUNS_FOR_TEST, SIGNIFICANCE, Difference, adjust_together, contrast, difference_of, estimate, known, mean_of,
                          scatter_of)
-from .values import METRIC, SHADOW, MeasuredSet, Metric
-from .words import Reading, p_text
+from .values import METRIC, NEUTRAL, SHADOW, MeasuredSet, Metric
+from .words import NULLS, Reading, over_text, p_text
 
 NAN = float("nan")
 MOST_FINDINGS = 7
@@ -43,7 +43,7 @@ class Finding(NamedTuple):
     sentence: str
     metric: Metric
     baseline: str
-    """the null, or for two sets what was compared: over_shadow or raw"""
+    """the null, or for two sets what was compared: over_shadow, over_neutral or raw"""
     effect: float
     """ours - null, or b - a, in the metric's unit"""
     interval: tuple[float, float]
@@ -90,20 +90,23 @@ def repeated_values(values: dict[Metric, numpy.ndarray]) -> dict[Metric, Metric]
 # Frames
 
 def summarize(of: MeasuredSet, choices: Sequence[str] = ()) -> pandas.DataFrame:
-    """Each metric of a set next to each of its baselines, one row each, the shadow first; one row for a metric without a baseline.
+    """Each metric of a set next to each of its baselines, one row each, the nulls that are runs first; one row for a metric without a baseline.
 
     Columns: those of means.csv (docs/tables.md), of which `null` names any baseline; `role` of the baseline ("null" is tested against; "paper",
     "reference" and "" are not), `scatter` (deviation of the difference, of one run), `level` (what Bonferroni leaves to a comparison) and
     `conclusion`: above, below, inconclusive, too few runs, same, not compared. nan is what could not be computed.
 
+    A metric is tested against the null that answers for it (MeasuredSet.null_of). The shadow of what is inherited is a reference next to a neutral
+    null, with a difference that belongs to no family, as it needs no selection.
+
     Runs and shadows are independent sets (Welch). Runs and shadows of one seed are slightly alike (kinematic, 60 seeds, 41 metrics: correlation
     0.13 in the median, 0.47 at most), so that intervals are rather too wide. Pairing would gain that, and at ten runs lose as much in degrees of
-    freedom. A baseline that each run has of its own is paired by run. Runs without a value are left out of its mean. Raises RunError for a choice
-    that names no metric, and for a shadow of other metrics."""
-    if of.shadow is not None and of.shadow.metrics() != of.metrics():
-        raise RunError(f"{of.label}: runs with different food webs cannot be pooled or compared with a shadow")
+    freedom. A baseline that each run has of its own is paired by run, and so is the neutral null, which repeats each run. Runs without a value are
+    left out of its mean. Raises RunError for a choice that names no metric, and for a null of other metrics."""
+    if any(null.metrics() != of.metrics() for null in of.nulls.values()):
+        raise RunError(f"{of.label}: runs with different food webs cannot be pooled or compared with a null")
     wanted = chosen(of.metrics(), choices)
-    repeats = repeated(wanted, [of, *([of.shadow] if of.shadow else [])])
+    repeats = repeated(wanted, [of, *of.nulls.values()])
     has_published = published.applies_to(of)
     rows: list[dict[str, Any]] = []
     differences: list[Difference | None] = []
@@ -112,10 +115,9 @@ def summarize(of: MeasuredSet, choices: Sequence[str] = ()) -> pandas.DataFrame:
         row = {"set": of.label, **metric._asdict(), **_estimated(values), "published": published.value_of(metric) if has_published else None,
                "same_as": str(repeats.get(metric, ""))}
         baselines: list[tuple[str, str, numpy.ndarray, Difference | None]] = []
-        if of.shadow:
-            shadow = of.shadow.table[metric, ""]
-            against = difference_of(_sum((1.0, values), (-1.0, shadow)), contrast((-1.0, shadow), (1.0, values)), scatter_of(shadow, values))
-            baselines.append((SHADOW, "null", shadow, against))
+        for name in (name for name in of.nulls if name == SHADOW or metric.metric in of.inherited):
+            role = "null" if name == of.null_of(metric) else "reference"
+            baselines.append((name, role, of.null_values(metric, name), _difference(_over(of, metric, name))))
         for (other, name), role in of.roles.items():
             if other == metric:
                 paired = values - of.table[metric, name]
@@ -132,27 +134,27 @@ def compare(a: MeasuredSet, b: MeasuredSet, choices: Sequence[str] = ()) -> pand
 
     Columns: those of differences.csv (docs/tables.md), `set_a`, `set_b`, the deviations and intervals of both means, and as in `summarize` role,
     scatter, level and conclusion. If both sets have a shadow, the answer is the difference over the shadows, (b - its shadow) - (a - its shadow),
-    and the raw difference stands behind it: p values of these are corrected as a family of their own, which answers nothing. Raises
-    RunError for a choice that names no metric, and for sets without a common one."""
+    and of what is inherited over the neutral nulls, if both have one. The raw difference stands behind it: p values of these are corrected as a
+    family of their own, which answers nothing. Raises RunError for a choice that names no metric, and for sets without a common one."""
     both = [metric for metric in a.metrics() if (metric, "") in b.table]
     if not both:
         raise RunError(f"{a.label} and {b.label}: have no metric in common")
     wanted = chosen(both, choices)
-    repeats = repeated(wanted, [a, b, *(one.shadow for one in (a, b) if one.shadow)])
+    repeats = repeated(wanted, [a, b, *a.nulls.values(), *b.nulls.values()])
     rows: list[dict[str, Any]] = []
     differences: list[Difference | None] = []
     for metric in wanted:
         of_a, of_b = a.table[metric, ""], b.table[metric, ""]
         row = {"set_a": a.label, "set_b": b.label, **metric._asdict(), **_estimated(of_a, "_a"), **_estimated(of_b, "_b"),
                "same_as": str(repeats.get(metric, ""))}
-        if a.shadow and b.shadow:
-            null_a, null_b = a.shadow.baseline(metric, ""), b.shadow.baseline(metric, "")
-            over = ((-1.0, of_a), (1.0, null_a), (1.0, of_b), (-1.0, null_b))
-            if (value := _sum(*over)) is not None:
-                rows.append({**row, "compared": "over_shadow", "role": "null"})
-                differences.append(difference_of(value, contrast(*over), scatter_of(of_a, null_a, of_b, null_b)))
-        rows.append({**row, "compared": "raw", "role": "" if a.shadow and b.shadow else "null"})
-        differences.append(difference_of(_sum((-1.0, of_a), (1.0, of_b)), contrast((-1.0, of_a), (1.0, of_b)), scatter_of(of_a, of_b)))
+        null = a.null_of(metric) if a.null_of(metric) == b.null_of(metric) else SHADOW if a.shadow and b.shadow else ""
+        if null:
+            over = _difference([*_over(a, metric, null, -1.0), *_over(b, metric, null)])
+            if over.value is not None:
+                rows.append({**row, "compared": f"over_{null}", "role": "null"})
+                differences.append(over)
+        rows.append({**row, "compared": "raw", "role": "" if null else "null"})
+        differences.append(_difference([(-1.0, of_a), (1.0, of_b)]))
     return _judged(rows, differences, "lower", "upper")
 
 
@@ -160,6 +162,16 @@ def _estimated(values: numpy.ndarray, suffix: str = "") -> dict[str, Any]:
     n, mean, deviation, interval = estimate(values)
     named = {"n": n, "mean": mean, "deviation": deviation, "lower": interval and interval.lower, "upper": interval and interval.upper}
     return {name + suffix: value for name, value in named.items()}
+
+
+def _over(of: MeasuredSet, metric: Metric, null: str, sign: float = 1.0) -> list[tuple[float, numpy.ndarray]]:
+    """The difference of a set and a null, as weighted values of independent sets of runs."""
+    values, its = of.baseline(metric, ""), of.null_values(metric, null)
+    return [(sign, values - its)] if null == NEUTRAL else [(sign, values), (-sign, its)]
+
+
+def _difference(terms: list[tuple[float, numpy.ndarray]]) -> Difference:
+    return difference_of(_sum(*terms), contrast(*terms), scatter_of(*(values for _, values in terms)))
 
 
 def _sum(*terms: tuple[float, numpy.ndarray]) -> float | None:
@@ -174,9 +186,9 @@ def _sum(*terms: tuple[float, numpy.ndarray]) -> float | None:
 
 
 def _judged(rows: list[dict[str, Any]], differences: Sequence[Difference | None], lower: str, upper: str) -> pandas.DataFrame:
-    """The rows with their differences: corrects those with the role of a null that repeat no other, and concludes. Others are a family apart."""
-    for is_answer in (True, False):
-        adjust_together(one for row, one in zip(rows, differences) if one and (row["role"] == "null") == is_answer and not row["same_as"])
+    """The rows with their differences: corrects those with the role of a null that repeat no other, and concludes. Raw ones are a family apart."""
+    for role in ("null", ""):
+        adjust_together(one for row, one in zip(rows, differences) if one and row["role"] == role and not row["same_as"])
     for row, one in zip(rows, differences):
         one = one or Difference()
         row.update({"difference": one.value, lower: one.interval and one.interval.lower, upper: one.interval and one.interval.upper, "p": one.p,
@@ -202,6 +214,17 @@ def conclusions(p_holm: Any, difference: Any) -> numpy.ndarray:
     return numpy.where(numpy.asarray(p_holm, float) <= SIGNIFICANCE, numpy.where(numpy.asarray(difference, float) > 0.0, "above", "below"), "inconclusive")
 
 
+def with_nulls(frame: pandas.DataFrame) -> pandas.DataFrame:
+    """The rows of a frame of `summarize` next to a null, also one that is a reference; the first row of a metric without any, without its baseline."""
+    key = ["set", *METRIC]
+    is_null = (frame["role"] == "null") | frame["null"].isin(NULLS)
+    has_null = frame.assign(is_null=is_null).groupby(key, sort=False)["is_null"].transform("any")
+    table = frame[is_null | (~has_null & ~frame.duplicated(key))].copy()
+    alone = ~is_null[table.index]
+    table.loc[alone, "null"], table.loc[alone, "null_n"], table.loc[alone, "null_mean"] = "", 0, NAN
+    return table
+
+
 def count(frame: pandas.DataFrame) -> Count:
     """The size of a frame's family."""
     return Count(int((frame["p_holm"].notna() & (frame["role"] == "null")).sum()), int(frame["conclusion"].isin(("above", "below")).sum()))
@@ -215,9 +238,9 @@ def runs_of(row: Any) -> str:
 
 
 def too_few(of: MeasuredSet) -> list[str]:
-    """A sentence for a set, and one for its shadow, of too few runs for a test."""
+    """A sentence for a set, and one for each of its nulls, of too few runs for a test."""
     return [f"too few runs for a test: {MIN_RUNS_FOR_TEST} are needed, {one.label} has {len(one.runs)}"
-            for one in (of, of.shadow) if one and len(one.runs) < MIN_RUNS_FOR_TEST]
+            for one in (of, *of.nulls.values()) if len(one.runs) < MIN_RUNS_FOR_TEST]
 
 
 # Findings
@@ -237,7 +260,7 @@ def _fact(row: Any) -> tuple[str, str]:
 
 def _plainness(row: Any) -> tuple:
     group = _GROUPS.index(row.group) if row.group in _GROUPS else len(_GROUPS)
-    return _MEASURES.get(row.metric, (9, "", 0))[2], group, getattr(row, "null", SHADOW) != SHADOW
+    return _MEASURES.get(row.metric, (9, "", 0))[2], group, getattr(row, "null", SHADOW) not in NULLS
 
 
 def facts(frame: pandas.DataFrame, conclusions: Sequence[str]) -> list[Any]:
@@ -284,7 +307,7 @@ def _finding(row: Any) -> Finding:
 # Words
 
 _WHO = {"prey": "prey", "predator": "predators", "all": "robots", "": ""}
-_NULLS = {SHADOW: "in the shadow", "permuted_tags": "with permuted tags", "drift": "under drift"}
+_NULLS = {**{name: f"in the {title}" for name, title in NULLS.items()}, "permuted_tags": "with permuted tags", "drift": "under drift"}
 _NOUNS = {"velocity": "the velocity of {who} towards their adversaries", "velocity_stored": "the velocity of {who} towards their stored adversaries",
           "velocity_points": "the velocity of {who} towards their adversaries, every 200 s,",
           "attribution_credited": "the share of deaths of their prey that are credited to inherited {who}",
@@ -357,7 +380,7 @@ def _sentence(metric: Metric, row: Any) -> str:
 def _difference_sentence(metric: Metric, row: Any) -> str:
     size, interval = _magnitude(metric, row.difference, row.lower, row.upper)
     noun = noun_of(metric)
-    over = ", each over its shadow" if row.compared == "over_shadow" else ""
+    over = "" if row.compared == "raw" else f", each {over_text(row.compared).replace('the', 'its')}"
     side = "higher" if row.difference > 0.0 else "lower"
     return (f"{noun[0].upper()}{noun[1:]} is {size} {side} in runs of {row.set_b} than in runs of {row.set_a}{over} {interval} "
             f"(p {p_text(row.p_holm)}, {runs_of(row)} runs).")

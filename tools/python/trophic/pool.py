@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Sets of runs: the folders that may be pooled, and why others may not; their shadows; and the tables of a run."""
+"""Sets of runs: the folders that may be pooled, and why others may not; their nulls; and the tables of a run."""
 from __future__ import annotations
 
 import concurrent.futures
@@ -22,8 +22,8 @@ from . import metrics, runs
 from .description import changes_of, describe
 from .metrics import Measuring, Web, bodies, own
 from .runs import Run, RunError
-from .values import MeasuredSet, RunValues
-from .words import number_text
+from .values import NEUTRAL, SHADOW, MeasuredSet, RunValues
+from .words import NO_NEUTRAL, NULLS, number_text
 
 SHADOW_SLOT, SHADOW_POLICY = "heredity", "nothing_inherited"
 """The slot in which a table and its shadow differ, and the policy that the shadow has there."""
@@ -132,39 +132,54 @@ class PooledRun(Run):
 
 
 def read_set(paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | None = None, how: Measuring | None = None) -> MeasuredSet:
-    """Reads and measures runs that may be pooled, and their neutral shadow: the one named, or else what is in the folders PATH/shadow.
+    """Reads and measures runs that may be pooled, and their nulls: the shadow named, or else what is in the folders PATH/shadow, and the neutral
+    null in PATH/neutral.
 
-    Raises RunError before anything is measured for runs that are not replicates, a shadow that is not one, an own column that a run lacks, a
+    Raises RunError before anything is measured for runs that are not replicates, a null that is not theirs, an own column that a run lacks, a
     name that is taken, and a choice that names no metric; and for a run that cannot be read."""
     how = how or Measuring()
-    folders = [pathlib.Path(path) for path in paths]
-    pooled, remarks = pooled_runs(folders, how)
-    shadows = [pathlib.Path(shadow)] if shadow is not None else shadow_folders(folders)
-    its_pooled, its_remarks = pooled_runs(shadows, how) if shadows else ([], [])
-    if its_pooled:
-        check_shadow(pooled[0], its_pooled[0])
-        if pooled[0].builds != its_pooled[0].builds and not how.accept_other_build:
-            raise RunError(f"{its_pooled[0].path}: made by {builds_text(its_pooled[0].builds)}: must be made by {builds_text(pooled[0].builds)}, as "
-                           f"{pooled[0].path} (--accept-other-build takes it)")
-    for run in [*pooled, *its_pooled]:
+    (pooled, remarks), nulls = pooled_sets(paths, shadow, how)
+    every = [*pooled, *(run for its_runs, _ in nulls.values() for run in its_runs)]
+    shipped = metrics.names(pooled[0], how)
+    inherited = metrics.inherited(shipped, how)
+    if inherited and NEUTRAL not in nulls:
+        remarks.append(f"{pooled[0].path}: {NO_NEUTRAL}")
+    for run in every:
         for column in how.columns:
             own.check_column(column, run)  # type: ignore[arg-type]
         if how.bodies is not None:
             bodies.check(run)
-    metrics.check_names(metrics.names(pooled[0], how), how)
+    metrics.check_names(shipped, how)
     if how.lineages is not None:
         from .metrics import lineages  # type: ignore[attr-defined]
-        how = dataclasses.replace(how, window_s=lineages.window_of([*pooled, *its_pooled], how.window_s))
-    values = measure([*pooled, *its_pooled], how)
+        how = dataclasses.replace(how, window_s=lineages.window_of(every, how.window_s))
+    values = measure(every, how)
     metrics.same_metrics(values, how.metrics)
+    rest = iter(values)
 
-    def measured(these: list[PooledRun], values: list[RunValues], remarks: list[str], shadow: MeasuredSet | None) -> MeasuredSet:
-        return MeasuredSet("", list(these), values, shadow, these[0].until_s, [*remarks, *(remark for run in values for remark in run.remarks)])
-    its_set = measured(its_pooled, values[len(pooled):], its_remarks, None) if its_pooled else None
-    found = measured(pooled, values[:len(pooled)], remarks, its_set)
-    for each in filter(None, (found, its_set)):
+    def measured(these: list[PooledRun], remarks: list[str]) -> MeasuredSet:
+        its = [next(rest) for _ in these]
+        return MeasuredSet("", list(these), its, None, these[0].until_s, [*remarks, *(remark for run in its for remark in run.remarks)])
+    found = measured(pooled, remarks)
+    found.inherited = inherited
+    for name, (its_runs, its_remarks) in nulls.items():
+        setattr(found, name, measured(its_runs, its_remarks))
+    for each in (found, *found.nulls.values()):
         each.label = describe(found).label
     return found
+
+
+def pooled_sets(paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | None,
+                how: Measuring) -> tuple[tuple[list[PooledRun], list[str]], dict[str, tuple[list[PooledRun], list[str]]]]:
+    """The runs of some folders, and those of their nulls by name, each with remarks. Raises RunError as `read_set`."""
+    folders = [pathlib.Path(path) for path in paths]
+    pooled, nulls = pooled_runs(folders, how), {}
+    for name in NULLS:
+        its_folders = [pathlib.Path(shadow)] if name == SHADOW and shadow is not None else null_folders(folders, name)
+        if its_folders:
+            nulls[name] = pooled_runs(its_folders, how)
+            _check_null(pooled[0], nulls[name][0], name, how)
+    return pooled, nulls
 
 
 def measure(of: Sequence[PooledRun], how: Measuring, keep: Callable[[RunValues], Any] = lambda values: values) -> list[Any]:
@@ -351,20 +366,29 @@ def builds_text(builds: Sequence[str]) -> str:
     return " and ".join(filter(None, [", ".join(builds[:-1]), *builds[-1:]])) or "an unknown build"
 
 
-def shadow_folders(paths: Iterable[pathlib.Path]) -> list[pathlib.Path]:
-    """The folders PATH/shadow that exist, into which --shadow puts the shadows of these runs."""
-    return [path / "shadow" for path in paths if (path / "shadow").is_dir()]
+def null_folders(paths: Iterable[pathlib.Path], name: str = SHADOW) -> list[pathlib.Path]:
+    """The folders PATH/shadow or PATH/neutral that exist, into which --shadow and --neutral put the nulls of these runs."""
+    return [path / name for path in paths if (path / name).is_dir()]
 
 
-def check_shadow(run: PooledRun, shadow: PooledRun, any_parent: bool = False) -> None:
+def _check_null(runs: Sequence[PooledRun], null: Sequence[PooledRun], name: str, how: Measuring) -> None:
+    check_shadow(runs[0], null[0], name=name)
+    if runs[0].builds != null[0].builds and not how.accept_other_build:
+        raise RunError(f"{null[0].path}: made by {builds_text(null[0].builds)}: must be made by {builds_text(runs[0].builds)}, as "
+                       f"{runs[0].path} (--accept-other-build takes it)")
+    if name == NEUTRAL and (others := [run for run in null if run.seed not in {run.seed for run in runs}]):
+        raise RunError(f"{others[0].path}: seed {others[0].seed}: must be that of a run that it repeats")
+
+
+def check_shadow(run: PooledRun, shadow: PooledRun, any_parent: bool = False, name: str = SHADOW) -> None:
     """Raises RunError, naming both runs and what differs, unless `shadow` is a run of the same rules, parameters, engine and duration with
-    nothing inherited. Seeds may differ. With `any_parent` the rule in slot parent may differ too: if nothing is inherited, it changes parents
-    and labels, and no genome and no motion."""
+    nothing inherited or, with the name of the neutral null, with its heredity. Seeds may differ. With `any_parent` the rule in slot parent may
+    differ too: if nothing is inherited, it changes parents and labels, and no genome and no motion."""
     def refuse(why: str) -> None:
-        raise RunError(f"{shadow.path}: is not a neutral shadow of {run.path}: {why}")
-    policy = shadow.manifest.get("rules", {}).get(SHADOW_SLOT, "unknown")
-    if policy != SHADOW_POLICY:
-        refuse(f"its rule in slot {SHADOW_SLOT} is {policy}: must be {SHADOW_POLICY}")
+        raise RunError(f"{shadow.path}: is not a neutral {name.replace(NEUTRAL, 'null')} of {run.path}: {why}")
+    policy, own_policy = (one.manifest.get("rules", {}).get(SHADOW_SLOT, "unknown") for one in (shadow, run))
+    if policy != (wanted := SHADOW_POLICY if name == SHADOW else f"{NEUTRAL}_{own_policy}"):
+        refuse(f"its rule in slot {SHADOW_SLOT} is {policy}: must be {wanted}")
     free = {SHADOW_SLOT, "parent"} if any_parent else {SHADOW_SLOT}
 
     def rest(of: PooledRun) -> dict:

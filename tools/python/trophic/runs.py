@@ -136,11 +136,12 @@ class Run:
 
 @dataclasses.dataclass(frozen=True)
 class Runs:
-    """Replicates, which are runs that differ only in their seeds, and the runs of their neutral shadow, if there is one."""
+    """Replicates, which are runs that differ only in their seeds, and the runs of their neutral shadow and neutral null, if there are any."""
 
     path: pathlib.Path
     runs: list[Run] = dataclasses.field(repr=False)
     shadow: "Runs | None" = None
+    neutral: "Runs | None" = None
 
     def __len__(self) -> int:
         return len(self.runs)
@@ -162,14 +163,14 @@ class Runs:
         return _categorised(pandas.concat(tables, ignore_index=True), categories)
 
     def measure(self, name: str, function) -> None:
-        """Computes an own metric: writes NAME.csv into the folder of each run and of its shadow, for `trophic analyze --column NAME.csv:NAME`.
+        """Computes an own metric: writes NAME.csv into the folder of each run and of its nulls, for `trophic analyze --column NAME.csv:NAME`.
 
         `function` takes a Run and returns a number, or a frame with the column NAME and optionally time_s, species and group. nan is a value
         that cannot be computed. Raises RunError, naming the run, if the function raises, returns something else or the file exists; then
         nothing is written.
         """
         tables = []
-        for run in [*self.runs, *(self.shadow or [])]:
+        for run in [*self.runs, *(self.shadow or []), *(self.neutral or [])]:
             if (run.path / f"{name}.csv").exists():
                 raise RunError(f"{run.path / name}.csv: exists already; nothing is overwritten")
             try:
@@ -244,7 +245,7 @@ def read_run(path: str | os.PathLike) -> Run:
 
 
 def read_runs(path: str | os.PathLike, *, incomplete: bool = False, accept_other_build: bool = False) -> Runs:
-    """Reads the replicates in this folder, in order, and those of its shadow. `incomplete` includes incomplete ones.
+    """Reads the replicates in this folder, in order, and those of its nulls. `incomplete` includes incomplete ones.
 
     Raises RunError for a folder without replicates, for runs of different fingerprints, which are not replicates, and, unless
     `accept_other_build`, for runs of different builds of a program, whose rules may be other code under the same names.
@@ -261,14 +262,15 @@ def read_runs(path: str | os.PathLike, *, incomplete: bool = False, accept_other
     builds = {tuple(run.builds) for run in runs}
     if len(builds) > 1 and not accept_other_build:
         raise RunError(f"{path}: made by different builds: {', '.join(' and '.join(each) or 'unknown' for each in sorted(builds))}; accept_other_build=True reads them")
-    shadow = read_runs(path / "shadow", incomplete=incomplete, accept_other_build=accept_other_build) if (path / "shadow").is_dir() else None
-    return Runs(path, runs, shadow)
+    nulls = [read_runs(path / name, incomplete=incomplete, accept_other_build=accept_other_build) if (path / name).is_dir() else None
+             for name in ("shadow", "neutral")]
+    return Runs(path, runs, *nulls)
 
 
 def read_study(path: str | os.PathLike, *, incomplete: bool = False, accept_other_build: bool = False) -> dict[str, Runs]:
     """Reads every set of runs below this folder, by its path from there: a sweep, or the swaps of an ablation study."""
     path = pathlib.Path(path)
-    folders = sorted(file.parent for file in path.rglob("replicates.json") if file.parent.name != "shadow")
+    folders = sorted(file.parent for file in path.rglob("replicates.json") if file.parent.name not in ("shadow", "neutral"))
     if not folders:
         raise RunError(f"{path}: no set of runs (replicates.json) below it")
     return {str(folder.relative_to(path)): read_runs(folder, incomplete=incomplete, accept_other_build=accept_other_build) for folder in folders}
@@ -342,7 +344,8 @@ def _table(path: pathlib.Path, columns: list[str] | None = None, expected: dict 
 
 
 def study_frames(study: Runs | dict[str, Runs], name: str) -> Iterator[pandas.DataFrame]:
-    """Yields a table of every run of replicates, or of a study as read_study returns it, with the columns set, shadow, run and seed in front.
+    """Yields a table of every run of replicates, or of a study as read_study returns it, with the columns set, shadow, run and seed in front;
+    those of neutral nulls are left out.
 
     All frames have the same columns of the same types, so they can be written one after another into one file. A column that a run lacks,
     such as the weights of a larger brain, is empty there. Raises RunError, naming the file, for a run without the table.

@@ -297,19 +297,9 @@ def _sentence(of: pandas.DataFrame) -> str:
 def read_sets(paths: Sequence[str | os.PathLike], shadow: str | os.PathLike | None, how: Measuring) -> tuple[dict[str, list[PooledRun]], list[str]]:
     """The runs of some folders, their shadow and their neutral null, as far as they are there, and remarks. Raises RunError for runs that may not
     be pooled and for a shadow or a neutral null that is not one."""
-    folders = [pathlib.Path(path) for path in paths]
-    places = {"runs": folders, "shadow": [pathlib.Path(shadow)] if shadow is not None else pool.shadow_folders(folders),
-              "neutral": [folder / "neutral" for folder in folders if (folder / "neutral").is_dir()]}
-    pooled = {name: pool.pooled_runs(of, how) for name, of in places.items() if of}
-    sets = {name: runs for name, (runs, _) in pooled.items()}
-    first, *_ = sets["runs"]
-    if "shadow" in sets:
-        pool.check_shadow(first, sets["shadow"][0])
-    for run in sets.get("neutral", [])[:1]:
-        heredity = str(run.manifest.get("rules", {}).get("heredity", "unknown"))
-        if not heredity.startswith("neutral_") or not pool.lasted_alike(run, first):
-            raise RunError(f"{run.path}: is not a neutral null of {first.path}: heredity = {heredity}, {pool.lasted_text(run)}")
-    return sets, [remark for _, remarks in pooled.values() for remark in remarks]
+    runs, nulls = pool.pooled_sets(paths, shadow, how)
+    sets = {"runs": runs, **nulls}
+    return {name: of for name, (of, _) in sets.items()}, [remark for _, remarks in sets.values() for remark in remarks]
 
 
 def analyse(paths: Sequence[str | os.PathLike], texts: Sequence[str], shadow: str | os.PathLike | None = None,

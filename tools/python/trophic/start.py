@@ -15,7 +15,7 @@ __all__ = ["Page", "ProgramError", "analyze", "find_program", "run", "show"]
 
 def run(experiment: str | os.PathLike = "paper", *, out: str | os.PathLike, backend: str | None = None, rules: str | None = None,
         set: dict | None = None, duration: float | None = None, robots: int | None = None, seed: int | None = None,
-        replicates: int | None = None, shadow: bool = False, jobs: int | None = None, threads: int | None = None,
+        replicates: int | None = None, shadow: bool = False, neutral: bool = False, jobs: int | None = None, threads: int | None = None,
         options: list[str] | None = None) -> Run | Runs:
     """Runs an experiment into the new folder `out` and reads it: a Run or, of `replicates`, Runs.
 
@@ -35,6 +35,8 @@ def run(experiment: str | os.PathLike = "paper", *, out: str | os.PathLike, back
         arguments += ["--set", f"{path}={str(value).lower() if isinstance(value, bool) else value}"]
     if shadow:
         arguments.append("--shadow")
+    if neutral:
+        arguments.append("--neutral")
     if pathlib.Path(out).exists():
         raise ProgramError(f"out={out}: exists already; nothing is overwritten")
     call(program, [*arguments, *(options or []), "--out", out], f"{program} into {out}")

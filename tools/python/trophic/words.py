@@ -7,9 +7,28 @@ import unicodedata
 from collections.abc import Iterable, Sequence
 
 from .statistics import MOST_RUNS, Estimate
-from .values import Metric
+from .values import NEUTRAL, SHADOW, Metric
 
 _PLAIN_UNITS = ("", "1", "ticks")  # shares and counts; hunger in ticks is a metric of trophic's own, whose unit the glossary gives
+NULLS = {SHADOW: "shadow", NEUTRAL: "neutral null"}
+"""The nulls that are runs of their own. A null that each run has by itself has its own name."""
+NO_NEUTRAL = ("no neutral null: what is inherited changes by mutation alone, so a difference from the shadow need not be selection (--replicates with "
+              "--neutral makes one)")
+_SHOWN = {SHADOW: "what inheritance does", NEUTRAL: "what selection does"}
+
+
+def over_nulls(compared: Iterable[str]) -> tuple[str, str, str]:
+    """("over shadows: (b - shadow) - (a - shadow)", "over shadows", "what inheritance does"), or the same of all nulls that two sets were compared
+    over. Empty texts for raw differences."""
+    titles = {name: title for name, title in NULLS.items() if f"over_{name}" in set(compared)}
+    short = "" if not titles else "over nulls" if len(titles) > 1 else f"over {[*titles.values()][0]}s"
+    whole = ", ".join(f"over {title}s: (b - {title}) - (a - {title})" for title in titles.values())
+    return whole, short, ", ".join(_SHOWN[name] for name in titles)
+
+
+def over_text(compared: str) -> str:
+    """The basis of a comparison of two sets: "over the shadow", "over the neutral null" or "raw"."""
+    return f"over the {NULLS[compared.removeprefix('over_')]}" if compared.startswith("over_") else compared
 
 
 def number_text(value: float | int | None) -> str:

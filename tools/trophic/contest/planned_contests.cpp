@@ -132,7 +132,7 @@ Sets read_sets(std::span<const std::filesystem::path> runs, const std::optional<
     throw std::invalid_argument{first.folder.string() +
                                 ": no species of this food web hunts: a contest needs hunters and victims"};
   }
-  const auto folders = shadow ? std::vector{*shadow} : analysis::shadow_folders(runs);
+  const auto folders = shadow ? std::vector{*shadow} : analysis::null_folders(runs, Null::shadow);
   if (folders.empty()) return sets;
   sets.shadow = analysis::pooled_runs(folders, false, any_build).manifests;
   analysis::check_shadow(first, sets.shadow.front(), true);

@@ -15,6 +15,7 @@ import pandas as pd
 from ..metrics import Web, names_of
 from ..runs import Analysis, RunError, read_analysis
 from ..sweeps import arrays
+from ..words import over_nulls
 from .pictures import catches, film_strip, phylogeny, trajectories
 from .style import COLOURS, NULL_COLOUR, Missing, caption, colour, legend_above, line, width_in, wrapped
 
@@ -297,13 +298,14 @@ MOST_LINES_OF_A_FOREST = 30
 
 def forest(summary):
     """The differences of two sets that were compared, each in standard deviations between runs, with 95 % intervals; filled: significant."""
-    over = any(d["over_shadow"]["value"] is not None for d in summary["differences"])
-    kind = "over_shadow" if over else "raw"
+    kinds = ("over_neutral", "over_shadow", "raw")
+    answers = [next(kind for kind in kinds if kind == "raw" or d.get(kind, {}).get("value") is not None) for d in summary["differences"]]
+    _, over, _ = over_nulls(answers)
     rows = []
-    for d in summary["differences"]:
+    for d, kind in zip(summary["differences"], answers):
         spread = [d[side]["deviation"] for side in "ab"]
         of = d[kind]
-        if d["same_as"] or of["lower"] is None or of["p"] is None or None in spread or not any(spread):
+        if d["same_as"] or of["lower"] is None or of["differs"] is None or None in spread or not any(spread):
             continue
         unit = (sum(s * s for s in spread) / 2) ** 0.5
         rows.append((d, of, [of[key] / unit for key in ("value", "lower", "upper")]))
@@ -321,9 +323,9 @@ def forest(summary):
     ax.set_yticks(range(len(rows)), names, fontsize=6)
     ax.set_ylim(-0.7, len(rows) - 0.3)
     first, second = (s["set"] for s in summary["sets"])
-    ax.set_xlabel(wrapped(f"{second} \u2212 {first}" + (", over the shadows" if over else "")) + "\n[standard deviations between runs]", loc="right")
+    ax.set_xlabel(wrapped(f"{second} \u2212 {first}" + (f", {over}" if over else "")) + "\n[standard deviations between runs]", loc="right")
     rest = f" The {left_out} least significant are left out." if left_out > 0 else ""
-    return caption(fig, f"Differences {second} - {first}" + (", each set over its shadow" if over else " (raw)") + f", n = {len(summary['sets'][0]['runs'])} and "
+    return caption(fig, f"Differences {second} - {first}" + (f", {over}" if over else " (raw)") + f", n = {len(summary['sets'][0]['runs'])} and "
                         f"{len(summary['sets'][1]['runs'])} runs, in pooled standard deviations between runs; bars: 95 % intervals of single comparisons. "
                         f"Filled: p <= 0.05 after Holm's correction for all metrics.{rest}")
 

@@ -34,6 +34,7 @@ READINGS = {**dict.fromkeys(("velocity_points", "velocity_stored", "velocity_sim
                                                              "attribution_catches")},
             "near_pairs": "locked", "near_longest": "locked", "upright_speed": "open_speed", "wall_contact": "wall_sticking"}
 """Metrics that are another reading of a metric, which is tested for them."""
+_INHERITED = ("modes_", "activity_", "body_", "brain_genes", "gait_genes")
 
 
 @dataclasses.dataclass
@@ -141,6 +142,13 @@ def names(run: PooledRun, how: Measuring | None = None) -> list[Metric]:
         from . import bodies
         return bodies.names(run.web)
     return names_of(run.web, run.tags)
+
+
+def inherited(of: Iterable[Metric], how: Measuring) -> frozenset[str]:
+    """The names of the metrics of genomes, bodies and brains, whose null is the neutral one, among the shipped ones `of` and own ones. All others
+    are of behaviour and numbers, or of descent, which the neutral null repeats."""
+    return frozenset({name.metric for name in of if name.metric.startswith(_INHERITED)} | {one.name for one in how.functions if one.inherited}
+                     | {one.column for one in how.columns if one.file in own.INHERITED})  # type: ignore[union-attr]
 
 
 def names_of(web: Web, tag_values: Sequence[int] = (-1, 1)) -> list[Metric]:

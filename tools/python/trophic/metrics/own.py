@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 _NONE = ("", "nan", "-nan", "NaN", "NA")
 _MOST_PARTS = 1000
+INHERITED = ("genomes.csv", "genes.csv", "bodies.csv")
+"""Tables of which each column is of what is inherited."""
 
 
 class OwnColumn(NamedTuple):
@@ -52,16 +54,19 @@ class OwnMetric(NamedTuple):
     name: str
     unit: str
     function: Callable[[Run], Any]
+    inherited: bool = False
+    """whether it measures genomes, bodies or brains, so that its null is the neutral one"""
 
 
-def metric(function: Callable | None = None, *, name: str | None = None, unit: str = "1") -> Callable:
+def metric(function: Callable | None = None, *, name: str | None = None, unit: str = "1", inherited: bool = False) -> Callable:
     """Marks a function of a Run as a metric of `trophic analyze --metric-file`, or of `trophic.analyze(..., metrics=[...])`.
 
     The function returns a number, or a frame with a column that has the metric's name and optionally time_s (s), species and group: rows with
     one species and group are one metric, and rows with a time also make a curve. nan is a value that cannot be computed. The metric has the
-    function's name unless `name` is given; its unit is 1 unless `unit` is given. With --until the tables of the run end at that time."""
+    function's name unless `name` is given; its unit is 1 unless `unit` is given. Mark a measure of genomes, bodies or brains as `inherited`: it is
+    compared with the neutral null, if there is one. With --until the tables of the run end at that time."""
     def mark(marked: Any) -> Any:
-        marked.metric, marked.unit = name or marked.__name__, unit
+        marked.metric, marked.unit, marked.inherited = name or marked.__name__, unit, inherited
         return marked
     return mark if function is None else mark(function)
 
@@ -73,7 +78,7 @@ def own_metric(function: Callable[[Run], Any]) -> OwnMetric:
     if not callable(function):
         raise RunError(f"metric {function!r}: must be a function of a run")
     name = getattr(function, "metric", None) or getattr(function, "__name__", type(function).__name__)
-    return OwnMetric(str(name), str(getattr(function, "unit", "1")), function)
+    return OwnMetric(str(name), str(getattr(function, "unit", "1")), function, bool(getattr(function, "inherited", False)))
 
 
 def read_metrics(path: str | pathlib.Path) -> list[OwnMetric]:

@@ -33,7 +33,7 @@ class Outcome(NamedTuple):
         return self.frames[0] if self.compared is None else self.compared
 
     def remarks(self) -> list[str]:
-        return [remark for one in self.sets for of in (one, one.shadow) if of for remark in of.remarks]
+        return [remark for one in self.sets for of in (one, *one.nulls.values()) for remark in of.remarks]
 
     def analysis(self, path: pathlib.Path | None) -> Analysis:
         """As `read_analysis` has it; `path` is the folder of the tables, None for an analysis in memory."""
@@ -58,8 +58,8 @@ def analyse(runs: Sequence[str | os.PathLike], compare: Sequence[str | os.PathLi
     sets = [pool.read_set(group, shadow, how) for group in groups]
     for of, label in zip(sets, distinct([describe(of).label for of in sets])):
         of.label = label
-        if of.shadow:
-            of.shadow.label = describe(of.shadow).label
+        for null in of.nulls.values():
+            null.label = describe(null).label
     frames = [judge.summarize(of, how.metrics) for of in sets]
     return Outcome(sets, frames, judge.compare(sets[0], sets[1], how.metrics) if compare else None)
 

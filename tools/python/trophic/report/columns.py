@@ -26,7 +26,7 @@ seed whole: of the run
 metric
 species
 group text: all, random, inherited, active (at that tick) or inherited_active; of deaths a cause, of ticks_at a number of members
-baseline text: empty: observed; shadow: observed in the shadow of that seed
+baseline text: empty: observed; shadow or neutral: observed in that null of the set
 time_s exact? s: of a curve the end of its window; empty: of the whole run
 value: in `unit`; empty: could not be computed
 unit text: of the value; 1 for shares and counts
@@ -43,14 +43,14 @@ deviation: between these runs
 lower: of the mean's 95 % interval; empty for fewer than 6 runs
 upper: of the mean's 95 % interval
 published: the paper's mean, for its own rule tables; empty if it has none
-null text: shadow, or the name of a null that each run has of its own; empty: no null
+null text: shadow or neutral, which are runs, or the name of a null that each run has of its own; empty: no null
 null_n whole: runs that give the null
 null_mean: over these runs
-difference: mean - null_mean; of a run's own null over the runs that have both
+difference: mean - null_mean; of neutral and of a run's own null over the runs that have both
 difference_lower: of its own 95 % interval
 difference_upper: of its own 95 % interval
 p
-p_holm: corrected for all comparisons of the set; at most 0.05: significant
+p_holm: corrected for all comparisons of the set; at most 0.05: significant; empty next to the shadow if the neutral null answers
 runs_needed whole?: if p_holm > 0.05: runs in each set that would find a difference of this size in 80 % of studies
 same_as text: an earlier metric that says the same (other reading, or the same in every run); then not compared again
 """),
@@ -59,7 +59,7 @@ metric
 species
 group
 unit
-compared text: over_shadow: (b - its shadow) - (a - its shadow), the answer; raw: b - a
+compared text: over_shadow: (b - its shadow) - (a - its shadow), the answer; over_neutral: the same of neutral nulls; raw: b - a
 n_a whole: runs of the first set
 n_b whole: runs of the second set
 mean_a: of the first set, raw
@@ -68,7 +68,7 @@ difference: as `compared` says
 lower: of this comparison's own 95 % interval; empty for fewer than 6 runs
 upper: of this comparison's own 95 % interval
 p
-p_holm: corrected for all comparisons; at most 0.05: significant; raw differences next to answers over the shadows are corrected apart
+p_holm: corrected for all comparisons; at most 0.05: significant; raw differences next to answers over nulls are corrected apart
 runs_needed whole?: if p_holm > 0.05: runs in each set that would find a difference of this size in 80 % of studies
 same_as text: an earlier metric that says the same (other reading, or the same in every run); then not compared again
 """),

@@ -17,7 +17,7 @@ import pandas
 from .. import description, judge
 from ..runs import RunError
 from ..values import METRIC, MeasuredSet, Metric
-from ..words import Reading, metric_title, p_text
+from ..words import NO_NEUTRAL, NULLS, Reading, metric_title, over_text, p_text
 from .text import answers_of
 
 
@@ -102,6 +102,9 @@ def _told(sets: Sequence[MeasuredSet], facts: Sequence[Mapping[str, str]]) -> li
 def _question(sets: Sequence[MeasuredSet]) -> str:
     if len(sets) > 1:
         return f"In what do {' and '.join(one.label for one in sets)} differ?"
+    if sets[0].neutral and sets[0].inherited:
+        return (f"What is selected under the rules of {sets[0].label}? Measures of genomes, bodies and brains are compared with the neutral null: the births, deaths "
+                "and parents of the runs, repeated with other genomes.")
     if sets[0].shadow:
         return (f"Does inheritance matter under the rules of {sets[0].label}? Each metric is compared with the neutral shadow: the same rules and seeds, with nothing "
                 "inherited.")
@@ -112,6 +115,7 @@ def _sentences(sets: Sequence[MeasuredSet], frames: Sequence[pandas.DataFrame], 
     sentences = [f"{sentence[0].upper()}{sentence[1:]}." for one in sets for sentence in judge.too_few(one)]
     if len(sets) == 1:
         sentences += [f"{question} {answer[0].upper()}{answer[1:]}: {effect} over the shadow." for question, answer, effect, _ in answers_of(sets[0], frames[0])]
+    sentences += [f"{one.label}: {NO_NEUTRAL}." for one in sets if one.inherited and not one.neutral]
     sentences += [(f"{one.set}: " if one.set and len(sets) > 1 else "") + one.sentence for one in findings[:judge.MOST_FINDINGS]]
     return [*sentences, *(judge.count(frame).sentence() for frame in frames)]
 
@@ -132,10 +136,7 @@ def _table(frame: pandas.DataFrame) -> dict[str, Any]:
     has other baselines too."""
     compares = "compared" in frame
     if not compares:
-        name = ["set", *METRIC]
-        is_null = frame["role"] == "null"
-        has_null = is_null.groupby([frame[column] for column in name]).transform("any")
-        frame = frame[is_null | ~has_null & ~frame.duplicated(name)]
+        frame = judge.with_nulls(frame)
     sets = set() if compares else set(frame["set"])
     if compares:
         first = frame.iloc[0] if len(frame) else {"set_a": "a", "set_b": "b"}
@@ -151,10 +152,10 @@ def _table(frame: pandas.DataFrame) -> dict[str, Any]:
         lower, upper = (row.lower, row.upper) if compares else (row.difference_lower, row.difference_upper)
         if compares:
             cells = [_cell(metric_title(metric)), _cell(reading.of(_estimate(row, "_a")), row.mean_a), _cell(reading.of(_estimate(row, "_b")), row.mean_b),
-                     _cell(row.compared.replace("_", " the ") if row.compared == "over_shadow" else row.compared)]
+                     _cell(over_text(row.compared))]
         else:
             cells = [*([_cell(row.set)] if len(sets) > 1 else []), _cell(metric_title(metric)), _cell(reading.of(_estimate(row)), row.mean),
-                     _cell(f"{row.null} {reading(row.null_mean)}" if row.null else "")]
+                     _cell(f"{NULLS.get(row.null, row.null)} {reading(row.null_mean)}" if row.null else "")]
         cells += [_cell(reading.with_interval(row.difference, (lower, upper), True) if _is_known(row.difference) else "", row.difference),
                   {"text": "", "key": None, "bar": _bar(row.difference, lower, upper)},
                   _cell(p_text(row.p_holm), row.p_holm) if row.role == "null" else _cell(""),

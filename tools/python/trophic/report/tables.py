@@ -15,8 +15,8 @@ import pandas
 from .. import __version__, judge, published
 from ..runs import RunError
 from ..statistics import MIN_RUNS_FOR_TEST, is_significant
-from ..values import METRIC, SHADOW, MeasuredSet
-from ..words import number_text
+from ..values import METRIC, MeasuredSet
+from ..words import NULLS, number_text
 from .columns import names
 
 
@@ -73,15 +73,15 @@ def csv_text(frame: pandas.DataFrame) -> str:
 # Tables
 
 def metrics(sets: Sequence[MeasuredSet]) -> pandas.DataFrame:
-    """metrics.csv: every value and every curve of every run, one value a row. The shadow's own baselines are left out: they say nothing about the
+    """metrics.csv: every value and every curve of every run, one value a row. The nulls' own baselines are left out: they say nothing about the
     set."""
     parts = []
     for one in sets:
-        for of, is_shadow in ((one, False), *(((one.shadow, True),) if one.shadow else ())):
+        for of, null in ((one, ""), *((its, name) for name, its in one.nulls.items())):
             for run, measured in zip(of.runs, of.values):
                 rows = pandas.concat([part for part in (measured.values, measured.curves) if len(part)]).reset_index(drop=True)
-                if is_shadow:
-                    rows = rows[rows["baseline"] == ""].assign(baseline=SHADOW)
+                if null:
+                    rows = rows[rows["baseline"] == ""].assign(baseline=null)
                 rows = rows.assign(set=one.label, run=run.path.resolve().name.replace(",", "_"), seed=run.seed)
                 parts.append(rows.reindex(columns=names("metrics.csv")))
     frame = pandas.concat(parts, ignore_index=True)
@@ -91,12 +91,7 @@ def metrics(sets: Sequence[MeasuredSet]) -> pandas.DataFrame:
 def means(frame: pandas.DataFrame) -> pandas.DataFrame:
     """means.csv of a frame of judge.summarize, or of several below each other: each metric next to each of its nulls, one row each; one row for a
     metric without a null."""
-    is_null = frame["role"] == "null"
-    key = ["set", *METRIC]
-    has_null = frame.assign(is_null=is_null).groupby(key, sort=False)["is_null"].transform("any")
-    table = frame[is_null | (~has_null & ~frame.duplicated(key))].copy()
-    alone = table["role"] != "null"
-    table.loc[alone, "null"], table.loc[alone, "null_n"], table.loc[alone, "null_mean"] = "", 0, float("nan")
+    table = judge.with_nulls(frame)
     return table[names("means.csv")].reset_index(drop=True)
 
 
@@ -143,10 +138,10 @@ def _set(of: MeasuredSet, frame: pandas.DataFrame) -> dict[str, Any]:
     said = describe(of)
     return {"set": of.label, "description": said.sentence(), "backend": said.engine, "fingerprint": of.runs[0].fingerprint, "identity": said.identity,
             "min_runs_for_test": MIN_RUNS_FOR_TEST, "family": _family(frame), "findings": _findings(frame), "runs": _runs(of),
-            "shadow_runs": _runs(of.shadow) if of.shadow else [],
+            **{f"{name}_runs": _runs(of.nulls[name]) if name in of.nulls else [] for name in NULLS},
             "metrics": [_metric(rows) for _, rows in frame.groupby(METRIC, sort=False)],
             "answers": [_answer(one) for one in published.answers(of, frame)], "claims": _claims(of) if published.applies_to(of) else [],
-            "remarks": [*of.remarks, *(of.shadow.remarks if of.shadow else [])]}
+            "remarks": [remark for one in (of, *of.nulls.values()) for remark in one.remarks]}
 
 
 def _runs(of: MeasuredSet) -> list[dict[str, Any]]:
@@ -177,7 +172,7 @@ def _difference(rows: pandas.DataFrame) -> dict[str, Any]:
             **{side: {"runs": getattr(raw, f"n_{side}"), **{name: getattr(raw, f"{name}_{side}") for name in ("mean", "deviation", "lower", "upper")}}
                for side in "ab"},
             **{kind: {"value": row.difference, "lower": row.lower, "upper": row.upper, **_test(row), "conclusion": row.conclusion}
-               if (row := parts.get(kind)) else nothing for kind in ("raw", "over_shadow")}}
+               if (row := parts.get(kind)) else nothing for kind in ("raw", *(f"over_{name}" for name in NULLS))}}
 
 
 def _answer(one: published.Answer) -> dict[str, Any]:

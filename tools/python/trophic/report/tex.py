@@ -10,7 +10,7 @@ import pandas
 from ..description import describe
 from ..judge import count, runs_of
 from ..values import SHADOW, MeasuredSet, Metric
-from ..words import Reading, latex_text, metric_title, p_text
+from ..words import NULLS, Reading, latex_text, metric_title, over_nulls, p_text
 from .text import answers_of, estimate_of
 
 _PACKAGES = "% \\usepackage{booktabs,tabularx}; \\input{} this file in a table, or in a table* of two columns.\n"
@@ -22,7 +22,7 @@ def means(of: MeasuredSet, frame: pandas.DataFrame) -> str:
     for row in frame[(frame["role"] == "null") & (frame["same_as"] == "") & frame["difference"].notna()].itertuples(index=False):
         metric = Metric(row.metric, row.species, row.group, row.unit)
         reading = Reading(metric)
-        null = "" if row.null == SHADOW else f" (null: {row.null})"
+        null = "" if row.null == SHADOW else f" (null: {NULLS.get(row.null, row.null)})"
         rows.append([latex_text(metric_title(metric) + null), math(reading.of(estimate_of(row))), math(reading(row.null_mean)),
                      math(reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True)), math(p_text(row.p_holm)),
                      math(runs_of(row).replace("+", "{+}"))])
@@ -38,8 +38,8 @@ def answers(of: MeasuredSet, frame: pandas.DataFrame) -> str:
 
 
 def differences(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:
-    """The answer of a comparison: over the shadows if both sets have one, else raw; `frame`: of judge.compare."""
-    over = bool(a.shadow and b.shadow)
+    """The answer of a comparison: over nulls if both sets have one, else raw; `frame`: of judge.compare."""
+    over, short, _ = over_nulls(frame["compared"])
     rows = []
     for row in frame[(frame["role"] == "null") & (frame["same_as"] == "") & frame["difference"].notna()].itertuples(index=False):
         metric = Metric(row.metric, row.species, row.group, row.unit)
@@ -47,9 +47,9 @@ def differences(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:
         rows.append([latex_text(metric_title(metric)), math(reading(row.mean_a)), math(reading(row.mean_b)),
                      math(reading.with_interval(row.difference, (row.lower, row.upper), True)), math(p_text(row.p_holm)),
                      math(runs_of(row).replace("+", "{+}"))])
-    what = "over shadows: (b - its shadow) - (a - its shadow)" if over else "b - a"
+    what = over or "b - a"
     about = f"% a: {heading(a)}; b: {heading(b)}; {what}. {_family(frame)}\n"
-    column = "over shadows [95\\,\\%]" if over else "difference [95\\,\\%]"
+    column = f"{short} [95\\,\\%]" if short else "difference [95\\,\\%]"
     return _PACKAGES + about + _table(["metric", latex_text(a.label), latex_text(b.label), column, "$p$", "$n$"], rows)
 
 

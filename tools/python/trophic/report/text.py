@@ -11,10 +11,9 @@ from .. import judge, published
 from ..description import describe
 from ..statistics import Estimate, Interval, mean_of
 from ..values import MeasuredSet, Metric
-from ..words import Reading, columns, metric_title, number_text, p_text, runs_text
+from ..words import NULLS, Reading, columns, metric_title, number_text, over_nulls, p_text, runs_text
 
 MOST_INCONCLUSIVE = 3
-_OVER = "over shadows: (b - shadow) - (a - shadow)"
 _NEEDED = "runs needed: in each set, to find a difference of this size in 80 % of studies. Inconclusive does not mean equal\n"
 _UNATTRIBUTED = "without a shadow of each set no difference can be attributed to inheritance\n"
 
@@ -46,8 +45,8 @@ def _heading(of: MeasuredSet) -> str:
     text = f"{described(of)}, fingerprint {describe(of).identity}\n{_rules(of)}"
     if (locked := mean_of(of.table.get((Metric("locked", "all", "all", "1"), ""), ()))) is not None:
         text += f"locked: {locked:.3f} of robots are within 0.3 m of another for 12 s or longer; --all has the metrics without them\n"
-    return text + (f"shadow: {described(of.shadow)}\n" if of.shadow
-                   else "no shadow: attribution and velocity have no null (--replicates with --shadow makes one)\n")
+    text += "".join(f"{NULLS[name]}: {described(null)}\n" for name, null in of.nulls.items())
+    return text + ("" if of.shadow else "no shadow: attribution and velocity have no null (--replicates with --shadow makes one)\n")
 
 
 def _too_few(*sets: MeasuredSet) -> str:
@@ -95,14 +94,14 @@ def _inconclusive(frame: pandas.DataFrame, head: Sequence[str], cells: Any) -> s
 
 
 def findings(of: MeasuredSet, frame: pandas.DataFrame) -> str:
-    """The findings about a set, then the inconclusive comparisons that would need the fewest runs. The whole table if there is no shadow or nothing
+    """The findings about a set, then the inconclusive comparisons that would need the fewest runs. The whole table if there is no null of runs or nothing
     was tested."""
-    if of.shadow is None or judge.count(frame).comparisons == 0:
+    if not of.nulls or judge.count(frame).comparisons == 0:
         return table(of, frame)
 
     def cells(row: Any) -> list[str]:
         reading = Reading(_metric(row))
-        return [reading.of(estimate_of(row)), row.null, reading(row.null_mean), judge.runs_of(row),
+        return [reading.of(estimate_of(row)), NULLS.get(row.null, row.null), reading(row.null_mean), judge.runs_of(row),
                 reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True)]
 
     head = ["ours [95 %]", "null", "its mean", "runs", "ours - null [95 %]"]
@@ -130,8 +129,8 @@ def table(of: MeasuredSet, frame: pandas.DataFrame) -> str:
         last = metric
         if not row.null:
             continue
-        line = [f"    {'*' if row.role == 'paper' else '=' if row.role == 'null' else ' '} {row.null}", reading(row.null_mean)]
-        if row.role == "null":
+        line = [f"    {'*' if row.role == 'paper' else '=' if row.role == 'null' else ' '} {NULLS.get(row.null, row.null)}", reading(row.null_mean)]
+        if row.role == "null" or row.null in NULLS:
             line += [*gap, reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True), p_text(row.p_holm),
                      _conclusion(row)]
         lines.append(line)
@@ -149,29 +148,29 @@ def _title_of(frame: pandas.DataFrame, choice: str) -> str:
 
 
 def _sets(a: MeasuredSet, b: MeasuredSet) -> str:
-    return "".join(f"{letter}: {described(of)}{f'; shadow: {len(of.shadow.runs)} runs' if of.shadow else ''}\n{_rules(of)}"
+    return "".join(f"{letter}: {described(of)}{''.join(f'; {NULLS[name]}: {len(null.runs)} runs' for name, null in of.nulls.items())}\n{_rules(of)}"
                    for letter, of in (("a", a), ("b", b)))
 
 
 def difference_findings(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:
     """The findings of a comparison, then the inconclusive differences that would need the fewest runs."""
-    over = a.shadow is not None and b.shadow is not None
+    over, short, shown = over_nulls(frame["compared"])
 
     def cells(row: Any) -> list[str]:
         reading = Reading(_metric(row))
         return [reading(row.mean_a), reading(row.mean_b), judge.runs_of(row), reading.with_interval(row.difference, (row.lower, row.upper), True)]
 
-    about = (f"the answer is the difference {_OVER}: what inheritance does. Raw differences, which the rules alone can make, are in --all\n" if over
+    about = (f"the answer is the difference {over}: {shown}. Raw differences, which the rules alone can make, are in --all\n" if over
              else f"the differences are raw: {_UNATTRIBUTED}")
-    head = ["a", "b", "runs", ("over shadows" if over else "b - a") + " [95 %]"]
+    head = ["a", "b", "runs", (short or "b - a") + " [95 %]"]
     return _sets(a, b) + about + findings_text(frame, judge.MOST_FINDINGS) + _inconclusive(frame, head, cells) + _too_few(a, b)
 
 
 def difference_table(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:
     """The whole comparison. One line for each metric: a, b, b - a with its 95 % interval and, as the answer with its test, what each has over its
-    shadow; without a shadow of both the raw difference is the answer."""
-    over = a.shadow is not None and b.shadow is not None
-    lines = [["metric", "a", "b", "raw: b - a [95 %]", *([f"{_OVER} [95 %]"] if over else []), "p", ""]]
+    null; without a null of both the raw difference is the answer."""
+    over, short, shown = over_nulls(frame["compared"])
+    lines = [["metric", "a", "b", "raw: b - a [95 %]", *([f"{over} [95 %]"] if over else []), "p", ""]]
     rows = list(frame.itertuples(index=False))
     answers = {_metric(row): row for row in rows if row.role == "null"}
     for row in rows:
@@ -186,7 +185,7 @@ def difference_table(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) ->
         if answer and not note:
             note = f"{runs_text(answer.runs_needed)} runs" if answer.conclusion == "inconclusive" else "*" if _conclusion(answer) else ""
         lines.append([*line, p_text(answer.p_holm) if answer else "", note])
-    about = "those over the shadows are the answer: what inheritance does\n" if over else _UNATTRIBUTED
+    about = f"those {short} are the answer: {shown}\n" if over else _UNATTRIBUTED
     return (_sets(a, b) + columns(lines)
             + f"p: corrected for {judge.count(frame).comparisons} comparisons (Holm); * significant, p <= 0.05, "
             "else the runs in each set that would find a difference of this size in 80 % of studies; intervals are those of single comparisons\n"
