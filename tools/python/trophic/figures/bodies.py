@@ -13,6 +13,7 @@ import numpy as np
 import pandas as pd
 
 from ..runs import read_analysis
+from ..words import NULLS
 from .paper import Data, draw_curve, window_s
 from .style import Missing, NULL_COLOUR, caption, colour, legend_above, width_in
 
@@ -52,10 +53,11 @@ def measures(sets):
                 time_s, runs = data.curve(name, one)
                 draw_curve(ax, time_s, runs, null_of(data) or "inheritance", NULL_COLOUR if null_of(data) else colour(one, species),
                            (0, (4, 1.5)) if null_of(data) else "-", average=False, scale=scale)
-                if not data.rows(name, one, baseline="shadow", curve=True).empty:
-                    shadow_s, shadows = data.curve(name, one, baseline="shadow")
-                    ax.plot(shadow_s - window_s(shadow_s) / 2, scale * np.nanmean(shadows, axis=0), ":", color="black", linewidth=1,
-                            label=None if "shadow" in ax.get_legend_handles_labels()[1] else "shadow")
+                for baseline, look in (("shadow", ":"), ("neutral", "-.")):
+                    if not data.rows(name, one, baseline=baseline, curve=True).empty:
+                        null_s, nulls = data.curve(name, one, baseline=baseline)
+                        ax.plot(null_s - window_s(null_s) / 2, scale * np.nanmean(nulls, axis=0), look, color="black", linewidth=1,
+                                label=None if NULLS[baseline] in ax.get_legend_handles_labels()[1] else NULLS[baseline])
         row[0].set_ylabel(MEASURES[name], fontsize=7)
     for ax, one in zip(axes[0], species):
         ax.set_title(one, pad=4 + 11 * legend_above(ax, columns=3))
@@ -64,7 +66,7 @@ def measures(sets):
     ours = [data for data in sets if not null_of(data)] or sets
     null = next(filter(None, map(null_of, sets)), "")
     return caption(fig, f"{ours[0].subject('Measures of docs/bodies.md, means over those alive at the ends of windows (plans: their Shannon number)')} Windows of {window_s(time_s):g} s; lines: mean over "
-                        f"runs; {f'grey, dashed: {null}; ' * bool(null)}dotted: mean of the shadow, in which nothing is inherited. {sets[-1].intervals('bands', False)}")
+                        f"runs; {f'grey, dashed: {null}; ' * bool(null)}dotted: mean of the shadow, in which nothing is inherited; dash-dotted: of the neutral null. {sets[-1].intervals('bands', False)}")
 
 
 def living_bodies(data):
