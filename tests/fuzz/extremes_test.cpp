@@ -14,11 +14,14 @@
 #include <iterator>
 #include <new>
 #include <regex>
+#include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/io/run_folder.hpp>
 #include <trophic/reproduction/heredity/contract.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
+#include <trophic/support/whole_file.hpp>
 
 namespace {
 
@@ -92,7 +95,7 @@ void set_to(T& member, double value) {
   }
 }
 
-/// Three ticks of eight robots; nothing if a number is refused.
+/// Three ticks of eight robots, whose tables have finite numbers; nothing if a number is refused.
 template <class Rules>
 void run_three_ticks(Experiment<Rules>& experiment, const backend::Kinematic::Params& backend);
 
@@ -116,7 +119,18 @@ void run_three_ticks(Experiment<Rules>& experiment, const backend::Kinematic::Pa
   try {
     validate(experiment, "");
     Ecology<Rules> ecology{experiment, backend};
-    ecology.run_until(3.0 * experiment.ecology.tick_s);
+    const TemporaryFolder folder;
+    io::RunFolder files{folder.path() / "run",
+                        {},
+                        {.replay_hz = 0.0, .agents_every_ticks = 1, .senses = true, .states = true},
+                        Opening::created,
+                        ecology.state_columns()};
+    ecology.run_until(3.0 * experiment.ecology.tick_s, files);
+    for (const std::string& name : files.files()) {
+      static const std::regex not_finite{"[,\\n]-?(inf|nan)"};
+      static const std::regex alive{",inf,(prey|predator),"};  // destruction_time in phylogeny.csv
+      if (std::regex_search(std::regex_replace(read_whole_file(files.path() / name), alive, ",,"), not_finite)) std::abort();
+    }
     for (const GroundPose& pose : ecology.view().poses) {
       if (!std::isfinite(pose.x_m) || !std::isfinite(pose.y_m) || !std::isfinite(pose.heading_rad)) std::abort();
     }

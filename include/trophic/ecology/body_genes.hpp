@@ -37,6 +37,7 @@ class BodyGenes {
         } else {
           plan.mutate(genes, born, *habitat_, rng);
         }
+        check_finite("body_plan", "genes", genes);
         if (Phenotype own = viable(born.species, genes, refusal); own.robot) return own;
         refused += is_drawn ? 0 : 1;
         genes = parents;

@@ -6,6 +6,7 @@
 #include <trophic/reproduction/initial_genome/contract.hpp>
 #include <trophic/reproduction/mutation/contract.hpp>
 #include <trophic/rules/table.hpp>
+#include <trophic/support/rule_error.hpp>
 
 namespace trophic {
 
@@ -24,6 +25,7 @@ class BrainGenes {
     Rng rng{seed_, Stream::initial_genome, born.id};
     genome.weights = control::ask::first_genes(rules_.brain, inputs, structure);
     reproduction::ask::draw(rules_.initial_genome, control::ask::weights_of(rules_.brain, genome.weights), born, rng);
+    check_finite("initial_genome", "weights", genome.weights);
   }
 
   /// Mutates inherited weights; `own` is the offspring's state of the rule Mutation.
@@ -33,6 +35,7 @@ class BrainGenes {
     Rng growth{seed_, Stream::brain_growth, born.id};
     reproduction::ask::mutate(rules_.mutation, own, control::ask::weights_of(rules_.brain, genome.weights), born, rng);
     control::ask::mutate_structure(rules_.brain, genome.weights, inputs, growth);
+    check_finite("mutation", "weights", genome.weights);
   }
 
   /// The demand of the brain that a genome violates, "a genome of 15 weights"; none if it fits. Null violates it.

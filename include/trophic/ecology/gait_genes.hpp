@@ -32,6 +32,7 @@ class GaitGenes {
       }
       if constexpr (are_learnt) rule.learn(genes, robot, *habitat_, born, *nursery_, rng);
       if (genes.empty()) throw RuleError{"gait", "no genes: must have at least one"};
+      check_finite("gait", "genes", genes);
     }
   }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <stdexcept>
@@ -24,6 +25,12 @@ class RuleError : public std::logic_error {
 inline void check_index(std::string_view slot, std::string_view what, std::size_t value, std::size_t size) {
   if (value < size) return;
   throw RuleError{slot, std::string{what} + " " + std::to_string(value) + ": must be < " + std::to_string(size)};
+}
+
+/// Throws RuleError unless all numbers are finite.
+inline void check_finite(std::string_view slot, std::string_view what, std::span<const double> numbers) {
+  if (std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); })) return;
+  throw RuleError{slot, std::string{what} + ": must be finite"};
 }
 
 /// Throws RuleError unless a brain lists at least one tag and each tag once.

@@ -174,10 +174,11 @@ struct Scripted {
 struct ScriptedTags {
   static constexpr std::string_view name = "scripted_tags";
   static inline std::vector<int> listed;
+  static inline double angle_rad = 0.7;
   [[nodiscard]] std::size_t genome_size(std::size_t, std::size_t) const { return 1; }
   [[nodiscard]] std::vector<int> tags() const { return listed; }
   [[nodiscard]] control::Decision decide(std::span<const double>, std::span<const double>) const {
-    return {.target_angle_rad = 0.7, .tag = 1};
+    return {.target_angle_rad = angle_rad, .tag = 1};
   }
 };
 
@@ -376,6 +377,23 @@ TEST_CASE("ecology: newborn or brain tag that is not listed -> RuleError") {
   CHECK(rule_error([&] {
           Kinematics<Rules>{params, still};
         }) == "the policy in rules.newborn_tag returned tag 2: must be one of the brain's tags() (-1, 1)");
+}
+
+TEST_CASE("ecology: numbers of rules that are not finite -> RuleError before they are written") {
+  typename Kinematics<rules::Paper>::Params params;
+  params.rules.initial_genome.limit = 1e308;
+  CHECK(rule_error([&] {
+          Kinematics<rules::Paper>{params, still};
+        }) == "the policy in rules.initial_genome returned weights: must be finite");
+  using Rules = with_brain<Scene, ScriptedTags>;
+  ScriptedTags::listed = {1};
+  ScriptedTags::angle_rad = std::numeric_limits<double>::quiet_NaN();
+  auto turning = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}});
+  turning.rules.community.predators = 1;
+  CHECK(rule_error([&] {
+          Kinematics<Rules>{turning, still}.run_until(0.0);
+        }) == "the policy in rules.brain returned a target angle: must be finite");
+  ScriptedTags::angle_rad = 0.7;
 }
 
 TEST_CASE("ecology: hunter caught earlier in the tick -> no more catches") {
