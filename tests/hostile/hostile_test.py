@@ -1,20 +1,23 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""hostile_test.py PREDATOR_PREY TROPHIC OWN_RULE_1 OWN_RULE_3 [SUITE]: damaged, linked, mixed and foreign input is noticed, never continued."""
+"""hostile_test.py PREDATOR_PREY TROPHIC OWN_RULE_1 OWN_RULE_3 [SUITE] [--damages=N]: damaged, linked, mixed and foreign input is noticed, never continued."""
 
 import json
 import os
 import pathlib
+import random
 import shutil
 import subprocess
 import sys
+import time
 import tomllib
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "program"))
-from in_folder import InFolder  # noqa: E402
+from in_folder import InFolder, sealed_text  # noqa: E402
 
 PREDATOR_PREY, TROPHIC, OWN_RULE_1, OWN_RULE_3 = (sys.argv.pop(1) for _ in range(4))
+RANDOM_DAMAGES = int(sys.argv.pop().removeprefix("--damages=")) if sys.argv[-1].startswith("--damages=") else 12
 FILES = ("events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "replay.trp")
 KINEMATIC = ("--backend", "kinematic", "--robots", "16")
 
@@ -76,7 +79,7 @@ class Damage(Hostile):
         self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
         self.change("run/events.csv", change_a_digit)
         said = self.refused(1, PREDATOR_PREY, *KINEMATIC, "--duration", 80, "--out", "new", "--from", "run", "--at", 40, "--seed", 5)
-        self.assertIn("events.csv: its first", said)
+        self.assertIn("run/events.csv: has checksum", said)
 
     def test_a_damaged_run_of_a_sweep_is_not_resumed(self):
         (self.folder / "sweep.toml").write_text(
@@ -88,7 +91,7 @@ class Damage(Hostile):
         run = next((self.folder / "out").glob("cell-*0/replicate-00"))
         making = run.rename(run.with_name("replicate-00.making"))
         manifest = json.loads((making / "manifest.json").read_text())
-        (making / "manifest.json").write_text(json.dumps(manifest | {"status": "running"}))
+        (making / "manifest.json").write_text(sealed_text(manifest | {"status": "running"}))
         self.change(making / "agents.csv", zero_a_page)
         failed = self.call(*sweep)
         self.assertEqual(failed.returncode, 1, failed.stderr)
@@ -121,11 +124,104 @@ class Damage(Hostile):
         path = self.folder / "set/replicate-01/manifest.json"
         manifest = json.loads(path.read_text())
         del manifest["tables"], manifest["recording"]
-        path.write_text(json.dumps(manifest))
+        path.write_text(sealed_text(manifest))
         self.change("set/replicate-01/events.csv", lambda content: b"\xef\xbb\xbf" + content)
         for more in ((), ("--published",)):
             said = self.refused(2, TROPHIC, "analyze", "set", *more, "--out", "after")
             self.assertIn("replicate-01/events.csv:1: begins with a byte order mark", said)
+
+    def test_a_damaged_complete_run_is_made_anew_by_the_same_command(self):
+        (self.folder / "sweep.toml").write_text('engine = "kinematic"\nreplicates = 2\nreplay_hz = 5.0\n[set]\necology.robots = 16\necology.duration_s = 20.0\n'
+                                                "[grid]\nrules.mutation.sd = [0.05, 0.1]\n")
+        run = (PREDATOR_PREY, *KINEMATIC, "--duration", 20, "--resume")
+        for out, folder, command in (("run", "run", run), ("set", "set/replicate-01", (*run, "--replicates", 2)),
+                                     ("sweep", "sweep/cell-000/replicate-01", (PREDATOR_PREY, "--sweep", "sweep.toml"))):
+            with self.subTest(out):
+                self.done(*command, "--out", out)
+                whole = {name: (self.folder / folder / name).read_bytes() for name in FILES}
+                self.change(f"{folder}/genomes.csv", change_a_digit)
+                damaged = (self.folder / folder / "genomes.csv").read_bytes()
+                self.assertNotIn("damaged", self.done(*command, "--out", out, "--no-verify").stdout)
+                self.assertIn("kept as", self.done(*command, "--out", out).stdout)
+                self.assertEqual({name: (self.folder / folder / name).read_bytes() for name in FILES}, whole)
+                self.assertEqual((self.folder / f"{folder}.incomplete-1/genomes.csv").read_bytes(), damaged)
+
+    def test_no_random_damage_is_silent(self):
+        command = (PREDATOR_PREY, *KINEMATIC, "--duration", 20, "--senses", "--out", "run", "--resume")
+        self.done(*command)
+        whole = {path: path.read_bytes() for path in sorted((self.folder / "run").iterdir())}
+        draw = random.Random(RANDOM_DAMAGES)
+        others = ((TROPHIC, "analyze", "run", "--out", "new"), (TROPHIC, "cite", "run"), (TROPHIC, "show", "run", "--out", "new.html"),
+                  (TROPHIC, "export", "run", "--out", "new.glb"), (TROPHIC, "contest", "run", "--out", "new", "--against", "own", "--duration", 1),
+                  (PREDATOR_PREY, "--from", "run", "--at", 10, "--out", "new"))
+        for number in range(RANDOM_DAMAGES):
+            path, content = draw.choice(list(whole.items()))
+            at, end = sorted(draw.randrange(len(content) + 1) for _ in range(2))
+            damaged = draw.choice((content[:at], content[:at] + content[end:], content + content[at:end] + b"1", content[:at] + bytes(64) + content[at + 64 :],
+                                   content[:at] + bytes([content[at - 1] ^ 1 << draw.randrange(8)]) + content[at + 1 :]))
+            if damaged == content:
+                continue
+            other = draw.choice(others)
+            with self.subTest(number=number, path=path.name, command=other):
+                path.write_bytes(damaged)
+                said = self.call(*other)
+                self.assertIn(said.returncode, (1, 2), said.stdout)
+                self.assertIn(f"run/{path.name}: ", said.stderr)
+                self.assertNotIn("json.exception", said.stderr)
+                self.assertFalse((self.folder / "new").exists(), other)
+                self.assertRegex(self.done(*command).stdout, "was complete, but damaged|as it has no whole manifest.json|was incomplete")
+                tables = [name for name in whole if name.name not in ("manifest.json", "checkpoint.bin")]
+                self.assertEqual([name.read_bytes() for name in tables], [whole[name] for name in tables])
+            for folder in self.folder.glob("run*"):
+                shutil.rmtree(folder)
+            (self.folder / "run").mkdir()
+            for name, bytes_ in whole.items():
+                name.write_bytes(bytes_)
+
+
+class Killed(Hostile):
+    """What a killed command leaves does not block the same command."""
+
+    def test_a_killed_command_works_when_it_is_repeated(self):
+        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 400, "--replicates", 2, "--out", "set")
+        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 400, "--replicates", 2, "--seed", 2, "--out", "other")
+        self.done(TROPHIC, "analyze", "set", "--out", "tables")
+        for words in (("analyze", "set"), ("plot", "tables"), ("cross-check", "--seconds", 0, "--runs", "set", "other"), ("show", "set"),
+                      ("contest", "set", "--duration", 20, "--jobs", 1)):
+            with self.subTest(words):
+                out = self.folder / "out.html"
+                for seconds in (0.05, 0.3, 0.9, 1.5):
+                    program = subprocess.Popen([str(word) for word in (TROPHIC, *words, "--out", out)], cwd=self.folder, stdout=subprocess.DEVNULL)
+                    try:
+                        program.wait(seconds)
+                    except subprocess.TimeoutExpired:
+                        program.kill()
+                        program.wait()
+                    if out.exists():
+                        break
+                else:
+                    self.done(TROPHIC, *words, "--out", out)
+                self.assertFalse(pathlib.Path(f"{out}.part").exists())
+                out.unlink() if out.is_file() else shutil.rmtree(out)
+
+    def test_a_stopped_contest_continues(self):
+        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 400, "--replicates", 2, "--out", "set")
+        contest = (TROPHIC, "contest", "set", "--duration", 300, "--teams", 20, "--jobs", 1)
+        self.done(*contest, "--out", "whole")
+        program = subprocess.Popen([str(word) for word in (*contest, "--out", "parts")], cwd=self.folder, stdout=subprocess.PIPE, text=True)
+        played = self.folder / "parts.part/played.jsonl"
+        while program.poll() is None and not (played.exists() and played.read_bytes().count(b"\n") > 5):
+            time.sleep(0.001)
+        program.terminate()
+        said = program.communicate()[0]
+        self.assertEqual(program.returncode, 3, said)
+        self.assertIn("stopped by signal 15; the same command with --out parts continues", said)
+        with open(played, "ab") as file:
+            file.write(b"[7, 1")  # of a line that was cut
+        self.assertRegex(self.done(*contest, "--out", "parts").stdout, r"^\d+ of \d+ contests were played already\n")
+        for name in ("contests.csv", "progress.csv"):
+            self.assertEqual((self.folder / "parts" / name).read_bytes(), (self.folder / "whole" / name).read_bytes())
+        self.assertEqual(sorted(path.name for path in (self.folder / "parts").iterdir()), ["contests.csv", "progress.csv"])
 
 
 class Links(Hostile):
@@ -272,7 +368,7 @@ class Builds(Hostile):
         self.assertEqual(self.manifest("new")["origin"]["code"], self.manifest("run")["code"])
 
     def test_a_sweep_is_not_made_by_two_builds_unless_that_is_accepted(self):
-        (self.folder / "sweep.toml").write_text('engine = "kinematic"\nreplicates = 2\n[set]\necology.duration_s = 40.0\n'
+        (self.folder / "sweep.toml").write_text('engine = "kinematic"\nreplicates = 2\nreplay_hz = 5.0\n[set]\necology.duration_s = 40.0\n'
                                                 "[grid]\nrules.mutation.sd = [0.05]\n")
         command = ("--sweep", "sweep.toml", "--jobs", 1, "--out", "out")
         self.done(OWN_RULE_1, *command)
@@ -529,7 +625,7 @@ class Foreign(Hostile):
                         manifest[key][f"key{escape}"] = 1
                     else:
                         manifest[key] = f"{manifest[key]}{escape}"
-                    (self.folder / "run/manifest.json").write_text(json.dumps(manifest))
+                    (self.folder / "run/manifest.json").write_text(sealed_text(manifest))
                     for command in (("analyze", "run", "--out", "new"), ("cite", "run")):
                         said = self.refused(2, TROPHIC, *command)
                         self.assertIn("without control characters", said)
@@ -539,7 +635,7 @@ class Foreign(Hostile):
         self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 4, "--replicates", 2, "--out", "set")
         listed = json.loads((self.folder / "set/replicates.json").read_text())
         listed["replicates"][1]["folder"] = "replicate-01\x1b[2J"
-        (self.folder / "set/replicates.json").write_text(json.dumps(listed))
+        (self.folder / "set/replicates.json").write_text(sealed_text(listed))
         self.assertIn("without control characters", self.refused(2, TROPHIC, "analyze", "set", "--out", "new"))
 
     def test_a_pipe_in_the_place_of_a_file_is_not_waited_for(self):

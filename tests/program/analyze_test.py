@@ -14,7 +14,7 @@ import time
 import unittest
 
 import figures_python
-from in_folder import InFolderWithSets
+from in_folder import InFolderWithSets, sealed_text
 
 PREDATOR_PREY, TROPHIC = (sys.argv.pop(1) for _ in range(2))
 FIGURES = ["attribution", "velocity", "wall_sticking", "tag_symmetry", "population", "phylogeny", "catches", "trajectories"]
@@ -36,7 +36,8 @@ class Analyze(InFolderWithSets):
                 content = json.loads(manifest.read_text())
                 content["rules"]["heredity"] = "nothing_inherited"
                 content["fingerprint"] = "5ad0"
-                manifest.write_text(json.dumps(content))
+                manifest.with_name("checkpoint.bin").unlink()
+                manifest.write_text(sealed_text(content))
 
     def setUp(self):
         super().setUp()

@@ -10,7 +10,7 @@ import sys
 import unittest
 
 import figures_python
-from in_folder import InFolder
+from in_folder import InFolder, sealed_text
 
 ARMS_RACE = sys.argv.pop(4)
 OWN_TABLE = sys.argv.pop(3)
@@ -144,7 +144,7 @@ class Contest(InFolder):
         made = self.call(PREDATOR_PREY, "--backend", "kinematic", "--duration", 20, "--out", "run")
         self.assertEqual(made.returncode, 0, made.stderr)
         manifest = self.folder / "run/manifest.json"
-        manifest.write_text(json.dumps({**json.loads(manifest.read_text()), "rules": {"recruitment": "after_escapes"}}))
+        manifest.write_text(sealed_text({**json.loads(manifest.read_text()), "rules": {"recruitment": "after_escapes"}}))
         shown = self.call(TROPHIC, "show", "run", "--out", "page.html")
         self.assertNotEqual(shown.returncode, 0)
         self.assertIn("has no rows of spare bodies (rule recruitment)", shown.stderr)
@@ -175,7 +175,7 @@ class Contest(InFolder):
         self.refused("study", says="genomes.csv")
         shutil.move(self.folder / "genomes.csv", first / "genomes.csv")
         for path in (self.folder / "study").glob("replicate-*/manifest.json"):
-            path.write_text(json.dumps({**json.loads(path.read_text()), "food_web": []}))
+            path.write_text(sealed_text({**json.loads(path.read_text()), "food_web": []}))
         self.refused("study", says="no species of this food web hunts: a contest needs hunters and victims")
 
 

@@ -1,9 +1,17 @@
 # SPDX-License-Identifier: MIT
 """Tests of programs that leave files: each test works in a temporary folder of its own."""
 
+import json
 import pathlib
 import tempfile
 import unittest
+import zlib
+
+
+def sealed_text(value):
+    """A manifest or a list of replicates as trophic writes it, with its checksum at the end."""
+    body = json.dumps({key: entry for key, entry in value.items() if key != "crc32"}, indent=2)[:-2]
+    return f'{body},\n  "crc32": {zlib.crc32(body.encode())}\n}}\n'
 
 
 class InFolder(unittest.TestCase):

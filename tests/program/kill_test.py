@@ -17,7 +17,7 @@ import sys
 import time
 import unittest
 
-from in_folder import InFolder
+from in_folder import InFolder, sealed_text
 
 PARSER = argparse.ArgumentParser()
 PARSER.add_argument("program")
@@ -94,7 +94,7 @@ class Killed(InFolder):
         self.assertEqual(self.finish(*self.command("parts", 7, duration="301")).returncode, 0)
         manifest = self.manifest("parts")
         manifest["status"] = "running"
-        (self.folder / "parts/manifest.json").write_text(json.dumps(manifest))
+        (self.folder / "parts/manifest.json").write_text(sealed_text(manifest))
         again = self.finish(*self.command("parts", 7, "--resume", duration="301"))
         self.assertEqual(again.returncode, 0, again.stderr)
         self.assert_same("whole", "parts")

@@ -94,6 +94,22 @@ class Options(InFolderWithSets):
         for path in sorted(new, reverse=True):
             (os.rmdir if (self.folder / path).is_dir() else os.remove)(self.folder / path)
 
+    def test_what_cannot_be_done_is_refused_before_any_work(self):
+        (self.folder / "changes.csv").write_text("time_s,number,value\n8,rules.capture.reach_m,0.5\n")
+        for words, said in (([TROPHIC, "contest", "set", "--team-size", "0"], "--team-size 0: must be >= 1 and <= 10000"),
+                            ([TROPHIC, "contest", "set", "--epochs", "0,40,"], "--epochs 0,40,: must be times in seconds"),
+                            ([TROPHIC, "film", "run", "--speed", "1e-9", "--out", "new.mp4"], "pictures: must have <= 1e+06"),
+                            ([PREDATOR_PREY, "--backend", "kinematic", "--duration", "60", "--out", "run", "--resume", "--changes", "changes.csv"],
+                             "--changes changes.csv: must be left out, as the run in run has no changes.csv")):
+            with self.subTest(words):
+                before = self.files()
+                done = subprocess.run(words, cwd=self.folder, capture_output=True, text=True, timeout=60, preexec_fn=limit_memory)
+                if "without pictures" in done.stderr:
+                    continue
+                self.assertEqual((done.returncode, len(done.stderr.splitlines())), (2, 1), done.stderr)
+                self.assertIn(said, done.stderr)
+                self.assertEqual(self.files(), before)
+
     def test_every_option(self):
         there = subprocess.run([TROPHIC, "--help"], capture_output=True, text=True, check=True).stdout
         tried = 0

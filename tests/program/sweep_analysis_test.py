@@ -10,7 +10,7 @@ import sys
 import unittest
 
 import figures_python
-from in_folder import InFolderWithSets
+from in_folder import InFolderWithSets, sealed_text
 
 PREDATOR_PREY, TROPHIC = (sys.argv.pop(1) for _ in range(2))
 SPEEDS, TICKS, REPLICATES, UNTIL_S = (1.0, 4.0), (15, 25), 6, 400.0
@@ -114,7 +114,7 @@ class SweepAnalysis(InFolderWithSets):
     def test_missing_runs_are_listed_and_left_out_only_when_asked(self):
         shutil.rmtree(self.folder / "sweep/cell-001/replicate-02")
         stopped = self.folder / "sweep/cell-002/shadow/replicate-01/manifest.json"
-        stopped.write_text(stopped.read_text().replace('"complete"', '"stopped"'))
+        stopped.write_text(sealed_text({**json.loads(stopped.read_text()), "status": "stopped"}))
         words = ('sweep: 2 of 48 runs missing: run 14 (cell-001/replicate-02): no such folder; run 31 (cell-002/shadow/replicate-01): status '
                  '"stopped", must be "complete"')
         self.refused(words + " (--allow-missing leaves them out)")

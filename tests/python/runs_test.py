@@ -17,6 +17,7 @@ import figures_python  # noqa: E402
 figures_python.continue_with_pandas()
 import pandas  # noqa: E402
 import trophic.runs as runs  # noqa: E402
+from in_folder import sealed_text  # noqa: E402
 
 PREDATOR_PREY, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
 
@@ -120,7 +121,7 @@ class Runs(unittest.TestCase):
                 link.symlink_to(self.folder / origin / "replicate-00")
         for read, name, said in (
             (runs.read_run, "empty", "no manifest.json"),
-            (runs.read_run, "broken", "broken"),
+            (runs.read_run, "broken", "is not a JSON object"),
             (runs.read_runs, "empty", "no complete replicates"),
             (runs.read_runs, "mixed", "different fingerprints"),
             (runs.read_study, "empty", "no set of runs"),
@@ -137,7 +138,7 @@ class Runs(unittest.TestCase):
             subprocess.run(["cp", "-r", self.folder / "set", folder], check=True)
             manifest = json.loads((folder / "replicate-00/manifest.json").read_text())
             manifest["status"] = "running"
-            (folder / "replicate-00/manifest.json").write_text(json.dumps(manifest))
+            (folder / "replicate-00/manifest.json").write_text(sealed_text(manifest))
         self.assertEqual(len(runs.read_runs(folder)), 5)
         self.assertEqual(len(runs.read_runs(folder, incomplete=True)), 6)
 
@@ -161,7 +162,7 @@ class Runs(unittest.TestCase):
         subprocess.run(["cp", "-r", self.folder / "set/replicate-00", folder], check=True)
         manifest = json.loads((folder / "manifest.json").read_text())
         del manifest["tables"]
-        (folder / "manifest.json").write_text(json.dumps(manifest))
+        (folder / "manifest.json").write_text(sealed_text(manifest))
         path = folder / "events.csv"
         whole = path.read_bytes()
         lines = whole.splitlines(keepends=True)
@@ -181,14 +182,14 @@ class Runs(unittest.TestCase):
         path.write_bytes(whole)
         for manifest in (b"[]", b"\xff", b'{"status": "complete"}', b'{"status": 1, "seed": 1, "fingerprint": "0", "rule_table": "paper"}'):
             (folder / "manifest.json").write_bytes(manifest)
-            with self.subTest(manifest), self.assertRaisesRegex(runs.RunError, "manifest.json: (broken|not a run's)"):
+            with self.subTest(manifest), self.assertRaisesRegex(runs.RunError, "manifest.json: (is not a JSON object|not a run's)"):
                 runs.read_run(folder)
 
     def test_runs_of_two_builds_are_a_set_only_if_that_is_accepted(self):
         folder = self.folder / "builds"
         subprocess.run(["cp", "-r", self.folder / "set", folder], check=True)
         path = folder / "replicate-00/manifest.json"
-        path.write_text(json.dumps(json.loads(path.read_text()) | {"continued": [{"code": "another", "other_build": "accepted"}]}))
+        path.write_text(sealed_text(json.loads(path.read_text()) | {"continued": [{"code": "another", "other_build": "accepted"}]}))
         with self.assertRaisesRegex(runs.RunError, "builds: made by different builds: "):
             runs.read_runs(folder)
         mixed = runs.read_runs(folder, accept_other_build=True)[0]
@@ -201,7 +202,7 @@ class Runs(unittest.TestCase):
         path = folder / "agents.csv"
         manifest = json.loads((folder / "manifest.json").read_text())
         del manifest["tables"]  # a killed program writes none
-        (folder / "manifest.json").write_text(json.dumps(manifest))
+        (folder / "manifest.json").write_text(sealed_text(manifest))
         path.write_bytes(path.read_bytes()[:-9])
         cut = runs.read_run(folder).agents
         self.assertEqual(len(cut), len(whole) - 1)

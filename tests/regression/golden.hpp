@@ -64,7 +64,8 @@ inline void remove_recording(const std::filesystem::path& folder) {
 /// tables, which are compared themselves.
 inline void strip_manifest(const std::filesystem::path& folder) {
   auto manifest = parse_json(read_whole_file(folder / "manifest.json"));
-  for (const char* key : {"trophic", "compiler", "architecture", "c_library", "source", "code", "tables", "recording"})
+  for (const char* key :
+       {"format", "crc32", "trophic", "compiler", "architecture", "c_library", "source", "code", "tables", "recording"})
     manifest.erase(key);
   std::istringstream text{json_text(manifest, 1)};
   FileLines lines;

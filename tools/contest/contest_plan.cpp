@@ -52,7 +52,7 @@ auto read_json(const std::filesystem::path& path, Read&& read) {
   try {
     return read(parse_json(read_whole_file(path)));
   } catch (const Json::exception& error) {
-    throw std::invalid_argument{path.string() + ": " + error.what()};
+    throw std::invalid_argument{path.string() + ": " + reason_of(error)};
   }
 }
 
@@ -68,10 +68,14 @@ Lineup lineup_of(const Plan& plan, const Match& match) {
   return lineup;
 }
 
-Outcome play(const MakeContest& make, const Plan& plan, const Match& match) {
+Outcome play(const MakeContest& make, const Plan& plan, const Match& match, const observe::StopOnSignal* stop) {
   const std::unique_ptr<Simulation> arena = make(match.places, lineup_of(plan, match));
   detail::ContactWatch watch{plan, match};
-  arena->run_until(plan.duration_s, watch);
+  if (stop == nullptr) {
+    arena->run_until(plan.duration_s, watch);
+  } else {
+    arena->run_until(plan.duration_s, watch, *stop);
+  }
   return watch.outcome(plan.duration_s);
 }
 

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <trophic/ecology/lineup.hpp>
+#include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/support/json.hpp>
 
@@ -43,7 +44,9 @@ struct Outcome {
 [[nodiscard]] Lineup lineup_of(const Plan& plan, const Match& match);
 
 /// Lets two teams meet. Throws as the ecology does, and std::invalid_argument for genomes that the brain does not take.
-[[nodiscard]] Outcome play(const MakeContest& make, const Plan& plan, const Match& match);
+/// `stop`: ends it early, if not null; the outcome is then none.
+[[nodiscard]] Outcome play(const MakeContest& make, const Plan& plan, const Match& match,
+                           const observe::StopOnSignal* stop = nullptr);
 
 /// A plan as JSON, and back. Reading throws std::invalid_argument naming the file and what is wrong.
 [[nodiscard]] std::string text_of(const Plan& plan);

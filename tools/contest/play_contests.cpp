@@ -5,10 +5,12 @@
 #include <tools/command/backends.hpp>
 #include <tools/command/output.hpp>
 #include <tools/command/read_parameters.hpp>
+#include <tools/command/run_command.hpp>
 #include <tools/command/toml_of_json.hpp>
 #include <tools/command/words.hpp>
 #include <tools/contest/play_contests.hpp>
 #include <tools/replicates/parallel.hpp>
+#include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/support/new_file.hpp>
 
 namespace trophic::command {
@@ -36,24 +38,28 @@ std::string why_not_played(const contest::Plan& plan, const Offer& offer, const 
          ", what this program makes of the runs' parameters; rules, models or engine changed";
 }
 
-std::vector<contest::Outcome> play(const contest::Plan& plan, const Offer& offer, std::size_t jobs,
-                                   const std::function<void()>& on_match) {
+Outcomes play(const contest::Plan& plan, const Offer& offer, std::size_t jobs, Outcomes outcomes,
+              const std::function<void(std::size_t, const contest::Outcome&)>& on_match) {
   if (const std::string why = why_not_played(plan, offer); !why.empty()) throw std::invalid_argument{why};
   const MakeContest make = experiment_of(plan, offer)->contests();
-  std::vector<contest::Outcome> outcomes(plan.matches.size());
+  outcomes.resize(plan.matches.size());
+  const observe::StopOnSignal stop;
   std::atomic<bool> has_failed = false;
   const auto attempts = replicates::in_parallel(
       outcomes.size(), jobs,
       [&](std::size_t i) {
+        if (outcomes[i]) return;
         try {
-          outcomes[i] = contest::play(make, plan, plan.matches[i]);
+          const contest::Outcome outcome = contest::play(make, plan, plan.matches[i], &stop);
+          if (!stop.keep_running()) return;
+          outcomes[i] = outcome;
+          if (on_match) on_match(i, outcome);
         } catch (...) {
           has_failed = true;
           throw;
         }
-        if (on_match) on_match();
       },
-      [&] { return !has_failed; });
+      [&] { return !has_failed && stop.keep_running(); });
   for (const replicates::Attempt& attempt : attempts) {
     if (!attempt.error.empty()) throw std::invalid_argument{attempt.error};
   }
@@ -66,7 +72,11 @@ std::filesystem::path outcomes_of(const std::filesystem::path& plan) {
 
 int play_contests(const std::filesystem::path& plan, std::size_t jobs, const Offer& offer) {
   check_new_file("--play", outcomes_of(plan).string());
-  const auto outcomes = play(contest::read_plan(plan), offer, jobs);
+  std::vector<contest::Outcome> outcomes;
+  for (const auto& one : play(contest::read_plan(plan), offer, jobs)) {
+    if (!one) return stopped;
+    outcomes.push_back(*one);
+  }
   write_new_file(outcomes_of(plan).string(), contest::text_of(outcomes));
   return 0;
 }

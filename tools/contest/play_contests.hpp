@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <tools/command/offers.hpp>
 #include <tools/contest/contest_plan.hpp>
@@ -20,10 +21,14 @@ namespace trophic::command {
 /// The experiment of a plan, with one thread for each contest. The offer must have its table and backend.
 [[nodiscard]] std::unique_ptr<AnyExperiment> experiment_of(const contest::Plan& plan, const Offer& offer);
 
-/// Plays the matches of a plan, `jobs` at a time; outcomes do not depend on it. `on_match` is called after each, by any thread.
+/// Outcomes by match; none of one that was not played.
+using Outcomes = std::vector<std::optional<contest::Outcome>>;
+
+/// Plays the matches of a plan whose outcomes are not known, `jobs` at a time; outcomes do not depend on it. `on_match` is called
+/// after each, by any thread. After a signal no more are played.
 /// Throws std::invalid_argument as `why_not_played`, and for genomes that the table's brain does not take.
-[[nodiscard]] std::vector<contest::Outcome> play(const contest::Plan& plan, const Offer& offer, std::size_t jobs,
-                                                 const std::function<void()>& on_match = {});
+[[nodiscard]] Outcomes play(const contest::Plan& plan, const Offer& offer, std::size_t jobs, Outcomes known = {},
+                            const std::function<void(std::size_t, const contest::Outcome&)>& on_match = {});
 
 /// Plays the plan in a file and writes the outcomes into a new one, PLAN.outcomes. Returns the exit code.
 [[nodiscard]] int play_contests(const std::filesystem::path& plan, std::size_t jobs, const Offer& offer);

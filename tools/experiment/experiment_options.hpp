@@ -24,6 +24,7 @@ struct ExperimentOptions {
   std::optional<std::uint64_t> jobs;
   bool resume = false;
   bool accept_other_build = false;
+  bool no_verify = false;
   std::string from;            ///< folder of the run that this one begins from
   std::optional<double> at_s;  ///< moment of that run
   double checkpoint_s = checkpoint::Schedule{}.every_s;
@@ -56,11 +57,12 @@ struct ExperimentOptions {
   io::OwnTables own_tables;  ///< the program's own tables, written by each run
 };
 
-/// The schedule that --checkpoint-s and --accept-other-build set.
+/// The schedule that --checkpoint-s, --accept-other-build and --no-verify set.
 [[nodiscard]] inline checkpoint::Schedule schedule_of(const ExperimentOptions& options) {
   using checkpoint::OtherBuild;
   return {.every_s = options.checkpoint_s,
-          .other_build = options.accept_other_build ? OtherBuild::accepted : OtherBuild::refused};
+          .other_build = options.accept_other_build ? OtherBuild::accepted : OtherBuild::refused,
+          .verifies = !options.no_verify};
 }
 
 /// A run, and a moment of it at which others begin.

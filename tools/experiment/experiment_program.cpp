@@ -64,7 +64,8 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
         .target = &options.sweep,
         .help = "run the grid of settings that this TOML file lists into OUT, or resume what is not complete",
         .needs = {"--out", "--dry-run"},
-        .only_with = {"--out", "--jobs", "--run", "--plan", "--dry-run", "--sbatch", "--checkpoint-s", "--accept-other-build"}},
+        .only_with = {"--out", "--jobs", "--run", "--plan", "--dry-run", "--sbatch", "--checkpoint-s", "--accept-other-build",
+                      "--no-verify"}},
        {.name = "--run",
         .target = &options.run,
         .help = "only the sweep's runs with these numbers, from 0; for Slurm, GNU parallel, MPI, ...",
@@ -89,7 +90,7 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
         .target = &options.status,
         .help = "print how many runs of the sweep in OUT are done, running, failed and missing, and the time left",
         .needs = {"--out"},
-        .only_with = {"--out"}}});
+        .only_with = {"--out", "--no-verify"}}});
   add("Output",
       {{"--out", &options.out, "new folder for the run's files (the next free runs/" + options.program + "-1, -2, ...)"},
        {"--replay-hz", &options.replay_hz,
@@ -126,6 +127,10 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
         .help = "resume runs that another build of this program made, whose rules may be other code under the same names; "
                 "manifests record it",
         .needs = {"--resume", "--from", "--sweep"}},
+       {.name = "--no-verify",
+        .target = &options.no_verify,
+        .help = "keep complete runs without comparing their files with their checksums, which takes time for ten thousand runs",
+        .needs = {"--resume", "--sweep", "--status"}},
        {.name = "--from",
         .target = &options.from,
         .help = "begin at the state of the run in this folder at --at, with another --seed, other rules or other parameters of "

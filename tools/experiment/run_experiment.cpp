@@ -140,7 +140,7 @@ inline void check_resumed(const std::filesystem::path& folder, const observe::Ru
   const std::filesystem::path path = folder / "manifest.json";
   std::error_code unknown;
   if (!std::filesystem::is_regular_file(path, unknown)) return;
-  const Json there = parse_json_or_null(read_whole_file(path));
+  const Json there = parse_sealed(read_whole_file(path));
   if (!there.is_object() || text_at(there, "fingerprint").empty() || text_at(there, "fingerprint") == run.fingerprint) return;
   std::string text;
   std::size_t found = 0;
@@ -159,6 +159,17 @@ inline void check_resumed(const std::filesystem::path& folder, const observe::Ru
   throw std::invalid_argument{"--resume: " + folder.string() + " is a run of other rules or parameters: " + text};
 }
 
+/// Throws std::invalid_argument if a run that is to be resumed had changes and the options have none, or the other way round.
+inline void check_same_changes(const ExperimentOptions& options, const std::filesystem::path& folder) {
+  std::error_code unknown;
+  if (!options.resume || options.live || !std::filesystem::exists(folder / "manifest.json", unknown)) return;
+  const bool has_changes = std::filesystem::exists(folder / changes::file_name);
+  if (has_changes == !options.changes.empty()) return;
+  throw std::invalid_argument{has_changes ? "--changes: needed to resume, as " + folder.string() + " has changes.csv"
+                                          : "--changes " + options.changes + ": must be left out, as the run in " +
+                                                folder.string() + " has no changes.csv"};
+}
+
 /// Makes the past of runs that begin at a moment. Returns false if a signal came before it was made.
 [[nodiscard]] inline bool make_snapshot(const checkpoint::Snapshot& snapshot, const OriginRun& origin) {
   std::cout << snapshot.folder.string() << ": the snapshot, " << origin.moment.run.string() << " until "
@@ -171,17 +182,18 @@ inline void check_resumed(const std::filesystem::path& folder, const observe::Ru
                                                                        const Simulation& ecology, double until_s,
                                                                        const std::optional<OriginRun>& origin) {
   const observe::RunDescription run = ecology.describe(until_s);
-  const checkpoint::OtherBuild other_build = schedule_of(options).other_build;
+  const checkpoint::Schedule schedule = schedule_of(options);
+  check_same_changes(options, options.out);
   if (options.resume) check_resumed(options.out, run);
-  if (!origin) return options.resume ? checkpoint::run_state_in(options.out, run, other_build) : checkpoint::RunState{};
+  if (!origin) return options.resume ? checkpoint::run_state_in(options.out, run, schedule) : checkpoint::RunState{};
   const checkpoint::Snapshot snapshot = snapshot_of(options, *origin, run);
   if (!checkpoint::needs_snapshot(options.out, run.until_s) && !checkpoint::SnapshotFolder::exists(snapshot)) {
-    return checkpoint::run_state_in(options.out, run, snapshot, other_build);
+    return checkpoint::run_state_in(options.out, run, snapshot, schedule);
   }
   checkpoint::SnapshotFolder room{snapshot};
   if (!options.resume) io::check_new_folder(options.out);
   if (checkpoint::needs_snapshot(options.out, run.until_s) && !make_snapshot(snapshot, *origin)) return std::nullopt;
-  auto run_state = checkpoint::run_state_in(options.out, run, snapshot, other_build);
+  auto run_state = checkpoint::run_state_in(options.out, run, snapshot, schedule);
   room.clear();
   return run_state;
 }
@@ -257,12 +269,8 @@ int run_once(const ExperimentOptions& options, AnyExperiment& experiment, const 
   const MakeSimulation make = simulations(chosen, options, config, experiment, Null::none);
   const double until_s = experiment.ecology().duration_s;
   replicates::Plan plan = plan_of(options, experiment.seed());
-  if (options.changes.empty() && options.resume) {
-    for (const replicates::Replicate& one : plan.all()) {
-      if (std::filesystem::exists(one.folder / changes::file_name))
-        throw std::invalid_argument{"--changes: needed to resume, as " + one.folder.string() + " has changes.csv"};
-    }
-  }
+  plan.check();
+  for (const replicates::Replicate& one : plan.all()) check_same_changes(options, one.folder);
   if (options.resume) check_resumed(plan.all().front().folder, make(plan.master_seed)->describe(until_s));
   std::vector<Null> nulls;
   if (options.shadow) nulls.push_back(Null::shadow);
@@ -291,9 +299,10 @@ OriginRun read_origin(const ExperimentOptions& options) {
   OriginRun origin;
   origin.moment.run = options.from;
   const std::filesystem::path path = origin.moment.run / "manifest.json";
-  const std::string text = read_whole_file(path);
+  const Json json = parse_sealed(read_whole_file(path));
   try {
-    const auto json = parse_json(text);
+    if (!json.is_object()) throw std::invalid_argument{"is not a run's manifest, or was changed after trophic wrote it"};
+    if (const std::string damage = checkpoint::damage_in(origin.moment.run); !damage.empty()) throw std::runtime_error{damage};
     origin.rule_table = json.at("rule_table").get<std::string>();
     origin.engine = json.at("backend").get<std::string>();
     origin.engine.resize(std::min(origin.engine.find(' '), origin.engine.size()));
@@ -308,7 +317,7 @@ OriginRun read_origin(const ExperimentOptions& options) {
     origin.output.states = std::filesystem::exists(origin.moment.run / io::StateLog::file_name);
     origin.params = toml_of(json.at("params"));
   } catch (const Json::exception& error) {
-    throw std::invalid_argument{path.string() + ": " + error.what()};
+    throw std::invalid_argument{path.string() + ": " + reason_of(error)};
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument{path.string() + ": " + error.what()};
   }
@@ -338,7 +347,7 @@ bool replay(const AnyExperiment& chosen, const OriginRun& origin, const Experime
     checkpoint::copy_until(origin.moment.run, origin.moment.at_s, folder);
   }
   const checkpoint::RunState run_state =
-      checkpoint::run_state_in(folder, ecology->describe(origin.moment.at_s), schedule_of(options).other_build);
+      checkpoint::run_state_in(folder, ecology->describe(origin.moment.at_s), schedule_of(options));
   if (run_state.complete) return true;
   observe::StopOnSignal stop;
   io::RunFolder files{folder, {}, origin.output, run_state.opening(), ecology->state_columns(), options.own_tables};

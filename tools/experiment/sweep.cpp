@@ -175,7 +175,10 @@ int run_sweep(const ExperimentOptions& options, const Offer& offer) {
       runs.size(), options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())),
       [&](std::size_t i) {
         const sweep::PlannedRun& run = plan[runs[i]];
-        sweep::make_run(options.out, run, [&](const std::filesystem::path& folder) { runner.run(run, folder, progress); });
+        const std::string remark = sweep::make_run(
+            options.out, run, [&](const std::filesystem::path& folder) { runner.run(run, folder, progress); },
+            !options.no_verify);
+        if (!remark.empty()) std::cout << remark + "\n" << std::flush;
       },
       [&] { return stop.keep_running(); });
   std::map<std::size_t, std::string> unfinished;

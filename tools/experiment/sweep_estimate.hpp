@@ -127,19 +127,25 @@ struct Estimates {
   std::array<char, 32> time{};
   std::snprintf(time.data(), time.size(), "%llu:%02llu:00", static_cast<unsigned long long>(minutes / 60),
                 static_cast<unsigned long long>(minutes % 60));
+  const auto one_line = [](std::string text) {  // in a comment
+    std::ranges::replace_if(
+        text, [](unsigned char c) { return c < 0x20 || c == 0x7f; }, '?');
+    return text;
+  };
   const auto quoted = [](const std::string& text) { return command::detail::shell_text(text); };
   const std::string tasks = std::to_string(count);
   return print_text(
       "#!/bin/bash\n# " + estimate_text(file, plan, *estimates) +
       ". The time limit is 1.5 times the longest task's, plus ten minutes.\n"
       "# Submit it again to finish what was interrupted; `" +
-      options.program + " --status --out " + options.out +
+      one_line(options.program) + " --status --out " + one_line(options.out) +
       "` lists it.\n"
       "#SBATCH --job-name=" +
-      options.program + "\n#SBATCH --array=1-" + tasks + "\n#SBATCH --cpus-per-task=1\n#SBATCH --time=" + time.data() +
-      "\n#SBATCH --mem=" + std::to_string(megabytes) + "M\n#SBATCH --output=slurm-%A_%a.log\n#SBATCH --signal=B:TERM@120\n" +
-      "exec " + quoted(program_path().string()) + " --sweep " + quoted(options.sweep) + " --out " + quoted(options.out) +
-      " --jobs 1 --run $(seq $((SLURM_ARRAY_TASK_ID % " + tasks + ")) " + tasks + " " + std::to_string(plan.size() - 1) + ")\n");
+      quoted(one_line(options.program)) + "\n#SBATCH --array=1-" + tasks +
+      "\n#SBATCH --cpus-per-task=1\n#SBATCH --time=" + time.data() + "\n#SBATCH --mem=" + std::to_string(megabytes) +
+      "M\n#SBATCH --output=slurm-%A_%a.log\n#SBATCH --signal=B:TERM@120\n" + "exec " + quoted(program_path().string()) +
+      " --sweep " + quoted(options.sweep) + " --out " + quoted(options.out) + " --jobs 1 --run $(seq $((SLURM_ARRAY_TASK_ID % " +
+      tasks + ")) " + tasks + " " + std::to_string(plan.size() - 1) + ")\n");
 }
 
 }  // namespace trophic::command::detail::sweeps

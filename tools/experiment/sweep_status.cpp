@@ -54,7 +54,7 @@ int sweep_status(const ExperimentOptions& options) {
   std::map<sweep::Stage, std::vector<std::string>> runs;
   for (const sweep::PlannedRun& run : plan) {
     const Kind kind{run.rule_table, run.engine};
-    const sweep::Stage stage = sweep::stage_of(out, run);
+    const sweep::Stage stage = sweep::stage_of(out, run, !options.no_verify);
     runs[stage].push_back(run.folder.string());
     if (stage != sweep::Stage::complete) {
       work_left[kind] += run.work;

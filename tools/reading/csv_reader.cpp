@@ -2,14 +2,13 @@
 // Definitions of csv_reader.hpp.
 #include <tools/reading/csv_reader.hpp>
 
-#include <trophic/support/checksum.hpp>
 #include <trophic/support/whole_file.hpp>
 
 namespace trophic::analysis {
 
 CsvReader::CsvReader(const std::filesystem::path& path, std::initializer_list<std::string_view> columns) : file_{path.string()} {
   try {
-    const std::string beginning = read_beginning(path, longest_header);
+    const std::string beginning = read_part(path, longest_header);
     if (beginning.find('\0') != std::string::npos ||
         (beginning.size() == longest_header && beginning.find('\n') == std::string::npos)) {
       throw std::invalid_argument{file_ + ":1: is not a line of a table"};
@@ -20,6 +19,9 @@ CsvReader::CsvReader(const std::filesystem::path& path, std::initializer_list<st
   }
   if (!split_line()) throw error("has no header");
   header_.assign(cells_.begin(), cells_.end());
+  for (auto name = header_.begin(); name != header_.end(); ++name) {
+    if (std::find(header_.begin(), name, *name) != name) throw error(1, "column \"" + excerpt(*name) + "\" twice: must be once");
+  }
   for (const std::string_view column : columns) want(column);
 }
 
@@ -37,17 +39,12 @@ bool CsvReader::next() {
   return true;
 }
 
-io::TableSum CsvReader::sum() const {
-  const auto lines = static_cast<std::uint64_t>(std::ranges::count(text_, '\n'));
-  return {.rows = lines == 0 ? 0 : lines - 1, .crc32 = checksum(text_)};
-}
-
 std::size_t CsvReader::place_of(std::string_view column) const {
   return static_cast<std::size_t>(std::ranges::find(wanted_, column, &Wanted::name) - wanted_.begin());
 }
 
 [[noreturn]] void CsvReader::reject(std::size_t column, std::string_view must) const {
-  throw error(line_, wanted_.at(column).name + " = \"" + std::string{text(column)} + "\": must be " + std::string{must});
+  throw error(line_, wanted_.at(column).name + " = \"" + excerpt(text(column)) + "\": must be " + std::string{must});
 }
 
 std::runtime_error CsvReader::error(std::size_t line, const std::string& what) const {

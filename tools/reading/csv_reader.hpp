@@ -24,9 +24,6 @@ class CsvReader {
   /// Goes to the next row; false after the last. Throws std::runtime_error "FILE:LINE: ..." for a wrong number of cells.
   bool next();
 
-  /// Rows and checksum of the whole file, whatever has been read.
-  [[nodiscard]] io::TableSum sum() const;
-
   [[nodiscard]] std::size_t line() const { return line_; }
   /// Whether the file ended in the middle of a line; known once next() is false.
   [[nodiscard]] bool truncated() const { return truncated_; }

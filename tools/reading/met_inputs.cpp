@@ -19,7 +19,6 @@ void add_met(const RunManifest& run, Met& met) {
     throw std::invalid_argument{path.string() + ": is missing: lineage measures need it of the first run; run with --senses"};
   }
   CsvReader table{path, {"species"}};
-  check_sum(table, path, run.tables);
   std::size_t size = 0;
   for (; table.has("input" + std::to_string(size)); ++size) table.want("input" + std::to_string(size));
   Inputs inputs(size);

@@ -16,7 +16,9 @@ std::vector<std::filesystem::path> run_folders(const std::filesystem::path& path
   if (!std::filesystem::exists(list)) return {path};
   std::vector<std::filesystem::path> folders;
   try {
-    const auto json = parse_json(read_whole_file(list));
+    const Json json = parse_sealed(read_whole_file(list));
+    if (!json.is_object())
+      throw std::invalid_argument{list.string() + ": is not a JSON object, or was changed after trophic wrote it"};
     for (const auto& replicate : json.at("replicates")) {
       const auto folder_name = replicate.at("folder").get<std::string>();
       if (!is_plain(folder_name)) {
@@ -35,7 +37,7 @@ std::vector<std::filesystem::path> run_folders(const std::filesystem::path& path
       }
     }
   } catch (const Json::exception& error) {
-    throw std::invalid_argument{list.string() + ": " + error.what()};
+    throw std::invalid_argument{list.string() + ": " + reason_of(error)};
   }
   return folders;
 }

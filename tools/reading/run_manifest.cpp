@@ -68,10 +68,9 @@ std::string builds_text(const std::vector<std::string>& builds) {
 
 RunManifest manifest_of(std::string_view text, const std::filesystem::path& path) {
   try {
-    auto json = parse_json(text);
-    for (const char* unprinted : {"command_line", "error"}) {  // may quote what was typed
-      if (json.is_object()) json.erase(unprinted);
-    }
+    auto json = parse_sealed(text);
+    if (!json.is_object()) throw std::invalid_argument{"is not a JSON object, or was changed after trophic wrote it"};
+    for (const char* unprinted : {"command_line", "error"}) json.erase(unprinted);  // may quote what was typed
     check_plain(json);
     RunManifest manifest;
     manifest.folder = path.parent_path();
@@ -124,11 +123,10 @@ RunManifest manifest_of(std::string_view text, const std::filesystem::path& path
     } else {
       manifest.changes = {0, json_text(Json::array())};
     }
-    if (json.contains("recording")) manifest.recording_crc32 = whole_number<std::uint32_t>(json["recording"], "crc32");
     manifest.builds = builds_in(json);
     return manifest;
   } catch (const Json::exception& error) {
-    throw std::runtime_error{path.string() + ": " + error.what()};
+    throw std::runtime_error{path.string() + ": " + reason_of(error)};
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error{path.string() + ": " + error.what()};
   }
@@ -145,6 +143,7 @@ RunManifest read_manifest(const std::filesystem::path& folder) {
     throw std::runtime_error{std::string{error.what()} + "; is " + folder.string() + " a run's folder?"};
   }
   RunManifest manifest = manifest_of(text, path);
+  if (const std::string damage = checkpoint::damage_in(folder); !damage.empty()) throw std::runtime_error{damage};
   manifest.folder = folder;
   return manifest;
 }

@@ -29,8 +29,7 @@ struct RunManifest {
   Json policies;                        ///< by slot
   Json params;
   FoodWeb web{{}, {}};
-  std::map<std::string, io::TableSum> tables;    ///< by file name; empty for a run that was killed
-  std::optional<std::uint32_t> recording_crc32;  ///< of replay.trp; none for a run that was killed or was not recorded
+  std::map<std::string, io::TableSum> tables;  ///< by file name; empty for a run that was killed
   std::vector<std::string> builds;  ///< the codes of the programs that made it, sorted; see trophic/io/program_code.hpp
 };
 
@@ -52,7 +51,7 @@ struct RunManifest {
 /// Reads the text of a manifest; errors name it `path`. Throws std::runtime_error naming file and field.
 [[nodiscard]] RunManifest manifest_of(std::string_view text, const std::filesystem::path& path);
 
-/// Reads FOLDER/manifest.json. Errors as manifest_of.
+/// Reads FOLDER/manifest.json and compares the run's files with it (checkpoint::damage_in). Errors as manifest_of.
 [[nodiscard]] RunManifest read_manifest(const std::filesystem::path& folder);
 
 }  // namespace trophic::analysis

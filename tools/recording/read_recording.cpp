@@ -134,7 +134,7 @@ RecordingReader::RecordingReader(std::filesystem::path path) : path_{std::move(p
 void RecordingReader::scan() {
   const std::string name = path_.string();
   try {
-    static_cast<void>(read_beginning(path_, 0));  // says what is wrong; opening a pipe would wait
+    static_cast<void>(read_part(path_, 0));  // says what is wrong; opening a pipe would wait
   } catch (const std::invalid_argument& reason) {
     throw std::runtime_error{reason.what()};
   }
@@ -210,6 +210,9 @@ void RecordingReader::scan() {
       throw damaged("an unknown block");
     }
     at = file.tellg();
+  }
+  if (file.peek() != std::ifstream::traits_type::eof()) {
+    throw std::runtime_error{name + ": damaged, it continues after its end at byte " + std::to_string(at)};
   }
 }
 

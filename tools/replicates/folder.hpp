@@ -35,12 +35,17 @@ inline constexpr const char* list_name = "replicates.json";
     replicates.push_back({{"folder", name_of(replicate.index)}, {"seed", replicate.seed}});
   }
   // Made whole: a value that becomes an object while memory runs out cannot be destroyed.
-  Json content{
-      {"rule_table", run.rules},         {"backend", run.backend}, {"fingerprint", run.fingerprint},     {"until_s", run.until_s},
-      {"master_seed", plan.master_seed}, {"count", plan.count},    {"replicates", std::move(replicates)}};
+  Json content{{"format", 2},
+               {"rule_table", run.rules},
+               {"backend", run.backend},
+               {"fingerprint", run.fingerprint},
+               {"until_s", run.until_s},
+               {"master_seed", plan.master_seed},
+               {"count", plan.count},
+               {"replicates", std::move(replicates)}};
   if (plan.snapshot) content["origin"] = origin_of(plan);
   for (const auto& [name, text] : provenance) content[name] = text;
-  return json_text(content, 2) + '\n';
+  return sealed_text(content);
 }
 
 /// replicates.json and the remaining part of the plan. Holds a lock on the folder while it lives, so that two programs
@@ -48,10 +53,11 @@ inline constexpr const char* list_name = "replicates.json";
 class Folder {
  public:
   /// Makes the folder or, with `plan.resume`, resumes in it. Complete replicates stay; interrupted ones resume from their
-  /// checkpoint or, without one, are moved to "replicate-NN.incomplete-K" and are to be run anew. `run` is any run of the plan,
-  /// seed aside. Throws std::invalid_argument if the folder exists and the plan does not resume, if what is there has other
-  /// rules, parameters, seeds or duration, if there are links in it, or if another build of the program made a part of the set
-  /// and the plan does not accept that; std::runtime_error if another program works in it or the system refuses.
+  /// checkpoint. Those without one, and complete ones that were damaged, are moved to "replicate-NN.incomplete-K" and are to be
+  /// run anew. `run` is any run of the plan, seed aside. Throws std::invalid_argument if the folder exists and the plan does not
+  /// resume, if what is there has other rules, parameters, seeds or duration, if there are links in it, or if another build of
+  /// the program made a part of the set and the plan does not accept that; std::runtime_error if another program works in it or
+  /// the system refuses.
   Folder(const Plan& plan, const observe::RunDescription& run, const io::Provenance& provenance) {
     plan.check();
     if (!plan.resume || !std::filesystem::exists(plan.out)) {
@@ -66,19 +72,18 @@ class Folder {
     std::vector<std::filesystem::path> complete;
     for (Replicate& replicate : plan.all()) {
       const std::string status = status_of(replicate.folder);
-      if (status == "complete") {
-        check_complete(replicate, run);
+      if (status == "complete" && is_complete(plan, replicate, run)) {
         complete.push_back(replicate.folder);
         ++kept_;
         continue;
       }
-      if (status != "missing") incomplete.push_back(replicate);
+      if (status != "missing" && status != "complete") incomplete.push_back(replicate);
       pending_.push_back(std::move(replicate));
     }
     if (!pending_.empty() && plan.checkpoints.other_build == checkpoint::OtherBuild::refused) {
       for (const std::filesystem::path& folder : complete) checkpoint::check_build(folder);
     }
-    for (const Replicate& replicate : incomplete) look_at(plan, replicate, run);
+    for (const Replicate& replicate : incomplete) static_cast<void>(is_complete(plan, replicate, run));
     replace_file(plan.out / list_name, list_text(plan, run, provenance));
   }
   /// To be run, each into a new folder or from the checkpoint in its own.
@@ -113,8 +118,9 @@ class Folder {
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument{std::string{error.what()} + "; only a folder of replicates can be resumed"};
     }
-    auto json = parse_json_or_null(text);
-    if (!json.is_object()) throw std::invalid_argument{path.string() + ": is not a JSON object"};
+    auto json = parse_sealed(text);
+    if (!json.is_object())
+      throw std::invalid_argument{path.string() + ": is not a JSON object, or was changed after trophic wrote it"};
     return json;
   }
 
@@ -132,28 +138,16 @@ class Folder {
                                     ", as in " + path.string() + "; a resumed set can grow but not shrink"};
       }
     } catch (const Json::exception& error) {
-      throw std::invalid_argument{path.string() + ": " + error.what()};
+      throw std::invalid_argument{path.string() + ": " + reason_of(error)};
     }
   }
 
-  static void check_complete(const Replicate& replicate, const observe::RunDescription& run) {
-    const std::filesystem::path path = replicate.folder / "manifest.json";
-    const Json there = read(path);
-    try {
-      same(path, "fingerprint", there.at("fingerprint"), run.fingerprint);
-      same(path, "seed", there.at("seed"), replicate.seed);
-      same(path, "until_s", there.at("clock").at("until_s"), run.until_s);
-      if (checkpoint::holds_complete(replicate.folder, run.fingerprint, replicate.seed, run.until_s)) return;
-      throw std::invalid_argument{replicate.folder.string() + ": its manifest says that it is complete, but a table is missing"};
-    } catch (const Json::exception& error) {
-      throw std::invalid_argument{path.string() + ": " + error.what()};
-    }
-  }
-
-  void look_at(const Plan& plan, const Replicate& replicate, observe::RunDescription run) {
+  /// Looks at a replicate; a sentence about one that is not complete goes to the remarks.
+  [[nodiscard]] bool is_complete(const Plan& plan, const Replicate& replicate, observe::RunDescription run) {
     run.seed = replicate.seed;
-    remarks_.push_back(name_of(replicate.index) + " " +
-                       checkpoint::run_state_in(replicate.folder, run, plan.snapshot, plan.checkpoints.other_build).remark);
+    const auto state = checkpoint::run_state_in(replicate.folder, run, plan.snapshot, plan.checkpoints);
+    if (!state.complete) remarks_.push_back(name_of(replicate.index) + " " + state.remark);
+    return state.complete;
   }
 
   std::optional<FolderLock> lock_;

@@ -139,12 +139,12 @@ io::Provenance provenance_of(const Moment& moment) {
 }
 
 RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run,
-                      const std::optional<Snapshot>& snapshot, OtherBuild other_build) {
-  if (!snapshot) return run_state_in(folder, run, other_build);
+                      const std::optional<Snapshot>& snapshot, const Schedule& schedule) {
+  if (!snapshot) return run_state_in(folder, run, schedule);
   std::string remark;
   if (std::filesystem::exists(folder) && !detail::stands_at(snapshot->moment, folder, run.tick_s)) {
     detail::check_began_at(snapshot->moment, folder, run.tick_s);
-    RunState run_state = run_state_in(folder, run, other_build);
+    RunState run_state = run_state_in(folder, run, schedule);
     if (run_state.complete || run_state.from) return run_state;
     remark = run_state.remark + "; ";
   }

@@ -70,7 +70,7 @@ void copy_until(const std::filesystem::path& run, double at_s, const std::filesy
 /// Without a past as the other `run_state_in`. Throws as that one and as `copy_until`, and std::invalid_argument
 /// if the run in the folder began elsewhere.
 [[nodiscard]] RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run,
-                                    const std::optional<Snapshot>& snapshot, OtherBuild other_build = OtherBuild::refused);
+                                    const std::optional<Snapshot>& snapshot, const Schedule& schedule = {});
 
 /// Starts a run at a moment of another one. Throws as `restore_any`.
 void begin_at(RunState& run_state, const Moment& moment, Simulation& ecology, io::Manifest& manifest, const Parts& parts);

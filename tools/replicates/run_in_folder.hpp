@@ -37,7 +37,7 @@ template <class... Observers>
 void run_in_folder(Simulation& ecology, double until_s, const std::filesystem::path& folder, const CommonOptions& common,
                    Watch watch, Observers&... extra) {
   const observe::RunDescription run = ecology.describe(until_s);
-  checkpoint::RunState run_state = checkpoint::run_state_in(folder, run, common.snapshot, common.checkpoints.other_build);
+  checkpoint::RunState run_state = checkpoint::run_state_in(folder, run, common.snapshot, common.checkpoints);
   io::RunFolder files{folder,
                       common.provenance,
                       common.output,

@@ -69,6 +69,11 @@ class RunLock {
   return checkpoint::holds_complete(folder, run.fingerprint, run.seed, run.until_s);
 }
 
+/// How the files in a run's place differ from what a run wrote there; empty if they do not, or if no run wrote there.
+[[nodiscard]] inline std::string damage_in(const std::filesystem::path& folder) {
+  return std::filesystem::exists(folder / "manifest.json") ? checkpoint::damage_in(folder) : "";
+}
+
 /// Throws std::invalid_argument if a folder on the way from a sweep to its run is a link, or if the run's holds anything.
 inline void check_place(const std::filesystem::path& sweep, const std::filesystem::path& run) {
   std::filesystem::path at = sweep;
@@ -81,8 +86,8 @@ inline void check_place(const std::filesystem::path& sweep, const std::filesyste
 /// Begins or resumes a run in a folder and completes it.
 inline void complete(const std::filesystem::path& making, const PlannedRun& run,
                      const std::function<void(const std::filesystem::path& folder)>& work) {
-  if (holds(making, run)) return;
-  // It lacks a table.
+  if (holds(making, run) && checkpoint::damage_in(making).empty()) return;
+  // It lacks a table, or one is damaged.
   if (checkpoint::status_of(making) == "complete") static_cast<void>(checkpoint::rename_incomplete(making));
   const bool resumes = checkpoint::last_moment_s(making).has_value();
   if (!resumes) std::filesystem::remove_all(making);
@@ -103,29 +108,38 @@ bool is_complete(const std::filesystem::path& sweep, const PlannedRun& run) {
   return detail::holds(sweep / run.folder, run);
 }
 
-Stage stage_of(const std::filesystem::path& sweep, const PlannedRun& run) {
+Stage stage_of(const std::filesystem::path& sweep, const PlannedRun& run, bool verifies) {
   const std::filesystem::path folder = sweep / run.folder;
+  if (verifies && !detail::damage_in(folder).empty()) return Stage::failed;
   if (is_complete(sweep, run)) return Stage::complete;
   if (detail::is_locked(folder)) return Stage::running;
   const std::string status = checkpoint::status_of(detail::making_of(folder));
   return status == "missing" ? Stage::missing : status == "failed" ? Stage::failed : Stage::interrupted;
 }
 
-void make_run(const std::filesystem::path& sweep, const PlannedRun& run,
-              const std::function<void(const std::filesystem::path& folder)>& work) {
+std::string make_run(const std::filesystem::path& sweep, const PlannedRun& run,
+                     const std::function<void(const std::filesystem::path& folder)>& work, bool verifies) {
   const std::filesystem::path folder = sweep / run.folder;
-  if (is_complete(sweep, run)) {
+  std::string damage = verifies ? detail::damage_in(folder) : "";
+  if (damage.empty() && is_complete(sweep, run)) {
     // Its program may have been killed before it removed the lock.
     if (!detail::is_locked(folder)) ::unlink(detail::lock_of(folder).c_str());
-    return;
+    return "";
   }
-  detail::check_place(sweep, run.folder);
+  if (damage.empty()) detail::check_place(sweep, run.folder);
   std::filesystem::create_directories(folder.parent_path());
   const detail::RunLock alone{folder};
   // Another program may have completed it before it gave the lock back.
-  if (is_complete(sweep, run)) return;
+  if (verifies) damage = detail::damage_in(folder);
+  if (damage.empty() && is_complete(sweep, run)) return "";
+  if (!damage.empty()) {
+    damage = run.folder.string() + ": was damaged (" + damage + "): kept as " +
+             checkpoint::rename_incomplete(folder).filename().string() + ", run anew";
+    detail::check_place(sweep, run.folder);
+  }
   detail::complete(detail::making_of(folder), run, work);
   std::filesystem::rename(detail::making_of(folder), folder);
+  return damage;
 }
 
 void check_builds(const std::filesystem::path& sweep, const std::vector<PlannedRun>& plan) {

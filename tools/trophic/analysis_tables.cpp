@@ -75,7 +75,6 @@ void append_distances(const std::filesystem::path& folder, std::string& rows) {
   const std::filesystem::path path = folder / "bodies.csv";
   const RunManifest run = analysis::read_manifest(folder);
   analysis::CsvReader table{path, {"id", "species", "modules_text"}};
-  analysis::check_sum(table, path, run.tables);
   struct Body {
     std::string species;
     std::string plan;

@@ -9,8 +9,10 @@
 #include <cerrno>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstring>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <thread>
@@ -19,9 +21,15 @@
 #include <tools/command/run_python.hpp>
 #include <tools/contest/play_contests.hpp>
 #include <tools/trophic/shipped_offer.hpp>
+#include <trophic/io/growing_file.hpp>
 #include <trophic/io/next_free_folder.hpp>
+#include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/support/checksum.hpp>
+#include <trophic/support/json.hpp>
 #include <trophic/support/new_file.hpp>
+#include <trophic/support/replace_file.hpp>
+#include <trophic/support/whole_file.hpp>
 #include <vector>
 
 #include "contest/planned_contests.hpp"
@@ -38,7 +46,7 @@ struct Options {
   std::string epochs;
   std::string against = "others";
   std::uint64_t teams = 6;
-  std::uint64_t team_size = 0;
+  std::optional<std::uint64_t> team_size;
   double duration_s = 300.0;
   double reach_m = 1.0;
   std::optional<double> split_s;
@@ -52,7 +60,7 @@ struct Options {
 
 [[nodiscard]] std::vector<double> epochs_of(const std::string& text) {
   std::vector<double> epochs_s;
-  for (std::size_t at = 0; at < text.size();) {
+  for (std::size_t at = 0; !text.empty() && at <= text.size();) {
     const std::size_t end = std::min(text.find(',', at), text.size());
     double value = 0.0;
     const auto parsed = std::from_chars(text.data() + at, text.data() + end, value);
@@ -84,8 +92,8 @@ void check(const Options& options) {
                                 ": must be >= 2; what a single team does is not what its epoch does"};
   }
   if (options.teams > 1000) throw std::invalid_argument{"--teams " + std::to_string(options.teams) + ": must be <= 1000"};
-  if (options.team_size > 10'000) {
-    throw std::invalid_argument{"--team-size " + std::to_string(options.team_size) + ": must be <= 10000"};
+  if (options.team_size && (*options.team_size < 1 || *options.team_size > 10'000)) {
+    throw std::invalid_argument{"--team-size " + std::to_string(*options.team_size) + ": must be >= 1 and <= 10000"};
   }
   if (options.jobs == std::uint64_t{0}) throw std::invalid_argument{"--jobs 0: must be >= 1"};
 }
@@ -106,9 +114,45 @@ class Passing {
   std::filesystem::path path_;
 };
 
-/// Lets another program play the plan, by `PROGRAM --play PLAN`.
-[[nodiscard]] std::vector<contest::Outcome> played_by(const std::string& program, const contest::Plan& plan,
-                                                      const std::filesystem::path& folder, std::size_t jobs) {
+/// The outcomes of contests as they are played, a line each, so that the same command continues what was killed.
+class PlayedFile {
+ public:
+  static constexpr const char* name = "played.jsonl";
+
+  /// Reads what a program left that played the same plan.
+  PlayedFile(const std::filesystem::path& folder, const contest::Plan& plan) : outcomes_(plan.matches.size()) {
+    const std::filesystem::path path = folder / name;
+    const std::string head = "[" + std::to_string(checksum(contest::text_of(plan))) + "]\n";
+    const std::string there = std::filesystem::exists(path) ? read_whole_file(path) : "";
+    std::string whole = head;
+    for (std::size_t at = there.starts_with(head) ? head.size() : there.size(); at < there.size();) {
+      const std::size_t end = there.find('\n', at);
+      if (end == std::string::npos) break;  // cut short
+      const Json line = parse_json_or_null(std::string_view{there}.substr(at, end - at));
+      if (!line.is_array() || line.size() != 3 || !line[0].is_number_unsigned() || line[0] >= outcomes_.size()) break;
+      outcomes_[line[0].get<std::size_t>()] = {.contact_s = line[1].get<double>(), .contacted = line[2].get<double>()};
+      whole += there.substr(at, end + 1 - at);
+      at = end + 1;
+    }
+    replace_file(path, whole);
+    file_.emplace(path, Opening::resumed);
+  }
+
+  [[nodiscard]] const Outcomes& outcomes() const { return outcomes_; }
+  void add(std::size_t match, const contest::Outcome& outcome) {
+    const std::scoped_lock alone{lock_};
+    file_->append(json_text(Json{match, outcome.contact_s, outcome.contacted}) + "\n");
+  }
+
+ private:
+  Outcomes outcomes_;
+  std::mutex lock_;
+  std::optional<GrowingFile> file_;
+};
+
+/// Lets another program play the plan, by `PROGRAM --play PLAN`. None if a signal stopped it.
+[[nodiscard]] Outcomes played_by(const std::string& program, const contest::Plan& plan, const std::filesystem::path& folder,
+                                 std::size_t jobs) {
   const Passing file{folder / "plan.json"};
   const Passing outcomes{outcomes_of(file.path())};
   write_new_file(file.path(), contest::text_of(plan));
@@ -121,13 +165,19 @@ class Passing {
   const int failed = ::posix_spawnp(&process, program.c_str(), nullptr, nullptr, arguments.data(), environ);
   if (failed != 0) throw std::invalid_argument{"--program " + program + ": " + std::strerror(failed)};
   int status = 0;
-  while (::waitpid(process, &status, 0) < 0 && errno == EINTR) continue;
+  const observe::StopOnSignal stop;
+  for (bool is_told = false; ::waitpid(process, &status, WNOHANG) == 0;) {
+    if (!stop.keep_running() && !std::exchange(is_told, true)) ::kill(process, SIGTERM);
+    std::this_thread::sleep_for(std::chrono::milliseconds{20});
+  }
+  if (!stop.keep_running()) return Outcomes(plan.matches.size());
   const std::string who = "--program " + program + ": did not play the contests";
   if (WIFSIGNALED(status)) throw std::runtime_error{who + ": ended by signal " + std::to_string(WTERMSIG(status))};
   if (WEXITSTATUS(status) == stopped) throw std::runtime_error{who + ": stopped by a signal"};
   if (WEXITSTATUS(status) != 0) throw std::invalid_argument{who + "; its message is above"};
   if (!std::filesystem::exists(outcomes.path())) throw std::invalid_argument{who + ", but ended without an error"};
-  return contest::read_outcomes(outcomes.path(), plan.matches.size());
+  const auto read = contest::read_outcomes(outcomes.path(), plan.matches.size());
+  return {read.begin(), read.end()};
 }
 
 /// Throws std::invalid_argument unless a split is one of the epochs.
@@ -148,7 +198,7 @@ void check_split(double split_s, std::span<const contest::ContestRow> rows) {
   contests::Planned planned = contests::planned_contests(sets, {.epochs_s = epochs_of(options.epochs),
                                                                 .against = against_of(options.against),
                                                                 .teams = options.teams,
-                                                                .team_size = options.team_size,
+                                                                .team_size = options.team_size.value_or(0),
                                                                 .duration_s = options.duration_s,
                                                                 .reach_m = options.reach_m,
                                                                 .seed = options.seed});
@@ -166,22 +216,31 @@ void check_split(double split_s, std::span<const contest::ContestRow> rows) {
   }
   const std::size_t jobs = options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency()));
   const std::string out = options.out.value_or(io::next_free_folder("contests").string());
-  ResultFolder folder{out};
+  ResultFolder folder{out, PlayedFile::name};
+  PlayedFile played{folder.path(), planned.plan};
+  const auto before = std::ranges::count_if(played.outcomes(), [](const auto& one) { return one.has_value(); });
+  if (before > 0) std::cout << before << " of " << played.outcomes().size() << " contests were played already" << std::endl;
   const auto start = std::chrono::steady_clock::now();
-  const auto outcomes =
-      options.program.empty() ? play(planned.plan, offer, jobs) : played_by(options.program, planned.plan, folder.path(), jobs);
+  const auto add = [&](std::size_t match, const contest::Outcome& outcome) { played.add(match, outcome); };
+  const Outcomes outcomes = options.program.empty() ? play(planned.plan, offer, jobs, played.outcomes(), add)
+                                                    : played_by(options.program, planned.plan, folder.path(), jobs);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    planned.rows[i].contact_s = outcomes[i].contact_s;
-    planned.rows[i].contacted = outcomes[i].contacted;
+    if (!outcomes[i]) {
+      std::cout << "stopped by signal " << observe::StopOnSignal::caught() << "; the same command with --out " << out
+                << " continues" << std::endl;
+      return stopped;
+    }
+    planned.rows[i].contact_s = outcomes[i]->contact_s;
+    planned.rows[i].contacted = outcomes[i]->contacted;
   }
   std::string table = io::header_of<contest::ContestRow>();
   for (const contest::ContestRow& row : planned.rows) io::append_row(table, row, FoodWeb{{}, {}});
   write_new_file(folder.path() / "contests.csv", table);
-  folder.keep();
   return run_python({{"command", "contest"},
                      {"who", "trophic contest"},
-                     {"folder", out},
+                     {"folder", folder.path().string()},
+                     {"out", out},
                      {"split_s", options.split_s ? Json(*options.split_s) : Json()},
                      {"duration_s", options.duration_s},
                      {"taken_s", taken.count()}});

@@ -13,6 +13,7 @@
 #endif
 #include <tools/command/option.hpp>
 #include <tools/command/output.hpp>
+#include <tools/command/result_folder.hpp>
 #include <tools/command/run_python.hpp>
 #include <tools/reading/pooled_runs.hpp>
 #include <tools/replicates/parallel.hpp>
@@ -20,7 +21,7 @@
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/io/run_folder.hpp>
+#include <trophic/observe/stop_on_signal.hpp>
 
 namespace trophic::command {
 
@@ -102,8 +103,10 @@ struct Task {
   return tasks;
 }
 
-void walk_all(const Options& options, const Habitat& habitat) {
-  WalkTables tables{options.out};
+/// Writes the walks of all tasks into a folder, unless a signal stops it.
+void walk_all(const Options& options, const Habitat& habitat, const std::filesystem::path& folder) {
+  const observe::StopOnSignal stop;
+  WalkTables tables{folder};
   for (const double target_angle_rad : {0.7, -0.7, 0.0}) {
     const auto tasks = tasks_for(habitat, target_angle_rad, static_cast<double>(options.seconds));
     std::vector<Outcome> outcomes(tasks.size());
@@ -112,7 +115,8 @@ void walk_all(const Options& options, const Habitat& habitat) {
         [&](std::size_t i) {
           outcomes[i] = {tasks[i].condition, tasks[i].walk()};
         },
-        [] { return true; });
+        [&] { return stop.keep_running(); });
+    if (!stop.keep_running()) return;
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       const Condition& c = tasks[i].condition;
       if (!attempts[i].error.empty()) {
@@ -137,12 +141,16 @@ void walk_all(const Options& options, const Habitat& habitat) {
                                 backend_versions(built_backends())};
   }
 #endif
-  static_cast<void>(io::make_new_folder(options.out));
+  const ResultFolder folder{options.out};
 #if defined(TROPHIC_WITH_MUJOCO) && defined(TROPHIC_WITH_ODE)
-  if (options.seconds != 0) walk_all(options, habitat);
+  if (options.seconds != 0) walk_all(options, habitat, folder.path());
+  if (observe::StopOnSignal::caught() != 0) return stopped;
 #endif
-  return run_python(
-      {{"command", "cross-check"}, {"who", "trophic cross-check"}, {"folder", options.out}, {"runs", options.runs}});
+  return run_python({{"command", "cross-check"},
+                     {"who", "trophic cross-check"},
+                     {"folder", folder.path().string()},
+                     {"out", options.out},
+                     {"runs", options.runs}});
 }
 
 }  // namespace cross_check

@@ -8,6 +8,7 @@
 #include <tools/command/option.hpp>
 #include <tools/command/output.hpp>
 #include <tools/command/read_parameters.hpp>
+#include <tools/command/result_folder.hpp>
 #include <tools/command/toml_writer.hpp>
 #include <tools/command/words.hpp>
 #include <tools/gait_evolution/archive.hpp>
@@ -75,11 +76,14 @@ int run(BackendChoice backend, const Options& options, const Config& config) {
   gait_evolution::PreExperiment<Table> experiment{parameters, backend, load_robot(parameters.robot)};
   const bool is_new = options.resume.empty();
   if (is_new && options.out.empty()) throw std::invalid_argument{"--out: must name a new folder"};
-  const std::filesystem::path folder = is_new ? io::make_new_folder(options.out) : std::filesystem::path{options.resume};
-  const FolderLock alone{folder};
+  const std::filesystem::path folder = is_new ? options.out : options.resume;
   if (is_new) {
-    replace_file(folder / "settings.toml", settings_text(parameters, backend));
-  } else if (std::filesystem::exists(folder / "checkpoint.toml")) {
+    ResultFolder made{folder};
+    replace_file(made.path() / "settings.toml", settings_text(parameters, backend));
+    made.publish();
+  }
+  const FolderLock alone{folder};
+  if (!is_new && std::filesystem::exists(folder / "checkpoint.toml")) {
     gait_evolution::resume(experiment, folder);
   }
 

@@ -95,6 +95,13 @@ template <class Rules>
   if (backend.has_joints()) {
     locomotion::check_steerable(habitat.robot, make_policy<typename Rules::Steering>(params.rules.steering, "steering"));
   }
+  if constexpr (requires { params.rules.body_plan.first_modules <= params.rules.viability.limits.most_modules; }) {
+    const std::size_t most = params.rules.viability.limits.most_modules;
+    if (params.rules.body_plan.first_modules > most) {
+      throw std::invalid_argument{"rules.body_plan.first_modules = " + std::to_string(params.rules.body_plan.first_modules) +
+                                  ": must be <= rules.viability.limits.most_modules, " + std::to_string(most)};
+    }
+  }
   check_control_steps(params.ecology, params.physics, backend.has_joints());
   return {std::move(params), std::move(backend), std::move(habitat)};
 }

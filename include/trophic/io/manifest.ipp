@@ -64,7 +64,7 @@ struct Manifest::Content {
   std::filesystem::path path;
   Json json = {};
 
-  void write() const { replace_file(path, json_text(json, 2) + '\n'); }
+  void write() const { replace_file(path, sealed_text(json)); }
 
   /// Calls `change(json)`; its effect is kept if it throws nothing. If memory runs out in it, the library's values may hold
   /// null pointers that their destructors follow: such a copy is leaked.
@@ -116,6 +116,7 @@ TROPHIC_INLINE void Manifest::on_start(const observe::RunDescription& run, const
   until_s_ = run.until_s;
   inherits_bodies_ = run.inherits_bodies;
   content_->change([&](Json& json) {
+    json["format"] = 2;  // sealed; those without it are not
     json["trophic"] = version;
     json["status"] = "running";
     json["fingerprint"] = run.fingerprint;

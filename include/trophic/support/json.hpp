@@ -28,6 +28,19 @@ using Json = nlohmann::ordered_json;
 /// become U+FFFD.
 [[nodiscard]] std::string json_text(const Json& json, int indent = -1);
 
+/// An object as text, one value a line, whose last entry "crc32" is the CRC-32 of the text before it.
+[[nodiscard]] std::string sealed_text(const Json& object);
+
+/// Parses a text of sealed_text. Returns null if it is not an object or was changed since. An object without "format" and "crc32"
+/// is of an older program and is taken as it is.
+[[nodiscard]] Json parse_sealed(std::string_view text);
+
+/// Returns what an exception of the library says, without its number.
+[[nodiscard]] inline std::string reason_of(const Json::exception& error) {
+  const std::string_view text = error.what();  // "[json.exception.out_of_range.403] key 'seed' not found"
+  return std::string{text.substr(text.starts_with("[json.") ? text.find(' ') + 1 : 0)};
+}
+
 /// The whole number at a key; a plain `get` would also convert -1 and 1e300. Throws Json::exception if the key is missing,
 /// std::invalid_argument "KEY = VALUE: must be a whole number from LEAST to MOST".
 template <std::integral Number>

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <trophic/support/checksum.hpp>
 #include <trophic/support/json.hpp>
 
 namespace trophic {
@@ -15,6 +16,14 @@ class ExcessiveJson : public Json::exception {
  public:
   explicit ExcessiveJson(const char* what) : exception{0, what} {}
 };
+
+/// The text before the checksum of a sealed text.
+inline constexpr std::string_view before_sum = ",\n  \"crc32\": ";
+
+/// The text that begins so, with its checksum.
+[[nodiscard]] inline std::string sealed(std::string_view beginning) {
+  return std::string{beginning} + std::string{before_sum} + std::to_string(checksum(beginning)) + "\n}\n";
+}
 
 /// Returns how a text exceeds a bound, or null. The library copies and destroys nested values by recursion, and compares a key
 /// with each one before it.
@@ -53,6 +62,20 @@ TROPHIC_INLINE Json parse_json_or_null(std::string_view text) {
   if (detail::excess_of(text) != nullptr) return nullptr;
   Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded()) json = nullptr;
+  return json;
+}
+
+TROPHIC_INLINE std::string sealed_text(const Json& object) {
+  const std::string text = json_text(object, 2);
+  return detail::sealed(std::string_view{text}.substr(0, text.size() - 2));
+}
+
+TROPHIC_INLINE Json parse_sealed(std::string_view text) {
+  Json json = parse_json_or_null(text);
+  if (!json.is_object()) return nullptr;
+  if (!json.contains("format") && !json.contains("crc32")) return json;
+  const std::size_t end = text.rfind(detail::before_sum);
+  if (end == std::string_view::npos || text != detail::sealed(text.substr(0, end))) json = nullptr;
   return json;
 }
 

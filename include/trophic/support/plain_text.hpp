@@ -16,6 +16,12 @@ namespace trophic {
   return text;
 }
 
+/// A text to be quoted in a sentence: its beginning, if it is long.
+[[nodiscard]] inline std::string excerpt(std::string_view text) {
+  constexpr std::size_t most_bytes = 100;
+  return std::string{text.substr(0, most_bytes)} + (text.size() > most_bytes ? "..." : "");
+}
+
 /// Throws std::invalid_argument if a key or a text in a value has a control character.
 inline void check_plain(const Json& value) {
   const auto check = [](const std::string& text) {

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <stdexcept>
@@ -19,7 +20,7 @@ namespace detail {
 /// A regular file that is read.
 class ReadFile {
  public:
-  explicit ReadFile(const std::filesystem::path& path) : path_{path} {
+  explicit ReadFile(const std::filesystem::path& path, std::uint64_t from = 0) : path_{path} {
     // O_NONBLOCK: opening a pipe without a writer would wait.
     file_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     struct stat status {};
@@ -33,6 +34,7 @@ class ReadFile {
       refuse("is not a regular file");
     }
     size_ = static_cast<std::uint64_t>(status.st_size);
+    ::lseek(file_, static_cast<::off_t>(std::min(from, size_)), SEEK_SET);
   }
   ReadFile(const ReadFile&) = delete;
   ReadFile& operator=(const ReadFile&) = delete;
@@ -87,8 +89,8 @@ TROPHIC_INLINE std::string read_whole_file(const std::filesystem::path& path, st
   return file.read(file.size());
 }
 
-TROPHIC_INLINE std::string read_beginning(const std::filesystem::path& path, std::size_t bytes) {
-  return detail::ReadFile{path}.read(bytes);
+TROPHIC_INLINE std::string read_part(const std::filesystem::path& path, std::size_t bytes, std::uint64_t from) {
+  return detail::ReadFile{path, from}.read(bytes);
 }
 
 }  // namespace trophic

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""The module under test is that of the sources."""
+"""The module under test is that of the sources; tests of programs share helpers."""
 import pathlib
 import sys
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[3] / "tools" / "python"))
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+sys.path[:0] = [str(ROOT / "tools/python"), str(ROOT / "tests/program")]

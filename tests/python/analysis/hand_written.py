@@ -5,6 +5,7 @@ import pathlib
 import zlib
 
 import pandas
+from in_folder import sealed_text
 
 from trophic.metrics import AGENTS, EVENTS, Agents, Web
 
@@ -68,6 +69,19 @@ def write_run(folder, seed=1, *, heredity="own_copy", of_agents=WALK, of_events=
     if sums:
         entries["tables"] = {file: sum_of(folder / file) for file in frames}
     (folder / "manifest.json").write_text(json.dumps({key: value for key, value in entries.items() if value is not None}))
+    return folder
+
+
+def write_sealed_run(folder):
+    """Writes the folder of a complete run with checksums of all of its files, a recording and a checkpoint, and returns it."""
+    folder = write_run(folder, sums=True)
+    (folder / "replay.trp").write_bytes(bytes(range(256)))
+    texts = b"".join(len(text).to_bytes(8, "little") + text for text in (b"aa", b"0.1.0", b"code"))
+    checkpoint = b"trophic checkpoint\n" + (5).to_bytes(4, "little") + texts + (1).to_bytes(8, "little") + bytes(100)
+    (folder / "checkpoint.bin").write_bytes(checkpoint + zlib.crc32(checkpoint).to_bytes(4, "little"))
+    manifest = json.loads((folder / "manifest.json").read_text())
+    recording = {"frames": 1, "crc32": zlib.crc32(bytes(range(256)))}
+    (folder / "manifest.json").write_text(sealed_text({"format": 2, **manifest, "recording": recording}))
     return folder
 
 

@@ -87,8 +87,13 @@ def test_epochs_are_printed_with_one_decimal():
 def test_the_command_writes_a_row_for_each_and_prints_them(tmp_path, capsys):
     frame = study(6)
     frame["hunters_run"] = "runs, all/" + frame["hunters_run"]
-    frame.to_csv(tmp_path / "contests.csv", index=False)
-    assert run({"folder": str(tmp_path), "split_s": None, "duration_s": 300.0, "taken_s": 3.14}) == 0
+    part, tmp_path = tmp_path / "contests.part", tmp_path / "contests"
+    part.mkdir()
+    frame.to_csv(part / "contests.csv", index=False)
+    (part / "played.jsonl").write_text("[]")
+    request = {"folder": str(part), "out": str(tmp_path), "split_s": None, "duration_s": 300.0, "taken_s": 3.14}
+    assert run(request) == 0
+    assert not part.exists() and not (tmp_path / "played.jsonl").exists()
     shown = capsys.readouterr().out
     assert re.search(r"\npredator +own prey +0 +1000 +40\.0 \[40\.0, 40\.0\] .* \+40\.0 \[\+40\.0, \+40\.0\] +<0\.001 +above the shadow\n", shown)
     assert shown.endswith(f"tables  {tmp_path}/contests.csv, progress.csv: {len(frame)} contests of 300 s in 3.1 s\n")
@@ -96,8 +101,10 @@ def test_the_command_writes_a_row_for_each_and_prints_them(tmp_path, capsys):
     assert rows[0] == ("against,species,role,opponent,period,from_s,to_s,runs,mean_s,lower_s,upper_s,shadow_runs,shadow_s,over_shadow_s,over_shadow_lower_s,"
                        "over_shadow_upper_s,p,p_holm")
     assert rows[1].startswith("own,predator,hunter,prey,early,0,1000,6,40,40,40,6,0,40,40,40,0,0")
-    with pytest.raises(RunError, match="progress.csv: exists already"):
-        run({"folder": str(tmp_path), "split_s": None, "duration_s": 300.0, "taken_s": 3.14})
+    part.mkdir()
+    frame.to_csv(part / "contests.csv", index=False)
+    with pytest.raises(RunError, match="contests: exists already"):
+        run(request)
 
 
 def test_a_study_of_few_runs_without_a_shadow_has_empty_cells():

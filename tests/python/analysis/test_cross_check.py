@@ -28,9 +28,10 @@ def write_walks(folder):
 
 
 def test_walks_are_compared_with_mujocos_at_its_default_timestep(tmp_path, capsys):
-    write_walks(tmp_path)
-    assert cross_check.run({"folder": str(tmp_path), "runs": []}) == 0
-    table = pandas.read_csv(tmp_path / "cross_check.csv")
+    (tmp_path / "part").mkdir()
+    write_walks(tmp_path / "part")
+    assert cross_check.run({"folder": str(tmp_path / "part"), "out": str(tmp_path / "out"), "runs": []}) == 0
+    table = pandas.read_csv(tmp_path / "out" / "cross_check.csv")
     assert list(table.columns) == names("cross_check.csv") and len(table) == 4 * 6
     speed = table[table.quantity == "speed_m_s"].reset_index(drop=True)
     assert speed["mean"].tolist() == approx([0.04 * (factor + 0.0005) for *_, factor in CONDITIONS])
@@ -42,7 +43,7 @@ def test_walks_are_compared_with_mujocos_at_its_default_timestep(tmp_path, capsy
     off, own = (table.loc[table.quantity == f"distance_to_{name}_m", "mean"].tolist() for name in ("mujoco", "own"))
     assert off == approx([0.01, 0.0, 0.01, 0.02]) and own == approx([0.01, 0.0, 0.0, 0.01])
     shown = capsys.readouterr().out
-    assert "2.0 % equivalent" in shown and "30.0 % different" in shown and shown.endswith(f"files   {tmp_path}\n")
+    assert "2.0 % equivalent" in shown and "30.0 % different" in shown and shown.endswith(f"files   {tmp_path}/out\n")
 
 
 @pytest.mark.parametrize("shift, conclusion", [(0.0, "equivalent"), (0.04, "equivalent"), (0.2, "different")])

@@ -104,13 +104,20 @@ def test_result_folder_is_new_and_goes_again_if_the_work_fails(tmp_path, monkeyp
     monkeypatch.chdir(tmp_path)
     for name in ("analysis", "analysis-1"):
         with tables.result_folder(None) as folder:
-            assert folder.name == name
+            assert folder.name == f"{name}.part"
+            (folder / "tables").write_text("")
     with pytest.raises(RunError, match="--out analysis: exists already; nothing is overwritten"), tables.result_folder("analysis"):
         pass
     with pytest.raises(RuntimeError), tables.result_folder("broken") as folder:
         (folder / "x").write_text("")
         raise RuntimeError
-    assert sorted(path.name for path in tmp_path.iterdir()) == ["analysis", "analysis-1"]
+    (tmp_path / "killed.part").mkdir()
+    (tmp_path / "killed.part/half").write_text("")
+    with tables.result_folder("killed") as folder, pytest.raises(RunError, match="killed.part: another program is running in it"):
+        assert not list(folder.iterdir())
+        with tables.result_folder("killed"):
+            pass
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["analysis", "analysis-1", "killed"]
     tables.write_new("new", "1")
     with pytest.raises(RunError, match="new: exists already"):
         tables.write_new("new", "2")

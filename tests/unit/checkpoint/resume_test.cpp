@@ -198,9 +198,10 @@ TEST_CASE("resume: a checkpoint of another build -> refused, or accepted and rec
     CHECK(last.code == program_code());
     last.code = "another";
     checkpoint::write(run, last);
-    auto manifest = content(run / "manifest.json");
-    manifest.replace(manifest.find(program_code()), 16, "another");
-    std::ofstream{run / "manifest.json"} << manifest;
+    auto manifest = parse_json(content(run / "manifest.json"));
+    manifest["code"] = "another";
+    manifest.erase("crc32");
+    std::ofstream{run / "manifest.json"} << sealed_text(manifest);
   };
   made_by_another(150);
   Ecology<rules::Paper> ecology{brief<rules::Paper>(3), backend::Kinematic::Params{}};
@@ -210,7 +211,7 @@ TEST_CASE("resume: a checkpoint of another build -> refused, or accepted and rec
         }).find("the checkpoint's code = another: must be " + program_code()) != std::string::npos);
   CHECK_THROWS_AS(checkpoint::check_build(run), std::invalid_argument);
 
-  const auto run_state = checkpoint::run_state_in(run, description, checkpoint::OtherBuild::accepted);
+  const auto run_state = checkpoint::run_state_in(run, description, {.other_build = checkpoint::OtherBuild::accepted});
   CHECK(run_state.remark.ends_with(", which another build of this program wrote"));
   {
     io::RunFolder files{run, {}, {}, run_state.opening()};
@@ -277,15 +278,43 @@ TEST_CASE("resume: links among a run's files -> refused, and what they lead to i
   CHECK(content(precious) == "a PhD's worth");
 }
 
-TEST_CASE("resume: a complete run that lacks a table -> refused") {
+TEST_CASE("resume: a damaged complete run -> set aside with the reason, and made anew, unless it is not to be verified") {
+  const TemporaryFolder folder;
+  const fs::path run = folder.path() / "run";
+  const Ecology<rules::Paper> ecology{brief<rules::Paper>(3), backend::Kinematic::Params{}};
+  const auto state = [&](bool verifies) {
+    return checkpoint::run_state_in(run, ecology.describe(100.0), {.verifies = verifies});
+  };
+  for (const char* name : {"genomes.csv", "agents.csv", "replay.trp", "checkpoint.bin"}) {
+    CAPTURE(name);
+    fs::remove_all(run);
+    run_part(brief<rules::Paper>(3, 100.0), backend::Kinematic::Params{}, run, never, 50.0);
+    CHECK(checkpoint::damage_in(run) == "");
+    CHECK(state(true).complete);
+    std::fstream file{run / name, std::ios::in | std::ios::out | std::ios::binary};
+    file.seekp(200);
+    file.put('\x7f');
+    file.close();
+    CHECK(checkpoint::damage_in(run).starts_with((run / name).string() + ": "));
+    CHECK(state(false).complete);
+    const auto anew = state(true);
+    CHECK_FALSE((anew.complete || anew.from));
+    CHECK(anew.remark.find("was complete, but damaged (" + (run / name).string()) == 0);
+    CHECK_FALSE(fs::exists(run));
+  }
+}
+
+TEST_CASE("resume: a changed manifest of a complete run -> continued from its checkpoint, and written again") {
   const TemporaryFolder folder;
   const fs::path run = folder.path() / "run";
   run_part(brief<rules::Paper>(3, 100.0), backend::Kinematic::Params{}, run, never, 50.0);
-  const Ecology<rules::Paper> ecology{brief<rules::Paper>(3), backend::Kinematic::Params{}};
-  CHECK(checkpoint::run_state_in(run, ecology.describe(100.0)).complete);
-  fs::remove(run / "genomes.csv");
-  CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(checkpoint::run_state_in(run, ecology.describe(100.0))); }) ==
-        run.string() + ": its manifest says that it is complete, but it lacks genomes.csv");
+  std::string text = content(run / "manifest.json");
+  text.replace(text.find("\"rule_table\": \"paper\""), 21, "\"rule_table\": \"other\"");
+  std::ofstream{run / "manifest.json"} << text;
+  CHECK(checkpoint::status_of(run) == "unreadable");
+  CHECK(checkpoint::damage_in(run).starts_with((run / "manifest.json").string() + ": "));
+  run_part(brief<rules::Paper>(3, 100.0), backend::Kinematic::Params{}, run, never, 50.0);
+  CHECK(checkpoint::damage_in(run) == "");
 }
 
 TEST_CASE("resume: nothing to resume -> folder renamed, folder of a working program -> left alone") {

@@ -379,7 +379,7 @@ TEST_CASE("ecology: newborn or brain tag that is not listed -> RuleError") {
         }) == "the policy in rules.newborn_tag returned tag 2: must be one of the brain's tags() (-1, 1)");
 }
 
-TEST_CASE("ecology: numbers of rules that are not finite -> RuleError before they are written") {
+TEST_CASE("ecology: values of rules that are not finite -> RuleError before they are written") {
   typename Kinematics<rules::Paper>::Params params;
   params.rules.initial_genome.limit = 1e308;
   CHECK(rule_error([&] {

@@ -12,6 +12,7 @@
 #include <trophic/io/growing_file.hpp>
 #include <trophic/io/program_code.hpp>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
+#include <trophic/support/checksum.hpp>
 #include <trophic/support/version.hpp>
 #include <vector>
 
@@ -48,7 +49,8 @@ void leave(const fs::path& folder, const std::string& status, const PlannedRun& 
   std::ofstream{folder / "events.csv"} << "time_s\n";
   std::ofstream{folder / "manifest.json"} << R"({"status": ")" << status << R"(", "fingerprint": ")" << run.fingerprint
                                           << R"(", "seed": )" << run.seed << R"(, "clock": {"until_s": )" << run.until_s
-                                          << R"(}, "tables": {"events.csv": {}}, "code": ")" << code << "\"}\n";
+                                          << R"(}, "tables": {"events.csv": {"rows": 0, "crc32": )" << checksum("time_s\n")
+                                          << R"(}}, "code": ")" << code << "\"}\n";
 }
 
 void leave_checkpoint(const fs::path& folder) {
@@ -181,7 +183,7 @@ TEST_CASE("sweep run: damaged files -> set aside, and the next attempt begins wi
   CHECK(fs::exists(one.making.string() + ".incomplete-2/manifest.json"));
 }
 
-TEST_CASE("sweep run: another run, or one without its tables, in the run's folder -> not complete, and refused") {
+TEST_CASE("sweep run: another run in the run's folder -> refused, a damaged one -> set aside and made anew") {
   const OneRun one;
   const std::string says = one.folder.string() + ": holds something else than the complete run that was planned: move it away";
   PlannedRun other = plan_of(2)[1];
@@ -198,10 +200,14 @@ TEST_CASE("sweep run: another run, or one without its tables, in the run's folde
   check();
   leave(one.folder, "complete", one.run);
   CHECK(one.make(never) == "");
-  fs::remove(one.folder / "events.csv");
-  CHECK(one.make(never) == says);
-  fs::remove(one.folder / "manifest.json");
-  CHECK(one.make() == "");
+  std::ofstream{one.folder / "events.csv"} << "time_S\n";
+  CHECK(one.stage() == Stage::failed);
+  CHECK(sweep::stage_of(one.sweep.path(), one.run, false) == Stage::complete);
+  const auto complete = [&](const fs::path& own) { leave(own, "complete", one.run); };
+  CHECK(sweep::make_run(one.sweep.path(), one.run, never, false) == "");
+  CHECK(sweep::make_run(one.sweep.path(), one.run, complete).find(": was damaged (") != std::string::npos);
+  CHECK(fs::exists(one.folder.string() + ".incomplete-1/events.csv"));
+  CHECK(one.make(never) == "");
 }
 
 TEST_CASE("sweep run: a link on its way -> refused, and nothing is written where it leads") {

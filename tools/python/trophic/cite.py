@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from . import description
 from .pool import read_pooled, run_folders
-from .runs import RunError, Runs
+from .runs import RunError, Runs, verify
 
 ENTRIES = """@misc{trophic,
   title = {trophic: ecologies of simulated robots with rules at compile time and physics behind an adapter},
@@ -36,6 +36,8 @@ def run(request: dict) -> int:
     runs = [read_pooled(one) for one in folders if one == folder or (one / "manifest.json").exists()]
     if not runs:
         raise RunError(f"{folder}: no run is there")
+    for cited in runs:
+        verify(cited.path)
     others = sorted({one.identity for one in runs} - {runs[0].identity})
     if others:
         raise RunError(f"{folder}: runs of different fingerprints: {', '.join([runs[0].identity, *others])}; cite them one by one")

@@ -13,6 +13,7 @@ import sys
 # The module whose run(request) does a command.
 MODULES = {"ablation-table": "ablations", "analyze": "report.analyze", "analyze-sweep": "sweeps.report", "card": "card", "cite": "cite", "contest": "contests",
            "analyze-selection": "selection", "cross-check": "cross_check", "metrics": "metrics.help", "plot": "plot"}
+STOPPED = 3  # the exit code of a command that a signal ends
 SYSTEM = "/usr/bin/python3"  # has the packages of apt-get
 
 
@@ -34,7 +35,7 @@ def run(request: dict) -> int:
     except MemoryError:
         code, why = 1, "there is not enough memory"
     except KeyboardInterrupt:
-        return 128 + signal.SIGINT
+        return STOPPED
     except Exception as error:
         if type(error).__name__ not in ("RunError", "ProgramError"):  # compared by name: its module needs pandas
             raise
@@ -58,7 +59,7 @@ def _continue_with_system() -> None:
 
 def main() -> int:
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(128 + signal.SIGTERM))  # an exit, which removes the temporary folder
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(STOPPED))  # an exit, which removes the temporary folder
     request = json.load(sys.stdin)
     try:
         return run(request)

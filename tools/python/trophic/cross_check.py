@@ -12,7 +12,7 @@ import pandas
 
 from . import pool
 from .report.columns import names
-from .report.tables import csv_text, write_new
+from .report.tables import csv_text, publish, write_new
 from .runs import RunError
 from .statistics import EquivalenceTest, contrast, estimate, test_equivalence
 from .values import MeasuredSet
@@ -34,7 +34,7 @@ _TABLE = "cross_check.csv"
 
 
 def run(request: dict) -> int:
-    """Compares the walks in `folder` (walks.csv and trajectories.csv) and the two sets of `runs`, writes cross_check.csv into the folder and prints both.
+    """Compares the walks in `folder` (walks.csv and trajectories.csv) and the two sets of `runs`, writes cross_check.csv into the folder, prints both and names the folder `out`.
     Either may be missing."""
     folder = pathlib.Path(request["folder"])
     rows: list[dict[str, Any]] = []
@@ -48,7 +48,8 @@ def run(request: dict) -> int:
         print(("\n" if rows else "") + metrics_text(sets, found), end="")
         rows += [row for pair in found for row in pair]
     write_new(folder / _TABLE, csv_text(pandas.DataFrame(rows, columns=names(_TABLE))))
-    print(f"files   {folder}")
+    publish(folder, pathlib.Path(request["out"]))
+    print(f"files   {request['out']}")
     return 0
 
 

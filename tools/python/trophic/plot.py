@@ -10,12 +10,12 @@ def run(request: dict) -> int:
     import matplotlib
     matplotlib.use("Agg")
     from .figures import bodies, contests, cross_check, paper, style, sweep
+    from .report.tables import check_new, result_folder
     from .runs import RunError, read_analysis
     folder = pathlib.Path(request["analysis"])
     out = pathlib.Path(request["out"] or folder / "figures")
     which, metrics, axes, program = request["run"] or 0, request["metric"], request["axes"], request["program"]
-    if out.exists() or out.is_symlink():
-        raise RunError(f"--out {out}: exists already; nothing is overwritten")
+    check_new(out)
     is_sweep = (folder / "sweep_metrics.csv").exists()
     if not is_sweep and (metrics or axes):
         raise RunError("--metric and --axes: only of an analysed sweep, a folder with sweep_metrics.csv")
@@ -40,6 +40,9 @@ def run(request: dict) -> int:
         raise RunError(option if option.startswith("--") else f"{folder}: no {error}: is it what trophic analyze wrote?") from None
     except (OSError, ValueError, AttributeError) as error:
         raise RunError(f"{folder}: is not what trophic analyze writes: {error}") from None
-    drawn = style.save_all(figures, out, request["with_captions"])
+    with result_folder(out) as part:
+        drawn = style.save_all(figures, part, request["with_captions"])
+        if not drawn:
+            raise RunError(f"{folder}: has the data of no figure")
     print(f"{drawn} figures in {out}, with captions.json and captions.tex")
-    return 0 if drawn else 1
+    return 0

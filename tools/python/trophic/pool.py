@@ -12,7 +12,6 @@ import pathlib
 import re
 import signal
 import sys
-import zlib
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
@@ -23,7 +22,7 @@ from .description import changes_of, describe
 from .metrics import Measuring, Web, bodies, own
 from .runs import Run, RunError
 from .values import NEUTRAL, SHADOW, MeasuredSet, RunValues
-from .words import NO_NEUTRAL, NULLS, number_text
+from .words import NO_NEUTRAL, NULLS, excerpt, number_text
 
 SHADOW_SLOT, SHADOW_POLICY = "heredity", "nothing_inherited"
 """The slot in which a table and its shadow differ, and the policy that the shadow has there."""
@@ -86,17 +85,6 @@ class PooledRun(Run):
         """As Run.table, without the rows after `until_s`, if the table has times."""
         table = super().table(name, columns, categories=categories)
         return table[table.time_s <= self.until_s] if "time_s" in table else table
-
-    def check_files(self) -> None:
-        """Raises RunError, naming the file, for a table or a recording that is not what the run wrote. `load` checks those that it reads."""
-        for name, expected in self.manifest.get("tables", {}).items():
-            if name not in ("events.csv", "agents.csv"):
-                runs.check_sum(self.path / name, runs.content(self.path / name), expected)
-        if "recording" in self.manifest:
-            path, expected = self.path / "replay.trp", self.manifest["recording"]["crc32"]
-            if (found := zlib.crc32(runs.content(path))) != expected:
-                raise RunError(f"{path}: has checksum {found}: must be {expected}, as its manifest says; the recording was cut or "
-                               "changed after the run")
 
     def load(self, file: str, columns: Sequence[str], remarks: list[str]) -> pandas.DataFrame:
         """Reads columns of events.csv or agents.csv up to `until_s`; the incomplete end that a killed program left goes, with a remark. A table
@@ -252,9 +240,9 @@ def run_folders(path: pathlib.Path, remarks: list[str]) -> list[pathlib.Path]:
     if not listing.exists():
         return [path]
     try:
-        names = [replicate["folder"] for replicate in json.loads(runs.content(listing))["replicates"]]
-    except (json.JSONDecodeError, UnicodeDecodeError, RecursionError, TypeError, KeyError) as error:
-        raise RunError(f"{listing}: is not a list of replicates: {type(error).__name__}: {error}") from None
+        names = [replicate["folder"] for replicate in runs.sealed(listing)["replicates"]]
+    except (TypeError, KeyError):
+        raise RunError(f"{listing}: replicates: must be a list of folders, as trophic writes it") from None
     for name in names:
         if not isinstance(name, str) or not _is_plain(name):
             raise RunError(f"{listing}: folder = {json.dumps(name)}: must be text without control characters")
@@ -467,7 +455,7 @@ def _checked(run: PooledRun, file: str, texts: pandas.DataFrame) -> pandas.DataF
     def refuse_first(wrong: pandas.Series, must: str) -> None:
         if wrong.any():
             place = wrong.idxmax()
-            raise RunError(f'{run.path / file}:{place + 2}: {wrong.name} = "{texts[wrong.name][place]}": must be {must}')
+            raise RunError(f'{run.path / file}:{place + 2}: {wrong.name} = "{excerpt(texts[wrong.name][place])}": must be {must}')
     for name in texts:
         cells = texts[name]
         if name == "species":

@@ -107,6 +107,8 @@ def _blocks(path, content):
                 raise RecordingError(f"{path}: damaged, a block of other robots or bodies at byte {at}")
             bodies[1].extend((numbers[0], robot, body) for robot, body in zip(numbers[1::2], numbers[2::2]))
         elif kind == b"DONE":
+            if at + 12 + size != len(content):
+                raise RecordingError(f"{path}: damaged, it continues after its end at byte {at + 12 + size}")
             return head, blocks, bodies, True
         at += 12 + size
     if head is None or not blocks:

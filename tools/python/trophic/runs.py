@@ -234,12 +234,9 @@ def read_run(path: str | os.PathLike) -> Run:
     path = pathlib.Path(path)
     if not (path / "manifest.json").exists():
         raise RunError(f"{path}: is not a run: it has no manifest.json")
-    try:
-        manifest = json.loads(content(path / "manifest.json").decode())
-    except (UnicodeDecodeError, json.JSONDecodeError, RecursionError) as error:
-        raise RunError(f"{path}/manifest.json: broken: {error}") from None
+    manifest = sealed(path / "manifest.json")
     kinds = {"status": str, "seed": int, "fingerprint": str, "rule_table": str}
-    if not isinstance(manifest, dict) or any(type(manifest.get(key)) is not kind for key, kind in kinds.items()):
+    if any(type(manifest.get(key)) is not kind for key, kind in kinds.items()):
         raise RunError(f"{path}/manifest.json: not a run's")
     return Run(path, manifest)
 
@@ -285,6 +282,57 @@ def read_analysis(path: str | os.PathLike) -> Analysis:
         raise RunError(f"{path}: not what trophic analyze writes: {error}") from None
 
 
+def verify(path: str | os.PathLike) -> None:
+    """Compares a run's manifest, tables, recording and checkpoint with their checksums. Raises RunError, naming the file, for the first one that is
+    not what the run wrote. A run that was killed has no checksums of tables."""
+    run = read_run(path)
+    try:
+        for name, expected in run.manifest.get("tables", {}).items():
+            check_sum(run.path / name, content(run.path / name), expected)
+        if "recording" in run.manifest:
+            recording, expected = run.path / "replay.trp", run.manifest["recording"]["crc32"]
+            if (found := zlib.crc32(content(recording))) != expected:
+                raise RunError(f"{recording}: has checksum {found}: must be {expected}, as its manifest says; the recording was cut or changed after "
+                               "the run")
+    except (AttributeError, KeyError, TypeError):
+        raise RunError(f"{run.path}/manifest.json: tables, recording: must be as trophic writes them") from None
+    if run.complete and "format" in run.manifest and (run.path / "checkpoint.bin").exists():
+        _check_checkpoint(run)
+
+
+def _check_checkpoint(run: Run) -> None:
+    """Raises RunError unless checkpoint.bin is whole and of the run of the manifest."""
+    path = run.path / "checkpoint.bin"
+    whole = content(path)
+    if zlib.crc32(whole[:-4]) != int.from_bytes(whole[-4:], "little"):
+        raise RunError(f"{path}: is cut short or damaged: its checksum is another; without this file the run can be read, but not continued")
+    at = whole.find(b"\n") + 5  # after the first line and the version of the format
+    texts = []
+    for _ in range(3):  # fingerprint, version and code of the program
+        length = int.from_bytes(whole[at:at + 8], "little")
+        texts.append(whole[at + 8:at + 8 + length].decode(errors="replace"))
+        at += 8 + length
+    if (texts[0], seed := int.from_bytes(whole[at:at + 8], "little")) != (run.fingerprint, run.seed):
+        raise RunError(f"{path}: is of fingerprint {texts[0]}, seed {seed}: must be of {run.fingerprint}, {run.seed}, as manifest.json")
+
+
+def sealed(path: pathlib.Path) -> dict:
+    """Reads a JSON object that trophic wrote with its own checksum as the last entry. Raises RunError if it was changed since. An object without
+    `format` and `crc32` is of an older program and is taken as it is."""
+    whole = content(path)
+    try:
+        value = json.loads(whole.decode())
+    except (ValueError, RecursionError):
+        value = None
+    if not isinstance(value, dict):
+        raise RunError(f"{path}: is not a JSON object")
+    if "format" in value or "crc32" in value:
+        body, _, end = whole.rpartition(b',\n  "crc32": ')
+        if end != b"%d\n}\n" % zlib.crc32(body):
+            raise RunError(f"{path}: was cut short or changed after trophic wrote it: its checksum is another")
+    return value
+
+
 def content(path: pathlib.Path) -> bytes:
     """Reads a whole file. Raises RunError if it cannot be read, or if it is a pipe, on which reading would wait."""
     try:
@@ -323,7 +371,10 @@ def whole_lines(path: pathlib.Path, expected: dict | None, whole: bytes | None =
         raise RunError(f"{path}:1: begins with a byte order mark; another kind of file?")
     if not lines:
         raise RunError(f"{path}: has no header")
-    commas = lines[: lines.index(b"\n")].count(b",")
+    names = lines[: lines.index(b"\n")].split(b",")
+    commas = len(names) - 1
+    if twice := [name.decode(errors="replace") for place, name in enumerate(names) if name in names[:place]]:
+        raise RunError(f"{path}:1: column {twice[0][:100]!r}: must be there once")
     for number, line in enumerate(lines[:-1].split(b"\n") if expected is None else (), 1):
         cells = line if b'"' not in line else b"".join(line.split(b'"')[::2])  # commas in quotes separate nothing
         if cells.count(b",") != commas:

@@ -67,7 +67,7 @@ def analyze(runs: Run | Runs | str | os.PathLike | Sequence, compare: Run | Runs
     with result_folder(out) as folder:
         outcome = report.analyse(paths, sets, its_shadow, how)
         report.write_tables(folder, outcome)
-    return outcome.analysis(folder)
+    return outcome.analysis(pathlib.Path(out))
 
 
 def _path(of: Any) -> str | os.PathLike:

@@ -31,6 +31,11 @@ def over_text(compared: str) -> str:
     return f"over the {NULLS[compared.removeprefix('over_')]}" if compared.startswith("over_") else compared
 
 
+def excerpt(text: str) -> str:
+    """A text to be quoted in a sentence: its beginning, if it is long."""
+    return text if len(text) <= 100 else f"{text[:100]}..."
+
+
 def number_text(value: float | int | None) -> str:
     """The fewest digits that read back as the same number, as trophic's tables have them; empty for None and nan."""
     if value is None or value != value:

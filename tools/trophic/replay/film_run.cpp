@@ -186,7 +186,13 @@ class Artist {
   /// Those of a film; a catch stands still for a moment.
   [[nodiscard]] std::vector<Moment> film() const {
     const double step_s = speed_of(plan_) / static_cast<double>(plan_.fps);
-    const auto count = static_cast<std::size_t>(std::floor((to_s_ - from_s_) / step_s + 1e-9)) + 1;
+    const double pictures = std::floor((to_s_ - from_s_) / step_s + 1e-9) + 1.0;
+    constexpr double most_pictures = 1e6;
+    if (!(pictures <= most_pictures)) {
+      throw std::invalid_argument{"--speed, --fps: a film of " + number_text(pictures) +
+                                  " pictures: must have <= " + number_text(most_pictures)};
+    }
+    const auto count = static_cast<std::size_t>(pictures);
     std::vector<Moment> moments;
     bool is_caught = !scene_;
     for (std::size_t i = 0; i < count; ++i) {

@@ -63,16 +63,6 @@ class OwnTables {
     }
   }
 
-  /// Throws std::invalid_argument for a table that is not, byte for byte, what the run wrote by its manifest.
-  void check_sum(const std::string& table, const Json& sums) const {
-    if (!sums.contains(table)) return;
-    const io::TableSum is = analysis::CsvReader{folder_ / table, {}}.sum();
-    const Json& was = sums.at(table).at("crc32");
-    if (was == is.crc32) return;
-    throw std::invalid_argument{(folder_ / table).string() + ": checksum " + std::to_string(is.crc32) + ": must be " +
-                                json_text(was) + ", as in the manifest next to it; it is of another run, or was changed"};
-  }
-
  private:
   struct Row {
     std::size_t body = 0;
@@ -136,9 +126,7 @@ void check_own_tables(const std::filesystem::path& folder, const io::RecordingRe
   OwnTables tables{folder, recording};
   tables.check_events();
   const Json sums = manifest.value("tables", Json::object());
-  for (const char* table : {"events.csv", "agents.csv", "phylogeny.csv"}) tables.check_sum(table, sums);
   const bool has_senses = std::filesystem::exists(folder / "senses.csv");
-  if (has_senses) tables.check_sum("senses.csv", sums);
   if (!sums.contains("agents.csv")) tables.check_agents();
   if (!sums.contains("phylogeny.csv")) tables.check_phylogeny();
   if (has_senses && !sums.contains("senses.csv")) tables.check_senses();

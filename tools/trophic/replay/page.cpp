@@ -223,7 +223,7 @@ std::string runs_part(const std::vector<RecordedRun>& runs, const Window& window
         files.append(name).append("\">").append(base64(bytes)).append("</script>\n");
       }
     } catch (const Json::exception& error) {
-      throw std::invalid_argument{(run.folder / "manifest.json").string() + ": " + error.what()};
+      throw std::invalid_argument{(run.folder / "manifest.json").string() + ": " + reason_of(error)};
     } catch (const std::runtime_error& error) {
       throw std::invalid_argument{error.what()};
     }

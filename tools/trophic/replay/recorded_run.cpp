@@ -6,14 +6,17 @@
 #include <tools/command/check_folder.hpp>
 #include <tools/trophic/replay/own_tables.hpp>
 #include <trophic/params/params.hpp>
+#include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/support/whole_file.hpp>
 
 namespace trophic::command::replay {
 
 Json read_manifest(const std::filesystem::path& folder, const io::RecordingHead& head) {
   const std::filesystem::path path = folder / "manifest.json";
-  auto manifest = parse_json_or_null(read_whole_file(path));
-  if (!manifest.is_object()) throw std::invalid_argument{path.string() + ": cannot be read as a run's manifest"};
+  auto manifest = parse_sealed(read_whole_file(path));
+  if (!manifest.is_object()) {
+    throw std::invalid_argument{path.string() + ": is not a run's manifest, or was changed after trophic wrote it"};
+  }
   try {
     const auto fingerprint = manifest.at("fingerprint").get<std::string>();
     const Json& seed = manifest.at("seed");
@@ -23,7 +26,7 @@ Json read_manifest(const std::filesystem::path& folder, const io::RecordingHead&
                                   std::to_string(head.seed) + "; they are of two runs"};
     }
   } catch (const Json::exception& error) {
-    throw std::invalid_argument{path.string() + ": " + error.what()};
+    throw std::invalid_argument{path.string() + ": " + reason_of(error)};
   }
   return manifest;
 }
@@ -64,12 +67,13 @@ RecordedRun open_run(const std::filesystem::path& folder) {
                                   json_text(manifest["agents_every_ticks"]) +
                                   ": must have all to be shown, as with --agents-every 1"};
     }
+    if (const std::string damage = checkpoint::damage_in(folder); !damage.empty()) throw std::invalid_argument{damage};
     RecordedRun run{folder, std::move(manifest), std::move(recording), {}};
     if (!run.recording.remark().empty()) run.remarks.push_back(run.recording.remark());
     check_own_tables(folder, run.recording, run.manifest);
     return run;
   } catch (const Json::exception& error) {
-    throw std::invalid_argument{(folder / "manifest.json").string() + ": " + error.what()};
+    throw std::invalid_argument{(folder / "manifest.json").string() + ": " + reason_of(error)};
   } catch (const std::runtime_error& error) {
     throw std::invalid_argument{error.what()};
   }

@@ -20,11 +20,39 @@ inline constexpr std::uint64_t largest_file = std::uint64_t{64} << 30U;
 
 inline constexpr std::string_view first_line = "trophic checkpoint\n";
 
-/// The bytes of a checkpoint file. Its beginning is looked at first: the file may be anything, of any size.
+/// The length of a checkpoint file of this format by the lengths in it, read one by one.
+[[nodiscard]] inline std::uint64_t length_by_content(const std::filesystem::path& path) {
+  constexpr std::uint64_t most_sections = 1000;
+  std::uint64_t at = first_line.size() + sizeof(format_version);
+  const auto number = [&](std::uint64_t most) {
+    const std::string bytes = read_part(path, sizeof(std::uint64_t), at);
+    std::uint64_t value = most + 1;
+    if (bytes.size() == sizeof(value)) Archive{bytes}(value);
+    if (value > most) throw std::invalid_argument{path.string() + ": is cut short or damaged"};
+    at += sizeof(value);
+    return value;
+  };
+  const auto pass_text = [&] { at += number(largest_file); };
+  for (int i = 0; i < 3; ++i) pass_text();  // fingerprint, version, code
+  at += sizeof(Checkpoint::seed) + sizeof(Checkpoint::tick) + sizeof(Checkpoint::time_s);
+  for (std::uint64_t left = 2 * number(most_sections); left > 0; --left) pass_text();
+  return at + sizeof(std::uint32_t);
+}
+
+/// The bytes of a checkpoint file. Its beginning and its lengths are looked at first: the file may be anything, of any size.
 [[nodiscard]] inline std::string read_bytes(const std::filesystem::path& path) {
-  const std::string beginning = read_beginning(path, first_line.size());
+  std::string beginning = read_part(path, first_line.size() + 2 * sizeof(format_version));
   if (!beginning.starts_with(first_line)) throw std::invalid_argument{path.string() + ": is not a checkpoint of trophic"};
-  return read_whole_file(path, largest_file);
+  std::uint32_t format = 0;
+  if (beginning.size() == first_line.size() + 2 * sizeof(format))
+    Archive{std::string_view{beginning}.substr(first_line.size())}(format);
+  if (format != format_version) return beginning;  // from_bytes says why
+  const std::uint64_t length = length_by_content(path);
+  if (const std::uint64_t bytes = std::filesystem::file_size(path); bytes != length) {
+    throw std::invalid_argument{path.string() + ": is cut short or damaged: it has " + std::to_string(bytes) +
+                                " bytes: must be " + std::to_string(length) + ", by its content"};
+  }
+  return read_whole_file(path, length);
 }
 
 }  // namespace detail

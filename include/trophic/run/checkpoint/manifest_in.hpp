@@ -11,11 +11,10 @@
 
 namespace trophic::checkpoint::detail {
 
-/// manifest.json; null if it is missing or damaged. Throws UnreadableFile.
+/// manifest.json; null if it is missing, damaged or was changed. Throws UnreadableFile.
 [[nodiscard]] inline Json manifest_in(const std::filesystem::path& folder) {
   try {
-    auto manifest = parse_json_or_null(read_whole_file(folder / "manifest.json", largest_manifest));
-    return manifest.is_object() ? manifest : Json{};
+    return parse_sealed(read_whole_file(folder / "manifest.json", largest_manifest));
   } catch (const UnreadableFile&) {  // it may be that of a complete run
     throw;
   } catch (const std::invalid_argument&) {

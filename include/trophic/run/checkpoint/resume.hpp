@@ -25,7 +25,11 @@ struct RunState {
 /// Throws UnreadableFile, as the functions below, if the system refuses to read a file of the folder.
 [[nodiscard]] std::string status_of(const std::filesystem::path& folder);
 
-/// Whether a folder holds all of a run to `until_s`: its manifest says so, and its tables are there.
+/// Compares the files of a run that has ended with the checksums in its manifest, the manifest with its own and with the
+/// checkpoint. Returns the first difference, "FILE: ...", empty if there is none. Throws UnreadableFile.
+[[nodiscard]] std::string damage_in(const std::filesystem::path& folder);
+
+/// Whether a folder holds all of a run to `until_s` by its manifest.
 [[nodiscard]] bool holds_complete(const std::filesystem::path& folder, const std::string& fingerprint, std::uint64_t seed,
                                   double until_s);
 
@@ -39,11 +43,12 @@ void check_build(const std::filesystem::path& folder);
 [[nodiscard]] std::filesystem::path rename_incomplete(const std::filesystem::path& folder);
 
 /// Looks at the folder of a run that is to be resumed. A folder without a whole checkpoint, or with one of another version of
-/// trophic, is set aside, as nothing can be resumed there. Throws std::invalid_argument if the folder is of a run with other
-/// rules, parameters or another seed, if another build of the program wrote its checkpoint and `other_build` does not accept
-/// that, if it lacks a table of a complete run, or has links in it; std::runtime_error if another program works in it.
+/// trophic, is set aside, as nothing can be resumed there; so is a complete run whose files are damaged, if `schedule` verifies.
+/// Throws std::invalid_argument if the folder is of a run with other rules, parameters or another seed, if another build of the
+/// program wrote its checkpoint and `schedule` does not accept that, or if it has links in it; std::runtime_error if another
+/// program works in it.
 [[nodiscard]] RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run,
-                                    OtherBuild other_build = OtherBuild::refused);
+                                    const Schedule& schedule = {});
 
 /// Runs an ecology to `until_s` with observers, from its present state or from a checkpoint, and keeps checkpoints in the folder.
 /// Observers that take part in checkpoints (see Kept) are read from it; with one, those that own files must have been made with

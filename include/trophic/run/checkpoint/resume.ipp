@@ -6,6 +6,7 @@
 #include <trophic/io/program_code.hpp>
 #include <trophic/run/checkpoint/manifest_in.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
+#include <trophic/support/checksum.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/no_links.hpp>
@@ -19,18 +20,7 @@ namespace trophic::checkpoint {
 
 namespace detail {
 
-/// Returns the files that a manifest lists and its folder lacks; empty if it has all of them.
-[[nodiscard]] inline std::string missing_in(const std::filesystem::path& folder, const Json& manifest) {
-  const auto tables = manifest.find("tables");
-  if (tables == manifest.end() || !tables->is_object() || tables->empty()) return "a list of its tables";
-  for (const auto& [name, sum] : tables->items()) {
-    const auto status = std::filesystem::symlink_status(folder / name);
-    if (std::filesystem::path{name}.has_parent_path() || !std::filesystem::is_regular_file(status)) return name;
-  }
-  return "";
-}
-
-/// Throws std::invalid_argument unless a manifest is of this run and its folder has the tables that it lists.
+/// Throws std::invalid_argument unless a manifest is of this run.
 inline void check_manifest(const std::filesystem::path& folder, const Json& manifest, const observe::RunDescription& run) {
   const auto check = [&](const char* key, const Json& ours) {
     const auto there = manifest.find(key);
@@ -41,9 +31,26 @@ inline void check_manifest(const std::filesystem::path& folder, const Json& mani
   };
   check("fingerprint", run.fingerprint);
   check("seed", run.seed);
-  if (const std::string missing = missing_in(folder, manifest); !missing.empty()) {
-    throw std::invalid_argument{folder.string() + ": its manifest says that it is complete, but it lacks " + missing};
+}
+
+/// How the tables and the recording of a manifest differ from its checksums, or empty.
+[[nodiscard]] inline std::string wrong_sum_in(const std::filesystem::path& folder, const Json& manifest) {
+  constexpr std::size_t piece_bytes = std::size_t{1} << 20U;
+  Json sums = manifest.value("tables", Json::object());
+  if (manifest.contains("recording")) sums["replay.trp"] = manifest["recording"];
+  for (const auto& [name, sum] : sums.items()) {
+    const std::filesystem::path path = folder / std::filesystem::path{name}.filename();
+    std::uint32_t is = 0;
+    std::uint64_t at = 0;
+    for (std::string piece = read_part(path, piece_bytes); !piece.empty();
+         piece = read_part(path, piece_bytes, at += piece.size()))
+      is = checksum(piece, is);
+    const auto was = whole_number<std::uint32_t>(sum, "crc32");
+    if (is == was) continue;
+    return path.string() + ": has checksum " + std::to_string(is) + ": must be " + std::to_string(was) +
+           ", as its manifest says; the file was cut or changed after the run";
   }
+  return "";
 }
 
 /// The last checkpoint of this version that is whole, or why there is none. Throws UnreadableFile.
@@ -68,6 +75,29 @@ TROPHIC_INLINE std::string status_of(const std::filesystem::path& folder) {
   return detail::status_in(detail::manifest_in(folder));
 }
 
+TROPHIC_INLINE std::string damage_in(const std::filesystem::path& folder) {
+  const std::string path = (folder / "manifest.json").string();
+  const Json manifest = detail::manifest_in(folder);
+  if (manifest.is_null()) return path + ": is missing, cut short, or was changed after trophic wrote it";
+  try {
+    if (std::string wrong = detail::wrong_sum_in(folder, manifest); !wrong.empty()) return wrong;
+    const bool has_checkpoint =
+        std::filesystem::exists(folder / file_name) && manifest.contains("format") && manifest.at("trophic") == version;
+    if (!has_checkpoint || detail::status_in(manifest) != "complete") return "";
+    const std::string checkpoint = (folder / file_name).string();
+    const std::vector<Checkpoint> whole = read_all(folder);
+    if (whole.empty()) return checkpoint + ": is cut short or damaged; without this file the run can be read, but not continued";
+    if (whole.front().fingerprint == manifest.at("fingerprint") && whole.front().seed == manifest.at("seed")) return "";
+    return checkpoint + ": is of another run than manifest.json";
+  } catch (const Json::exception& error) {
+    return path + ": " + reason_of(error);
+  } catch (const UnreadableFile&) {
+    throw;
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
 TROPHIC_INLINE bool holds_complete(const std::filesystem::path& folder, const std::string& fingerprint, std::uint64_t seed,
                                    double until_s) {
   if (!std::filesystem::is_directory(std::filesystem::symlink_status(folder))) return false;
@@ -77,7 +107,7 @@ TROPHIC_INLINE bool holds_complete(const std::filesystem::path& folder, const st
     return there != manifest.end() && *there == ours;
   };
   return detail::status_in(manifest) == "complete" && is("fingerprint", fingerprint) && is("seed", seed) &&
-         detail::until_in(manifest) == until_s && detail::missing_in(folder, manifest).empty();
+         detail::until_in(manifest) == until_s;
 }
 
 TROPHIC_INLINE std::filesystem::path rename_incomplete(const std::filesystem::path& folder) {
@@ -116,7 +146,7 @@ TROPHIC_INLINE void check_build(const std::filesystem::path& folder) {
 }
 
 TROPHIC_INLINE RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run,
-                                     OtherBuild other_build) {
+                                     const Schedule& schedule) {
   if (!std::filesystem::exists(folder)) return {};
   const FolderLock alone{folder};
   check_no_links_in(folder);
@@ -125,11 +155,18 @@ TROPHIC_INLINE RunState run_state_in(const std::filesystem::path& folder, const 
   const double until_s = detail::until_in(manifest);
   if (detail::is_complete(manifest, run.until_s)) {
     detail::check_manifest(folder, manifest, run);
-    return {.complete = true, .from = {}, .remark = "is complete already, to " + number_text(until_s) + " s"};
+    const std::string damage = schedule.verifies ? damage_in(folder) : "";
+    if (damage.empty()) {
+      return {.complete = true, .from = {}, .remark = "is complete already, to " + number_text(until_s) + " s"};
+    }
+    return {.complete = false,
+            .from = {},
+            .remark = "was complete, but damaged (" + damage + "): kept as " + rename_incomplete(folder).filename().string() +
+                      ", run anew"};
   }
   auto [last, why] = detail::last_in(folder);
   if (last) {
-    const bool is_other = last->code != program_code() && other_build == OtherBuild::accepted;
+    const bool is_other = last->code != program_code() && schedule.other_build == OtherBuild::accepted;
     if (is_other) last->code = program_code();
     try {
       check_same_run(*last, run);
@@ -143,6 +180,7 @@ TROPHIC_INLINE RunState run_state_in(const std::filesystem::path& folder, const 
                                   ", which the run in " + folder.string() + " has passed"};
     }
     std::string remark = "continues from its checkpoint at " + number_text(last->time_s) + " s" +
+                         (manifest.is_null() ? ", as it has no whole manifest.json" : "") +
                          (is_other ? ", which another build of this program wrote" : "");
     return {.complete = false, .from = std::move(last), .remark = std::move(remark)};
   }

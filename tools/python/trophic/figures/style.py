@@ -114,9 +114,9 @@ def captions_tex(captions, folder="."):
 
 
 def save_all(figures, out, with_captions=False):
-    """Draws each of (name, function) into the new folder OUT as PNG and PDF, with captions.json and captions.tex; one whose data are missing
+    """Draws each of (name, function) into the folder OUT, which may be there, as PNG and PDF, with captions.json and captions.tex; one whose data are missing
     is left out with a line. Returns how many were drawn."""
-    out.mkdir(parents=True)
+    out.mkdir(parents=True, exist_ok=True)
     drawn = 0
     captions = {}
     for name, draw in figures:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy
 import pandas
 
-from ..runs import RunError
+from ..runs import RunError, verify
 from ..values import METRIC, Metric, RunValues
 from ..words import number_text
 from . import attribution, demography, locked, motion, own, stuck, tags, velocity, walls
@@ -97,10 +97,10 @@ def shipped(web: Web, events: pandas.DataFrame, agents: pandas.DataFrame, *, unt
 
 def measure_run(run: PooledRun, how: Measuring) -> RunValues:
     """Reads and measures a run. Raises RunError, naming the file, for a table that cannot be read or is not what the run wrote."""
+    verify(run.path)
     if how.lineages is not None:
         from . import lineages
         return lineages.measure_run(run, how.lineages, how.window_s)  # type: ignore[arg-type]  # known since the runs were pooled
-    run.check_files()
     status = run.manifest["status"]
     remarks = [] if status == "complete" else [f'{run.path}/manifest.json: status "{status}": the run did not reach its end']
     events, agents = run.load("events.csv", EVENTS, remarks), run.load("agents.csv", AGENTS, remarks)

@@ -27,6 +27,7 @@ _DESCENT = (("descent_roots", "1"), ("descent_largest_clade", "1"), ("descent_me
             ("descent_related_pairs", "1"), ("descent_common_ancestor", "s"), ("descent_diversity", "s"))
 _HALVES = ("early", "late")
 _NULLS_OF_ACTIVITY = 2  # the activity of the run and of the other forests of drift is compared with that in the first ones
+MOST_WINDOWS = 10_000
 _COUNTS = 10  # of presence in a window
 
 
@@ -36,6 +37,8 @@ def window_of(runs: Sequence[Run], asked_s: float | None = None) -> float:
     window_s = min(500.0, 0.25 * lengths_s[0]) if asked_s is None else asked_s
     if not (window_s > 0.0 and 4.0 * window_s <= min(lengths_s)):
         raise RunError(f"--window {number_text(window_s)}: must be > 0 and <= {number_text(0.25 * min(lengths_s))}, a quarter of the runs")
+    if window_s * MOST_WINDOWS < max(lengths_s):
+        raise RunError(f"--window {number_text(window_s)}: must be >= {number_text(max(lengths_s) / MOST_WINDOWS)}, for at most {MOST_WINDOWS} windows")
     return window_s
 
 

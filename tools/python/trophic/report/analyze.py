@@ -91,7 +91,7 @@ def run(request: Mapping[str, Any]) -> int:
         whole, brief = texts(outcome, bool(request.get("published")))
         print(whole if request.get("all") or how.metrics else brief, end="")
         if folder is not None:
-            print(f"files   {folder}/{{{','.join(write_tables(folder, outcome))}}}")
+            print(f"files   {folder.with_suffix('')}/{{{','.join(write_tables(folder, outcome))}}}")
         if request.get("html"):
             frames = outcome.frames if outcome.compared is None else [outcome.compared]
             downloads = {"metrics.csv": tables.csv_text(tables.metrics(outcome.sets))}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import fcntl
 import json
 import os
 import pathlib
@@ -24,22 +25,47 @@ from .columns import names
 
 @contextlib.contextmanager
 def result_folder(out: str | os.PathLike | None) -> Iterator[pathlib.Path]:
-    """A new folder for results: `out`, or "analysis", "analysis-1", ... It goes again if the work fails. Raises RunError for one that exists."""
+    """A folder OUT.part for results, which gets the name `out`, or "analysis", "analysis-1", ... when the work is done. It goes again if the work
+    fails; what a killed program left there is removed. Raises RunError if the folder exists, or if another program works in OUT.part."""
     path = pathlib.Path(out if out is not None else "analysis")
     if out is None and os.path.lexists(path):
         path = next(free for free in (pathlib.Path(f"analysis-{i}") for i in range(1, 1_000_000)) if not os.path.lexists(free))
+    check_new(path)
+    part = path.with_name(path.name + ".part")
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.mkdir()
-    except FileExistsError:
-        raise RunError(f"--out {path}: exists already; nothing is overwritten") from None
+        part.mkdir(parents=True, exist_ok=True)
+        lock = os.open(part, os.O_RDONLY | os.O_NOFOLLOW | os.O_DIRECTORY)
     except OSError as error:
         raise RunError(f"--out {path}: cannot be made: {error.strerror}") from None
     try:
-        yield path
+        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        os.close(lock)
+        raise RunError(f"{part}: another program is running in it") from None
+    except OSError:
+        pass  # a file system without locks
+    try:
+        for left in part.iterdir():
+            shutil.rmtree(left) if left.is_dir() and not left.is_symlink() else left.unlink()
+        yield part
+        publish(part, path)
     except BaseException:
-        shutil.rmtree(path, ignore_errors=True)
+        shutil.rmtree(part, ignore_errors=True)
         raise
+    finally:
+        os.close(lock)
+
+
+def check_new(path: pathlib.Path) -> None:
+    """Raises RunError if a folder exists."""
+    if os.path.lexists(path):
+        raise RunError(f"--out {path}: exists already; nothing is overwritten")
+
+
+def publish(part: pathlib.Path, path: pathlib.Path) -> None:
+    """Gives a folder of results its name. Raises RunError if something has it."""
+    check_new(path)
+    part.rename(path)
 
 
 def write_new(path: str | os.PathLike, content: str | bytes) -> None:

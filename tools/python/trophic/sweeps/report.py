@@ -112,7 +112,7 @@ def run(request: dict) -> int:
             print(f"{request['who']}: {remark}", file=sys.stderr)
         print(text_of(analysis), end="")
         files = write(analysis, out)
-        print(f"files   {out}/{{{','.join(files)}}}")
+        print(f"files   {out.with_suffix('')}/{{{','.join(files)}}}")
     return 0
 
 
