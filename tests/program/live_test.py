@@ -177,7 +177,7 @@ class Live(InFolder):
             facts = page.until_kind("run")
             self.assertEqual(facts["head"]["seed"], 9)
             at_start = {number["path"].split(".")[1] for number in facts["numbers"] if number["acts_at_start"]}
-            self.assertEqual(at_start - {"placement"}, {"community"})
+            self.assertEqual(at_start - {"placement"}, {"community", "newborn_tag"})
             self.assertEqual([number["value"] for number in facts["numbers"] if number["path"] == "rules.capture.reach_m"], ["0.5"])
             page.send({"do": "restart", "seed": 10, "rules": "released"})
             self.assertEqual(page.until_kind("run")["head"]["rule_table"], "released")
@@ -239,7 +239,7 @@ class Changes(InFolder):
             (head + "8,rules.capture.reach_m,-1\n", "rules.capture.reach_m = -1: must be > 0"),
             (head + "8,rules.capture.reach,1\n", "rules.capture.reach: unknown key; did you mean"),
             (head + "8,ecology.robots,40\n", "ecology.robots: cannot change during a run"),
-            (head + "40,rules.capture.reach_m,1\n", "time_s = 40: must be < 40, the duration of the run"),
+            (head + "40,rules.capture.reach_m,1\n", "time_s = 40: must be <= 38, the last moment that a decision step follows"),
         ]:
             with self.subTest(text=text):
                 done = self.run_with(text)

@@ -3,6 +3,7 @@
 #include <exception>
 #include <tools/changes/changing_simulation.hpp>
 #include <tools/replicates/rewind.hpp>
+#include <trophic/ecology/describe.hpp>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/params/named_params.hpp>
 
@@ -111,8 +112,15 @@ ChangingSimulation::~ChangingSimulation() = default;
 observe::RunDescription ChangingSimulation::describe(double until_s) const {
   observe::RunDescription run = first_;
   run.until_s = until_s;
-  run.remarks = current_->describe(until_s).remarks;
   run.changes = made_;
+  const auto remark_on = [&](const std::string& number, double time_s) {
+    const bool needs_joints = !backend().has_joints() && acts_through_joints(number);
+    if (!needs_joints && !checkpoint::acts_at_start(number)) return;
+    run.remarks.push_back(number + ": its change at " + number_text(time_s) + " s has no effect: it acts " +
+                          (needs_joints ? "through joints, which " + run.backend + " lacks" : "at the start of a run alone"));
+  };
+  for (const observe::ParameterChange& row : made_) remark_on(row.number, row.time_s);
+  for (const Change& change : schedule_) remark_on(change.number, change.time_s);
   return run;
 }
 
@@ -223,7 +231,7 @@ std::unique_ptr<Simulation> ChangingSimulation::changed(const std::vector<observ
       throw std::invalid_argument{change.number + ": cannot change during a run; must be a number of a rule (rules. ...)"};
     }
   }
-  checkpoint::check_may_follow(first_, run);
+  checkpoint::check_may_follow(first_, run, false);
   return ecology;
 }
 

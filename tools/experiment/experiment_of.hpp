@@ -58,13 +58,16 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return options.resume && std::filesystem::exists(std::filesystem::path{options.out} / changes::file_name);
 }
 
-/// The changes of --changes. Throws std::invalid_argument for one that would come after the end of the run.
-[[nodiscard]] inline std::vector<changes::Change> schedule_of_changes(const ExperimentOptions& options, double until_s) {
+/// The changes of --changes. Throws std::invalid_argument for one after the last moment that a decision step follows.
+[[nodiscard]] inline std::vector<changes::Change> schedule_of_changes(const ExperimentOptions& options,
+                                                                      const EcologyParams& ecology) {
   if (options.changes.empty()) return {};
   std::vector<changes::Change> schedule = changes::read_changes(options.changes);
-  if (!schedule.empty() && !(schedule.back().time_s < until_s)) {
-    throw std::invalid_argument{options.changes + ": time_s = " + number_text(schedule.back().time_s) + ": must be < " +
-                                number_text(until_s) + ", the duration of the run"};
+  auto last = static_cast<std::int64_t>(std::llround(ecology.duration_s / ecology.tick_s));
+  while (clock_s(last, ecology.tick_s) >= ecology.duration_s) --last;
+  if (!schedule.empty() && schedule.back().time_s > clock_s(last, ecology.tick_s)) {
+    throw std::invalid_argument{options.changes + ": time_s = " + number_text(schedule.back().time_s) + ": must be <= " +
+                                number_text(clock_s(last, ecology.tick_s)) + ", the last moment that a decision step follows"};
   }
   return schedule;
 }
@@ -84,7 +87,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
                                                 const Config& config, AnyExperiment& experiment, Null null,
                                                 const HistoryOf& history = {}, changes::Conductor* conductor = nullptr) {
   if (!may_change(options)) return experiment.simulations(null, history);
-  const auto schedule = schedule_of_changes(options, experiment.ecology().duration_s);
+  const auto schedule = schedule_of_changes(options, experiment.ecology());
   return [=, &chosen](std::uint64_t seed) -> std::unique_ptr<Simulation> {
     const auto make = [=, &chosen](const std::vector<changes::Change>& made) {
       const auto changed = experiment_of(chosen, options, config);

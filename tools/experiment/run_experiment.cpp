@@ -82,7 +82,7 @@ namespace detail {
                                     const observe::RunDescription& run) {
   const View view = ecology.view();
   const double until_s = run.until_s;
-  const std::string slow = replicates::add_speed(folder.manifest(), progress.elapsed_s(), ecology, run.remarks.size());
+  const std::string slow = replicates::add_speed(folder.manifest(), progress.elapsed_s(), ecology);
   const bool is_stopped = view.time_s < until_s;
   if (is_stopped) {
     const int signal = observe::StopOnSignal::caught();

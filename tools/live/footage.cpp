@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Definitions of footage.hpp.
 #include <tools/live/footage.hpp>
+#include <tools/replicates/rewind.hpp>
 #include <trophic/io/recording_head.hpp>
 #include <trophic/io/recording_planes.hpp>
 #include <variant>
@@ -11,11 +12,6 @@ namespace {
 
 namespace recording = io::recording;
 
-/// Whether a number acts at the start of a run alone: those of the first individuals and their places.
-bool acts_at_start(const std::string& path) {
-  return path.starts_with("rules.community.") || path.starts_with("rules.placement.");
-}
-
 /// A number with its meaning and bounds, null for none, and the rule table's own value.
 Json json_of(const NamedParam& number, const std::string& table) {
   const auto finite = [](double bound) { return std::isfinite(bound) ? Json(bound) : Json(nullptr); };
@@ -23,7 +19,7 @@ Json json_of(const NamedParam& number, const std::string& table) {
             {"value", value_text(number)},
             {"table", table},
             {"help", number.help},
-            {"acts_at_start", acts_at_start(number.path)}};
+            {"acts_at_start", checkpoint::acts_at_start(number.path)}};
   const bool is_whole = std::holds_alternative<std::int64_t>(number.value);
   if (std::holds_alternative<bool>(number.value)) {
     json["kind"] = "switch";

@@ -162,7 +162,7 @@ void begin_at(RunState& run_state, const Moment& moment, Simulation& ecology, io
   run_state.from.reset();
 }
 
-void check_may_follow(const observe::RunDescription& origin, const observe::RunDescription& run) {
+void check_may_follow(const observe::RunDescription& origin, const observe::RunDescription& run, bool branches) {
   const auto may_change = [](const std::string& path) {
     return path == "seed" || path.starts_with("rules.") || path == "ecology.duration_s" || path == "backend.threads";
   };
@@ -170,12 +170,13 @@ void check_may_follow(const observe::RunDescription& origin, const observe::RunD
     throw std::invalid_argument{"engine " + run.backend + ": must be " + origin.backend + ", as of the run that it begins from"};
   }
   for (const NamedParam& param : run.named_params) {
-    if (may_change(param.path)) continue;
     const auto there = std::ranges::find(origin.named_params, param.path, &NamedParam::path);
-    if (there != origin.named_params.end() && there->value == param.value) continue;
-    throw std::invalid_argument{param.path + " = " + value_text(param) + ": must be " +
-                                (there == origin.named_params.end() ? "missing" : value_text(*there)) +
-                                ", as of the run that it begins from; only rules, seed and duration can change"};
+    const bool is_there = there != origin.named_params.end();
+    if (may_change(param.path) && !(branches && is_there && acts_at_start(param.path))) continue;
+    if (is_there && there->value == param.value) continue;
+    throw std::invalid_argument{
+        param.path + " = " + value_text(param) + ": must be " + (is_there ? value_text(*there) : "missing") +
+        ", as of the run that it begins from; only seed, duration and rules that act after the start can change"};
   }
 }
 

@@ -14,11 +14,10 @@
 namespace trophic::replicates {
 
 /// Adds the wall time of an ecology that has run to its manifest, and what its engine remarks on its speed. Returns that remark,
-/// which may be empty. `before`: the number of remarks when it began.
-inline std::string add_speed(io::Manifest& manifest, double wall_s, const Simulation& ecology, std::size_t before) {
+/// which may be empty.
+inline std::string add_speed(io::Manifest& manifest, double wall_s, const Simulation& ecology) {
   io::Provenance speed{{"wall_s", observe::short_text(wall_s)}};
-  const std::vector<std::string> remarks = ecology.describe(ecology.time_s()).remarks;
-  std::string remark = remarks.size() > before ? remarks.back() : std::string{};
+  std::string remark = ecology.backend().speed_remark();
   if (!remark.empty()) speed.emplace_back("speed", remark);
   manifest.add(speed);
   return remark;
@@ -50,7 +49,7 @@ void run_in_folder(Simulation& ecology, double until_s, const std::filesystem::p
   }
   checkpoint::run_with_checkpoints(ecology, until_s, folder, common.checkpoints, run_state.from, files, watch.progress,
                                    watch.stop, extra...);
-  add_speed(files.manifest(), watch.progress.elapsed_s(), ecology, run.remarks.size());
+  add_speed(files.manifest(), watch.progress.elapsed_s(), ecology);
 }
 
 }  // namespace trophic::replicates

@@ -52,19 +52,22 @@ template <class Rules>
   return names;
 }
 
-/// Throws std::invalid_argument if the backend cannot show what the rules Gait and BodyPlan give individuals, or if these do not
-/// go together.
+/// Throws std::invalid_argument if the backend cannot show what the rules Gait and BodyPlan give individuals, if these do not go
+/// together, or for a rule that this table on this backend would never ask: a run would be the same without it.
 template <class Rules>
 void check_parts(const BackendChoice& backend) {
-  using Gaits = PolicyIn<Rules, RuleSlot::gait>;
   constexpr bool bodies_differ = BodyGenes<Rules>::differ;
+  constexpr bool bodies_inherited = BodyGenes<Rules>::are_inherited;
   constexpr bool fits_one_body = is_neutral<Rules, RuleSlot::gait> || requires {
-    requires AnswersForSpecies<Gaits>::fits_one_body;
+    requires AnswersForSpecies<PolicyIn<Rules, RuleSlot::gait>>::fits_one_body;
   };
   constexpr bool has_trials = reproduction::TriesNewborns<AnswersForSpecies<PolicyIn<Rules, RuleSlot::viability>>>;
-  const std::string gaits = "rules.gait = " + std::string{policy_name<Gaits>()};
+  const std::string gaits = "rules.gait = " + std::string{policy_name<PolicyIn<Rules, RuleSlot::gait>>()};
   const std::string bodies = "rules.body_plan = " + std::string{policy_name<PolicyIn<Rules, RuleSlot::body_plan>>()};
   const std::string viability = "rules.viability = " + std::string{policy_name<PolicyIn<Rules, RuleSlot::viability>>()};
+  const std::string embodiment = "rules.embodiment = " + std::string{policy_name<PolicyIn<Rules, RuleSlot::embodiment>>()};
+  const std::string heredity = "rules.heredity = " + std::string{policy_name<PolicyIn<Rules, RuleSlot::heredity>>()};
+  const std::string steering = "rules.steering = " + std::string{policy_name<PolicyIn<Rules, RuleSlot::steering>>()};
   const std::string on_backend = " on backend " + backend.name();
   const auto refuse_if = [](bool refused, const std::string& what, const std::string& must) {
     if (refused) throw std::invalid_argument{what + ": must be " + must};
@@ -78,9 +81,23 @@ void check_parts(const BackendChoice& backend) {
             "a backend whose robots come and go (Placing in backend/contract.hpp)");
   refuse_if(bodies_differ && is_neutral<Rules, RuleSlot::embodiment>, bodies + " with rules.embodiment = keeps_body",
             "a rule Embodiment that sets bodies down");
-  refuse_if(BodyGenes<Rules>::are_inherited && fits_one_body, gaits + " with " + bodies,
+  refuse_if(bodies_inherited && fits_one_body, gaits + " with " + bodies,
             "a rule Gait that fits any body, such as inherited_cppn");
   refuse_if(has_trials && !GaitGenes<Rules>::differ, viability + " with " + gaits, "in a table with a rule Gait or BodyPlan");
+  refuse_if(!has_trials && !is_neutral<Rules, RuleSlot::viability> && !bodies_inherited, viability + " with " + bodies,
+            "in a table that inherits bodies; else no rule Viability is asked");
+  refuse_if(!bodies_differ && !is_neutral<Rules, RuleSlot::embodiment>, embodiment + " with " + bodies,
+            "in a table with a rule BodyPlan; else no rule Embodiment is asked");
+  if constexpr (requires { AnswersForSpecies<PolicyIn<Rules, RuleSlot::heredity>>::left_out; }) {
+    constexpr std::string_view left_out = AnswersForSpecies<PolicyIn<Rules, RuleSlot::heredity>>::left_out;
+    const bool is_nothing = (left_out == "gait" && !GaitGenes<Rules>::are_inherited) || (left_out == "body" && !bodies_inherited);
+    refuse_if(is_nothing, heredity + " with " + gaits + " and " + bodies,
+              "in a table that inherits that part; else it is own_copy");
+  }
+  if constexpr (!requires { requires PolicyIn<Rules, RuleSlot::steering>::walks_use_it; }) {
+    refuse_if(!backend.has_joints(), steering + on_backend,
+              "a backend with joints; without them robots turn by their walk, which is measured with targeted_steering");
+  }
 }
 
 }  // namespace detail

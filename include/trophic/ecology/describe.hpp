@@ -27,6 +27,12 @@ struct NeutralHeredity : reproduction::heredity::NothingInherited {
 
 }  // namespace detail
 
+/// Whether a parameter has no effect but through joints.
+[[nodiscard]] constexpr bool acts_through_joints(std::string_view path) {
+  return path.starts_with("rules.steering.") || path == "ecology.gait" || path == "ecology.control_hz" ||
+         path == "ecology.cpg_integration" || path == "ecology.idle_control_steps" || path == "ecology.phase_at_birth";
+}
+
 /// All parameters of an experiment on a backend, in order.
 template <class Rules>
 [[nodiscard]] NamedParams named_params_of(Experiment<Rules> experiment, BackendChoice backend) {
@@ -65,7 +71,19 @@ template <class Rules>
   if (experiment.null == Null::shadow) {
     std::erase_if(run.named_params, [](const NamedParam& param) { return param.path.starts_with("rules.heredity."); });
   }
-  run.other_params = observe::other_params(run.named_params, named_params_of(Experiment<Rules>{}, backend.fresh()));
+  Experiment<Rules> table;
+  if (!experiment.ecology.gait.empty()) table.ecology.gait = habitat.robot.gait;
+  run.other_params = observe::other_params(run.named_params, named_params_of(std::move(table), backend.fresh()));
+  for (const observe::OtherParam& param : run.other_params) {
+    if (backend.has_joints() || !acts_through_joints(param.path)) continue;
+    run.remarks.push_back(param.path + " = " + param.value + " has no effect: " + backend.name() + " has no joints");
+  }
+  if constexpr (requires { requires Rules::Heading::acts_on_tilt_alone; }) {
+    const bool is_swapped = run.rules.find("heading = ") != std::string::npos;
+    if (is_swapped && !backend.has_joints())
+      run.remarks.push_back("rules.heading = " + std::string{Rules::Heading::name} + " has no effect: robots of " +
+                            backend.name() + " stand upright");
+  }
   run.brains_grow = BrainGenes<Rules>::grow;
   run.bodies_differ = BodyGenes<Rules>::differ;
   run.has_energy = Economy<Rules>::has_energy;

@@ -108,7 +108,10 @@ TROPHIC_INLINE void Manifest::set_recording(std::uint64_t frames, std::uint32_t 
 }
 
 TROPHIC_INLINE void Manifest::on_change(const observe::RunDescription& run, const View&) {
-  content_->change([&](Json& json) { detail::describe(run, origin_, json); });
+  content_->change([&](Json& json) {
+    detail::describe(run, origin_, json);
+    json["remarks"] = run.remarks;
+  });
   content_->write();
 }
 

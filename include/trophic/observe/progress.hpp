@@ -58,6 +58,7 @@ class Progress {
     watch_ = {};
     drawn_s_ = 0.0;
   }
+  void on_change(const RunDescription& run, const View&) { run_.remarks = run.remarks; }
   void on_event(const Event& event, const View& view) { tally_.on_event(event, view); }
   void on_tick(const View& view) {
     if (!show_ || watch_.elapsed_s() - drawn_s_ < 0.1) return;

@@ -44,7 +44,7 @@ struct RunDescription {
   std::vector<int> tags;                                   ///< the tags that the table's brain may choose
   std::vector<std::string> inputs = {};                    ///< the brain's inputs, by sensor name
   std::string backend;                                     ///< name and version of the engine
-  std::vector<std::string> remarks;                        ///< where the engine deviates from the parameters
+  std::vector<std::string> remarks;                        ///< parameters without effect, flaws of the engine
   std::uint64_t seed = 0;
   double tick_s = 0.0;                          ///< ecology seconds
   double clock_scale = 1.0;                     ///< simulated seconds per ecology second

@@ -8,7 +8,7 @@
 namespace trophic::control::steering {
 
 /// Rule: joint targets stay as the gait gives them, for any target angle: the control in which brains only choose tags.
-/// Backends without joints turn robots themselves and do not use this rule.   Reads: nothing.   Random draws: 0.
+/// An error on a backend without joints, which turns robots itself.   Reads: nothing.   Random draws: 0.
 struct NoSteering {
   static constexpr std::string_view name = "no_steering";
   static constexpr std::string_view source = "control";

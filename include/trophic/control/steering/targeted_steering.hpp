@@ -18,6 +18,7 @@ namespace trophic::control::steering {
 struct TargetedSteering {
   static constexpr std::string_view name = "targeted_steering";
   static constexpr std::string_view source = "paper, Sec. \"Targeted Steering\", Eq. 1";
+  static constexpr bool walks_use_it = true;
 
   struct Params {
     double exponent = 2.0;

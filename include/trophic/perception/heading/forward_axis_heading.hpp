@@ -15,6 +15,7 @@ namespace trophic::perception::heading {
 struct ForwardAxisHeading {
   static constexpr std::string_view name = "forward_axis_heading";
   static constexpr std::string_view source = "paper, Sec. \"Targeted Steering\"; silent on tilted bodies";
+  static constexpr bool acts_on_tilt_alone = true;
   [[nodiscard]] double heading_rad(const Pose& root, double forward_rad) const {
     return ground_pose(root, forward_rad).heading_rad;
   }

@@ -17,6 +17,7 @@ template <Heading Rule>
 struct ReversedOnBack {
   static constexpr std::string_view name = prefixed_name<"reversed_on_back", Rule>;
   static constexpr std::string_view source = "not in the paper";
+  static constexpr bool acts_on_tilt_alone = requires { requires Rule::acts_on_tilt_alone; };
   [[nodiscard]] double heading_rad(const Pose& root, double forward_rad) const {
     const bool on_back = (root.orientation * Eigen::Vector3d::UnitZ()).z() < 0.0;
     return wrap_angle(Rule{}.heading_rad(root, forward_rad) + (on_back ? std::numbers::pi : 0.0));

@@ -15,6 +15,7 @@ namespace trophic::perception::heading {
 struct RootYawHeading {
   static constexpr std::string_view name = "root_yaw_heading";
   static constexpr std::string_view source = "released code";
+  static constexpr bool acts_on_tilt_alone = true;
   [[nodiscard]] double heading_rad(const Pose& root, double forward_rad) const {
     return wrap_angle(ground_pose(root, 0.0).heading_rad + forward_rad);
   }

@@ -10,10 +10,12 @@ namespace trophic::reproduction::heredity {
 enum class Part { brain, gait, body };
 
 /// Rule: the offspring's genome is a copy without this part, which is drawn anew as for an individual without a parent. Compared
-/// with OwnCopy it measures what inheritance of the part adds.   Reads: parent's genome.   Random draws: 0.
+/// with OwnCopy it measures what inheritance of the part adds. An error in a table that does not inherit the part.   Reads:
+/// parent's genome.   Random draws: 0.
 template <Part part>
 struct AllBut {
   static constexpr std::string_view name = std::array{"all_but_brain", "all_but_gait", "all_but_body"}[static_cast<int>(part)];
+  static constexpr std::string_view left_out = name.substr(8);
   static constexpr std::string_view source = "control";
   [[nodiscard]] std::shared_ptr<Genome> inherit(const std::shared_ptr<Genome>& parent) const {
     auto genome = std::make_shared<Genome>(*parent);
