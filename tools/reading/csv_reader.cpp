@@ -62,11 +62,14 @@ bool CsvReader::split_line() {
   if (rest.ends_with('\r')) rest.remove_suffix(1);
   at_ = end + 1;
   cells_.clear();
-  for (std::size_t comma = rest.find(','); comma != std::string_view::npos; comma = rest.find(',')) {
-    cells_.push_back(rest.substr(0, comma));
-    rest.remove_prefix(comma + 1);
+  for (bool more = true; more;) {
+    const bool is_quoted = rest.starts_with('"') && rest.find('"', 1) != std::string_view::npos;
+    const std::size_t comma = rest.find(',', is_quoted ? rest.find('"', 1) : 0);
+    more = comma != std::string_view::npos;
+    const std::string_view cell = rest.substr(0, comma);
+    cells_.push_back(is_quoted && cell.size() >= 2 && cell.ends_with('"') ? cell.substr(1, cell.size() - 2) : cell);
+    rest.remove_prefix(more ? comma + 1 : 0);
   }
-  cells_.push_back(rest);
   return true;
 }
 

@@ -8,9 +8,9 @@
 
 namespace trophic::analysis {
 
-/// Reads the files that io::CsvFile writes: one header row, commas, no quotes, every row as many cells as the header and
-/// ended by a newline. Only the columns asked for are looked at; they may stand anywhere. A last line without its
-/// newline, of a writer that was killed, is not a row: truncated() returns true.
+/// Reads the files that io::CsvFile writes: one header row, commas, quotes only around a cell with a comma, every row as many
+/// cells as the header and ended by a newline. Only the columns asked for are looked at; they may stand anywhere. A last line
+/// without its newline, of a writer that was killed, is not a row: truncated() returns true.
 class CsvReader {
  public:
   /// Throws std::runtime_error "FILE: ..." if it cannot be read, has no header or lacks one of `columns`.

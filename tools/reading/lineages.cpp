@@ -49,8 +49,26 @@ void check_taxon(const io::TaxonRow& row, const RunManifest& run) {
     fail("destruction_time = " + number_text(death_s) + ": must be >= its origin_time, " + number_text(row.origin_time) +
          ", and <= " + number_text(end_s) + ", the run's end");
   }
-  const std::string parent = row.ancestor == row.id ? "[none]" : "[" + std::to_string(row.ancestor) + "]";
-  if (row.ancestor_list != parent) fail("ancestor_list = " + row.ancestor_list + ": must be " + parent + ", as its ancestor_id");
+  const std::string parent = row.ancestor == row.id ? "[none" : "[" + std::to_string(row.ancestor);
+  const std::string more = row.ancestor_list.substr(std::min(parent.size(), row.ancestor_list.size()));
+  const bool fits = row.ancestor_list.starts_with(parent) && (more == "]" || (row.ancestor != row.id && more.starts_with(',')));
+  if (!fits || !parents_in(row.ancestor_list))
+    fail("ancestor_list = " + row.ancestor_list + ": must be " + parent + "], as its ancestor_id");
+}
+
+std::optional<std::vector<IndividualId>> parents_in(std::string_view ancestor_list) {
+  std::vector<IndividualId> parents;
+  if (ancestor_list == "[none]") return parents;
+  if (!ancestor_list.starts_with('[') || !ancestor_list.ends_with(']')) return std::nullopt;
+  std::string_view rest = ancestor_list.substr(1);
+  while (!rest.empty()) {
+    IndividualId parent = 0;
+    const auto [end, error] = std::from_chars(rest.data(), rest.data() + rest.size(), parent);
+    if (error != std::errc{} || (*end != ',' && *end != ']')) return std::nullopt;
+    parents.push_back(parent);
+    rest.remove_prefix(static_cast<std::size_t>(end - rest.data()) + 1);
+  }
+  return parents;
 }
 
 Forest read_lineages(const RunManifest& run) {

@@ -39,11 +39,15 @@ class RepeatedHistory {
   void found(const Individual& founder) {
     const Happening* birth = at_ < history_->size() ? &(*history_)[at_++] : nullptr;
     const bool fits = birth && birth->kind == observe::EventKind::birth && birth->id == founder.id &&
-                      birth->species == founder.species && birth->id == born_.size();
+                      birth->species == founder.species && founder.id >= born_.size();
     if (!fits) throw std::invalid_argument{"a history of other founders"};
     note_birth(founder);
   }
-  void note_birth(const Individual& newborn) { born_.push_back(newborn.as_ancestor()); }
+  /// Individuals are born in the order of their ids; spare bodies of the start leave gaps.
+  void note_birth(const Individual& newborn) {
+    born_.resize(newborn.id);
+    born_.push_back(newborn.as_ancestor());
+  }
 
   /// The next event up to a tick; null if there is none left.
   [[nodiscard]] const Happening* next(std::int64_t tick) {

@@ -48,3 +48,14 @@ TEST_CASE("a missing file, a folder and a file without header are refused by nam
   const std::string wrong = folder.file("wrong.csv", "b\n1\n");
   CHECK(error(wrong) == wrong + ":1: no column \"a\"; another kind of file?");
 }
+
+TEST_CASE("cell in quotes -> its text, commas in it too") {
+  const TemporaryFolder folder;
+  CsvReader csv{folder.file("t.csv", "a,b,c\n1,\"[7,9]\",2\n\"[3]\",x,3\n"), {"a", "b", "c"}};
+  REQUIRE(csv.next());
+  CHECK(csv.get<std::string>(1) == "[7,9]");
+  CHECK(csv.get<int>(2) == 2);
+  REQUIRE(csv.next());
+  CHECK(csv.get<std::string>(0) == "[3]");
+  CHECK(csv.get<int>(2) == 3);
+}

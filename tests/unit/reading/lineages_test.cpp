@@ -93,3 +93,11 @@ TEST_CASE("lineages: a row of phylogeny.csv that no run writes -> error that nam
     CHECK(error.find((folder.path() / "phylogeny.csv").string() + ": " + one.what) == 0);
   }
 }
+
+TEST_CASE("parents in a list -> none, one or more; a text that is no list -> none at all") {
+  using Parents = std::vector<IndividualId>;
+  CHECK(parents_in("[none]") == Parents{});
+  CHECK(parents_in("[7]") == Parents{7});
+  CHECK(parents_in("[7,9,12]") == Parents{7, 9, 12});
+  for (const char* text : {"", "7", "[]", "[7", "[7,]", "[7;9]", "[-1]", "[none,7]"}) CHECK_FALSE(parents_in(text));
+}
