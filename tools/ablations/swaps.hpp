@@ -22,7 +22,7 @@ inline constexpr std::array slot_groups{
     SlotGroup{"reproduction", rules::slots({"initial_genome", "genome_source", "parent", "heredity", "mutation", "body_plan",
                                             "viability", "recruitment"})},
     SlotGroup{"death", rules::slots({"activation", "capture", "floor", "starvation", "minimum_predators", "senescence"})},
-    SlotGroup{"ecology", rules::slots({"community", "placement", "embodiment"})}};
+    SlotGroup{"ecology", rules::slots({"community", "placement", "embodiment", "metabolism", "resource"})}};
 inline constexpr std::size_t perception_group = 0;
 inline constexpr std::size_t ecology_group = slot_groups.size() - 1;
 
