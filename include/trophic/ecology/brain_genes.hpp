@@ -46,7 +46,9 @@ class BrainGenes {
 
   /// The distance between the weights of a parent and of its offspring.
   [[nodiscard]] double distance(std::span<const double> before, std::span<const double> after) const {
-    return control::ask::distance(rules_.brain, before, after);
+    const double distance = control::ask::distance(rules_.brain, before, after);
+    check_finite("brain", "a distance between weights", {&distance, 1});
+    return distance;
   }
 
  private:

@@ -187,12 +187,10 @@ class Population {
     notify_sighting(rules_, states_, body, sighting, view);
   }
 
-  /// The brain's decision for these inputs. Throws RuleError for a tag that the brain does not list and a number that is not
-  /// finite.
+  /// The brain's decision for these inputs. Throws RuleError for a tag that is not listed and a number that is not finite.
   [[nodiscard]] control::Decision decide(BodyIndex body, std::span<const double> inputs) {
     check_finite("sensors", "inputs", inputs);
-    auto& own = states_.brain[body];
-    const control::Decision decision = control::ask::decide(rules_.brain, own, inputs, weights(body));
+    const control::Decision decision = control::ask::decide(rules_.brain, states_.brain[body], inputs, weights(body));
     check_tag(tags_, decision.tag, "brain");
     check_finite("brain", "a target angle", {&decision.target_angle_rad, 1});
     return decision;
@@ -379,7 +377,6 @@ class Population {
     born.mutation_distance = std::numeric_limits<double>::infinity();
     for (const std::vector<double>& weights : before)
       born.mutation_distance = std::min(born.mutation_distance, brains_.distance(weights, born.genome->weights));
-    check_finite("brain", "a distance between weights", {&born.mutation_distance, 1});
   }
 
   const Policies<Rules>& rules_;
