@@ -3,15 +3,12 @@
 #pragma once
 
 #include <trophic/control/brain/contract.hpp>
+#include <trophic/ecology/births.hpp>
 #include <trophic/ecology/brain_genes.hpp>
 #include <trophic/ecology/economy.hpp>
 #include <trophic/ecology/lineup.hpp>
 #include <trophic/ecology/phenotypes.hpp>
 #include <trophic/ecology/state_hooks.hpp>
-#include <trophic/habitat/habitat.hpp>
-#include <trophic/habitat/nursery.hpp>
-#include <trophic/population/null.hpp>
-#include <trophic/reproduction/genome_source/contract.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/rules/rule_states.hpp>
 #include <trophic/rules/table.hpp>
@@ -19,21 +16,6 @@
 #include <unordered_map>
 
 namespace trophic {
-
-/// The origin of the next individual in a body.
-struct Parentage {
-  reproduction::Descent descent = reproduction::Descent::random;
-  std::vector<Ancestor> parents = {};  ///< none if the genome is random by rule or there is no individual to inherit from
-  double endowment_J = 0.0;            ///< of the living parents; if 0 the energy comes from outside
-};
-
-/// The circumstances of births besides the rules: `habitat` is for tables whose bodies or gaits differ, `nursery` for those that
-/// try newborns; both outlive the population.
-struct BirthSetting {
-  Null null = Null::none;
-  const Habitat* habitat = nullptr;
-  const Nursery* nursery = nullptr;
-};
 
 /// One individual per body, starting with the founders, and the states of all rules: the only writer of both. Applies the birth
 /// rules of a table; the ecology decides which body falls vacant, and when. A table with a Recruitment rule has bodies without an
