@@ -32,7 +32,7 @@ from .metrics.tables import numbers, ratio
 from .pool import PooledRun
 from .report.columns import names
 from .report.tables import csv_text, result_folder, write_new
-from .runs import RunError
+from .runs import RunError, verify
 from .values import MeasuredSet, Metric
 from .words import Reading, columns, number_text, p_text
 
@@ -195,6 +195,7 @@ def _of_lives(lives: pandas.DataFrame) -> dict[str, float]:
 
 def measure(texts: Sequence[str], run: PooledRun) -> pandas.Series:
     """The terms of all traits and species of a run, by (trait, species, term, period), and the term missing: the individuals without the trait."""
+    verify(run.path)
     events, found = events_of(run), dict[tuple, float]()
     end_s = min(run.until_s, run.end_s or run.until_s)
     for trait in map(trait_of, texts):
@@ -328,5 +329,5 @@ def run(request: Mapping[str, Any]) -> int:
             print(f"{name}: {said.label} on {said.engine}, {len(of)} runs of {number_text(of[0].until_s)} s")
         print(text(frame), end="")
         write_new(folder / "selection.csv", csv_text(frame))
-        print(f"files   {folder}/selection.csv")
+        print(f"files   {folder.with_suffix('')}/selection.csv")
     return 0
