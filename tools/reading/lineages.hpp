@@ -35,7 +35,7 @@ void check_lineages(const RunManifest& run);
 /// was born and died in that order within the run, and both columns have the same parent.
 void check_taxon(const io::TaxonRow& row, const RunManifest& run);
 
-/// The parents that an ancestor_list names, such as "[7,9]"; none for a text that is no such list.
+/// The parents that an ancestor_list names, such as "[7,9]"; none for another text.
 [[nodiscard]] std::optional<std::vector<IndividualId>> parents_in(std::string_view ancestor_list);
 
 /// Reads phylogeny.csv and genomes.csv. Throws as check_lineages, and std::invalid_argument for a table that is cut, was changed
