@@ -38,7 +38,7 @@ def params_of(body: str, folder: pathlib.Path | None = None) -> list[tuple[str, 
     else:
         fields = body[body.find("fields()") : body.find("Params params;")]
     params = []
-    for name, bounds, meaning in re.findall(r'field\("(\w+)", &\w+::\w+,\s*(.*?),\s*"([^"]*)"\)', fields, re.DOTALL):
+    for name, bounds, meaning in re.findall(r'field\("(\w+)", &\w+::\w+,\s*(?:([^"]*?),\s*)?"([^"]*)"\)', fields):
         default = re.search(rf"\b{name} = ([^;]+);", body)
         params.append((name, default[1] if default else "", " ".join(bounds.split()), meaning))
     return params
@@ -175,7 +175,7 @@ def page(card: Card, used: dict, swapped: list[list[str]], keys: set[str], slots
         lines += [f"**Source.** {escaped(card.source)}", ""]
     if card.params:
         lines += ["| number | default | bounds | meaning |", "|---|---|---|---|"]
-        lines += [f"| `{field}` | `{default}` | `{bounds}` | {escaped(meaning)} |" for field, default, bounds, meaning in card.params] + [""]
+        lines += [f"| `{field}` | `{default}` | {bounds and f"`{bounds}`"} | {escaped(meaning)} |" for field, default, bounds, meaning in card.params] + [""]
     else:
         lines += ["It has no parameters.", ""]
     if card.state:
