@@ -124,7 +124,7 @@ def first_sentence(card: Card) -> str:
     """The first sentence of a policy's doc block."""
     prose = " ".join(line.strip() for line in card.doc if not line.startswith("  "))
     prose = re.sub(r"^.*?\bRules?\b(?:\s*\([^)]*\))?[^:.]*:\s*", "", prose) or prose
-    prose = re.sub(r"\s*\((?:Sec\.|released code|ties:)[^)]*\)", "", prose)
+    prose = re.sub(r"\s*\((?:[^()]*\bSec\.|released code|ties:)[^)]*\)", "", prose)
     sentence = re.match(r"(.+?)[.:;](?:\s|$)", prose)
     text = sentence[1] if sentence else prose
     return text[:1].upper() + text[1:] + "."
@@ -175,7 +175,7 @@ def page(card: Card, used: dict, swapped: list[list[str]], keys: set[str], slots
         lines += [f"**Source.** {escaped(card.source)}", ""]
     if card.params:
         lines += ["| number | default | bounds | meaning |", "|---|---|---|---|"]
-        lines += [f"| `{field}` | `{default}` | {bounds and f"`{bounds}`"} | {escaped(meaning)} |" for field, default, bounds, meaning in card.params] + [""]
+        lines += [f"| `{field}` | `{default}` | {bounds and f'`{bounds}`'} | {escaped(meaning)} |" for field, default, bounds, meaning in card.params] + [""]
     else:
         lines += ["It has no parameters.", ""]
     if card.state:
