@@ -136,9 +136,11 @@ class Contest(InFolder):
         refused("mine", says="rule table ageing: must be paper or released, those of this program; analyze them with the program that made them")
         first = self.folder / "study/replicate-00"
         (first / "senses.csv").unlink()
-        refused("study", says="senses.csv: is missing: lineage measures need it of the first run; run with --senses")
+        refused("study", says="senses.csv: cannot be read")
         (first / "genomes.csv").unlink()
-        refused("study", says="genomes.csv: is missing: lineage measures need phylogeny and genomes")
+        refused("study", says="genomes.csv: cannot be read")
+        self.runs("blind")
+        refused("blind", says="senses.csv: is missing: lineage measures need it of the first run; run with --senses")
 
     def test_a_run_with_spare_bodies_is_not_shown_as_if_every_body_had_an_individual(self):
         made = self.call(PREDATOR_PREY, "--backend", "kinematic", "--duration", 20, "--out", "run")

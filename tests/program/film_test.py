@@ -230,7 +230,7 @@ class Films(InFolderWithSets):
         (self.folder / "run/events.csv").write_text("".join([*events[:-1], events[-1].replace(",", ",9", 2)]))
         result = subprocess.run([TROPHIC, "film", "run", "-o", "x.png"], capture_output=True, text=True, cwd=self.folder)
         self.assertEqual((result.returncode, result.stdout, (self.folder / "x.png").exists()), (2, "", False))
-        self.assertRegex(result.stderr, r"^trophic film: run/events.csv:\d+: body \d+ at [\d.]+ s: .*\n$")
+        self.assertRegex(result.stderr, r"^trophic film: run/events.csv: has checksum \d+: must be \d+, as its manifest says; .*\n$")
 
     def test_refusals(self):
         (self.folder / "mine.png").write_text("mine")

@@ -183,7 +183,7 @@ inline void check_same_changes(const ExperimentOptions& options, const std::file
                                                                        const std::optional<OriginRun>& origin) {
   const observe::RunDescription run = ecology.describe(until_s);
   const checkpoint::Schedule schedule = schedule_of(options);
-  check_same_changes(options, options.out);
+  if (!options.changes.empty()) check_same_changes(options, options.out);  // else the checkpoint has them
   if (options.resume) check_resumed(options.out, run);
   if (!origin) return options.resume ? checkpoint::run_state_in(options.out, run, schedule) : checkpoint::RunState{};
   const checkpoint::Snapshot snapshot = snapshot_of(options, *origin, run);

@@ -134,18 +134,24 @@ class PlayedFile {
       whole += there.substr(at, end + 1 - at);
       at = end + 1;
     }
-    replace_file(path, whole);
-    file_.emplace(path, Opening::resumed);
+    path_ = path;
+    begun_ = std::move(whole);
   }
 
   [[nodiscard]] const Outcomes& outcomes() const { return outcomes_; }
   void add(std::size_t match, const contest::Outcome& outcome) {
     const std::scoped_lock alone{lock_};
+    if (!file_) {
+      replace_file(path_, begun_);
+      file_.emplace(path_, Opening::resumed);
+    }
     file_->append(json_text(Json{match, outcome.contact_s, outcome.contacted}) + "\n");
   }
 
  private:
   Outcomes outcomes_;
+  std::filesystem::path path_;
+  std::string begun_;  ///< what the file begins with: there is none before the first outcome
   std::mutex lock_;
   std::optional<GrowingFile> file_;
 };
