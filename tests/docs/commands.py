@@ -11,7 +11,7 @@ import subprocess
 import sys
 import tempfile
 
-INSTALLED = ("trophic", "trophic-predator-prey", "trophic-ablations", "trophic-readings")
+INSTALLED = ("trophic", "trophic-predator-prey", "trophic-ablations", "trophic-readings", "trophic-worlds")
 SYSTEM = {
     "apt-get", "bash", "cat", "cd", "clang-format", "cp", "docker", "export", "for", "do", "done", "git", "head", "less", "ls", "mkdir", "mv",
     "parallel", "pip", "pre-commit", "rm", "run-clang-tidy", "sbatch", "simulate", "snakemake", "source", "squeue", "srun", "sudo", "tar", "doxygen",

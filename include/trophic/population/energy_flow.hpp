@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ledger of energy: what went to and fro between the resource, the individuals and the outside since the last tick.
+// The ledger of energy: transfers between the resource, the individuals and the outside since the last tick.
 #pragma once
 
 #include <tuple>

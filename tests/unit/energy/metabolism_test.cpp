@@ -35,7 +35,7 @@ TEST_CASE("grazing and hunting: upkeep by hand -> at rest for a tick of 2 s, and
   CHECK(rule.upkeep_J(1, 0.25, robots.view()) == doctest::Approx(0.7));
 }
 
-TEST_CASE("grazing and hunting: bites -> at most the mouth, what is there and what has room; hunters do not graze") {
+TEST_CASE("grazing and hunting: bites -> at most the mouth, what is there and what has room, for grazers only") {
   CHECK(rule.bite_J(0, 10.0, pair(10.0, 10.0).view()) == doctest::Approx(3.0));
   CHECK(rule.bite_J(0, 1.0, pair(10.0, 10.0).view()) == doctest::Approx(1.0));
   CHECK(rule.bite_J(0, 10.0, pair(98.0, 10.0).view()) == doctest::Approx(2.0));

@@ -94,7 +94,7 @@ TEST_CASE("lineages: a row of phylogeny.csv that no run writes -> error that nam
   }
 }
 
-TEST_CASE("parents in a list -> none, one or more; another text -> none at all") {
+TEST_CASE("parents in a list -> none, one or more, and nothing from another text") {
   using Parents = std::vector<IndividualId>;
   CHECK(parents_in("[none]") == Parents{});
   CHECK(parents_in("[7]") == Parents{7});

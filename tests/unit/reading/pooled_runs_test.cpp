@@ -3,6 +3,7 @@
 
 #include <support/temporary_folder.hpp>
 #include <tools/reading/pooled_runs.hpp>
+#include <trophic/support/checksum.hpp>
 #include <unit/reading/run_files.hpp>
 #include <utility>
 #include <vector>
@@ -44,26 +45,32 @@ TEST_CASE("pooled runs: runs of two builds -> refused, or pooled with a remark")
 
 TEST_CASE("pooled runs: different changes of parameters -> refused, the same, or none -> pooled") {
   const TemporaryFolder folder;
-  const auto run_with = [&](const char* name, int seed, const std::string& changes) {
+  // A run with these rows in changes.csv, without that table for none.
+  using Rows = std::optional<std::vector<std::string>>;
+  const auto run_with = [&](const char* name, int seed, const Rows& rows, const std::string& description = "") {
+    std::string table = "time_s,tick,number,value,before\n";
+    for (const std::string& row : rows.value_or(std::vector<std::string>{})) table += row + "\n";
+    const std::string sum = R"("changes.csv": {"rows": )" + std::to_string(rows ? rows->size() : 0) + R"(, "crc32": )" +
+                            std::to_string(checksum(table)) + "}";
     const std::string text = test::manifest("aa", seed);
-    return write_run(folder.path() / name, text.substr(0, text.size() - 1) + R"(, "tables": {)" + changes + "}}");
+    const auto run = write_run(
+        folder.path() / name, text.substr(0, text.size() - 1) + R"(, "tables": {)" + (rows ? sum : "") + "}" + description + "}");
+    if (rows) std::ofstream{run / "changes.csv"} << table;
+    return run;
   };
-  const auto plain = run_with("plain", 1, "");
-  const auto none = run_with("none", 2, R"("changes.csv": {"rows": 0, "crc32": 5})");
-  const auto one = run_with("one", 3, R"("changes.csv": {"rows": 1, "crc32": 6})");
-  const auto same = run_with("same", 4, R"("changes.csv": {"rows": 1, "crc32": 6})");
-  const auto other = run_with("other", 5, R"("changes.csv": {"rows": 1, "crc32": 7})");
+  const auto plain = run_with("plain", 1, std::nullopt);
+  const auto none = run_with("none", 2, Rows{std::in_place});
+  const auto one = run_with("one", 3, {{"5,2,a,2,1"}});
+  const auto same = run_with("same", 4, {{"5,2,a,2,1"}});
+  const auto other = run_with("other", 5, {{"5,2,a,3,1"}});
   CHECK(pooled_runs(Paths{plain, none}, false).manifests.size() == 2);
   CHECK(pooled_runs(Paths{one, same}, false).manifests.size() == 2);
   // Of the rows of changes.csv, those without an effect are left out of the description.
-  const auto described = [](const std::string& changes) {
-    return R"("changes.csv": {"rows": 2, "crc32": 8}}, "description": {"changes": [)" + changes + "]";
-  };
+  const auto described = [](const std::string& changes) { return R"(, "description": {"changes": [)" + changes + "]}"; };
   const std::string change = R"({"time_s": 5, "number": "rules.a", "value": "2", "before": "1"})";
-  const auto halved = run_with("halved", 6, described(change));
-  const auto again =
-      run_with("again", 7, R"("changes.csv": {"rows": 1, "crc32": 9}}, "description": {"changes": [)" + change + "]");
-  const auto in_vain = run_with("in_vain", 8, described(""));
+  const auto halved = run_with("halved", 6, {{"5,2,a,2,1", "6,3,b,2,1"}}, described(change));
+  const auto again = run_with("again", 7, {{"5,2,a,2,1"}}, described(change));
+  const auto in_vain = run_with("in_vain", 8, {{"5,2,a,2,1", "6,3,b,2,1"}}, described(""));
   CHECK(pooled_runs(Paths{halved, again}, false).manifests.size() == 2);
   CHECK(pooled_runs(Paths{plain, in_vain}, false).manifests.size() == 2);
   for (const Paths& mixed : {Paths{plain, one}, Paths{one, other}, Paths{halved, in_vain}}) {

@@ -26,6 +26,6 @@ TEST_CASE("read history: a run's folder -> its events without switches of tags, 
   }
   CHECK(deaths > 3);
   std::filesystem::resize_file(folder.path() / "run/events.csv", 500);
-  CHECK_THROWS_AS(static_cast<void>(replicates::read_history(folder.path() / "run")), std::invalid_argument);
+  CHECK_THROWS_AS(static_cast<void>(replicates::read_history(folder.path() / "run")), std::runtime_error);
   CHECK_THROWS(static_cast<void>(replicates::read_history(folder.path() / "none")));
 }
