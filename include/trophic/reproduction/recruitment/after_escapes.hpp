@@ -2,7 +2,6 @@
 // Prey reproduce by escaping.
 #pragma once
 
-#include <ranges>
 #include <trophic/reproduction/parent/detail/pursuit.hpp>
 #include <trophic/reproduction/recruitment/contract.hpp>
 
@@ -65,7 +64,8 @@ struct AfterEscapes {
                                                     : view.robots[a].id < view.robots[b].id;
     });
     std::vector<Recruit> births;
-    for (const BodyIndex one : parents | std::views::take(spare))
+    parents.resize(std::min(parents.size(), spare));
+    for (const BodyIndex one : parents)
       births.push_back({.species = view.robots[one].species, .parents = {view.robots[one].as_ancestor()}});
     return births;
   }
