@@ -6,7 +6,6 @@
 #include <trophic/backend/body_hash.hpp>
 #include <trophic/backend/clusters.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/backend/points.hpp>
 #include <trophic/backend/start_pose.hpp>
 #include <trophic/backend/torus.hpp>
 #include <trophic/backend/with_engine.hpp>
