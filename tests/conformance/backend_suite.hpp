@@ -79,18 +79,26 @@ class Driver {
   std::size_t tick_ = 0;
 };
 
+/// The numbers of one robot that can be seen.
+template <Backend B>
+[[nodiscard]] std::vector<double> seen(const B& backend, std::size_t robot) {
+  const Pose pose = backend.pose(robot);
+  std::vector<double> numbers(pose.position_m.data(), pose.position_m.data() + 3);
+  numbers.insert(numbers.end(), pose.orientation.coeffs().data(), pose.orientation.coeffs().data() + 4);
+  const std::span<const double> angles = backend.joint_angles(robot);
+  numbers.insert(numbers.end(), angles.begin(), angles.end());
+  return numbers;
+}
+
 /// All that can be seen of a backend, number by number.
 template <Backend B>
 [[nodiscard]] std::vector<double> observe(const B& backend) {
-  std::vector<double> seen{backend.time_s()};
+  std::vector<double> all{backend.time_s()};
   for (std::size_t robot = 0; robot < backend.robots(); ++robot) {
-    const Pose pose = backend.pose(robot);
-    seen.insert(seen.end(), pose.position_m.data(), pose.position_m.data() + 3);
-    seen.insert(seen.end(), pose.orientation.coeffs().data(), pose.orientation.coeffs().data() + 4);
-    const std::span<const double> angles = backend.joint_angles(robot);
-    seen.insert(seen.end(), angles.begin(), angles.end());
+    const std::vector<double> own = seen(backend, robot);
+    all.insert(all.end(), own.begin(), own.end());
   }
-  return seen;
+  return all;
 }
 
 template <Backend B>

@@ -36,15 +36,6 @@ struct Exchange {
     archive(state);
     return std::move(archive).bytes();
   }
-  /// The numbers of one robot that can be seen.
-  [[nodiscard]] static std::vector<double> seen(const B& backend, std::size_t robot) {
-    const Pose pose = backend.pose(robot);
-    std::vector<double> numbers{pose.position_m.x(),  pose.position_m.y(),  pose.position_m.z(), pose.orientation.w(),
-                                pose.orientation.x(), pose.orientation.y(), pose.orientation.z()};
-    const auto angles = backend.joint_angles(robot);
-    numbers.insert(numbers.end(), angles.begin(), angles.end());
-    return numbers;
-  }
 };
 
 }  // namespace trophic::conformance
@@ -79,7 +70,7 @@ TEST_CASE_TEMPLATE_DEFINE("exchange of bodies", B, trophic_embodying_suite) {
     backend.embody(1, scene.gecko, scene.place);
     Exchange::drive(backend, 0.5, 1.5);
     Exchange::drive(other, 0.5, 1.5);
-    for (const std::size_t robot : {0U, 2U}) CHECK(Exchange::seen(backend, robot) == Exchange::seen(other, robot));
+    for (const std::size_t robot : {0U, 2U}) CHECK(conformance::seen(backend, robot) == conformance::seen(other, robot));
   }
   SUBCASE("a state with exchanged bodies is restored in a backend with the same ones, bitwise, and refused in another") {
     backend.embody(1, scene.gecko, scene.place);

@@ -5,21 +5,6 @@
 #include <conformance/backend_suite.hpp>
 #include <trophic/params/archive.hpp>
 
-namespace trophic::conformance {
-
-/// The numbers of one robot that can be seen.
-template <Backend B>
-[[nodiscard]] std::vector<double> seen(const B& backend, std::size_t robot) {
-  const Pose pose = backend.pose(robot);
-  std::vector<double> numbers{pose.position_m.x(),  pose.position_m.y(),  pose.position_m.z(), pose.orientation.w(),
-                              pose.orientation.x(), pose.orientation.y(), pose.orientation.z()};
-  const auto angles = backend.joint_angles(robot);
-  numbers.insert(numbers.end(), angles.begin(), angles.end());
-  return numbers;
-}
-
-}  // namespace trophic::conformance
-
 TEST_CASE_TEMPLATE_DEFINE("robots that come and go", B, trophic_placing_suite) {
   using namespace trophic;
   using conformance::seen;
