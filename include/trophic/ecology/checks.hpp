@@ -70,11 +70,13 @@ inline void check_saved_poses(std::span<const GroundPose> poses, std::size_t rob
                   "spare_bodies = " + std::to_string(spare) + ": must be < " + std::to_string(robots) + ", the number of robots"};
 }
 
-/// Throws RuleError unless a birth without a death has a place in the arena, if any, and parents of the newborn's species whose
-/// genomes violate no demand: `demand_of(parent)` returns it (Population::misfit).
+/// Throws RuleError unless a birth without a death has an endowment >= 0, a place in the arena, if any, and parents of the
+/// newborn's species whose genomes violate no demand: `demand_of(parent)` returns it (Population::misfit).
 template <class DemandOf>
 void check_recruit(const FoodWeb& web, const Arena& arena, const reproduction::Recruit& recruit, const DemandOf& demand_of) {
   check_index("recruitment", "species", recruit.species, web.size());
+  if (!(recruit.endowment_J >= 0.0 && std::isfinite(recruit.endowment_J)))
+    throw RuleError{"recruitment", "endowment_J = " + number_text(recruit.endowment_J) + ": must be >= 0 and finite"};
   for (const Ancestor& parent : recruit.parents) {
     const std::string who = "individual " + std::to_string(parent.id) + " as a parent: must ";
     if (parent.species != recruit.species) throw RuleError{"recruitment", who + "be of the newborn's species"};

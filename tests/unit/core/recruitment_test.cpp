@@ -191,6 +191,8 @@ TEST_CASE("recruitment: invalid birth -> error that names it") {
   CHECK(error_of({{.species = 2}}).find("species") != std::string::npos);
   CHECK(error_of({{.species = prey, .place = GroundPose{.x_m = 10.5}}})
             .ends_with("a birth at (10.5, 0): must be finite and within +-10 m"));
+  CHECK(error_of({{.species = prey, .endowment_J = -1.0}}).ends_with("endowment_J = -1: must be >= 0 and finite"));
+  CHECK(error_of({{.species = prey, .endowment_J = std::nan("")}}).ends_with("endowment_J = nan: must be >= 0 and finite"));
   CHECK(error_of({{.species = prey, .endowment_J = 1.0}, {.species = prey, .endowment_J = 1.0}}) == "");
   CHECK(error_of({{.species = prey, .parents = {ancestor(1, predator)}}})
             .ends_with("individual 1 as a parent: must be of the newborn's species"));
