@@ -120,12 +120,10 @@ class Economy {
 
   /// The energy of one who dies is lost.
   void lose(const Vacancy& death, Individual& dying, const View& view) {
-    if constexpr (has_energy) {
-      const double left_J = std::exchange(dying.energy_J, 0.0);
-      flows_[dying.species].lost_J += left_J;
-      if constexpr (requires { rules_.resource.on_death(field_, death, left_J, view); }) {
-        change_field("on_death", [&] { rules_.resource.on_death(field_, death, left_J, view); });
-      }
+    [[maybe_unused]] const double left_J = std::exchange(dying.energy_J, 0.0);
+    if constexpr (has_energy) flows_[dying.species].lost_J += left_J;
+    if constexpr (requires { rules_.resource.on_death(field_, death, left_J, view); }) {
+      change_field("on_death", [&] { rules_.resource.on_death(field_, death, left_J, view); });
     }
   }
 

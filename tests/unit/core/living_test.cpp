@@ -137,6 +137,16 @@ class Fixed : public backend::Kinematic {
   using Kinematic::take_away;
 };
 
+/// Each death leaves 1 J where it happens.
+struct Carrion {
+  static constexpr std::string_view name = "carrion";
+  [[nodiscard]] ResourceField start(const Arena& arena, Rng&) const { return {arena, 4}; }
+  void grow(ResourceField&, const View&, Rng&) const {}
+  void on_death(ResourceField& field, const Vacancy& death, double, const View& view) const {
+    field.food_J(field.cell_at(view.poses[death.body])) += 1.0;
+  }
+};
+
 /// Successors follow the dead at once, as in the paper, and still all energy is accounted for.
 using PaperWithEnergy = with_metabolism<rules::Paper, energy::metabolism::GrazingAndHunting>;
 using ColdPond = with_senescence<Pond, Cold>;
@@ -262,6 +272,14 @@ TEST_CASE("living: what parents hand over -> in the shadow too, where nothing is
     CHECK(count.inherited == (null == Null::none ? count.births : 0));
     CHECK(count.received_J / static_cast<double>(count.births) >= 30.0);  // half of what a parent needs for a birth
   }
+}
+
+TEST_CASE("living: deaths in a table without a rule Metabolism -> the resource hears of each") {
+  Ecology<with_resource<rules::Paper, Carrion>> ecology{{.seed = 1}, backend::Kinematic::Params{}};
+  observe::Tally tally;
+  ecology.run_until(1000.0, tally);
+  REQUIRE(tally.deaths() > 10);
+  CHECK(ecology.view().field->total_J() == doctest::Approx(static_cast<double>(tally.deaths())));
 }
 
 TEST_CASE("living: energy that a rule takes from nowhere -> error that names value and bound") {
