@@ -12,9 +12,9 @@
 namespace trophic::worlds {
 
 /// Prey graze a field that grows again, predators live on what their prey have, both spend energy on living and walking, starve
-/// without, and share it with an offspring next to them once they have enough. No number is kept: there is no floor, no rescue
-/// and no newcomer, and either species may die out. Bodies, senses, brains, tags and activation are the paper's. No criterion
-/// selects: who eats more has more offspring.
+/// without, and share it with an offspring next to them once they have enough. No floor, rescue or
+/// newcomer keeps a number, and either species may die out. Bodies, senses, brains, tags and activation are the paper's. No
+/// criterion selects: who eats more has more offspring.
 struct Pond final {
   static constexpr std::string_view name = "pond";
 

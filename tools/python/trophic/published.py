@@ -357,7 +357,7 @@ def summary_of(claim: ClaimConclusion) -> str:
 
 def _condition_for(readings: Sequence[ReadingConclusion | Effect], conclusion: str) -> tuple[str, str]:
     """The choice by which the readings of this conclusion differ from all others, and how they have it: "who counts", "the inactive are left out".
-    If there is no such, the conditions of each of them."""
+    Without such a choice, the conditions of each of them."""
     of_it = [each.reading for each in readings if each.conclusion == conclusion]
     for part, choice in (("members", "who counts"), ("counting", "how it is counted")):
         ways = list(dict.fromkeys(getattr(each, part) for each in of_it))
