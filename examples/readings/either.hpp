@@ -69,9 +69,12 @@ struct Either {
   [[nodiscard]] std::vector<int> tags() const requires control::Brain<First> {
     return answer([&](const auto& rule) { return rule.tags(); });
   }
-  [[nodiscard]] control::Decision decide(std::span<const double> inputs,
-                                         std::span<const double> weights) const requires control::Brain<First> {
-    return answer([&](const auto& rule) { return rule.decide(inputs, weights); });
+  void evaluate(std::span<const double> inputs, std::span<const double> weights,
+                std::span<double> outputs) const requires control::Brain<First> {
+    answer([&](const auto& rule) { rule.evaluate(inputs, weights, outputs); });
+  }
+  [[nodiscard]] double target_angle_rad(double output) const requires control::Brain<First> {
+    return answer([&](const auto& rule) { return rule.target_angle_rad(output); });
   }
   [[nodiscard]] reproduction::Descent descent(Rng& rng) const requires reproduction::GenomeSource<First> {
     return answer([&](const auto& rule) { return rule.descent(rng); });

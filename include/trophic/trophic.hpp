@@ -9,6 +9,7 @@
 #include <trophic/backend/start_pose.hpp>
 #include <trophic/backend/torus.hpp>
 #include <trophic/backend/with_engine.hpp>
+#include <trophic/control/acts/signal.hpp>
 #include <trophic/control/brain/cognitive_brain_with_biases.hpp>
 #include <trophic/control/brain/feed_forward_brain.hpp>
 #include <trophic/control/brain/growing_brain.hpp>
@@ -18,6 +19,7 @@
 #include <trophic/control/gait/inherited_cppn.hpp>
 #include <trophic/control/gait/learnt.hpp>
 #include <trophic/control/gait/named_gait.hpp>
+#include <trophic/control/pace/constant_pace.hpp>
 #include <trophic/control/steering/no_steering.hpp>
 #include <trophic/death/activation/founders_start_active.hpp>
 #include <trophic/death/floor/active_victim_floor.hpp>
@@ -51,6 +53,7 @@
 #include <trophic/reproduction/parent/nearest_victim.hpp>
 #include <trophic/reproduction/recruitment/after_escapes.hpp>
 #include <trophic/reproduction/recruitment/at_energy.hpp>
+#include <trophic/reproduction/recruitment/by_mating.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/reproduction/viability/survives_trial.hpp>
 #include <trophic/reproduction/viability/within_mass.hpp>

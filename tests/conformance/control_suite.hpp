@@ -5,6 +5,7 @@
 
 #include <conformance/policy_suite.hpp>
 #include <trophic/control/brain/contract.hpp>
+#include <trophic/control/pace/contract.hpp>
 #include <trophic/control/steering/contract.hpp>
 #include <trophic/support/rule_error.hpp>
 
@@ -13,19 +14,20 @@ namespace trophic::conformance {
 /// Random genes of a brain; those of one that grows after some births.
 template <class Policy>
 [[nodiscard]] std::vector<double> brain_genes(const Policy& policy, std::size_t inputs, Rng& rng) {
+  constexpr std::size_t outputs = control::acts::TurnAndTag::outputs;
   std::vector<double> genes;
   if constexpr (control::GrowingBrain<Policy>) {
-    genes = policy.first(inputs, control::Decision::outputs, rng);
+    genes = policy.first(inputs, outputs, rng);
     for (int birth = 0; birth < 30; ++birth) {
-      CHECK(policy.fits(genes, inputs, control::Decision::outputs));
+      CHECK(policy.fits(genes, inputs, outputs));
       for (double& weight : policy.weights_of(genes)) weight = rng.uniform(-3.0, 3.0);
-      policy.mutate_structure(genes, inputs, control::Decision::outputs, rng);
+      policy.mutate_structure(genes, inputs, outputs, rng);
     }
-    for (int birth = 0; birth < 20; ++birth) policy.mutate_structure(genes, inputs, control::Decision::outputs, rng);
-    CHECK(policy.fits(genes, inputs, control::Decision::outputs));
-    CHECK_FALSE(policy.fits({}, inputs, control::Decision::outputs));
+    for (int birth = 0; birth < 20; ++birth) policy.mutate_structure(genes, inputs, outputs, rng);
+    CHECK(policy.fits(genes, inputs, outputs));
+    CHECK_FALSE(policy.fits({}, inputs, outputs));
   } else {
-    genes.resize(policy.genome_size(inputs, control::Decision::outputs));
+    genes.resize(policy.genome_size(inputs, outputs));
     for (double& weight : genes) weight = rng.uniform(-3.0, 3.0);
   }
   return genes;
@@ -76,6 +78,42 @@ TEST_CASE_TEMPLATE_DEFINE("brain", Policy, trophic_brain_suite) {
     }
     return answers;
   });
+}
+
+TEST_CASE_TEMPLATE_DEFINE("act", One, trophic_act_suite) {
+  using namespace trophic;
+  static_assert(control::Act<One>);
+  CHECK_FALSE(std::string_view{One::name}.empty());
+  Rng rng{1, Stream::user};
+  for (const double most : {0.0, 1.0, 1e9}) {
+    for (int i = 0; i < 100; ++i) {
+      std::array<double, One::outputs> out{};
+      for (double& neuron : out) neuron = rng.uniform(-most, most);
+      const auto value = One::value(out);
+      CHECK(static_cast<double>(value) >= One::least);
+      CHECK(static_cast<double>(value) <= One::most);
+      CHECK(One::value(out) == value);
+    }
+  }
+}
+
+TEST_CASE_TEMPLATE_DEFINE("pace", Policy, trophic_pace_suite) {
+  using namespace trophic;
+  static_assert(control::Pace<Policy>);
+  conformance::check_policy<Policy>();
+  const auto all_of = [](conformance::Answers& answers, const Policy& made, const test::HandPopulation& robots, std::uint64_t) {
+    for (BodyIndex body = 0; body < robots.individuals.size(); ++body) answers.add(made.pace(body, robots.view()));
+  };
+  const auto policy = conformance::defaulted<Policy>();
+  conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+    for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
+      CHECK(policy.pace(body, robots.view()) >= 0.0);
+      CHECK(std::isfinite(policy.pace(body, robots.view())));
+    }
+    conformance::check_each_robot(robots, seed,
+                                  [&](const test::HandPopulation& any, BodyIndex body) { return policy.pace(body, any.view()); });
+  });
+  conformance::check_params_used_on_populations<Policy>(all_of);
 }
 
 TEST_CASE_TEMPLATE_DEFINE("steering", Policy, trophic_steering_suite) {

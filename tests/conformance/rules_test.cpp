@@ -8,6 +8,9 @@
 #include <conformance/perception_suite.hpp>
 #include <conformance/placement_suite.hpp>
 #include <conformance/reproduction_suite.hpp>
+#include <trophic/control/acts/effort.hpp>
+#include <trophic/control/acts/mate.hpp>
+#include <trophic/control/acts/signal.hpp>
 #include <trophic/control/brain/cognitive_brain_with_biases.hpp>
 #include <trophic/control/brain/feed_forward_brain.hpp>
 #include <trophic/control/brain/growing_brain.hpp>
@@ -19,6 +22,7 @@
 #include <trophic/control/gait/learnt.hpp>
 #include <trophic/control/gait/named_gait.hpp>
 #include <trophic/control/gait/robots_gait.hpp>
+#include <trophic/control/pace/constant_pace.hpp>
 #include <trophic/control/steering/no_steering.hpp>
 #include <trophic/death/activation/always_active.hpp>
 #include <trophic/death/activation/founders_start_active.hpp>
@@ -66,6 +70,7 @@
 #include <trophic/reproduction/parent/nearest_victim.hpp>
 #include <trophic/reproduction/recruitment/after_escapes.hpp>
 #include <trophic/reproduction/recruitment/at_energy.hpp>
+#include <trophic/reproduction/recruitment/by_mating.hpp>
 #include <trophic/reproduction/recruitment/no_recruitment.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/reproduction/viability/survives_trial.hpp>
@@ -108,6 +113,9 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_brain_suite, control::brain::CognitiveBrain, c
                           control::brain::Hebbian<control::brain::FeedForwardBrain>,
                           control::brain::Hebbian<control::brain::RecurrentBrain>, control::brain::GrowingBrain,
                           control::brain::Hebbian<control::brain::GrowingBrain>);
+TEST_CASE_TEMPLATE_INVOKE(trophic_act_suite, control::acts::Turn, control::acts::Tag, control::acts::Effort, control::acts::Eat,
+                          control::acts::Mate, control::acts::Signal<0>);
+TEST_CASE_TEMPLATE_INVOKE(trophic_pace_suite, control::pace::SamePace, control::pace::ConstantPace);
 TEST_CASE_TEMPLATE_INVOKE(trophic_steering_suite, control::steering::TargetedSteering, control::steering::NoSteering);
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_initial_genome_suite, reproduction::initial_genome::UniformWeights,
@@ -126,7 +134,8 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_parent_species_suite, rules::Paper::Parent, ru
                           reproduction::parent::FastestEscape, reproduction::parent::LastEscapee,
                           reproduction::parent::MostEscapes);
 TEST_CASE_TEMPLATE_INVOKE(trophic_recruitment_suite, reproduction::recruitment::NoRecruitment,
-                          reproduction::recruitment::AfterEscapes, reproduction::recruitment::AtEnergy);
+                          reproduction::recruitment::AfterEscapes, reproduction::recruitment::AtEnergy,
+                          reproduction::recruitment::ByMating);
 TEST_CASE_TEMPLATE_INVOKE(trophic_gait_suite, control::gait::RobotsGait, control::gait::NamedGait, control::gait::InheritedCpg,
                           control::gait::InheritedCppn, control::gait::Learnt<control::gait::InheritedCpg>,
                           control::gait::Learnt<control::gait::InheritedCppn>);

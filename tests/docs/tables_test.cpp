@@ -49,6 +49,9 @@ std::string section(std::string_view file, std::string_view what) {
     std::string kind;
     if constexpr (io::is_species_column<Kind>) {
       kind = "name of a species";
+    } else if constexpr (io::is_named_columns<Kind>) {
+      name = "..." + name;
+      kind = "number, exact, or empty";
     } else if constexpr (io::is_list_columns<Kind>) {
       name = name + "0, " + name + "1, ...";
       unit = column.unit;

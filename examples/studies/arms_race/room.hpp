@@ -89,7 +89,7 @@ using RoomySensors = perception::sensors::List<perception::sensors::SideOfAdvers
 struct RoomyBrain {
   static constexpr std::string_view name = "roomy_brain";
   static constexpr std::string_view source = "not in the paper";
-  using Network = control::TanhNetwork<8, control::Decision::outputs, control::Biases::both_layers>;
+  using Network = control::TanhNetwork<8, control::Biases::both_layers>;
 
   struct Params {
     double turn_angle_rad = 0.7;
@@ -100,14 +100,15 @@ struct RoomyBrain {
   };
   Params params;
 
-  [[nodiscard]] std::size_t genome_size(std::size_t inputs, std::size_t) const { return Network::weights_size(inputs); }
-  [[nodiscard]] std::vector<int> tags() const { return {-1, 1}; }
-  [[nodiscard]] control::Decision decide(std::span<const double> inputs, std::span<const double> weights) const {
-    const auto out = outputs(inputs, weights);
-    return {.target_angle_rad = out[0] > 0.0 ? params.turn_angle_rad : -params.turn_angle_rad, .tag = out[1] > 0.0 ? 1 : -1};
+  [[nodiscard]] std::size_t genome_size(std::size_t inputs, std::size_t outputs) const {
+    return Network::weights_size(inputs, outputs);
   }
-  [[nodiscard]] std::array<double, 2> outputs(std::span<const double> inputs, std::span<const double> weights) const {
-    return Network::neurons(inputs, weights).out;
+  [[nodiscard]] std::vector<int> tags() const { return {-1, 1}; }
+  void evaluate(std::span<const double> inputs, std::span<const double> weights, std::span<double> outputs) const {
+    Network::evaluate(inputs, weights, outputs);
+  }
+  [[nodiscard]] double target_angle_rad(double output) const {
+    return output > 0.0 ? params.turn_angle_rad : -params.turn_angle_rad;
   }
 };
 static_assert(control::Brain<RoomyBrain>);

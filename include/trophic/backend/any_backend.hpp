@@ -28,6 +28,8 @@ class AnyBackend {
   virtual void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) = 0;
   /// Throws std::logic_error if the backend has joints.
   virtual void set_target_angle(std::size_t robot, double target_angle_rad) = 0;
+  /// Throws std::invalid_argument if the backend has joints or no paces.
+  virtual void set_pace(std::size_t robot, double pace) = 0;
 
   /// Throws std::logic_error if the backend cannot exchange bodies (Embodying).
   virtual void embody(std::size_t robot, const RobotModel& model, const Pose& pose) = 0;
@@ -92,6 +94,14 @@ class BackendOf final : public AnyBackend {
       backend.set_target_angle(robot, target_angle_rad);
     } else {
       throw std::logic_error{"backend " + std::string{B::name} + ": is driven by joint targets, not by a target angle"};
+    }
+  }
+  void set_pace([[maybe_unused]] std::size_t robot, [[maybe_unused]] double pace) override {
+    if constexpr (requires { backend.set_pace(robot, pace); }) {
+      backend.set_pace(robot, pace);
+    } else {
+      throw std::invalid_argument{"rules.pace, rules.acts: backend " + std::string{B::name} + " has one pace for all: it needs " +
+                                  "void set_pace(std::size_t robot, double pace)"};
     }
   }
   void embody([[maybe_unused]] std::size_t robot, [[maybe_unused]] const RobotModel& model,

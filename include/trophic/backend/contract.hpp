@@ -88,7 +88,9 @@ concept Placing = Backend<B> && requires(B backend, const B& observed, std::size
   { observed.is_there(robot) } -> std::same_as<bool>;
 };
 
-/// Driven by the target angle alone (no joints): positive turns right, held until the next call.
+/// Driven by the target angle alone (no joints): positive turns right, held until the next call. A backend for tables with a Pace
+/// or the act Effort also has `void set_pace(std::size_t robot, double pace)`: the factor of its speed and turning rate, set
+/// before each tick and not a part of the state.
 template <class B>
 concept SteeringDriven = Backend<B> && requires(B backend, std::size_t robot, double target_angle_rad) {
   {backend.set_target_angle(robot, target_angle_rad)};

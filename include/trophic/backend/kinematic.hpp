@@ -12,7 +12,7 @@ namespace trophic::backend {
 /// each other. For tests of rules and observers, and for fast trials.
 ///
 /// Speed and turning rate are the robot's `walk`: its own gait, measured in MuJoCo at target angles of +-0.7 rad, those of the
-/// cognitive brain. `ecology.gait` does not change them.
+/// cognitive brain. `ecology.gait` does not change them; the pace of a robot scales both.
 ///
 /// Ignores joints, Physics and the height and tilt of the start poses: reported poses stand upright at the robot's rest height.
 /// No random draws; the same bits with every compiler and optimisation level that keeps IEEE arithmetic.
@@ -69,15 +69,15 @@ class Kinematic : public Points {
   }
 
   void advance_to(double time_s) {
-    step_until(time_s, [this](Body& body) { step(body); });
+    step_until(time_s, [this](Body& body, double step_s) { step(body, step_s); });
   }
 
  private:
   /// Along an arc of angle 2 h the chord is the arc's length times sin(h) / h and points h away from the old heading.
-  void step(Body& body) const {
-    const double half_turn_rad = -0.5 * turn_rate_per_rad_ * body.target_angle_rad * params_.timestep_s;
+  void step(Body& body, double step_s) const {
+    const double half_turn_rad = -0.5 * turn_rate_per_rad_ * body.target_angle_rad * step_s;
     const double shortening = half_turn_rad == 0.0 ? 1.0 : std::sin(half_turn_rad) / half_turn_rad;
-    const double chord_m = speed_m_s_ * params_.timestep_s * shortening;
+    const double chord_m = speed_m_s_ * step_s * shortening;
     const double direction_rad = body.heading_rad + half_turn_rad;
     body.x_m = std::clamp(body.x_m + chord_m * std::cos(direction_rad), -limit_m_, limit_m_);
     body.y_m = std::clamp(body.y_m + chord_m * std::sin(direction_rad), -limit_m_, limit_m_);

@@ -51,6 +51,15 @@ class Points {
     state_.bodies.at(robot).target_angle_rad = target_angle_rad;
   }
 
+  /// Sets the factor of a robot's speed and turning rate until the next call. Not a part of the state: set before each tick.
+  /// Throws std::invalid_argument unless finite and >= 0.
+  void set_pace(std::size_t robot, double pace) {
+    if (!(pace >= 0.0 && std::isfinite(pace)))
+      throw std::invalid_argument{"pace = " + number_text(pace) + ": must be finite and >= 0"};
+    paces_.resize(robots(), 1.0);
+    paces_.at(robot) = pace;
+  }
+
   void take_away(std::size_t robot) { state_.bodies.at(robot).is_absent = true; }
   void place(std::size_t robot, const Pose& pose) { state_.bodies.at(robot) = body_at(robot, pose); }
   [[nodiscard]] bool is_there(std::size_t robot) const { return !state_.bodies.at(robot).is_absent; }
@@ -79,12 +88,14 @@ class Points {
     for (std::size_t i = 0; i < starts.size(); ++i) state_.bodies.push_back(body_at(i, starts[i]));
   }
 
-  /// Takes `step(body)` of each robot that is there, until the first step time >= `time_s`.
+  /// Takes `step(body, seconds)` of each robot that is there, until the first step time >= `time_s`; the seconds are those of a
+  /// step times its pace.
   template <class Step>
   void step_until(double time_s, const Step& step) {
     while (this->time_s() < time_s - 1e-9) {
-      for (Body& body : state_.bodies) {
-        if (!body.is_absent) step(body);
+      for (std::size_t robot = 0; robot < robots(); ++robot) {
+        Body& body = state_.bodies[robot];
+        if (!body.is_absent) step(body, paces_.empty() ? timestep_s_ : timestep_s_ * paces_[robot]);
       }
       ++state_.steps;
     }
@@ -109,6 +120,7 @@ class Points {
   double half_side_m_;
   double timestep_s_;
   State state_;
+  std::vector<double> paces_ = {};  ///< of each robot; empty if all are 1
 };
 
 }  // namespace trophic::backend

@@ -45,13 +45,13 @@ class Torus : public Points {
   }
 
   void advance_to(double time_s) {
-    step_until(time_s, [this](Body& body) { step(body); });
+    step_until(time_s, [this](Body& body, double step_s) { step(body, step_s); });
   }
 
  private:
-  void step(Body& body) const {
-    body.heading_rad = wrap_angle(body.heading_rad - params_.turn_1_s * params_.timestep_s * body.target_angle_rad);
-    const double step_m = params_.speed_m_s * params_.timestep_s;
+  void step(Body& body, double step_s) const {
+    body.heading_rad = wrap_angle(body.heading_rad - params_.turn_1_s * step_s * body.target_angle_rad);
+    const double step_m = params_.speed_m_s * step_s;
     const auto wrapped_m = [&](double at_m) { return std::remainder(at_m, side_m_); };
     body.x_m = wrapped_m(body.x_m + step_m * std::cos(body.heading_rad));
     body.y_m = wrapped_m(body.y_m + step_m * std::sin(body.heading_rad));

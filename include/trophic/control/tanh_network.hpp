@@ -24,27 +24,22 @@ void tanh_layer(std::span<const double> from, std::span<double> to, const double
 }
 
 /// hidden = tanh(W1 in + b1), out = tanh(W2 hidden + b2); without biases b1 = b2 = 0 and the network is odd in its inputs. Any
-/// number of inputs. Weights in one row: W1 row by row, b1, W2 row by row, b2; without biases W1, W2.
-template <std::size_t Hidden, std::size_t Outputs, Biases biases>
+/// number of inputs and outputs. Weights in one row: W1 row by row, b1, W2 row by row, b2; without biases W1, W2.
+template <std::size_t Hidden, Biases biases>
 struct TanhNetwork {
   static constexpr std::size_t bias = biases == Biases::both_layers ? 1 : 0;
-  [[nodiscard]] static constexpr std::size_t weights_size(std::size_t inputs) {
-    return Hidden * (inputs + bias) + Outputs * (Hidden + bias);
+  [[nodiscard]] static constexpr std::size_t weights_size(std::size_t inputs, std::size_t outputs) {
+    return Hidden * (inputs + bias) + outputs * (Hidden + bias);
   }
 
-  /// The neurons of both layers, each in (-1, 1).
-  struct Neurons {
-    std::array<double, Hidden> hidden{};
-    std::array<double, Outputs> out{};
-  };
-
-  /// `weights` has weights_size(inputs.size()) elements.
-  [[nodiscard]] static Neurons neurons(std::span<const double> inputs, std::span<const double> weights) {
-    assert(weights.size() == weights_size(inputs.size()));
-    Neurons result;
-    tanh_layer<bias>(inputs, result.hidden, weights.data());
-    tanh_layer<bias>(result.hidden, result.out, weights.data() + Hidden * (inputs.size() + bias));
-    return result;
+  /// Sets the output neurons and returns the hidden ones, each in (-1, 1). `weights` has weights_size(...) elements.
+  static std::array<double, Hidden> evaluate(std::span<const double> inputs, std::span<const double> weights,
+                                             std::span<double> out) {
+    assert(weights.size() == weights_size(inputs.size(), out.size()));
+    std::array<double, Hidden> hidden;
+    tanh_layer<bias>(inputs, hidden, weights.data());
+    tanh_layer<bias>(hidden, out, weights.data() + Hidden * (inputs.size() + bias));
+    return hidden;
   }
 };
 

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <trophic/backend/backend_choice.hpp>
+#include <trophic/control/acts/effort.hpp>
 #include <trophic/control/locomotion/locomotion.hpp>
 #include <trophic/ecology/body_genes.hpp>
 #include <trophic/ecology/checks.hpp>
@@ -48,6 +49,7 @@ class Bodies {
                .tick_s = params.ecology.tick_s,
                .clock_scale = params.ecology.clock_scale} {
     if (phenotypes_differ) locomotion_.separate();
+    if (paces_differ && !backend_->has_joints()) backend_->set_pace(0, 1.0);
     population_.stand_at(poses_);
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
       if (!population_[body].lives()) backend_->take_away(body);
@@ -121,17 +123,17 @@ class Bodies {
     return std::nullopt;
   }
 
-  /// Moves all bodies through the tick that begins at `clock_s`. Returns false, with everything as before, if an observer
+  /// Moves all bodies through the tick that begins now. Returns false, with everything as before, if an observer
   /// cancelled it. If the table lets a body that diverges end its individual, `end(body)` is called and the tick begins anew. If
   /// a body diverges again and again although it was replaced, those next to it end, which it may touch.
   template <class End>
-  [[nodiscard]] bool move(observe::Audience& audience, double clock_s, const End& end) {
+  [[nodiscard]] bool move(observe::Audience& audience, const View& view, const End& end) {
     const bool ends_individuals =
         bodies_differ && initialization::ask::divergence(rules_.embodiment) == initialization::Divergence::ends_individual;
     for (std::vector<BodyIndex> ended; true;) {
       const auto before = ends_individuals && ended.size() < most_ended ? std::optional{motion()} : std::nullopt;
       try {
-        if (!advance(audience, clock_s)) return false;
+        if (!advance(audience, view)) return false;
         break;
       } catch (const Diverged& diverged) {
         if (!before) throw;
@@ -163,6 +165,8 @@ class Bodies {
 
  private:
   static constexpr bool phenotypes_differ = Phenotypes<Rules>::differ;
+  static constexpr bool paces_differ =
+      !is_neutral<Rules, RuleSlot::pace> || PolicyIn<Rules, RuleSlot::acts>::template contains<control::acts::Effort>;
   static constexpr bool bodies_differ = BodyGenes<Rules>::differ;
   static constexpr int places_on_ring = 16;
   static constexpr int places_tried = 64;             ///< for a birth
@@ -239,7 +243,8 @@ class Bodies {
 
   /// Moves the bodies through a whole tick, then passes observers the frames that they want: a backend's steps do not depend on
   /// where it pauses. If an observer cancels the tick, the bodies return to where they were, and the result is false.
-  [[nodiscard]] bool advance(observe::Audience& audience, double clock_s) {
+  [[nodiscard]] bool advance(observe::Audience& audience, const View& view) {
+    if (paces_differ) locomotion_.set_paces(paces(view));
     std::vector<double> target_angles_rad;
     for (const Individual& individual : population_.individuals()) target_angles_rad.push_back(individual.target_angle_rad);
     const auto before = backend_->has_joints() && audience.may_cancel() ? std::optional{motion()} : std::nullopt;
@@ -254,8 +259,21 @@ class Bodies {
       step = next;
       if (audience.wants_frame(times_, step)) frames.push_back(poses_after(step));
     }
-    for (const Poses& frame : frames) show(audience, frame, clock_s);
+    for (const Poses& frame : frames) show(audience, frame, view.time_s);
     return true;
+  }
+
+  /// The pace of each robot. Throws RuleError for one that is not finite or < 0.
+  [[nodiscard]] std::vector<double> paces(const View& view) const {
+    std::vector<double> paces(poses_.size(), 1.0);
+    for (BodyIndex body = 0; body < poses_.size(); ++body) {
+      if (!population_[body].lives()) continue;
+      const double pace = for_species(rules_.pace, population_[body].species).pace(body, view);
+      if (!(pace >= 0.0 && std::isfinite(pace)))
+        throw RuleError{"pace", "pace = " + number_text(pace) + ": must be finite and >= 0"};
+      paces[body] = pace * view.act<control::acts::Effort>(body);
+    }
+    return paces;
   }
 
   [[nodiscard]] const RobotModel& robot_in(BodyIndex body) const {

@@ -14,7 +14,7 @@ namespace trophic {
 template <class Rules>
 class BrainGenes {
  public:
-  using Brain = PolicyIn<Rules, RuleSlot::brain>;
+  using Brain = AnswersForSpecies<PolicyIn<Rules, RuleSlot::brain>>;
   static constexpr bool grow = control::GrowingBrain<Brain>;  ///< whether their number may change
 
   BrainGenes(const Policies<Rules>& rules, std::uint64_t seed) : rules_{rules}, seed_{seed} {}
@@ -23,8 +23,9 @@ class BrainGenes {
   void draw(Genome& genome, const Individual& born) const {
     Rng structure{seed_, Stream::brain_structure, born.id};
     Rng rng{seed_, Stream::initial_genome, born.id};
-    genome.weights = control::ask::first_genes(rules_.brain, inputs, structure);
-    reproduction::ask::draw(rules_.initial_genome, control::ask::weights_of(rules_.brain, genome.weights), born, rng);
+    const Brain& brain = brain_of(born.species);
+    genome.weights = control::ask::first_genes(brain, shape, structure);
+    reproduction::ask::draw(rules_.initial_genome, control::ask::weights_of(brain, genome.weights), born, rng);
     check_finite("initial_genome", "weights", genome.weights);
   }
 
@@ -33,26 +34,30 @@ class BrainGenes {
   void mutate(Genome& genome, State& own, const Individual& born) const {
     Rng rng{seed_, Stream::mutation, born.id};
     Rng growth{seed_, Stream::brain_growth, born.id};
-    reproduction::ask::mutate(rules_.mutation, own, control::ask::weights_of(rules_.brain, genome.weights), born, rng);
-    control::ask::mutate_structure(rules_.brain, genome.weights, inputs, growth);
+    const Brain& brain = brain_of(born.species);
+    reproduction::ask::mutate(rules_.mutation, own, control::ask::weights_of(brain, genome.weights), born, rng);
+    control::ask::mutate_structure(brain, genome.weights, shape, growth);
     check_finite("mutation", "weights", genome.weights);
   }
 
-  /// The demand of the brain that a genome violates, "a genome of 15 weights"; none if it fits. Null violates it.
-  [[nodiscard]] std::optional<std::string> misfit(const Genome* genome) const {
-    if (genome != nullptr && control::ask::fits(rules_.brain, genome->weights, inputs)) return std::nullopt;
-    return control::ask::demand(rules_.brain, inputs);
+  /// The demand of a species' brain that a genome violates, "a genome of 15 weights"; none if it fits. Null violates it.
+  [[nodiscard]] std::optional<std::string> misfit(Species species, const Genome* genome) const {
+    const Brain& brain = brain_of(species);
+    if (genome != nullptr && control::ask::fits(brain, genome->weights, shape)) return std::nullopt;
+    return control::ask::demand(brain, shape);
   }
 
   /// The distance between the weights of a parent and of its offspring.
-  [[nodiscard]] double distance(std::span<const double> before, std::span<const double> after) const {
-    const double distance = control::ask::distance(rules_.brain, before, after);
+  [[nodiscard]] double distance(Species species, std::span<const double> before, std::span<const double> after) const {
+    const double distance = control::ask::distance(brain_of(species), before, after);
     check_finite("brain", "a distance between weights", {&distance, 1});
     return distance;
   }
 
  private:
-  static constexpr std::size_t inputs = PolicyIn<Rules, RuleSlot::sensors>::size;
+  static constexpr control::BrainShape shape{.inputs = PolicyIn<Rules, RuleSlot::sensors>::size,
+                                             .outputs = PolicyIn<Rules, RuleSlot::acts>::outputs};
+  [[nodiscard]] const Brain& brain_of(Species species) const { return for_species(rules_.brain, species); }
 
   const Policies<Rules>& rules_;
   std::uint64_t seed_;

@@ -19,7 +19,7 @@ struct Choice {
   std::optional<Sighting> sighting;
   std::optional<control::Decision> decision;
   Inputs inputs{};
-  typename Population<Rules>::Outputs outputs{};  ///< only if an observer wants decision records
+  typename Population<Rules>::Outputs outputs{};
 };
 
 /// One moment of an ecology, as robots perceive it and decide.
@@ -37,16 +37,15 @@ class Moment {
   }
 
   /// The choice of one robot. `common`: the sensors that are the same for all robots.
-  [[nodiscard]] Choice<Rules> choice(BodyIndex body, const typename Choice<Rules>::Inputs& common, WithoutTarget without_target,
-                                     bool is_observed) const {
+  [[nodiscard]] Choice<Rules> choice(BodyIndex body, const typename Choice<Rules>::Inputs& common,
+                                     WithoutTarget without_target) const {
     const auto horizon = perception::ask::horizon(rules_.visibility, population_[body]);
     const auto sees_other = [&](BodyIndex self, BodyIndex other) { return sees(self, other); };
     Choice<Rules> choice{.sighting = perception::adversary(body, now_, sees_other, horizon), .decision = std::nullopt};
     if (!choice.sighting && without_target == WithoutTarget::keeps_decision) return choice;
     const auto rng_of = [&](std::size_t sensor) { return Rng{seed_, Stream::sensors, population_[body].id, tick(), sensor}; };
     choice.inputs = rules_.sensors.sense(population_.states().sensors[body], body, choice.sighting, now_, common, rng_of);
-    if (is_observed) choice.outputs = population_.outputs(body, choice.inputs);
-    choice.decision = population_.decide(body, choice.inputs);
+    choice.decision = population_.decide(body, choice.inputs, choice.outputs);
     return choice;
   }
 

@@ -25,11 +25,9 @@ class Decisions {
     const Moment<Rules> moment{rules_, population_, seed_, now};
     const auto common = rules_.sensors.sense_common(now);
     choices_.clear();
-    const bool is_observed = audience.wants_decisions();
     const bool in_turn = params_.decision_order == DecisionOrder::in_turn;
     for (BodyIndex body = 0; body < population_.individuals().size(); ++body) {
-      choices_.push_back(population_[body].lives() ? moment.choice(body, common, params_.without_target, is_observed)
-                                                   : Choice<Rules>{});
+      choices_.push_back(population_[body].lives() ? moment.choice(body, common, params_.without_target) : Choice<Rules>{});
       if (in_turn) act(audience, body, choices_[body], now);
     }
     if (in_turn) return;
@@ -37,6 +35,8 @@ class Decisions {
   }
 
  private:
+  static constexpr bool shows_outputs = control::EvaluatesOutputs<typename Population<Rules>::Brain>;
+
   void act(observe::Audience& audience, BodyIndex body, const Choice<Rules>& choice, const View& now) {
     if (!population_[body].lives()) return;
     population_.sight(body, choice.sighting, now);
@@ -44,6 +44,7 @@ class Decisions {
     const Individual& self = population_[body];
     const int tag_before = self.tag;
     population_.turn(body, choice.decision->target_angle_rad);
+    population_.act(body, choice.outputs);
     using perception::MaySwitch;
     const MaySwitch may_switch = perception::ask::may_switch(rules_.tag_switch, population_.states().tag_switch[body], self, now);
     if (may_switch != MaySwitch::no) {
@@ -51,7 +52,7 @@ class Decisions {
     }
     audience.decision({.body = body,
                        .inputs = choice.inputs,
-                       .outputs = choice.outputs ? std::span<const double>{*choice.outputs} : std::span<const double>{},
+                       .outputs = shows_outputs ? std::span<const double>{choice.outputs} : std::span<const double>{},
                        .target_angle_rad = choice.decision->target_angle_rad,
                        .tag = choice.decision->tag,
                        .tag_before = tag_before,

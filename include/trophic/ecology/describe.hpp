@@ -84,6 +84,7 @@ template <class Rules>
       run.remarks.push_back("rules.heading = " + std::string{Rules::Heading::name} + " has no effect: robots of " +
                             backend.name() + " stand upright");
   }
+  if (!is_neutral<Rules, RuleSlot::acts>) run.outputs = PolicyIn<Rules, RuleSlot::acts>::output_names();
   run.brains_grow = BrainGenes<Rules>::grow;
   run.bodies_differ = BodyGenes<Rules>::differ;
   run.has_energy = Economy<Rules>::has_energy;

@@ -78,6 +78,7 @@ class Ecology final : public Simulation {
             .energy = population_.economy().flows(),
             .resource = population_.economy().resource_flow(),
             .refused_births = refused_births_,
+            .acts = population_.act_values(),
             .period_m = period_m_};
   }
 
@@ -147,7 +148,7 @@ class Ecology final : public Simulation {
   [[nodiscard]] bool move(observe::Audience& audience) {
     const auto end = [&](BodyIndex body) { end_diverged(audience, body); };
     population_.open_ledger();
-    if (!bodies_.move(audience, time_s(), end)) return false;
+    if (!bodies_.move(audience, view(), end)) return false;
     ++tick_;
     population_.walk(bodies_.poses_before(), view());
     return true;
@@ -308,7 +309,7 @@ class Ecology final : public Simulation {
     BodyIndex spare = 0;
     for (const auto& recruit : reproduction::ask::recruits(rules_.recruitment, recruiting, view(), rng)) {
       detail::check_recruit(web_, habitat_.arena, recruit,
-                            [&](const Ancestor& parent) { return population_.misfit(parent.genome.get()); });
+                            [&](const Ancestor& parent) { return population_.misfit(recruit.species, parent.genome.get()); });
       while (spare < population_.individuals().size() && population_[spare].lives()) ++spare;
       const bool has_body = spare < population_.individuals().size() && population_.can_endow(recruit);
       const auto place = recruit.place || !has_body ? recruit.place : place_of_birth(recruit.parents);
@@ -369,7 +370,7 @@ class Ecology final : public Simulation {
     const Parentage parentage = population_.parentage(vacancy, view());
     const Species dead = population_[vacancy.body].species;
     for (const Ancestor& parent : parentage.parents)
-      detail::check_parent(web_, vacancy, parent, population_.misfit(parent.genome.get()));
+      detail::check_parent(web_, vacancy, parent, population_.misfit(parent.species, parent.genome.get()));
     auto successor = vacancy.successor;
     if (!successor)
       successor = parentage.parents.empty() ? web_.first_victim(dead).value_or(dead) : parentage.parents.front().species;

@@ -24,7 +24,8 @@ template <class Rules>
 class Population {
  public:
   using Sensors = PolicyIn<Rules, RuleSlot::sensors>;
-  using Brain = PolicyIn<Rules, RuleSlot::brain>;
+  using Brain = AnswersForSpecies<PolicyIn<Rules, RuleSlot::brain>>;
+  using Acts = PolicyIn<Rules, RuleSlot::acts>;
   static_assert(control::detail::SameInputs<Sensors::size, control::detail::inputs_taken<Brain, Sensors::size>>,
                 "the brain in Rules::Brain takes another number of inputs than the sensors in Rules::Sensors give");
 
@@ -38,7 +39,7 @@ class Population {
         web_{web},
         seed_{seed},
         null_{setting.null},
-        tags_{rules.brain.tags()},
+        tags_{for_species(rules.brain, 0).tags()},
         brains_{rules, seed},
         phenotypes_{rules, seed, setting.habitat, setting.nursery},
         economy_{rules, seed, web.size(), setting.habitat} {
@@ -63,6 +64,7 @@ class Population {
       bodies_[born.id] = individuals_.size();
       individuals_.push_back(std::move(born));
     }
+    for (BodyIndex body = 0; body < individuals_.size(); ++body) rest(body);
   }
 
   [[nodiscard]] std::span<const Individual> individuals() const { return individuals_; }
@@ -87,7 +89,9 @@ class Population {
     for_each_state(rules_, states_, [&](const auto&, auto& states) { archive(states); });
     phenotypes_.persist(archive, web_.size());
     archive(economy_);
+    if constexpr (Acts::keeps_values) archive(act_values_);
     if (!archive.reads()) return;
+    Archive::require(act_values_.size() == (Acts::keeps_values ? bodies * Acts::count : 0), "another number of acts");
     Archive::require(individuals_.size() == bodies, "another number of robots");
     for (const Individual& individual : individuals_) check_saved(individual);
     std::ranges::fill(members_, std::size_t{0});
@@ -118,7 +122,7 @@ class Population {
     for (BodyIndex body = 0; body < individuals_.size(); ++body) {
       const Genome& given = lineup[body].genome;
       Genome& genome = *individuals_[body].genome;
-      if (const auto demand = brains_.misfit(&given)) {
+      if (const auto demand = brains_.misfit(lineup[body].species, &given)) {
         throw std::invalid_argument{"a contest of genomes of " + std::to_string(given.weights.size()) + " weights: must have " +
                                     *demand + ", as the table's brain takes it"};
       }
@@ -169,19 +173,38 @@ class Population {
     notify_sighting(rules_, states_, body, sighting, view);
   }
 
-  /// The brain's decision for these inputs. Throws RuleError for a tag that is not listed and a number that is not finite.
-  [[nodiscard]] control::Decision decide(BodyIndex body, std::span<const double> inputs) {
+  /// The brain's decision for these inputs, and its outputs. Throws RuleError for a tag that is not listed and a number that is
+  /// not finite.
+  using Outputs = std::array<double, Acts::outputs>;
+  [[nodiscard]] control::Decision decide(BodyIndex body, std::span<const double> inputs, Outputs& outputs) {
     check_finite("sensors", "inputs", inputs);
-    const control::Decision decision = control::ask::decide(rules_.brain, states_.brain[body], inputs, weights(body));
+    const Individual& self = individuals_[body];
+    const control::Decision decision = control::ask::decide<Acts>(
+        for_species(rules_.brain, self.species), states_.brain[body], inputs, weights(body),
+        std::span<double, Acts::outputs>{outputs}, {.target_angle_rad = self.target_angle_rad, .tag = self.tag});
     check_tag(tags_, decision.tag, "brain");
     check_finite("brain", "a target angle", {&decision.target_angle_rad, 1});
+    check_finite("brain", "outputs", outputs);
     return decision;
   }
 
-  /// The output neurons behind a decision; none for a brain that does not show them.
-  using Outputs = std::optional<std::array<double, control::Decision::outputs>>;
-  [[nodiscard]] Outputs outputs(BodyIndex body, std::span<const double> inputs) const {
-    return control::ask::outputs(rules_.brain, states_.brain[body], inputs, weights(body));
+  /// Keeps the values of a decision's acts. Throws RuleError for a value out of its bounds.
+  void act(BodyIndex body, [[maybe_unused]] const Outputs& outputs) {
+    if constexpr (Acts::keeps_values) {
+      Acts::each(outputs, [&]<class One>(std::size_t place, std::span<const double, One::outputs> out) {
+        const auto value = static_cast<double>(One::value(out));
+        if (!(value >= One::least && value <= One::most)) {
+          throw RuleError{"acts", std::string{One::name} + " = " + number_text(value) +
+                                      ": must be >= " + number_text(One::least) + " and <= " + number_text(One::most)};
+        }
+        act_values_[body * Acts::count + place] = value;
+      });
+    }
+  }
+  /// The values of the acts at the last decision of each body.
+  [[nodiscard]] ActValues act_values() const {
+    if constexpr (!Acts::keeps_values) return {};
+    return {.acts = Acts::keys, .values = act_values_};
   }
 
   /// Sets the target angle, positive to the right.
@@ -211,8 +234,10 @@ class Population {
     return found == bodies_.end() ? std::nullopt : std::optional{found->second};
   }
 
-  /// The demand of the table's brain that a genome violates, "a genome of 15 weights"; none if it fits.
-  [[nodiscard]] std::optional<std::string> misfit(const Genome* genome) const { return brains_.misfit(genome); }
+  /// The demand of a species' brain that a genome violates, "a genome of 15 weights"; none if it fits.
+  [[nodiscard]] std::optional<std::string> misfit(Species species, const Genome* genome) const {
+    return brains_.misfit(species, genome);
+  }
 
   /// The body and the gait in each body; empty if all have the habitat's.
   [[nodiscard]] std::span<const Phenotype> phenotypes() const { return phenotypes_.all(); }
@@ -243,7 +268,7 @@ class Population {
     Rng crossover{seed_, Stream::crossover, born.id};
     const auto& heredity = for_species(rules_.heredity, species);
     auto genome = parents.empty() || null_ == Null::shadow ? nullptr : reproduction::ask::inherit(heredity, parents, crossover);
-    if (const auto demand = genome && !genome->weights.empty() ? brains_.misfit(genome.get()) : std::nullopt) {
+    if (const auto demand = genome && !genome->weights.empty() ? brains_.misfit(species, genome.get()) : std::nullopt) {
       throw RuleError{"heredity", "a genome of " + std::to_string(genome->weights.size()) + " weights: must have " + *demand};
     }
     const std::vector<BodyIndex> living = bodies_of(parents);
@@ -260,6 +285,7 @@ class Population {
     bodies_[born.id] = body;
     individuals_[body] = std::move(born);
     mark(body);
+    rest(body);
     for (const BodyIndex parent : living) {
       if (parent != body) notify_offspring(rules_, states_, parent, body, view);
     }
@@ -281,6 +307,16 @@ class Population {
     economy_.endow(born, endowment_J, individuals_, living);
   }
 
+  /// Sets the acts of a body to those before the first decision of a life.
+  void rest([[maybe_unused]] BodyIndex body) {
+    if constexpr (Acts::keeps_values) {
+      act_values_.resize(individuals_.size() * Acts::count);
+      Acts::each(Outputs{}, [&]<class One>(std::size_t place, std::span<const double, One::outputs>) {
+        act_values_[body * Acts::count + place] = static_cast<double>(One::by_default);
+      });
+    }
+  }
+
   /// A body's species, tag or activity changed.
   void mark(BodyIndex body) {
     if (!poses_.empty()) tree_.mark(body, poses_[body], individuals_[body]);
@@ -295,8 +331,9 @@ class Population {
       if (individual.id == no_individual && !individual.genome && !individual.active && !individual.adversary && has_tag) return;
       throw std::invalid_argument{"a spare body of other rules"};
     }
-    const bool sound = individual.id < next_id_ && individual.species < web_.size() && !brains_.misfit(individual.genome.get()) &&
-                       has_tag && individual.adversary.value_or(0) < individuals_.size();
+    const bool sound = individual.id < next_id_ && individual.species < web_.size() &&
+                       !brains_.misfit(individual.species, individual.genome.get()) && has_tag &&
+                       individual.adversary.value_or(0) < individuals_.size();
     if (!sound) throw std::invalid_argument{"an individual of other rules"};
   }
 
@@ -358,7 +395,7 @@ class Population {
     }
     born.mutation_distance = std::numeric_limits<double>::infinity();
     for (const std::vector<double>& weights : before)
-      born.mutation_distance = std::min(born.mutation_distance, brains_.distance(weights, born.genome->weights));
+      born.mutation_distance = std::min(born.mutation_distance, brains_.distance(born.species, weights, born.genome->weights));
   }
 
   const Policies<Rules>& rules_;
@@ -377,6 +414,7 @@ class Population {
   std::span<const GroundPose> poses_ = {};                   ///< of the bodies
   SearchTree tree_;
   RuleStates<Rules> states_;
+  std::vector<double> act_values_ = {};  ///< of each body, one for each act; empty if individuals hold them
 };
 
 }  // namespace trophic

@@ -48,20 +48,23 @@ class TableExperiment final : public AnyExperiment {
     };
   }
   [[nodiscard]] AskBrain brain() const override {
-    using Brain = PolicyIn<Rules, RuleSlot::brain>;
-    return
-        [brain = make_policies<Rules>(experiment_.rules).brain](std::span<const double> inputs, std::span<const double> weights) {
-          constexpr std::size_t taken = PolicyIn<Rules, RuleSlot::sensors>::size;
-          const auto check = [](bool good, std::string_view what, std::size_t given, const std::string& must) {
-            if (good) return;
-            throw std::invalid_argument{std::string{what} + ": " + std::to_string(given) + ": must be " + must +
-                                        ", as the rule table's brain takes"};
-          };
-          check(inputs.size() == taken, "inputs", inputs.size(), std::to_string(taken));
-          check(control::ask::fits(brain, weights, taken), "weights", weights.size(), control::ask::demand(brain, taken));
-          StateOf<Brain> own{};
-          return control::ask::decide(brain, own, inputs, weights);
-        };
+    using Brain = AnswersForSpecies<PolicyIn<Rules, RuleSlot::brain>>;
+    using Acts = PolicyIn<Rules, RuleSlot::acts>;
+    return [brain = for_species(make_policies<Rules>(experiment_.rules).brain, 0)](std::span<const double> inputs,
+                                                                                   std::span<const double> weights) {
+      constexpr std::size_t taken = PolicyIn<Rules, RuleSlot::sensors>::size;
+      const auto check = [](bool good, std::string_view what, std::size_t given, const std::string& must) {
+        if (good) return;
+        throw std::invalid_argument{std::string{what} + ": " + std::to_string(given) + ": must be " + must +
+                                    ", as the rule table's brain takes"};
+      };
+      check(inputs.size() == taken, "inputs", inputs.size(), std::to_string(taken));
+      constexpr control::BrainShape shape{.inputs = taken, .outputs = Acts::outputs};
+      check(control::ask::fits(brain, weights, shape), "weights", weights.size(), control::ask::demand(brain, shape));
+      StateOf<Brain> own{};
+      std::array<double, Acts::outputs> outputs{};
+      return control::ask::decide<Acts>(brain, own, inputs, weights, std::span{outputs});
+    };
   }
 
  private:

@@ -2,11 +2,13 @@
 // Columns: a table's row lists them once; its file's header and cells, its reader and docs/tables.md all follow that list.
 #pragma once
 
+#include <string>
 #include <string_view>
 #include <trophic/params/detail/member_count.hpp>
 #include <trophic/population/food_web.hpp>
 #include <tuple>
 #include <type_traits>
+#include <vector>
 
 namespace trophic::io {
 
@@ -50,6 +52,21 @@ struct ListColumns {
   std::string_view help;
 };
 
+/// Numbers with a name for each.
+struct NamedNumbers {
+  std::vector<std::string> names = {};
+  std::vector<double> values = {};
+};
+
+/// As many columns as a row has named numbers: NAME_output for each name and the ending "_output".
+template <class Row>
+struct NamedColumns {
+  std::string_view name;  ///< the ending
+  NamedNumbers Row::*member;
+  std::string_view unit;
+  std::string_view help;
+};
+
 template <class Row, class T>
 [[nodiscard]] constexpr Column<Row, T> column(std::string_view name, T Row::*member, std::string_view unit, std::string_view help,
                                               Written written = {}) {
@@ -64,6 +81,11 @@ template <class Row>
                                                       std::string_view unit, std::string_view help) {
   return {name, member, unit, help};
 }
+template <class Row>
+[[nodiscard]] constexpr NamedColumns<Row> named_columns(std::string_view ending, NamedNumbers Row::*member,
+                                                        std::string_view help) {
+  return {ending, member, {}, help};
+}
 
 template <class C>
 inline constexpr bool is_species_column = false;
@@ -73,6 +95,10 @@ template <class C>
 inline constexpr bool is_list_columns = false;
 template <class Row>
 inline constexpr bool is_list_columns<ListColumns<Row>> = true;
+template <class C>
+inline constexpr bool is_named_columns = false;
+template <class Row>
+inline constexpr bool is_named_columns<NamedColumns<Row>> = true;
 
 /// A struct that lists its columns: `static constexpr auto columns() { return std::tuple{column("time_s", &Row::time_s, "s",
 /// "the ecology's clock"), ...}; }`, one for each member.

@@ -73,6 +73,8 @@ template <TableRow Row>
   for_each_column<Row>([&](const auto& column) {
     if constexpr (is_list_columns<std::remove_cvref_t<decltype(column)>>) {
       for (std::size_t i = 0; i < (like.*column.member).size(); ++i) text.append(column.name).append(number_text(i) + ",");
+    } else if constexpr (is_named_columns<std::remove_cvref_t<decltype(column)>>) {
+      for (const std::string& name : (like.*column.member).names) text.append(name).append(column.name).push_back(',');
     } else {
       text.append(column.name).push_back(',');
     }
@@ -87,11 +89,16 @@ void append_row(std::string& text, const Row& row, const FoodWeb& web) {
   for_each_column<Row>([&](const auto& column) {
     using Kind = std::remove_cvref_t<decltype(column)>;
     const auto& value = row.*column.member;
-    if constexpr (is_list_columns<Kind>) {
-      for (const double number : value) {
+    const auto append_all = [&](const std::vector<double>& numbers) {
+      for (const double number : numbers) {
         detail::append_cell(text, number);
         text.push_back(',');
       }
+    };
+    if constexpr (is_list_columns<Kind>) {
+      append_all(value);
+    } else if constexpr (is_named_columns<Kind>) {
+      append_all(value.values);
     } else {
       if constexpr (is_species_column<Kind>) {
         detail::append_cell(text, web.name(value));

@@ -22,7 +22,7 @@ class SenseLog {
  public:
   static constexpr std::string_view file_name = "senses.csv";
 
-  /// `every_ticks` >= 1. The file begins with the run, which sets the number of a brain's inputs.
+  /// `every_ticks` >= 1. The file begins with the run, which sets the numbers of a brain's inputs and outputs.
   explicit SenseLog(std::filesystem::path path, Opening opening = Opening::created, std::int64_t every_ticks = 1)
       : path_{std::move(path)}, every_ticks_{every_ticks} {
     if (opening == Opening::resumed) file_.emplace(path_, opening);
@@ -30,7 +30,8 @@ class SenseLog {
 
   void on_start(const observe::RunDescription& run, const View& view) {
     inputs_ = run.inputs.size();
-    if (!file_) file_.emplace(path_, SenseRow{.inputs = std::vector<double>(inputs_)});
+    outputs_ = run.outputs;
+    if (!file_) file_.emplace(path_, unasked());
     rows_.assign(view.robots.size(), unasked());
     exempt_.assign(view.robots.size(), std::nullopt);
   }
@@ -41,9 +42,12 @@ class SenseLog {
     row.chosen_tag = record.tag;
     const TagOutcome changed = record.might_switch ? TagOutcome::switched : TagOutcome::denied;
     row.tag_outcome = record.tag == record.tag_before ? TagOutcome::kept : changed;
-    if (!record.outputs.empty()) {
-      row.angle_output = record.outputs[0];
-      row.tag_output = record.outputs[1];
+    std::size_t other = 0;
+    for (std::size_t i = 0; i < record.outputs.size(); ++i) {
+      const std::string_view name = outputs_.empty() ? std::array{"turn", "tag"}.at(i) : std::string_view{outputs_.at(i)};
+      (name == "turn"  ? row.angle_output.emplace()
+       : name == "tag" ? row.tag_output.emplace()
+                       : row.outputs.values[other++]) = record.outputs[i];
     }
     row.inputs.assign(record.inputs.begin(), record.inputs.end());
   }
@@ -84,6 +88,10 @@ class SenseLog {
   [[nodiscard]] SenseRow unasked() const {
     SenseRow row;
     row.inputs.assign(inputs_, std::numeric_limits<double>::quiet_NaN());
+    for (const std::string& name : outputs_) {
+      if (name != "turn" && name != "tag") row.outputs.names.push_back(name);
+    }
+    row.outputs.values.assign(row.outputs.names.size(), std::numeric_limits<double>::quiet_NaN());
     return row;
   }
 
@@ -139,6 +147,7 @@ class SenseLog {
   std::int64_t every_ticks_;
   std::optional<CsvFile<SenseRow>> file_;
   std::size_t inputs_ = 0;
+  std::vector<std::string> outputs_ = {};            ///< names; empty if turn and tag are all
   std::vector<SenseRow> rows_;                       ///< of the current tick, by body
   std::vector<std::optional<IndividualId>> exempt_;  ///< the exempt individual of each body
   std::optional<RobotModel> robot_;                  ///< none on a backend without joints

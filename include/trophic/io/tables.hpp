@@ -109,6 +109,7 @@ struct SenseRow {
   std::optional<TagOutcome> tag_outcome = {};
   std::optional<double> angle_output = {};
   std::optional<double> tag_output = {};
+  NamedNumbers outputs = {};
   std::vector<double> inputs = {};
 
   static constexpr auto columns() {
@@ -131,8 +132,11 @@ struct SenseRow {
         column("tag_outcome", &SenseRow::tag_outcome, "",
                "what became of it: shown before, a switch, or denied by the rule TagSwitch"),
         column("angle_output", &SenseRow::angle_output, "",
-               "of the brain: its first output neuron; empty for a brain that does not show it"),
-        column("tag_output", &SenseRow::tag_output, "", "of the brain: its second output neuron"),
+               "of the brain: its output for the act Turn; empty for a brain without output neurons, and in a table without the "
+               "act"),
+        column("tag_output", &SenseRow::tag_output, "", "of the brain: its output for the act Tag"),
+        named_columns("_output", &SenseRow::outputs,
+                      "of the brain: its output for another act, as effort_output; only of such acts"),
         list_columns(
             "input", &SenseRow::inputs, "",
             "of the brain: the values of its sensors, which senses.inputs in the manifest names; empty where it was not asked")};

@@ -43,6 +43,7 @@ struct RunDescription {
   NamedParams named_params;                                ///< every parameter with its path: "rules.tag_switch.cool_down_s"
   std::vector<int> tags;                                   ///< the tags that the table's brain may choose
   std::vector<std::string> inputs = {};                    ///< the brain's inputs, by sensor name
+  std::vector<std::string> outputs = {};                   ///< the brain's outputs, by act; empty in a table with the paper's
   std::string backend;                                     ///< name and version of the engine
   std::vector<std::string> remarks;                        ///< parameters without effect, flaws of the engine
   std::uint64_t seed = 0;

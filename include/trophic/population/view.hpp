@@ -6,8 +6,8 @@
 #include <concepts>
 #include <span>
 #include <trophic/habitat/arena.hpp>
+#include <trophic/population/act_values.hpp>
 #include <trophic/population/energy_flow.hpp>
-#include <trophic/population/individual.hpp>
 #include <trophic/population/phenotype.hpp>
 #include <trophic/population/resource_field.hpp>
 #include <trophic/population/search.hpp>
@@ -37,8 +37,18 @@ struct View {
   std::span<const EnergyFlow> energy = {};     ///< of each species since the last tick; empty without a rule Metabolism
   ResourceFlow resource = {};                  ///< since the last tick
   std::uint64_t refused_births = 0;            ///< for which no body or no room was free, so far
+  ActValues acts = {};                         ///< of the last decisions
   double period_m = 0.0;  ///< the side of a torus, on which distances are the shortest; 0: an arena with walls
 
+  /// The value of an act (control/acts/) at the last decision; its default in a table without it.
+  template <class Act>
+  [[nodiscard]] auto act(BodyIndex body) const {
+    if constexpr (detail::KeptByIndividual<Act>) {
+      return Act::of(robots[body]);
+    } else {
+      return acts.of<Act>(body);
+    }
+  }
   [[nodiscard]] std::size_t count(Species species) const {
     if (!members.empty()) return species < members.size() ? members[species] : 0;
     return static_cast<std::size_t>(std::ranges::count(robots, species, &Individual::species));

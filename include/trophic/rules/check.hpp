@@ -67,7 +67,9 @@ enum class Fault {
   made,
   made_from_nothing,
   held,
-  changing
+  changing,
+  reads,
+  decides
 };
 
 /// Whether each part of a policy satisfies the contract of that part.
@@ -109,19 +111,48 @@ template <class Policy, bool fits_contract, bool may_differ_by_species>
   }
 }
 
+/// Whether these acts include all that a policy, or a policy in it, names in ReadsActs.
+template <class Acts, class Policy>
+inline constexpr bool has_own_acts_of = true;
+template <class Acts, class Policy>
+requires requires {
+  typename Policy::ReadsActs;
+}
+inline constexpr bool has_own_acts_of<Acts, Policy> = control::acts::contains_all<Acts, typename Policy::ReadsActs>;
+template <class Acts, class Policy>
+inline constexpr bool has_acts_of = has_own_acts_of<Acts, Policy>;
+template <class Acts, template <class...> class Whole, class... Ps>
+inline constexpr bool has_acts_of<Acts, Whole<Ps...>> = has_own_acts_of<Acts, Whole<Ps...>> && (has_acts_of<Acts, Ps> && ...);
+
+/// The fault of a policy in a table with these acts; `alone`: its fault in any table.
+template <class Policy, class Acts, Fault alone>
+[[nodiscard]] consteval Fault fault_with() {
+  if constexpr (alone != Fault::none || !control::ActList<Acts>) {
+    return alone;
+  } else if constexpr (!has_acts_of<Acts, Policy>) {
+    return Fault::reads;
+  } else if constexpr (control::Decides<AnswersForSpecies<Policy>> && !control::EvaluatesOutputs<AnswersForSpecies<Policy>>) {
+    return std::same_as<Acts, control::acts::TurnAndTag> ? Fault::none : Fault::decides;
+  } else {
+    return Fault::none;
+  }
+}
+
 /// A slot of a table: `type` is its policy, `stated` that policy as written in the table, before in_table.
 /// `slot_<member><Rules>` is the same by name.
 template <class Rules, RuleSlot slot>
 struct policy_in;
-#define TROPHIC_SLOT(Slot, member, kind, Contract, Neutral, may_differ_by_species)                                   \
-  template <class Rules>                                                                                             \
-  struct policy_in<Rules, RuleSlot::member> : in_table<typename stated_##member<Rules>::type, Rules> {               \
-    using stated = typename stated_##member<Rules>::type;                                                            \
-    using type = typename in_table<stated, Rules>::type;                                                             \
-    static constexpr bool is_neutral = std::same_as<type, Neutral>;                                                  \
-    static constexpr Fault fault = fault_of<type, kind::Contract<AnswersForSpecies<type>>, may_differ_by_species>(); \
-  };                                                                                                                 \
-  template <class Rules>                                                                                             \
+#define TROPHIC_SLOT(Slot, member, kind, Contract, Neutral, may_differ_by_species)                      \
+  template <class Rules>                                                                                \
+  struct policy_in<Rules, RuleSlot::member> : in_table<typename stated_##member<Rules>::type, Rules> {  \
+    using stated = typename stated_##member<Rules>::type;                                               \
+    using type = typename in_table<stated, Rules>::type;                                                \
+    static constexpr bool is_neutral = std::same_as<type, Neutral>;                                     \
+    static constexpr Fault fault =                                                                      \
+        fault_with<type, typename stated_acts<Rules>::type,                                             \
+                   fault_of<type, kind::Contract<AnswersForSpecies<type>>, may_differ_by_species>()>(); \
+  };                                                                                                    \
+  template <class Rules>                                                                                \
   struct slot_##member : policy_in<Rules, RuleSlot::member> {};
 TROPHIC_RULE_SLOTS(TROPHIC_SLOT)
 #undef TROPHIC_SLOT
@@ -195,7 +226,14 @@ struct CheckRules {
   static_assert(member##_fault != Fault::changing,                                                                           \
                 "the policy in Rules::" #Slot                                                                                \
                 " has mutable parameters, which no checkpoint would contain: what changes is in a State; see "               \
-                "trophic/population/state.hpp");
+                "trophic/population/state.hpp");                                                                             \
+  static_assert(member##_fault != Fault::reads,                                                                              \
+                "the policy in Rules::" #Slot                                                                                \
+                " names an act in ReadsActs that Rules::Acts lacks; see trophic/control/acts/contract.hpp");                 \
+  static_assert(member##_fault != Fault::decides,                                                                            \
+                "the policy in Rules::" #Slot                                                                                \
+                " has decide, which only turns and chooses a tag, but Rules::Acts has other acts: it needs evaluate; see "   \
+                "trophic/control/brain/contract.hpp");
   TROPHIC_RULE_SLOTS(TROPHIC_CHECK_SLOT)
 #undef TROPHIC_CHECK_SLOT
 };

@@ -2,9 +2,12 @@
 // The slots of a rule table.
 #pragma once
 
+#include <trophic/control/acts/list.hpp>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/control/gait/contract.hpp>
 #include <trophic/control/gait/robots_gait.hpp>
+#include <trophic/control/pace/contract.hpp>
+#include <trophic/control/pace/same_pace.hpp>
 #include <trophic/control/steering/contract.hpp>
 #include <trophic/death/activation/always_active.hpp>
 #include <trophic/death/activation/contract.hpp>
@@ -63,9 +66,11 @@
   SLOT(Sensors, sensors, perception, SensorList, detail::NoPolicy, false)                                            \
   SLOT(NewbornTag, newborn_tag, perception, NewbornTag, detail::NoPolicy, false)                                     \
   SLOT(TagSwitch, tag_switch, perception, TagSwitch, perception::tag_switch::FreeTags, true)                         \
-  SLOT(Brain, brain, control, Brain, detail::NoPolicy, false)                                                        \
+  SLOT(Acts, acts, control, ActList, control::acts::TurnAndTag, false)                                               \
+  SLOT(Brain, brain, control, Brain, detail::NoPolicy, true)                                                         \
   SLOT(Steering, steering, control, Steering, detail::NoPolicy, false)                                               \
   SLOT(Gait, gait, control, GaitRule, control::gait::RobotsGait, true)                                               \
+  SLOT(Pace, pace, control, Pace, control::pace::SamePace, true)                                                     \
   SLOT(InitialGenome, initial_genome, reproduction, InitialGenome, detail::NoPolicy, true)                           \
   SLOT(GenomeSource, genome_source, reproduction, GenomeSource, reproduction::genome_source::AlwaysInherited, false) \
   SLOT(Parent, parent, reproduction, Parent, reproduction::parent::NoParent, true)                                   \

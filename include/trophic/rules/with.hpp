@@ -99,7 +99,7 @@ TROPHIC_RULE_SLOTS(TROPHIC_WITH)
   using with_##kind = typename detail::kind##_is_no_slot<Rules>::type;
 TROPHIC_NO_SLOT(initialization, "with_community, with_placement and with_embodiment")
 TROPHIC_NO_SLOT(perception, "with_heading, with_visibility, with_sensors, with_newborn_tag and with_tag_switch")
-TROPHIC_NO_SLOT(control, "with_brain, with_steering and with_gait")
+TROPHIC_NO_SLOT(control, "with_acts, with_brain, with_pace, with_steering and with_gait")
 TROPHIC_NO_SLOT(
     reproduction,
     "with_initial_genome, with_genome_source, with_parent, with_heredity, with_mutation, with_body_plan, with_viability and "

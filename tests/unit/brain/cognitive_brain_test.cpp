@@ -5,6 +5,7 @@
 #include <trophic/control/brain/cognitive_brain.hpp>
 #include <trophic/control/brain/cognitive_brain_zero_right.hpp>
 #include <trophic/support/rng.hpp>
+#include <unit/brain/check_out.hpp>
 #include <vector>
 
 using namespace trophic;
@@ -37,8 +38,8 @@ TEST_CASE("cognitive brain: genome layout -> position of each weight") {
   const std::array inputs{-1.0, 0.25, 0.5};
   for (std::size_t row = 0; row < 3; ++row) {
     for (std::size_t column = 0; column < 3; ++column) {
-      const auto out =
-          brain.outputs(inputs, genome({{3 * row + column, 0.8}, {output_weight + row, 1.0}, {output_weight + 3 + row, -2.0}}));
+      const auto out = test::outputs(
+          brain, inputs, genome({{3 * row + column, 0.8}, {output_weight + row, 1.0}, {output_weight + 3 + row, -2.0}}));
       const double hidden = std::tanh(0.8 * inputs[column]);
       CHECK(out[0] == doctest::Approx(std::tanh(hidden)).epsilon(1e-15));
       CHECK(out[1] == doctest::Approx(std::tanh(-2.0 * hidden)).epsilon(1e-15));
@@ -55,7 +56,7 @@ TEST_CASE("cognitive brain: network computed by hand -> same outputs") {
                                {output_weight + 2, -1.0},
                                {output_weight + 3, 1.0},
                                {output_weight + 5, 2.0}});
-  const auto out = CognitiveBrain{}.outputs(std::array{1.0, 0.2, -0.5}, weights);
+  const auto out = test::outputs(CognitiveBrain{}, std::array{1.0, 0.2, -0.5}, weights);
   CHECK(out[0] == doctest::Approx(0.5353572942).epsilon(1e-9));
   CHECK(out[1] == doctest::Approx(0.3848567272).epsilon(1e-9));
 }
@@ -63,7 +64,7 @@ TEST_CASE("cognitive brain: network computed by hand -> same outputs") {
 TEST_CASE("cognitive brain: signs of the outputs -> target angle and tag") {
   const CognitiveBrain brain;
   const auto decide = [&](double angle_weight, double tag_weight) {
-    return brain.decide(std::array{1.0, 0.0, 0.0},
+    return test::decide(brain, std::array{1.0, 0.0, 0.0},
                         genome({{0, 1.0}, {output_weight, angle_weight}, {output_weight + 3, tag_weight}}));
   };
   CHECK(decide(0.1, 0.1).target_angle_rad == 0.7);
@@ -75,10 +76,10 @@ TEST_CASE("cognitive brain: signs of the outputs -> target angle and tag") {
 }
 
 TEST_CASE("cognitive brain: outputs of 0 -> left turn, or right in the zero-right brain, and tag -1") {
-  CHECK(CognitiveBrain{}.decide(nothing, genome({{0, 1.0}, {output_weight, 1.0}})).target_angle_rad == -0.7);
-  CHECK(CognitiveBrainZeroRight{}.decide(nothing, genome({})).target_angle_rad == 0.7);
-  CHECK(CognitiveBrain{}.decide(nothing, genome({})).tag == -1);
-  CHECK(CognitiveBrainZeroRight{}.decide(nothing, genome({})).tag == -1);
+  CHECK(test::decide(CognitiveBrain{}, nothing, genome({{0, 1.0}, {output_weight, 1.0}})).target_angle_rad == -0.7);
+  CHECK(test::decide(CognitiveBrainZeroRight{}, nothing, genome({})).target_angle_rad == 0.7);
+  CHECK(test::decide(CognitiveBrain{}, nothing, genome({})).tag == -1);
+  CHECK(test::decide(CognitiveBrainZeroRight{}, nothing, genome({})).tag == -1);
 }
 
 TEST_CASE("cognitive brain: inputs with opposite sign -> opposite turn") {
@@ -88,9 +89,9 @@ TEST_CASE("cognitive brain: inputs with opposite sign -> opposite turn") {
     std::vector<double> weights(brain.genome_size(3, 2));
     for (double& weight : weights) weight = rng.uniform(-3.0, 3.0);
     const std::array inputs{rng.uniform(-1, 1), rng.uniform(-1, 1), rng.uniform(-0.5, 0.5)};
-    const auto out = brain.outputs(inputs, weights);
+    const auto out = test::outputs(brain, inputs, weights);
     RC_ASSERT((std::abs(out[0]) <= 1.0 && std::abs(out[1]) <= 1.0));
-    const auto mirrored = brain.outputs(std::array{-inputs[0], -inputs[1], -inputs[2]}, weights);
+    const auto mirrored = test::outputs(brain, std::array{-inputs[0], -inputs[1], -inputs[2]}, weights);
     RC_ASSERT((mirrored[0] == -out[0] && mirrored[1] == -out[1]));
   }));
 }
@@ -100,5 +101,5 @@ TEST_CASE("cognitive brain: brain with biases -> same turn at zero, four distinc
   CHECK(CognitiveBrainZeroRight::name == "cognitive_brain_zero_right");
   CHECK(CognitiveBrain::WithBiases::name == "cognitive_brain_with_biases");
   CHECK(CognitiveBrainZeroRight::WithBiases::name == "cognitive_brain_zero_right_with_biases");
-  CHECK(CognitiveBrainZeroRight::WithBiases{}.decide(nothing, std::vector<double>(20)).target_angle_rad == 0.7);
+  CHECK(test::decide(CognitiveBrainZeroRight::WithBiases{}, nothing, std::vector<double>(20)).target_angle_rad == 0.7);
 }

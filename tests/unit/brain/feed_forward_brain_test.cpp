@@ -19,8 +19,8 @@ TEST_CASE("feed-forward brain: 3 hidden neurons -> the cognitive brain, bit by b
     std::vector<double> weights(15);
     for (double& weight : weights) weight = rng.uniform(-3.0, 3.0);
     const std::array inputs{rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)};
-    CHECK(brain.outputs(inputs, weights) == paper.outputs(inputs, weights));
-    CHECK((brain.decide(inputs, weights) == paper.decide(inputs, weights)));
+    CHECK(test::outputs(brain, inputs, weights) == test::outputs(paper, inputs, weights));
+    CHECK((test::decide(brain, inputs, weights) == test::decide(paper, inputs, weights)));
   }
 }
 
@@ -30,8 +30,8 @@ TEST_CASE("feed-forward brain: one hidden neuron -> outputs computed by hand") {
   const std::vector<double> weights{0.5, -1.0, 2.0, -3.0};
   const std::array inputs{1.0, 0.25};
   const double hidden = std::tanh(0.5 - 0.25);
-  check_out(brain.outputs(inputs, weights), std::tanh(2.0 * hidden), std::tanh(-3.0 * hidden));
-  CHECK((brain.decide(inputs, weights) == control::Decision{.target_angle_rad = 0.2, .tag = -1}));
+  check_out(test::outputs(brain, inputs, weights), std::tanh(2.0 * hidden), std::tanh(-3.0 * hidden));
+  CHECK((test::decide(brain, inputs, weights) == control::Decision{.target_angle_rad = 0.2, .tag = -1}));
 }
 
 TEST_CASE("feed-forward brain: links -> every weight once, with the neurons at its ends") {

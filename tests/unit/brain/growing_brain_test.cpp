@@ -46,9 +46,9 @@ const Genes hand{1, 0, 2, 1, 3, 2, 4, 0.5, -1, 2};
 TEST_CASE("growing brain: hand-drawn network -> outputs computed by hand") {
   const GrowingBrain brain;
   REQUIRE(brain.fits(hand, 2, 2));
-  check_out(brain.outputs(std::array{0.4, 0.3}, hand), std::tanh(-0.3), std::tanh(2 * std::tanh(0.2)));
-  CHECK((brain.decide(std::array{0.4, 0.3}, hand) == control::Decision{.target_angle_rad = -0.7, .tag = 1}));
-  CHECK(brain.outputs(std::array{0.4, 0.3}, Genes{0}) == std::array{0.0, 0.0});
+  check_out(test::outputs(brain, std::array{0.4, 0.3}, hand), std::tanh(-0.3), std::tanh(2 * std::tanh(0.2)));
+  CHECK((test::decide(brain, std::array{0.4, 0.3}, hand) == control::Decision{.target_angle_rad = -0.7, .tag = 1}));
+  CHECK(test::outputs(brain, std::array{0.4, 0.3}, Genes{0}) == std::array{0.0, 0.0});
 }
 
 TEST_CASE("growing brain: first genome -> the feed-forward brain's network, its weights in the same order") {
@@ -61,7 +61,7 @@ TEST_CASE("growing brain: first genome -> the feed-forward brain's network, its 
   REQUIRE(weights.size() == plain.genome_size(3, 2));
   for (double& weight : weights) weight = rng.uniform(-2.0, 2.0);
   const std::array inputs{0.3, -0.8, 0.1};
-  CHECK(brain.outputs(inputs, genes) == plain.outputs(inputs, weights));
+  CHECK(test::outputs(brain, inputs, genes) == test::outputs(plain, inputs, weights));
   Genes direct = GrowingBrain{{.hidden = 0}}.first(3, 2, rng);
   CHECK(direct == Genes{0, 0, 3, 1, 3, 2, 3, 0, 4, 1, 4, 2, 4, 0, 0, 0, 0, 0, 0});
 }
@@ -111,7 +111,7 @@ TEST_CASE("growing brain: any sequence of births -> networks that fit, weights t
       for (double& weight : brain.weights_of(genes)) weight += rng.normal(0.0, 0.3);
       brain.mutate_structure(genes, 3, 2, rng);
       RC_ASSERT(brain.fits(genes, 3, 2));
-      const auto out = brain.outputs(std::array{0.5, -0.25, 1.0}, genes);
+      const auto out = test::outputs(brain, std::array{0.5, -0.25, 1.0}, genes);
       RC_ASSERT((std::abs(out[0]) <= 1.0 && std::abs(out[1]) <= 1.0));
     }
   }));
@@ -133,9 +133,9 @@ TEST_CASE("growing brain: distance of two networks -> of their weights, links ma
 TEST_CASE("growing brain: split link with a small input -> nearly the same output") {
   const GrowingBrain brain = only(&GrowingBrain::Params::split_link);
   const std::array inputs{0.01, 0.02};
-  const auto before = brain.outputs(inputs, hand);
+  const auto before = test::outputs(brain, inputs, hand);
   for (const Genes& genes : results(brain, hand)) {
-    const auto after = brain.outputs(inputs, genes);
+    const auto after = test::outputs(brain, inputs, genes);
     CHECK(after[0] == doctest::Approx(before[0]).epsilon(0.001));
     CHECK(after[1] == doctest::Approx(before[1]).epsilon(0.001));
   }

@@ -7,6 +7,7 @@
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
+#include <unit/brain/check_out.hpp>
 
 using namespace trophic;
 using control::brain::CognitiveBrain;
@@ -54,16 +55,16 @@ struct Lives {
 TEST_CASE("hebbian brain: first decision, or rate 0 -> the cognitive brain's") {
   const CognitiveBrain fixed;
   HebbianBrain::State own;
-  CHECK((HebbianBrain{}.decide(inputs, weights, own) == fixed.decide(inputs, weights)));
+  CHECK((test::decide(HebbianBrain{}, inputs, weights, own) == test::decide(fixed, inputs, weights)));
   HebbianBrain::State still;
   for (int i = 0; i < 100; ++i)
-    CHECK((HebbianBrain{{.rate = 0.0}}.decide(inputs, weights, still) == fixed.decide(inputs, weights)));
+    CHECK((test::decide(HebbianBrain{{.rate = 0.0}}, inputs, weights, still) == test::decide(fixed, inputs, weights)));
   CHECK(still.learnt == std::vector<double>(15, 0.0));
 }
 
 TEST_CASE("hebbian brain: one decision -> one step of Oja's rule, computed by hand") {
   HebbianBrain::State own;
-  static_cast<void>(HebbianBrain{{.rate = 0.1}}.decide(inputs, weights, own));
+  static_cast<void>(test::decide(HebbianBrain{{.rate = 0.1}}, inputs, weights, own));
   const double h0 = std::tanh(0.5 * 1.0 - 0.3 * 0.25 - 0.8 * 0.5);
   const double h1 = std::tanh(0.1 * 1.0 + 0.9 * 0.25 + 0.7 * 0.5);
   const double h2 = std::tanh(-0.2 * 1.0 + 0.4 * 0.25 - 0.6 * 0.5);
@@ -77,16 +78,16 @@ TEST_CASE("hebbian brain: one decision -> one step of Oja's rule, computed by ha
 TEST_CASE("hebbian brain: decision -> sum of the genome's and the learnt weights") {
   const HebbianBrain brain{{.rate = 0.1}};
   HebbianBrain::State own;
-  static_cast<void>(brain.decide(inputs, weights, own));
+  static_cast<void>(test::decide(brain, inputs, weights, own));
   std::vector<double> sum = weights;
   for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += own.learnt[i];
-  CHECK(brain.outputs(inputs, weights, own) == HebbianBrain::Network::neurons(inputs, sum).out);
-  CHECK(brain.outputs(inputs, weights, own) != HebbianBrain::Network::neurons(inputs, weights).out);
+  CHECK(test::outputs(brain, inputs, weights, own) == test::outputs(CognitiveBrain{}, inputs, sum));
+  CHECK(test::outputs(brain, inputs, weights, own) != test::outputs(CognitiveBrain{}, inputs, weights));
 }
 
 TEST_CASE("hebbian brain: output of exactly 0 -> left turn, tag -1") {
   HebbianBrain::State own;
-  const control::Decision decision = HebbianBrain{}.decide(inputs, std::vector<double>(15, 0.0), own);
+  const control::Decision decision = test::decide(HebbianBrain{}, inputs, std::vector<double>(15, 0.0), own);
   CHECK((decision == control::Decision{.target_angle_rad = -0.7, .tag = -1}));
 }
 
@@ -95,7 +96,7 @@ TEST_CASE("hebbian brain: many decisions -> bounded weights") {
   HebbianBrain::State own;
   for (int i = 0; i < 20'000; ++i) {
     const double side = i % 3 == 0 ? 1.0 : -1.0;
-    static_cast<void>(brain.decide(std::array{side, 0.3, 0.1 * side}, weights, own));
+    static_cast<void>(test::decide(brain, std::array{side, 0.3, 0.1 * side}, weights, own));
   }
   for (std::size_t i = 0; i < weights.size(); ++i) CHECK(std::abs(weights[i] + own.learnt[i]) < 3.0);
 }

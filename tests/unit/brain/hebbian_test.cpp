@@ -7,6 +7,7 @@
 #include <trophic/control/brain/hebbian_brain.hpp>
 #include <trophic/control/brain/recurrent_brain.hpp>
 #include <trophic/support/rng.hpp>
+#include <unit/brain/check_out.hpp>
 #include <vector>
 
 using namespace trophic;
@@ -22,8 +23,8 @@ TEST_CASE("hebbian: feed-forward network of 3 hidden neurons -> the hebbian brai
   HebbianBrain::State other;
   for (int tick = 0; tick < 30; ++tick) {
     const std::array inputs{rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)};
-    CHECK(learning.outputs(inputs, weights, own) == known.outputs(inputs, weights, other));
-    CHECK((learning.decide(inputs, weights, own) == known.decide(inputs, weights, other)));
+    CHECK(test::outputs(learning, inputs, weights, own) == test::outputs(known, inputs, weights, other));
+    CHECK((test::decide(learning, inputs, weights, own) == test::decide(known, inputs, weights, other)));
     CHECK(own.learnt == other.learnt);
   }
 }
@@ -32,7 +33,7 @@ TEST_CASE("hebbian: growing network -> one step of Oja's rule on its weights, no
   const Hebbian<GrowingBrain> learning{{.network = {}, .rate = 0.1}};
   const std::vector<double> genes{1, 0, 2, 1, 3, 2, 4, 0.5, -1, 2};  // links 0 -> 2 -> 4 and 1 -> 3
   Hebbian<GrowingBrain>::State own;
-  static_cast<void>(learning.decide(std::array{0.4, 0.3}, genes, own));
+  static_cast<void>(test::decide(learning, std::array{0.4, 0.3}, genes, own));
   const double hidden = std::tanh(0.5 * 0.4);
   const double out0 = std::tanh(-0.3);
   const double out1 = std::tanh(2.0 * hidden);
@@ -47,12 +48,12 @@ TEST_CASE("hebbian: recurrent network -> learns and remembers") {
   const Hebbian<RecurrentBrain> learning{{.network = {.hidden = 1}, .rate = 0.1}};
   const std::vector<double> weights{0.5, -2.0, 1.5, -0.5};
   Hebbian<RecurrentBrain>::State own;
-  static_cast<void>(learning.decide(std::array{1.0}, weights, own));
+  static_cast<void>(test::decide(learning, std::array{1.0}, weights, own));
   const double first = std::tanh(0.5);
   CHECK(own.network.hidden == std::vector<double>{first});
   CHECK(own.learnt[0] == doctest::Approx(0.1 * first * (1.0 - first * 0.5)));
   CHECK(own.learnt[1] == doctest::Approx(0.1 * first * (0.0 - first * -2.0)));
-  static_cast<void>(learning.decide(std::array{1.0}, weights, own));
+  static_cast<void>(test::decide(learning, std::array{1.0}, weights, own));
   CHECK(own.network.hidden[0] ==
         doctest::Approx(std::tanh((0.5 + 0.1 * first * (1.0 - first * 0.5)) - (2.0 - 0.2 * first * first) * first)));
   CHECK(learning.born({}, &own, own).network.hidden.empty());

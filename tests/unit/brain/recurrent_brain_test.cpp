@@ -17,12 +17,12 @@ TEST_CASE("recurrent brain: two decisions -> the second remembers the first, com
   const std::vector<double> weights{0.5, -2.0, 1.5, -0.5};  // W1, R, W2
   RecurrentBrain::State own;
   const double first = std::tanh(0.5);
-  check_out(brain.outputs(std::array{1.0}, weights, own), std::tanh(1.5 * first), std::tanh(-0.5 * first));
-  CHECK((brain.decide(std::array{1.0}, weights, own) == control::Decision{.target_angle_rad = 0.7, .tag = -1}));
+  check_out(test::outputs(brain, std::array{1.0}, weights, own), std::tanh(1.5 * first), std::tanh(-0.5 * first));
+  CHECK((test::decide(brain, std::array{1.0}, weights, own) == control::Decision{.target_angle_rad = 0.7, .tag = -1}));
   REQUIRE(own.hidden == std::vector<double>{first});
   const double second = std::tanh(0.5 - 2.0 * first);
-  check_out(brain.outputs(std::array{1.0}, weights, own), std::tanh(1.5 * second), std::tanh(-0.5 * second));
-  CHECK((brain.decide(std::array{1.0}, weights, own) == control::Decision{.target_angle_rad = -0.7, .tag = 1}));
+  check_out(test::outputs(brain, std::array{1.0}, weights, own), std::tanh(1.5 * second), std::tanh(-0.5 * second));
+  CHECK((test::decide(brain, std::array{1.0}, weights, own) == control::Decision{.target_angle_rad = -0.7, .tag = 1}));
 }
 
 TEST_CASE("recurrent brain: no recurrent weights, or the first decision -> the feed-forward brain") {
@@ -34,12 +34,12 @@ TEST_CASE("recurrent brain: no recurrent weights, or the first decision -> the f
   std::vector<double> layers(weights.begin(), weights.begin() + 12);
   layers.insert(layers.end(), weights.begin() + 28, weights.end());
   const std::array inputs{0.3, -0.8, 0.1};
-  CHECK(brain.outputs(inputs, weights, {}) == plain.outputs(inputs, layers));
+  CHECK(test::outputs(brain, inputs, weights, {}) == test::outputs(plain, inputs, layers));
   std::fill(weights.begin() + 12, weights.begin() + 28, 0.0);
   RecurrentBrain::State own;
   for (int i = 0; i < 5; ++i) {
-    CHECK(brain.outputs(inputs, weights, own) == plain.outputs(inputs, layers));
-    static_cast<void>(brain.decide(inputs, weights, own));
+    CHECK(test::outputs(brain, inputs, weights, own) == test::outputs(plain, inputs, layers));
+    static_cast<void>(test::decide(brain, inputs, weights, own));
   }
 }
 

@@ -10,8 +10,9 @@ namespace trophic::control::brain {
 /// The turn for an angle output of exactly 0.
 enum class ZeroTurns { left, right };
 
-/// Fully connected tanh network with one hidden layer of 3 neurons and any number of inputs. Target angle +0.7 rad if out[0] >
-/// 0 (or >= 0 if zero turns right), else -0.7 rad; tag +1 if out[1] > 0, else -1 (Sec. "Outputs").   Random draws: 0.
+/// Fully connected tanh network with one hidden layer of 3 neurons and any number of inputs and outputs. Target angle +0.7 rad if
+/// its output is > 0 (or >= 0 if zero turns right), else -0.7 rad; tag +1 if its output is > 0, else -1 (Sec. "Outputs").
+/// Random draws: 0.
 template <Biases biases, ZeroTurns zero>
 struct CognitiveNetwork {
   static constexpr std::string_view name =
@@ -22,7 +23,7 @@ struct CognitiveNetwork {
       biases == Biases::none
           ? (zero == ZeroTurns::left ? "paper, Sec. \"Cognitive Brain\", \"Outputs\"; silent on hidden neurons" : "released code")
           : "not in the paper";
-  using Network = TanhNetwork<3, Decision::outputs, biases>;
+  using Network = TanhNetwork<3, biases>;
   using WithBiases = CognitiveNetwork<Biases::both_layers, zero>;  ///< the same brain with biases on both layers
 
   struct Params {
@@ -34,18 +35,16 @@ struct CognitiveNetwork {
   };
   Params params;
 
-  [[nodiscard]] std::size_t genome_size(std::size_t inputs, std::size_t) const { return Network::weights_size(inputs); }
-  [[nodiscard]] std::vector<int> tags() const { return {-1, 1}; }
-
-  [[nodiscard]] Decision decide(std::span<const double> inputs, std::span<const double> weights) const {
-    const auto out = outputs(inputs, weights);
-    const bool right = zero == ZeroTurns::right ? out[0] >= 0.0 : out[0] > 0.0;
-    return {.target_angle_rad = right ? params.turn_angle_rad : -params.turn_angle_rad, .tag = out[1] > 0.0 ? 1 : -1};
+  [[nodiscard]] std::size_t genome_size(std::size_t inputs, std::size_t outputs) const {
+    return Network::weights_size(inputs, outputs);
   }
-
-  /// The two output neurons (target angle, tag), each in (-1, 1).
-  [[nodiscard]] std::array<double, 2> outputs(std::span<const double> inputs, std::span<const double> weights) const {
-    return Network::neurons(inputs, weights).out;
+  [[nodiscard]] std::vector<int> tags() const { return {-1, 1}; }
+  void evaluate(std::span<const double> inputs, std::span<const double> weights, std::span<double> outputs) const {
+    Network::evaluate(inputs, weights, outputs);
+  }
+  [[nodiscard]] double target_angle_rad(double output) const {
+    const bool right = zero == ZeroTurns::right ? output >= 0.0 : output > 0.0;
+    return right ? params.turn_angle_rad : -params.turn_angle_rad;
   }
 };
 

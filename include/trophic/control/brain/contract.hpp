@@ -2,73 +2,93 @@
 // The contract of a slot: a robot's decision from its inputs.
 #pragma once
 
+#include <trophic/control/acts/list.hpp>
 #include <trophic/population/state.hpp>
 #include <trophic/support/rng.hpp>
 
-#define TROPHIC_SENTENCE_Brain                                                                                          \
-  "std::size_t genome_size(std::size_t inputs, std::size_t outputs) const, std::vector<int> tags() const and Decision " \
-  "decide(std::span<const double> inputs, std::span<const double> weights) const (with a State also State& own); see "  \
+#define TROPHIC_SENTENCE_Brain                                                                                              \
+  "std::size_t genome_size(std::size_t inputs, std::size_t outputs) const, std::vector<int> tags() const and void "         \
+  "evaluate(std::span<const double> inputs, std::span<const double> weights, std::span<double> outputs) const or Decision " \
+  "decide(std::span<const double> inputs, std::span<const double> weights) const (with a State also State& own); see "      \
   "trophic/control/brain/contract.hpp"
 
 namespace trophic::control {
 
-/// A brain's decision at a tick.
+/// The acts of the paper that a brain chooses at a tick.
 struct Decision {
-  static constexpr std::size_t outputs = 2;  ///< outputs of a network for one decision: target angle and tag
-
   double target_angle_rad = 0.0;  ///< positive to the right
   int tag = 0;                    ///< one of the brain's tags
   friend bool operator==(const Decision&, const Decision&) = default;
 };
 
+/// The number of a brain's inputs, which the table's sensors give, and of its outputs, which the table's acts take.
+struct BrainShape {
+  std::size_t inputs = 0;
+  std::size_t outputs = acts::TurnAndTag::outputs;
+};
+
 /// A brain whose number of genes may change. `first(inputs, outputs, rng)`: returns the genes of an individual without a parent,
 /// with any weights. `weights_of(genes)`: returns those genes that are weights, which InitialGenome draws and Mutation changes.
 /// `mutate_structure(genes, inputs, outputs, rng)`: changes the structure of an inherited genome after Mutation. `fits(genes,
-/// inputs, outputs)`: returns whether `decide` takes these genes. Optional: `double distance(std::span<const double> a,
+/// inputs, outputs)`: returns whether the brain takes these genes. Optional: `double distance(std::span<const double> a,
 /// std::span<const double> b) const`, for mutation_distance; without it missing genes count as 0.
 template <class P>
-concept GrowingBrain = requires(const P policy, std::size_t inputs, std::vector<double>& genes, std::span<const double> fixed,
+concept GrowingBrain = requires(const P policy, std::size_t size, std::vector<double>& genes, std::span<const double> fixed,
                                 std::span<double> open, Rng& rng) {
-  { policy.first(inputs, Decision::outputs, rng) } -> std::same_as<std::vector<double>>;
+  { policy.first(size, size, rng) } -> std::same_as<std::vector<double>>;
   { policy.weights_of(open) } -> std::same_as<std::span<double>>;
-  { policy.mutate_structure(genes, inputs, Decision::outputs, rng) } -> std::same_as<void>;
-  { policy.fits(fixed, inputs, Decision::outputs) } -> std::same_as<bool>;
+  { policy.mutate_structure(genes, size, size, rng) } -> std::same_as<void>;
+  { policy.fits(fixed, size, size) } -> std::same_as<bool>;
 };
 
 /// A brain with the same number of weights in every individual.
 template <class P>
-concept BrainOfOneSize = requires(const P policy, std::size_t inputs) {
-  { policy.genome_size(inputs, Decision::outputs) } -> std::same_as<std::size_t>;
+concept BrainOfOneSize = requires(const P policy, std::size_t size) {
+  { policy.genome_size(size, size) } -> std::same_as<std::size_t>;
+};
+
+/// A brain with output neurons.
+template <class P>
+concept EvaluatesOutputs = requires(const P policy, std::span<const double> numbers, std::span<double> outputs) {
+  { policy.evaluate(numbers, numbers, outputs) } -> std::same_as<void>;
+}
+|| requires(const P policy, std::span<const double> numbers, std::span<double> outputs, StateOf<P> own) {
+  { policy.evaluate(numbers, numbers, outputs, own) } -> std::same_as<void>;
+};
+
+/// A brain that turns and chooses a tag without output neurons.
+template <class P>
+concept Decides = requires(const P policy, std::span<const double> numbers) {
+  { policy.decide(numbers, numbers) } -> std::same_as<Decision>;
+}
+|| requires(const P policy, std::span<const double> numbers, StateOf<P> own) {
+  { policy.decide(numbers, numbers, own) } -> std::same_as<Decision>;
 };
 
 /// `genome_size(inputs, outputs)`: returns the number of weights for this number of inputs, which the table's sensors give, and
-/// of outputs (`Decision::outputs`). `tags()`: returns every tag that the brain may choose. `decide(inputs, weights)`: a pure
-/// function of both and, with a State, of `own`, which it may change; called at most once in a tick. The weights are the
-/// genome's, which only births change. Instead of `genome_size` a brain may have the functions of a GrowingBrain. A brain that
-/// shows its output neurons to observers has `std::array<double,
-/// Decision::outputs> outputs(inputs, weights) const` (with a State also `const State& own`): the outputs behind decide's
-/// decision. A brain for one number of inputs only declares it: `static constexpr std::size_t inputs = 3;`.
+/// of outputs, which its acts take. `tags()`: returns every tag that the brain may choose. `evaluate(inputs, weights, outputs)`:
+/// sets the outputs, in the order of the table's acts, which make values of them: a pure function of inputs and weights and, with
+/// a State, of `own`, which it may change; called at most once in a tick. The weights are the genome's, which only births change.
+/// Optional: `target_angle_rad(output)` and `tag(output)`, what the outputs of the acts Turn and Tag mean (control/acts/).
+///
+/// In place of `evaluate` a brain that only turns and chooses a tag may have `Decision decide(inputs, weights)`; the table's acts
+/// are then those of the paper. In place of `genome_size` it may have the functions of a GrowingBrain. A brain for one number of
+/// inputs only declares it: `static constexpr std::size_t inputs = 3;`.
 template <class P>
 concept Brain = (BrainOfOneSize<P> || GrowingBrain<P>)&&requires(const P policy) {
   { policy.tags() } -> std::same_as<std::vector<int>>;
 }
-&&(
-    requires(const P policy, std::span<const double> inputs, std::span<const double> weights) {
-      { policy.decide(inputs, weights) } -> std::same_as<Decision>;
-    } ||
-    requires(const P policy, std::span<const double> inputs, std::span<const double> weights, StateOf<P> own) {
-      { policy.decide(inputs, weights, own) } -> std::same_as<Decision>;
-    });
+&&(EvaluatesOutputs<P> || Decides<P>);
 
 namespace ask {
 
 /// The genes of an individual without a parent, with any weights. `structure` is for brains that grow, as in all that follows.
 template <class P>
-[[nodiscard]] std::vector<double> first_genes(const P& policy, std::size_t inputs, [[maybe_unused]] Rng& structure) {
+[[nodiscard]] std::vector<double> first_genes(const P& policy, const BrainShape& shape, [[maybe_unused]] Rng& structure) {
   if constexpr (GrowingBrain<P>) {
-    return policy.first(inputs, Decision::outputs, structure);
+    return policy.first(shape.inputs, shape.outputs, structure);
   } else {
-    return std::vector<double>(policy.genome_size(inputs, Decision::outputs));
+    return std::vector<double>(policy.genome_size(shape.inputs, shape.outputs));
   }
 }
 
@@ -80,27 +100,27 @@ template <class P>
 
 template <class P>
 void mutate_structure([[maybe_unused]] const P& policy, [[maybe_unused]] std::vector<double>& genes,
-                      [[maybe_unused]] std::size_t inputs, [[maybe_unused]] Rng& structure) {
-  if constexpr (GrowingBrain<P>) policy.mutate_structure(genes, inputs, Decision::outputs, structure);
+                      [[maybe_unused]] const BrainShape& shape, [[maybe_unused]] Rng& structure) {
+  if constexpr (GrowingBrain<P>) policy.mutate_structure(genes, shape.inputs, shape.outputs, structure);
 }
 
 /// Whether a brain takes these genes.
 template <class P>
-[[nodiscard]] bool fits(const P& policy, std::span<const double> genes, std::size_t inputs) {
+[[nodiscard]] bool fits(const P& policy, std::span<const double> genes, const BrainShape& shape) {
   if constexpr (GrowingBrain<P>) {
-    return policy.fits(genes, inputs, Decision::outputs);
+    return policy.fits(genes, shape.inputs, shape.outputs);
   } else {
-    return genes.size() == policy.genome_size(inputs, Decision::outputs);
+    return genes.size() == policy.genome_size(shape.inputs, shape.outputs);
   }
 }
 
 /// A brain's demand on a genome, for error messages: "a genome of 15 weights".
 template <class P>
-[[nodiscard]] std::string demand([[maybe_unused]] const P& policy, [[maybe_unused]] std::size_t inputs) {
+[[nodiscard]] std::string demand([[maybe_unused]] const P& policy, [[maybe_unused]] const BrainShape& shape) {
   if constexpr (GrowingBrain<P>) {
     return "a genome that fits the brain " + std::string{P::name};
   } else {
-    return "a genome of " + std::to_string(policy.genome_size(inputs, Decision::outputs)) + " weights";
+    return "a genome of " + std::to_string(policy.genome_size(shape.inputs, shape.outputs)) + " weights";
   }
 }
 
@@ -119,29 +139,54 @@ template <class P>
   }
 }
 
+/// Sets the outputs of a brain that has output neurons.
 template <class P>
+void evaluate(const P& policy, [[maybe_unused]] StateOf<P>& own, std::span<const double> inputs, std::span<const double> weights,
+              std::span<double> outputs) {
+  if constexpr (requires { policy.evaluate(inputs, weights, outputs, own); }) {
+    policy.evaluate(inputs, weights, outputs, own);
+  } else {
+    policy.evaluate(inputs, weights, outputs);
+  }
+}
+
+/// The decision of a brain in a table with these acts, and its outputs, if it has output neurons. Parts of the decision that the
+/// acts lack are those of `before`.
+template <class Acts, class P>
 [[nodiscard]] Decision decide(const P& policy, [[maybe_unused]] StateOf<P>& own, std::span<const double> inputs,
-                              std::span<const double> weights) {
-  if constexpr (requires { policy.decide(inputs, weights, own); }) {
+                              std::span<const double> weights, std::span<double, Acts::outputs> outputs,
+                              const Decision& before = {}) {
+  if constexpr (EvaluatesOutputs<P>) {
+    evaluate(policy, own, inputs, weights, outputs);
+    Decision decision = before;
+    Acts::each(outputs, [&]<class One>(std::size_t, std::span<const double, One::outputs> out) {
+      if constexpr (std::same_as<One, acts::Turn>) {
+        if constexpr (requires { policy.target_angle_rad(out[0]); }) {
+          decision.target_angle_rad = policy.target_angle_rad(out[0]);
+        } else {
+          decision.target_angle_rad = acts::Turn::value(out);
+        }
+      } else if constexpr (std::same_as<One, acts::Tag>) {
+        if constexpr (requires { policy.tag(out[0]); }) {
+          decision.tag = policy.tag(out[0]);
+        } else {
+          decision.tag = acts::Tag::value(out);
+        }
+      }
+    });
+    return decision;
+  } else if constexpr (requires { policy.decide(inputs, weights, own); }) {
     return policy.decide(inputs, weights, own);
   } else {
     return policy.decide(inputs, weights);
   }
 }
 
-/// None for a brain that does not show its output neurons.
+/// The decision of a brain in a table with the paper's acts.
 template <class P>
-[[nodiscard]] std::optional<std::array<double, Decision::outputs>> outputs(const P& policy,
-                                                                           [[maybe_unused]] const StateOf<P>& own,
-                                                                           std::span<const double> inputs,
-                                                                           std::span<const double> weights) {
-  if constexpr (requires { policy.outputs(inputs, weights, own); }) {
-    return policy.outputs(inputs, weights, own);
-  } else if constexpr (requires { policy.outputs(inputs, weights); }) {
-    return policy.outputs(inputs, weights);
-  } else {
-    return std::nullopt;
-  }
+[[nodiscard]] Decision decide(const P& policy, StateOf<P>& own, std::span<const double> inputs, std::span<const double> weights) {
+  std::array<double, acts::TurnAndTag::outputs> outputs{};
+  return decide<acts::TurnAndTag>(policy, own, inputs, weights, std::span{outputs});
 }
 
 }  // namespace ask

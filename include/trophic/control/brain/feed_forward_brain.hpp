@@ -9,7 +9,8 @@
 namespace trophic::control::brain {
 
 /// Rule: hidden = tanh(W1 in), out = tanh(W2 hidden), with n hidden neurons and no biases (Sec. "Cognitive Brain", which states
-/// no n); decision as in CognitiveBrain, which is this brain with n = 3. Genome: W1 (n rows of one weight an input), W2 (2 x n).
+/// no n); target angle and tag as in CognitiveBrain, which is this brain with n = 3. Genome: W1 (n rows of one weight an
+/// input), W2 (one row of n weights an output).
 /// Reads: the sensors.   Random draws: 0.
 struct FeedForwardBrain {
   static constexpr std::string_view name = "feed_forward_brain";
@@ -31,39 +32,33 @@ struct FeedForwardBrain {
   }
   [[nodiscard]] std::vector<int> tags() const { return {-1, 1}; }
 
-  [[nodiscard]] Decision decide(std::span<const double> inputs, std::span<const double> weights) const {
-    return detail::decision_of(outputs(inputs, weights), params.turn_angle_rad);
+  /// Each output is in (-1, 1).
+  void evaluate(std::span<const double> inputs, std::span<const double> weights, std::span<double> outputs) const {
+    neurons(inputs, weights, outputs);
   }
-
-  /// The two output neurons (target angle, tag), each in (-1, 1).
-  [[nodiscard]] std::array<double, Decision::outputs> outputs(std::span<const double> inputs,
-                                                              std::span<const double> weights) const {
-    return neurons(inputs, weights).out;
-  }
+  [[nodiscard]] double target_angle_rad(double output) const { return detail::either_side(output, params.turn_angle_rad); }
 
   /// Calls `visit(weight's index, neuron before, neuron after)` for each link.
   template <class Visit>
   void for_each_link(std::span<const double> inputs, std::span<const double> weights, const Visit& visit) const {
-    const Neurons all = neurons(inputs, weights);
+    std::vector<double> outputs(weights.size() / params.hidden - inputs.size());
+    const std::vector<double> hidden = neurons(inputs, weights, outputs);
     std::size_t weight = 0;
-    for (const double after : all.hidden) {
+    for (const double after : hidden) {
       for (const double before : inputs) visit(weight++, before, after);
     }
-    for (const double after : all.out) {
-      for (const double before : all.hidden) visit(weight++, before, after);
+    for (const double after : outputs) {
+      for (const double before : hidden) visit(weight++, before, after);
     }
   }
 
  private:
-  struct Neurons {
-    std::vector<double> hidden;
-    std::array<double, Decision::outputs> out{};
-  };
-  [[nodiscard]] Neurons neurons(std::span<const double> inputs, std::span<const double> weights) const {
-    Neurons all{.hidden = std::vector<double>(params.hidden)};
-    tanh_layer<0>(inputs, all.hidden, weights.data());
-    tanh_layer<0>(all.hidden, all.out, weights.data() + params.hidden * inputs.size());
-    return all;
+  /// Sets the outputs and returns the hidden neurons.
+  std::vector<double> neurons(std::span<const double> inputs, std::span<const double> weights, std::span<double> outputs) const {
+    std::vector<double> hidden(params.hidden);
+    tanh_layer<0>(inputs, hidden, weights.data());
+    tanh_layer<0>(hidden, outputs, weights.data() + params.hidden * inputs.size());
+    return hidden;
   }
 };
 static_assert(Brain<FeedForwardBrain>);

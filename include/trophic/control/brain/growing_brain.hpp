@@ -9,9 +9,10 @@
 namespace trophic::control::brain {
 
 /// Rule: neuron i = tanh(sum of weight * neuron before, over its links), without biases, in the order inputs, hidden neurons,
-/// output neurons; a link leads from a neuron to a later one. Decision as in CognitiveBrain. The first genomes have `hidden`
-/// neurons in one layer (0: inputs are linked to outputs), so that 3 is the paper's network. At a birth with inheritance, after
-/// the rule Mutation has changed the weights, each operator acts with its probability, in this order, if it is possible:
+/// output neurons; a link leads from a neuron to a later one. Target angle and tag as in CognitiveBrain. The first genomes have
+/// `hidden` neurons in one layer (0: inputs are linked to outputs), so that 3 is the paper's network. At a birth with
+/// inheritance, after the rule Mutation has changed the weights, each operator acts with its probability, in this order, if it is
+/// possible:
 ///   add_link       a link between two neurons that have none, of weight N(0, new_weight_sd)   3 draws
 ///   remove_link    a link                                                                      1 draw
 ///   split_link     a neuron in a link: weight 1 before it, the link's weight after it          1 draw
@@ -75,22 +76,20 @@ struct GrowingBrain {
     return detail::network_distance(a, b);
   }
 
-  [[nodiscard]] Decision decide(std::span<const double> inputs, std::span<const double> genes) const {
-    return detail::decision_of(outputs(inputs, genes), params.turn_angle_rad);
+  /// Each output is in (-1, 1).
+  void evaluate(std::span<const double> inputs, std::span<const double> genes, std::span<double> outputs) const {
+    const std::vector<double> neurons = detail::network_neurons(inputs, genes, outputs.size());
+    std::ranges::copy(std::span{neurons}.last(outputs.size()), outputs.begin());
   }
-
-  /// The two output neurons (target angle, tag), each in (-1, 1).
-  [[nodiscard]] std::array<double, Decision::outputs> outputs(std::span<const double> inputs,
-                                                              std::span<const double> genes) const {
-    const std::vector<double> neurons = detail::network_neurons(inputs, genes, Decision::outputs);
-    return {neurons[neurons.size() - 2], neurons[neurons.size() - 1]};
-  }
+  [[nodiscard]] double target_angle_rad(double output) const { return detail::either_side(output, params.turn_angle_rad); }
 
   /// Calls `visit(gene's index, neuron before, neuron after)` for each link.
   template <class Visit>
   void for_each_link(std::span<const double> inputs, std::span<const double> genes, const Visit& visit) const {
-    const std::vector<double> neurons = detail::network_neurons(inputs, genes, Decision::outputs);
     const std::size_t links = genes.size() / 3;
+    if (links == 0) return;
+    const std::size_t outputs = static_cast<std::size_t>(genes[2 * links] - genes[0]) + 1 - inputs.size();
+    const std::vector<double> neurons = detail::network_neurons(inputs, genes, outputs);
     for (std::size_t link = 0; link < links; ++link) {
       visit(1 + 2 * links + link, neurons[static_cast<std::size_t>(genes[1 + 2 * link])],
             neurons[static_cast<std::size_t>(genes[2 + 2 * link])]);

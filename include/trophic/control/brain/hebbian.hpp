@@ -88,7 +88,8 @@ struct Hebbian {
   }
   { return network().distance(a, b); }
 
-  [[nodiscard]] Decision decide(std::span<const double> inputs, std::span<const double> weights, State& own) const {
+  /// The outputs before this decision's learning.
+  void evaluate(std::span<const double> inputs, std::span<const double> weights, std::span<double> outputs, State& own) const {
     own.learnt.resize(weights.size(), 0.0);
     const std::vector<double> sum = learnt_weights(weights, own);
     const auto learn = [&](std::size_t weight, double before, double after) {
@@ -99,14 +100,10 @@ struct Hebbian {
     } else {
       network().for_each_link(inputs, sum, learn);
     }
-    return ask::decide(network(), own.network, inputs, sum);
+    ask::evaluate(network(), own.network, inputs, sum, outputs);
   }
-
-  /// The two output neurons (target angle, tag), each in (-1, 1), before this decision's learning.
-  [[nodiscard]] std::array<double, Decision::outputs> outputs(std::span<const double> inputs, std::span<const double> weights,
-                                                              const State& own) const {
-    return ask::outputs(network(), own.network, inputs, learnt_weights(weights, own)).value();
-  }
+  [[nodiscard]] double target_angle_rad(double output) const requires requires(const Network n) { n.target_angle_rad(1.0); }
+  { return network().target_angle_rad(output); }
 
  private:
   [[nodiscard]] Network network() const { return Network{params.network}; }

@@ -17,7 +17,7 @@ struct HebbianBrain {
   static constexpr std::string_view name = "hebbian_brain";
   static constexpr std::string_view source = "not in the paper; learning by [oja1982]";
   static constexpr std::size_t hidden = 3;
-  using Network = TanhNetwork<hidden, Decision::outputs, Biases::none>;
+  using Network = TanhNetwork<hidden, Biases::none>;
 
   struct Params {
     double turn_angle_rad = 0.7;
@@ -37,25 +37,22 @@ struct HebbianBrain {
   };
   [[nodiscard]] State born(const Individual&, const State*, const State&) const { return {}; }
 
-  [[nodiscard]] std::size_t genome_size(std::size_t inputs, std::size_t) const { return Network::weights_size(inputs); }
+  [[nodiscard]] std::size_t genome_size(std::size_t inputs, std::size_t outputs) const {
+    return Network::weights_size(inputs, outputs);
+  }
   [[nodiscard]] std::vector<int> tags() const { return {-1, 1}; }
 
-  [[nodiscard]] Decision decide(std::span<const double> inputs, std::span<const double> weights, State& own) const {
+  /// The outputs before this decision's learning, each in (-1, 1).
+  void evaluate(std::span<const double> inputs, std::span<const double> weights, std::span<double> outputs, State& own) const {
     own.learnt.resize(weights.size(), 0.0);
     const std::vector<double> sum = learnt_weights(weights, own);
-    const auto [before, out] = Network::neurons(inputs, sum);
+    const auto before = Network::evaluate(inputs, sum, outputs);
     const std::span learnt{own.learnt};
     const std::size_t first = hidden * inputs.size();
     learn(inputs, before, std::span{sum}.first(first), learnt.first(first));
-    learn(before, out, std::span{sum}.subspan(first), learnt.subspan(first));
-    return detail::decision_of(out, params.turn_angle_rad);
+    learn(before, outputs, std::span{sum}.subspan(first), learnt.subspan(first));
   }
-
-  /// The two output neurons (target angle, tag), each in (-1, 1), before this decision's learning.
-  [[nodiscard]] std::array<double, Decision::outputs> outputs(std::span<const double> inputs, std::span<const double> weights,
-                                                              const State& own) const {
-    return Network::neurons(inputs, learnt_weights(weights, own)).out;
-  }
+  [[nodiscard]] double target_angle_rad(double output) const { return detail::either_side(output, params.turn_angle_rad); }
 
  private:
   [[nodiscard]] static std::vector<double> learnt_weights(std::span<const double> weights, const State& own) {

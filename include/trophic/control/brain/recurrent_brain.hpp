@@ -9,9 +9,9 @@
 namespace trophic::control::brain {
 
 /// Rule: a simple recurrent network [elman1990] of n hidden neurons: hidden(t) = tanh(W1 in(t) + R hidden(t - 1)), out = tanh(W2
-/// hidden(t)), one step a tick, hidden = 0 before the first decision of a life; decision as in CognitiveBrain. With R = 0 it is
-/// FeedForwardBrain. Genome: W1 (n rows of one weight an input), R (n x n), W2 (2 x n), row by row.
-/// Reads: the sensors, its hidden neurons of the last tick.   Random draws: 0.
+/// hidden(t)), one step a tick, hidden = 0 before the first decision of a life; target angle and tag as in CognitiveBrain. With R
+/// = 0 it is FeedForwardBrain. Genome: W1 (n rows of one weight an input), R (n x n), W2 (one row of n weights an output). Reads:
+/// the sensors, its hidden neurons of the last tick.   Random draws: 0.
 struct RecurrentBrain {
   static constexpr std::string_view name = "recurrent_brain";
   static constexpr std::string_view source = "not in the paper; recurrent links by [elman1990]";
@@ -38,16 +38,12 @@ struct RecurrentBrain {
   }
   [[nodiscard]] std::vector<int> tags() const { return {-1, 1}; }
 
-  [[nodiscard]] Decision decide(std::span<const double> inputs, std::span<const double> weights, State& own) const {
+  /// Each output is in (-1, 1).
+  void evaluate(std::span<const double> inputs, std::span<const double> weights, std::span<double> outputs, State& own) const {
     own.hidden = next_hidden(inputs, weights, own);
-    return detail::decision_of(out_of(own.hidden, inputs.size(), weights), params.turn_angle_rad);
+    set_outputs(own.hidden, inputs.size(), weights, outputs);
   }
-
-  /// The two output neurons (target angle, tag), each in (-1, 1).
-  [[nodiscard]] std::array<double, Decision::outputs> outputs(std::span<const double> inputs, std::span<const double> weights,
-                                                              const State& own) const {
-    return out_of(next_hidden(inputs, weights, own), inputs.size(), weights);
-  }
+  [[nodiscard]] double target_angle_rad(double output) const { return detail::either_side(output, params.turn_angle_rad); }
 
   /// Calls `visit(weight's index, neuron before, neuron after)` for each link of the next decision; before a link of R stands the
   /// neuron of the last tick.
@@ -62,7 +58,9 @@ struct RecurrentBrain {
     for (const double after : hidden) {
       for (std::size_t before = 0; before < params.hidden; ++before) visit(weight++, remembered(own, before), after);
     }
-    for (const double after : out_of(hidden, inputs.size(), weights)) {
+    std::vector<double> outputs(weights.size() / params.hidden - inputs.size() - params.hidden);
+    set_outputs(hidden, inputs.size(), weights, outputs);
+    for (const double after : outputs) {
       for (const double before : hidden) visit(weight++, before, after);
     }
   }
@@ -85,11 +83,9 @@ struct RecurrentBrain {
     return next;
   }
 
-  [[nodiscard]] std::array<double, Decision::outputs> out_of(std::span<const double> hidden, std::size_t inputs,
-                                                             std::span<const double> weights) const {
-    std::array<double, Decision::outputs> out{};
-    tanh_layer<0>(hidden, out, weights.data() + params.hidden * (inputs + params.hidden));
-    return out;
+  void set_outputs(std::span<const double> hidden, std::size_t inputs, std::span<const double> weights,
+                   std::span<double> outputs) const {
+    tanh_layer<0>(hidden, outputs, weights.data() + params.hidden * (inputs + params.hidden));
   }
 };
 static_assert(Brain<RecurrentBrain>);

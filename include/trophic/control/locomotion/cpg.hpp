@@ -41,7 +41,11 @@ class Cpg {
   [[nodiscard]] Eigen::MatrixXd initial_states(std::size_t robots = 1) const;
 
   /// Advances every column by one step. `states`: 2n x robots.
-  void step(Eigen::MatrixXd& states) const;
+  void step(Eigen::MatrixXd& states) const {
+    for (Eigen::Index robot = 0; robot < states.cols(); ++robot) step(states, robot);
+  }
+  /// The same for one column.
+  void step(Eigen::MatrixXd& states, Eigen::Index robot) const;
 
   /// Joint targets of one robot, rad: its x. `targets_rad` has one element per hinge.
   void outputs(const Eigen::MatrixXd& states, std::size_t robot, std::span<double> targets_rad) const;

@@ -44,13 +44,10 @@ TROPHIC_INLINE Eigen::MatrixXd Cpg::initial_states(std::size_t robots) const {
   return Eigen::MatrixXd::Constant(weights_.rows(), static_cast<Eigen::Index>(robots), std::numbers::sqrt2 / 2.0);
 }
 
-TROPHIC_INLINE void Cpg::step(Eigen::MatrixXd& states) const {
-  Eigen::VectorXd next(weights_.rows());
-  for (Eigen::Index robot = 0; robot < states.cols(); ++robot) {
-    next.setZero();
-    for (Eigen::Index k = 0; k < weights_.rows(); ++k) next += propagator_.col(k) * states(k, robot);
-    states.col(robot) = next;
-  }
+TROPHIC_INLINE void Cpg::step(Eigen::MatrixXd& states, Eigen::Index robot) const {
+  Eigen::VectorXd next = Eigen::VectorXd::Zero(weights_.rows());
+  for (Eigen::Index k = 0; k < weights_.rows(); ++k) next += propagator_.col(k) * states(k, robot);
+  states.col(robot) = next;
 }
 
 TROPHIC_INLINE void Cpg::outputs(const Eigen::MatrixXd& states, std::size_t robot, std::span<double> targets_rad) const {

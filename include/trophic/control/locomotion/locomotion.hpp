@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <cmath>
 #include <trophic/backend/any_backend.hpp>
 #include <trophic/backend/contract.hpp>
 #include <trophic/control/locomotion/cpg.hpp>
@@ -21,7 +22,8 @@ struct ControlSteps {
 /// Moves all robots of a backend. Every robot has its own copy of the gait's CPG, which keeps running when the occupant of the
 /// body changes (Sec. "Targeted Steering"), unless robots walk by gaits of their own. At each control step the CPG takes one
 /// step, its outputs are steered and become servo targets (which the servos clip), and the backend advances to the end of the
-/// step. Simulated time is counted in whole control steps.
+/// step. A robot of another pace takes fewer or more steps of its CPG in a control step. Simulated time is counted in whole
+/// control steps.
 template <control::Steering SteeringRule>
 class Locomotion {
  public:
@@ -41,6 +43,7 @@ class Locomotion {
     if (backend.has_joints()) return advance_joints(backend, steps, target_angles_rad, is_cancelled);
     for (std::size_t robot = 0; robot < target_angles_rad.size(); ++robot) {
       backend.set_target_angle(robot, target_angles_rad[robot]);
+      if (!paces_.empty()) backend.set_pace(robot, paces_[robot]);
     }
     wait(backend, steps);
     return true;
@@ -50,6 +53,9 @@ class Locomotion {
   void advance(Bodies& backend, std::int64_t steps, std::span<const double> target_angles_rad) {
     advance_joints(backend, steps, target_angles_rad, [] { return false; });
   }
+
+  /// Sets the factors of the frequency of gaits from here on, one per robot; if empty they are 1. Not a part of the state.
+  void set_paces(std::vector<double> paces) { paces_ = std::move(paces); }
 
   /// Takes control steps without control: the CPG rests, the servos keep their targets.
   template <class Bodies>
@@ -135,8 +141,9 @@ class Locomotion {
 
   template <class Bodies>
   void step_together(Bodies& backend, std::span<const double> target_angles_rad) {
-    cpg_.step(states_);
+    if (paces_.empty()) cpg_.step(states_);
     for (std::size_t robot = 0; robot < target_angles_rad.size(); ++robot) {
+      if (!paces_.empty()) step_at_pace(cpg_, states_, robot, static_cast<Eigen::Index>(robot));
       if (!is_there(backend, robot)) continue;
       cpg_.outputs(states_, robot, targets_rad_);
       steering_.steer(target_angles_rad[robot], sides_, targets_rad_);
@@ -149,12 +156,20 @@ class Locomotion {
     for (std::size_t robot = 0; robot < target_angles_rad.size(); ++robot) {
       if (!is_there(backend, robot)) continue;
       Own& own = own_[robot];
-      own.cpg.step(own.states);
+      step_at_pace(own.cpg, own.states, robot, 0);
       targets_rad_.resize(own.sides.size());
       own.cpg.outputs(own.states, 0, targets_rad_);
       steering_.steer(target_angles_rad[robot], own.sides, targets_rad_);
       backend.set_joint_targets(robot, targets_rad_);
     }
+  }
+
+  /// Takes the steps of a robot's CPG in this control step: one, or as many as keep up with its pace.
+  void step_at_pace(const Cpg& cpg, Eigen::MatrixXd& states, std::size_t robot, Eigen::Index column) const {
+    const double pace = paces_.empty() ? 1.0 : paces_[robot];
+    const auto before = static_cast<double>(taken_);
+    const double steps = std::floor((before + 1.0) * pace) - std::floor(before * pace);
+    for (int step = 0; step < static_cast<int>(steps); ++step) cpg.step(states, column);
   }
 
   template <class Bodies>
@@ -183,6 +198,7 @@ class Locomotion {
   std::vector<Own> own_;  ///< of each robot, if they differ
   Eigen::MatrixXd states_;
   std::vector<double> targets_rad_;
+  std::vector<double> paces_;  ///< of each robot; empty if all are 1
   ControlSteps control_;
   std::int64_t taken_ = 0;
 };

@@ -2,16 +2,19 @@
 // Grazers live on the resource, hunters on what they catch, and both pay for living and walking.
 #pragma once
 
+#include <trophic/control/acts/eat.hpp>
 #include <trophic/energy/metabolism/contract.hpp>
 
 namespace trophic::energy::metabolism {
 
 /// Rule, for an individual with energy E in a tick of length t:
 ///   E <- E - (resting + walking * distance / t) * t
-///   E <- E + min(bite * t, there, capacity - E), for a species that hunts nothing, in a table with a Resource
+///   E <- E + min(bite * t, there, capacity - E), for a species that hunts nothing, in a table with a Resource; in one with the
+///            act Eat only if its brain chose to
 ///   E <- E + min(efficiency * victim's E, capacity - E) at a catch
 /// It starves once E <= 0. Founders and newcomers have `first`. Energy balance as in Polyworld [yaeger1994]. All parameters are
-/// free.   Reads: energies, the distance walked, the food web.   Random draws: 1, of a founder whose `first` spreads.
+/// free.   Reads: energies, the distance walked, the food web, the act Eat.   Random draws: 1, of a founder whose `first`
+/// spreads.
 struct GrazingAndHunting {
   static constexpr std::string_view name = "grazing_and_hunting";
   static constexpr std::string_view source = "not in the paper; after [yaeger1994]";
@@ -45,7 +48,7 @@ struct GrazingAndHunting {
     return params.resting_W * view.tick_s + params.walking_J_per_m * walked_m;
   }
   [[nodiscard]] double bite_J(BodyIndex self, double there_J, const View& view) const {
-    if (view.web.hunts(view.robots[self].species)) return 0.0;
+    if (view.web.hunts(view.robots[self].species) || !view.act<control::acts::Eat>(self)) return 0.0;
     return std::min({params.bite_W * view.tick_s, there_J, room_J(view.robots[self])});
   }
   [[nodiscard]] double meal_J(BodyIndex hunter, BodyIndex victim, const View& view) const {

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// Whether a robot eats.
+#pragma once
+
+#include <trophic/control/acts/contract.hpp>
+
+namespace trophic::control::acts {
+
+/// Whether the robot bites: metabolism::GrazingAndHunting takes from the resource only then. In a table without it all bite. An
+/// output of its own as in Polyworld [yaeger1994].
+struct Eat : YesOrNo {
+  static constexpr std::string_view name = "eat";
+  static constexpr std::string_view source = "not in the paper; [yaeger1994]";
+  static constexpr bool by_default = true;
+};
+static_assert(Act<Eat>);
+
+}  // namespace trophic::control::acts

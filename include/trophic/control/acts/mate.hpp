@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Whether a robot wants to mate.
+#pragma once
+
+#include <trophic/control/acts/contract.hpp>
+
+namespace trophic::control::acts {
+
+/// Whether the robot wants to mate: recruitment::ByMating needs it of both, as in Polyworld [yaeger1994].
+struct Mate : YesOrNo {
+  static constexpr std::string_view name = "mate";
+  static constexpr std::string_view source = "not in the paper; [yaeger1994]";
+  static constexpr bool by_default = true;
+};
+static_assert(Act<Mate>);
+
+}  // namespace trophic::control::acts

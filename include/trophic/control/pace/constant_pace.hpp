@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// A pace for all, or for each species.
+#pragma once
+
+#include <trophic/control/pace/contract.hpp>
+#include <trophic/params/params.hpp>
+
+namespace trophic::control::pace {
+
+/// Rule: `factor` of the gait's frequency: with by_species predators walk 1.3 times as fast as prey, and plants stand. The factor
+/// is a free parameter.   Reads: nothing.   Random draws: 0.
+struct ConstantPace {
+  static constexpr std::string_view name = "constant_pace";
+  static constexpr std::string_view source = "not in the paper";
+
+  struct Params {
+    double factor = 1.0;
+    static constexpr auto fields() {
+      return std::tuple{field("factor", &Params::factor, between(0.0, 10.0), "of the gait's frequency; 0: stands")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] double pace(BodyIndex, const View&) const { return params.factor; }
+};
+static_assert(Pace<ConstantPace>);
+
+}  // namespace trophic::control::pace

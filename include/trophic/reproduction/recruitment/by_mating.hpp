@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Births of two parents that both choose to mate.
+#pragma once
+
+#include <trophic/control/acts/list.hpp>
+#include <trophic/control/acts/mate.hpp>
+#include <trophic/reproduction/recruitment/contract.hpp>
+
+namespace trophic::reproduction::recruitment {
+
+/// Rule: two active individuals of a species that both chose to mate, have at least `birth` energy each and are at most `range`
+/// apart have an offspring next to the older one. Each hands over `share` of what the poorer one has. The oldest chooses first,
+/// the nearest; each mates once a tick. The dead have no successor. `spare_bodies` start without an individual. All parameters
+/// are free.   Reads: the act Mate, positions, energies, activity.   Random draws: 0.
+struct ByMating {
+  static constexpr std::string_view name = "by_mating";
+  static constexpr std::string_view source = "not in the paper; as in Polyworld [yaeger1994]";
+  using ReadsActs = control::acts::List<control::acts::Mate>;
+
+  struct Params {
+    std::size_t spare_bodies = 0;
+    double birth_J = 60.0;
+    double share = 0.3;
+    double range_m = 3.0;
+    static constexpr auto fields() {
+      return std::tuple{field("spare_bodies", &Params::spare_bodies, at_least(0), "bodies without an individual at the start"),
+                        field("birth_J", &Params::birth_J, at_least(0.0), "energy of each parent"),
+                        field("share", &Params::share, between(0.0, 1.0), "of the poorer parent's energy, given by each"),
+                        field("range_m", &Params::range_m, at_least(0.0), "largest distance of the parents")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] std::size_t spare_bodies() const { return params.spare_bodies; }
+  [[nodiscard]] bool leaves_spare(const Vacancy&, const View&) const { return true; }
+  [[nodiscard]] std::vector<Recruit> recruits(const View& view, Rng&) const {
+    std::vector<BodyIndex> willing;
+    for (BodyIndex body = 0; body < view.robots.size(); ++body) {
+      const Individual& one = view.robots[body];
+      if (one.lives() && one.active && view.act<control::acts::Mate>(body) && one.energy_J >= params.birth_J) {
+        willing.push_back(body);
+      }
+    }
+    std::ranges::sort(willing, {}, [&](BodyIndex body) { return view.robots[body].id; });
+    std::vector<Recruit> births;
+    while (!willing.empty()) {
+      const BodyIndex self = willing.front();
+      const Individual& one = view.robots[self];
+      willing.erase(willing.begin());
+      auto mate = willing.end();
+      double nearest_m = params.range_m;
+      for (auto other = willing.begin(); other != willing.end(); ++other) {
+        const double distance_m = view.distance_m(self, *other);
+        if (view.robots[*other].species != one.species || distance_m > nearest_m) continue;
+        if (mate != willing.end() && distance_m == nearest_m) continue;
+        mate = other;
+        nearest_m = distance_m;
+      }
+      if (mate == willing.end()) continue;
+      const Individual& other = view.robots[*mate];
+      births.push_back({.species = one.species,
+                        .parents = {one.as_ancestor(), other.as_ancestor()},
+                        .endowment_J = 2.0 * params.share * std::min(one.energy_J, other.energy_J)});
+      willing.erase(mate);
+    }
+    return births;
+  }
+};
+static_assert(Recruitment<ByMating>);
+
+}  // namespace trophic::reproduction::recruitment
