@@ -44,7 +44,7 @@ class Decisions {
     const Individual& self = population_[body];
     const int tag_before = self.tag;
     population_.turn(body, choice.decision->target_angle_rad);
-    population_.act(body, choice.outputs);
+    population_.acts().act(body, choice.outputs);
     using perception::MaySwitch;
     const MaySwitch may_switch = perception::ask::may_switch(rules_.tag_switch, population_.states().tag_switch[body], self, now);
     if (may_switch != MaySwitch::no) {

@@ -78,7 +78,7 @@ class Ecology final : public Simulation {
             .energy = population_.economy().flows(),
             .resource = population_.economy().resource_flow(),
             .refused_births = refused_births_,
-            .acts = population_.act_values(),
+            .acts = population_.acts().values(),
             .period_m = period_m_};
   }
 

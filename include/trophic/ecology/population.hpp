@@ -3,6 +3,7 @@
 #pragma once
 
 #include <trophic/control/brain/contract.hpp>
+#include <trophic/ecology/act_memory.hpp>
 #include <trophic/ecology/births.hpp>
 #include <trophic/ecology/brain_genes.hpp>
 #include <trophic/ecology/economy.hpp>
@@ -25,7 +26,7 @@ class Population {
  public:
   using Sensors = PolicyIn<Rules, RuleSlot::sensors>;
   using Brain = AnswersForSpecies<PolicyIn<Rules, RuleSlot::brain>>;
-  using Acts = PolicyIn<Rules, RuleSlot::acts>;
+  using Acts = typename ActMemory<Rules>::Acts;
   static_assert(control::detail::SameInputs<Sensors::size, control::detail::inputs_taken<Brain, Sensors::size>>,
                 "the brain in Rules::Brain takes another number of inputs than the sensors in Rules::Sensors give");
 
@@ -64,7 +65,7 @@ class Population {
       bodies_[born.id] = individuals_.size();
       individuals_.push_back(std::move(born));
     }
-    for (BodyIndex body = 0; body < individuals_.size(); ++body) rest(body);
+    for (BodyIndex body = 0; body < individuals_.size(); ++body) acts_.rest(body);
   }
 
   [[nodiscard]] std::span<const Individual> individuals() const { return individuals_; }
@@ -89,9 +90,8 @@ class Population {
     for_each_state(rules_, states_, [&](const auto&, auto& states) { archive(states); });
     phenotypes_.persist(archive, web_.size());
     archive(economy_);
-    if constexpr (Acts::keeps_values) archive(act_values_);
+    acts_.persist(archive);
     if (!archive.reads()) return;
-    Archive::require(act_values_.size() == (Acts::keeps_values ? bodies * Acts::count : 0), "another number of acts");
     Archive::require(individuals_.size() == bodies, "another number of robots");
     for (const Individual& individual : individuals_) check_saved(individual);
     std::ranges::fill(members_, std::size_t{0});
@@ -175,7 +175,7 @@ class Population {
 
   /// The brain's decision for these inputs, and its outputs. Throws RuleError for a tag that is not listed and a number that is
   /// not finite.
-  using Outputs = std::array<double, Acts::outputs>;
+  using Outputs = typename ActMemory<Rules>::Outputs;
   [[nodiscard]] control::Decision decide(BodyIndex body, std::span<const double> inputs, Outputs& outputs) {
     check_finite("sensors", "inputs", inputs);
     const Individual& self = individuals_[body];
@@ -188,24 +188,8 @@ class Population {
     return decision;
   }
 
-  /// Keeps the values of a decision's acts. Throws RuleError for a value out of its bounds.
-  void act(BodyIndex body, [[maybe_unused]] const Outputs& outputs) {
-    if constexpr (Acts::keeps_values) {
-      Acts::each(outputs, [&]<class One>(std::size_t place, std::span<const double, One::outputs> out) {
-        const auto value = static_cast<double>(One::value(out));
-        if (!(value >= One::least && value <= One::most)) {
-          throw RuleError{"acts", std::string{One::name} + " = " + number_text(value) +
-                                      ": must be >= " + number_text(One::least) + " and <= " + number_text(One::most)};
-        }
-        act_values_[body * Acts::count + place] = value;
-      });
-    }
-  }
-  /// The values of the acts at the last decision of each body.
-  [[nodiscard]] ActValues act_values() const {
-    if constexpr (!Acts::keeps_values) return {};
-    return {.acts = Acts::keys, .values = act_values_};
-  }
+  [[nodiscard]] ActMemory<Rules>& acts() { return acts_; }
+  [[nodiscard]] const ActMemory<Rules>& acts() const { return acts_; }
 
   /// Sets the target angle, positive to the right.
   void turn(BodyIndex body, double target_angle_rad) { individuals_[body].target_angle_rad = target_angle_rad; }
@@ -285,7 +269,7 @@ class Population {
     bodies_[born.id] = body;
     individuals_[body] = std::move(born);
     mark(body);
-    rest(body);
+    acts_.rest(body);
     for (const BodyIndex parent : living) {
       if (parent != body) notify_offspring(rules_, states_, parent, body, view);
     }
@@ -305,16 +289,6 @@ class Population {
   void endow(Individual& born, double endowment_J, std::span<const BodyIndex> living) {
     if (endowment_J == 0.0 || living.empty()) return economy_.endow_from_outside(born);
     economy_.endow(born, endowment_J, individuals_, living);
-  }
-
-  /// Sets the acts of a body to those before the first decision of a life.
-  void rest([[maybe_unused]] BodyIndex body) {
-    if constexpr (Acts::keeps_values) {
-      act_values_.resize(individuals_.size() * Acts::count);
-      Acts::each(Outputs{}, [&]<class One>(std::size_t place, std::span<const double, One::outputs>) {
-        act_values_[body * Acts::count + place] = static_cast<double>(One::by_default);
-      });
-    }
   }
 
   /// A body's species, tag or activity changed.
@@ -414,7 +388,7 @@ class Population {
   std::span<const GroundPose> poses_ = {};                   ///< of the bodies
   SearchTree tree_;
   RuleStates<Rules> states_;
-  std::vector<double> act_values_ = {};  ///< of each body, one for each act; empty if individuals hold them
+  ActMemory<Rules> acts_;
 };
 
 }  // namespace trophic

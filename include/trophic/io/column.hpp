@@ -2,13 +2,11 @@
 // Columns: a table's row lists them once; its file's header and cells, its reader and docs/tables.md all follow that list.
 #pragma once
 
-#include <string>
 #include <string_view>
 #include <trophic/params/detail/member_count.hpp>
 #include <trophic/population/food_web.hpp>
 #include <tuple>
 #include <type_traits>
-#include <vector>
 
 namespace trophic::io {
 

@@ -2,7 +2,6 @@
 // The last values of acts, by body.
 #pragma once
 
-#include <cstddef>
 #include <span>
 #include <trophic/population/individual.hpp>
 

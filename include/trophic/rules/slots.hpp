@@ -2,7 +2,6 @@
 // The slots of a rule table.
 #pragma once
 
-#include <trophic/control/acts/list.hpp>
 #include <trophic/control/brain/contract.hpp>
 #include <trophic/control/gait/contract.hpp>
 #include <trophic/control/gait/robots_gait.hpp>

@@ -50,6 +50,15 @@ TEST_CASE("locomotion: a state saved in the idle steps -> restored, the same tar
   CHECK(first.targets_after(7) == second.targets_after(7));
 }
 
+TEST_CASE("locomotion: pace -> the gait that much faster or slower, standing at 0") {
+  Walker plain{0};
+  Walker paced{0};
+  for (const auto& [pace, of_plain] : std::vector<std::pair<double, std::int64_t>>{{2.0, 20}, {0.5, 5}, {0.0, 0}, {1.3, 13}}) {
+    paced.locomotion.set_paces({pace});
+    CHECK(paced.targets_after(10) == plain.targets_after(of_plain));
+  }
+}
+
 TEST_CASE("locomotion: reset -> the gait of a robot restarts") {
   Walker walker{0};
   const auto first = walker.targets_after(1);

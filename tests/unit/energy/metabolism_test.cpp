@@ -43,6 +43,16 @@ TEST_CASE("grazing and hunting: bites -> at most the mouth, what is there and wh
   CHECK(rule.bite_J(1, 10.0, pair(10.0, 10.0).view()) == 0.0);
 }
 
+TEST_CASE("grazing and hunting: act Eat in the table -> only those bite that chose to") {
+  const HandPopulation robots{{{.species = prey}, {.species = prey}}};
+  const char* const eat = &detail::act_key<control::acts::Eat>;
+  const std::vector<double> chosen{0.0, 1.0};
+  View view = robots.view();
+  view.acts = {.acts = {&eat, 1}, .values = chosen};
+  CHECK(rule.bite_J(0, 10.0, view) == 0.0);
+  CHECK(rule.bite_J(1, 10.0, view) == doctest::Approx(3.0));
+}
+
 TEST_CASE("grazing and hunting: a meal -> a share of what the victim has, at most what has room") {
   CHECK(rule.meal_J(1, 0, pair(40.0, 10.0).view()) == doctest::Approx(20.0));
   CHECK(rule.meal_J(1, 0, pair(40.0, 95.0).view()) == doctest::Approx(5.0));

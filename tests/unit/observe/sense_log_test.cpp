@@ -74,6 +74,25 @@ TEST_CASE("senses: decisions -> inputs and outputs, empty without a decision") {
   CHECK(log.sum().rows == 6);
 }
 
+TEST_CASE("senses: other acts -> a column for each output, by name") {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / io::SenseLog::file_name;
+  const test::HandPopulation robots{{{.species = test::prey, .id = 4}, {.species = test::prey, .id = 5}}};
+  observe::RunDescription run = test::short_run();
+  run.inputs = {"nose"};
+  run.outputs = {"effort", "tag", "gaze0"};
+  io::SenseLog log{path};
+  log.on_start(run, robots.view());
+  log.on_decision({.body = 0, .inputs = std::array{0.5}, .outputs = std::array{0.1, 0.2, 0.3}, .tag = 1, .tag_before = 1},
+                  robots.view());
+  log.on_tick(robots.view());
+  const std::string text = test::content(path);
+  CHECK(text.substr(text.find("chosen_tag")) ==
+        "chosen_tag,tag_outcome,angle_output,tag_output,effort_output,gaze0_output,input0\n"
+        "0,0,0,4,prey,,,,,,1,kept,,0.2,0.1,0.3,0.5\n"
+        "0,0,1,5,prey,,,,,,,,,,,,\n");
+}
+
 TEST_CASE("senses: exempt individual that dies anyway -> not exempt, nor is its successor") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / io::SenseLog::file_name;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a robot calls.
+// A call of a robot.
 #pragma once
 
 #include <trophic/control/acts/contract.hpp>
