@@ -77,10 +77,12 @@ struct Steps {
     for (BodyIndex body = 0; body < view.robots.size(); ++body) {
       const GroundPose& now = view.poses[body];
       if (view.tick > 0 && std::max(std::abs(now.x_m), std::abs(now.y_m)) < view.arena.half_side_m - 1.0)
-        shares.push_back({view.robots[body].species, paces[body], view.distance_m(before[body], now)});
+        shares.push_back({species[body], paces[body], view.distance_m(before[body], now)});
       before.resize(view.robots.size());
       paces.resize(view.robots.size());
+      species.resize(view.robots.size());
       before[body] = now;
+      species[body] = view.robots[body].species;
       paces[body] = view.act<acts::Effort>(body);
     }
   }
@@ -91,6 +93,7 @@ struct Steps {
   };
   std::vector<GroundPose> before = {};
   std::vector<double> paces = {};
+  std::vector<Species> species = {};
   std::vector<Share> shares = {};
 };
 
