@@ -28,6 +28,12 @@ TEST_CASE_TEMPLATE_DEFINE("placement", Policy, trophic_placement_suite) {
       }
     }
   }
+  Arena court{};
+  court.obstacles = {{.x_m = -8.0, .to_x_m = 8.0, .radius_m = 1.0}, {.y_m = 5.0, .to_y_m = 5.0, .radius_m = 2.0}};
+  for (const std::uint64_t seed : conformance::seeds) {
+    Rng rng{seed, Stream::user};
+    for (const GroundPose& pose : policy.place(30, court, 0.2, rng)) CHECK(is_clear(court, pose, 0.2));
+  }
   conformance::check_params_used<Policy>([&](const Policy& made) {
     conformance::Answers answers;
     for (const std::uint64_t seed : conformance::seeds) {

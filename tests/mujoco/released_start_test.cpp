@@ -37,7 +37,8 @@ Headings headings_at_0_80_s(std::size_t idle_control_steps) {
   Rng rng{1, Stream::placement};
   const initialization::placement::UniformSquare placement{rules::Released::params().placement};
   const auto places = placement.place(ecology.robots, habitat.arena, habitat.robot.bounding_radius_m, rng);
-  backend::Mujoco backend{habitat.robot, habitat.arena, standing_poses(places, habitat.robot), rules::Released::physics(), {}};
+  backend::Mujoco backend{
+      habitat.robot, habitat.arena, standing_poses(places, habitat.robot, habitat.arena), rules::Released::physics(), {}};
   locomotion::Locomotion<control::steering::TargetedSteering> locomotion{
       habitat.robot,
       habitat.gait,

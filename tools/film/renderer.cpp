@@ -190,6 +190,7 @@ class Renderer::Scene {
       add_segment({at, -half, 1e-3}, {at, half, 1e-3}, 1.3, grid_colour);
       add_segment({-half, at, 1e-3}, {half, at, 1e-3}, 1.3, grid_colour);
     }
+    for (const Obstacle& one : arena_.obstacles) add_obstacle(one);
     if (arena_.height_field) return add_slopes(*arena_.height_field);
     const double thick = 0.006 * half;
     const double height = 0.5 * edge_of(arena_).height_m;
@@ -200,6 +201,17 @@ class Renderer::Scene {
           {x * (half + thick), y * (half + thick), height}, Eigen::Matrix3d::Identity(), wall_colour,
           hides_the_floor ? 0.25F : 1.0F);
     }
+  }
+
+  void add_obstacle(const Obstacle& one) {
+    const double half_m = 0.5 * one.height_m;
+    const auto upright = Eigen::Matrix3d::Identity();
+    add(mjGEOM_CYLINDER, {one.radius_m, one.radius_m, half_m}, {one.x_m, one.y_m, half_m}, upright, wall_colour, 1.0F);
+    if (one.is_pillar()) return;
+    add(mjGEOM_CYLINDER, {one.radius_m, one.radius_m, half_m}, {one.to_x_m, one.to_y_m, half_m}, upright, wall_colour, 1.0F);
+    const Eigen::AngleAxisd along{std::atan2(one.to_y_m - one.y_m, one.to_x_m - one.x_m), Eigen::Vector3d::UnitZ()};
+    add(mjGEOM_BOX, {0.5 * one.length_m(), one.radius_m, half_m},
+        {0.5 * (one.x_m + one.to_x_m), 0.5 * (one.y_m + one.to_y_m), half_m}, along.toRotationMatrix(), wall_colour, 1.0F);
   }
 
   /// A net of lines on the slopes, which lie a little lower than the floor: marks of robots at their foot stay visible.

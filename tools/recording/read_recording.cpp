@@ -81,6 +81,14 @@ Arena arena_of(const Json& json) {
       throw std::runtime_error{"a height field of " + std::to_string(made.height_m.size()) + " heights"};
     }
   }
+  for (const auto& one : json.value("obstacles", Json::array())) {
+    const auto numbers = one.get<std::array<double, 6>>();
+    arena.obstacles.push_back({numbers[0], numbers[1], numbers[2], numbers[3], numbers[4], numbers[5]});
+  }
+  for (const auto& one : json.value("zones", Json::array())) {
+    arena.zones.push_back(
+        {.name = plain_text(one, "name"), .x_m = one.at("x_m"), .y_m = one.at("y_m"), .radius_m = one.at("radius_m")});
+  }
   return arena;
 }
 

@@ -3,13 +3,14 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <trophic/backend/points.hpp>
 
 namespace trophic::backend {
 
 /// A robot is a point that walks along its heading at a constant speed and turns clockwise at a rate proportional to its target
-/// angle: each step it follows an exact arc. Walls and the feet of slopes stop it (it slides along them); robots pass through
-/// each other. For tests of rules and observers, and for fast trials.
+/// angle: each step it follows an exact arc. Walls, obstacles and the feet of slopes stop it (it slides along them); robots
+/// pass through each other, and rough ground is flat. For tests of rules and observers, and for fast trials.
 ///
 /// Speed and turning rate are the robot's `walk`: its own gait, measured in MuJoCo at target angles of +-0.7 rad, those of the
 /// cognitive brain. `ecology.gait` does not change them; the pace of a robot scales both.
@@ -65,6 +66,7 @@ class Kinematic : public Points {
       throw std::invalid_argument{"kinematic.radius_m = " + number_text(params.radius_m) + ": must be < the arena's half side, " +
                                   number_text(arena.half_side_m)};
     }
+    for (const Obstacle& one : arena.obstacles) thinnest_m_ = std::min(thinnest_m_, one.radius_m + params.radius_m);
     start_at(starts);
   }
 
@@ -79,12 +81,41 @@ class Kinematic : public Points {
     const double shortening = half_turn_rad == 0.0 ? 1.0 : std::sin(half_turn_rad) / half_turn_rad;
     const double chord_m = speed_m_s_ * step_s * shortening;
     const double direction_rad = body.heading_rad + half_turn_rad;
-    body.x_m = std::clamp(body.x_m + chord_m * std::cos(direction_rad), -limit_m_, limit_m_);
-    body.y_m = std::clamp(body.y_m + chord_m * std::sin(direction_rad), -limit_m_, limit_m_);
+    if (arena().obstacles.empty()) {
+      body.x_m = std::clamp(body.x_m + chord_m * std::cos(direction_rad), -limit_m_, limit_m_);
+      body.y_m = std::clamp(body.y_m + chord_m * std::sin(direction_rad), -limit_m_, limit_m_);
+    } else {
+      const double parts = std::ceil(std::max(1.0, std::abs(chord_m) / (0.5 * thinnest_m_)));
+      for (double part = 0.0; part < parts; ++part)
+        walk_among_obstacles(body, chord_m / parts * std::cos(direction_rad), chord_m / parts * std::sin(direction_rad));
+    }
     body.heading_rad = wrap_angle(direction_rad + half_turn_rad);
   }
 
+  /// Less than half of an obstacle's width at once. A robot that would get stuck between two stays where it was.
+  void walk_among_obstacles(Body& body, double dx_m, double dy_m) const {
+    double x_m = std::clamp(body.x_m + dx_m, -limit_m_, limit_m_);
+    double y_m = std::clamp(body.y_m + dy_m, -limit_m_, limit_m_);
+    for (const Obstacle& one : arena().obstacles) {
+      const double inside_m = params_.radius_m - distance_m(one, x_m, y_m);
+      if (inside_m <= 0.0) continue;
+      const auto [axis_x_m, axis_y_m] = closest_on_axis(one, x_m, y_m);
+      const double from_axis_m = std::sqrt((x_m - axis_x_m) * (x_m - axis_x_m) + (y_m - axis_y_m) * (y_m - axis_y_m));
+      if (from_axis_m == 0.0) return;
+      x_m = std::clamp(x_m + (inside_m + 1e-12) * (x_m - axis_x_m) / from_axis_m, -limit_m_, limit_m_);
+      y_m = std::clamp(y_m + (inside_m + 1e-12) * (y_m - axis_y_m) / from_axis_m, -limit_m_, limit_m_);
+    }
+    const auto holds = [&](const Obstacle& one) {
+      const double now_m = distance_m(one, x_m, y_m);
+      return now_m < params_.radius_m && now_m < distance_m(one, body.x_m, body.y_m);
+    };
+    if (std::ranges::any_of(arena().obstacles, holds)) return;
+    body.x_m = x_m;
+    body.y_m = y_m;
+  }
+
   Params params_;
+  double thinnest_m_ = std::numeric_limits<double>::infinity();  ///< from an obstacle's axis to where it stops a robot
   double speed_m_s_;
   double turn_rate_per_rad_;
   double limit_m_;

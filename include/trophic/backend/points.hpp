@@ -77,10 +77,7 @@ class Points {
 
  protected:
   Points(const RobotModel& robot, const Arena& arena, double timestep_s)
-      : forward_rad_{robot.forward_rad},
-        height_m_{robot.rest_height_m},
-        half_side_m_{arena.half_side_m},
-        timestep_s_{timestep_s} {}
+      : forward_rad_{robot.forward_rad}, height_m_{robot.rest_height_m}, arena_{arena}, timestep_s_{timestep_s} {}
 
   /// Throws std::invalid_argument for no robots, and for a pose outside the square.
   void start_at(std::span<const Pose> starts) {
@@ -101,13 +98,19 @@ class Points {
     }
   }
 
+  [[nodiscard]] const Arena& arena() const { return arena_; }
+
  private:
   [[nodiscard]] Body body_at(std::size_t robot, const Pose& pose) const {
     const GroundPose start = ground_pose(pose, forward_rad_);
-    const bool is_inside = std::abs(start.x_m) <= half_side_m_ && std::abs(start.y_m) <= half_side_m_;
+    const bool is_inside = std::abs(start.x_m) <= arena_.half_side_m && std::abs(start.y_m) <= arena_.half_side_m;
     if (!is_inside) {
       throw std::invalid_argument{"start pose " + std::to_string(robot) + " at (" + number_text(start.x_m) + ", " +
-                                  number_text(start.y_m) + "): must be finite and within +-" + number_text(half_side_m_)};
+                                  number_text(start.y_m) + "): must be finite and within +-" + number_text(arena_.half_side_m)};
+    }
+    if (!is_clear(arena_, start, 0.0)) {
+      throw std::invalid_argument{"start pose " + std::to_string(robot) + " at (" + number_text(start.x_m) + ", " +
+                                  number_text(start.y_m) + "): must not be in an obstacle"};
     }
     if (!std::isfinite(start.heading_rad)) {
       throw std::invalid_argument{"start pose " + std::to_string(robot) + ": its heading must be finite"};
@@ -117,7 +120,7 @@ class Points {
 
   double forward_rad_;
   double height_m_;
-  double half_side_m_;
+  Arena arena_;
   double timestep_s_;
   State state_;
   std::vector<double> paces_ = {};  ///< of each robot; empty if all are 1

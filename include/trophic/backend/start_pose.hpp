@@ -12,8 +12,8 @@
 
 namespace trophic::backend {
 
-/// Throws std::invalid_argument unless the pose is inside the walls, within the arena's extent in height, and the norm of its
-/// orientation is > 0.5 and < 2.
+/// Throws std::invalid_argument unless the pose is inside the walls, in no obstacle, within the arena's extent in height, and the
+/// norm of its orientation is > 0.5 and < 2.
 inline void check_start_pose(std::size_t robot, const Pose& start, const Arena& arena) {
   const Eigen::Vector3d& at = start.position_m;
   const double norm = start.orientation.norm();
@@ -23,6 +23,7 @@ inline void check_start_pose(std::size_t robot, const Pose& start, const Arena& 
   if (!within(at.x(), arena.half_side_m) || !within(at.y(), arena.half_side_m)) {
     throw std::invalid_argument{place + "must be finite and within +-" + number_text(arena.half_side_m)};
   }
+  if (!is_clear(arena, {.x_m = at.x(), .y_m = at.y()}, 0.0)) throw std::invalid_argument{place + "must not be in an obstacle"};
   if (!within(at.z(), arena.extent_m)) {
     throw std::invalid_argument{place + "its height must be finite and within +-" + number_text(arena.extent_m)};
   }

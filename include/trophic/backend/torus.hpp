@@ -36,11 +36,13 @@ class Torus : public Points {
     }
   };
 
-  /// Throws std::invalid_argument for a number outside its bound, no robots, and a start pose outside the square.
+  /// Throws std::invalid_argument for a number outside its bound, an arena with obstacles, no robots, and a start pose outside
+  /// the square.
   Torus(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics, const Params& params)
       : Points{robot, arena, params.timestep_s}, params_{params}, side_m_{2.0 * arena.half_side_m} {
     validate(physics, "physics");
     validate(params, "torus");
+    if (!arena.obstacles.empty()) throw std::invalid_argument{"arena " + arena.name + ": has obstacles, which torus cannot have"};
     start_at(starts);
   }
 

@@ -37,7 +37,8 @@ class Bodies {
         population_{population},
         seed_{params.seed},
         poses_{places_of(params, rules, habitat, founders_in(population))},
-        backend_{choice.build(habitat.robot, habitat.arena, standing_poses(poses_, habitat.robot), params.physics)},
+        backend_{
+            choice.build(habitat.robot, habitat.arena, standing_poses(poses_, habitat.robot, habitat.arena), params.physics)},
         locomotion_{habitat.robot,
                     habitat.gait,
                     rules.steering,
@@ -90,7 +91,7 @@ class Bodies {
     poses_[body] = place;
     population_.leave_tree();
     if (bodies_differ) return embody(body, population_.individuals().size());
-    backend_->place(body, standing_poses(std::array{place}, robot_in(body)).front());
+    backend_->place(body, standing_poses(std::array{place}, robot_in(body), habitat_.arena).front());
     if (phenotypes_differ) {
       walk_by(body);
     } else {
@@ -179,8 +180,9 @@ class Bodies {
     return static_cast<std::size_t>(std::ranges::count_if(population.individuals(), &Individual::lives));
   }
 
-  /// Whether all individuals stand at least this far away.
+  /// Whether all individuals stand at least this far away, and obstacles half as far.
   [[nodiscard]] bool is_free(const GroundPose& place, double distance_m) const {
+    if (!is_clear(habitat_.arena, place, 0.5 * distance_m)) return false;
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
       if (population_[body].lives() && trophic::distance_m(place, poses_[body]) < distance_m) return false;
     }

@@ -20,12 +20,14 @@ class EngineNursery final : public Nursery {
   /// All arguments outlive the nursery.
   EngineNursery(const BackendChoice& choice, const Arena& arena, const Physics& physics, const EcologyParams& ecology,
                 const SteeringRule& steering)
-      : choice_{choice}, arena_{arena}, physics_{physics}, ecology_{ecology}, steering_{steering} {}
+      : choice_{choice}, arena_{arena}, physics_{physics}, ecology_{ecology}, steering_{steering} {
+    arena_.obstacles.clear();
+  }
 
   [[nodiscard]] std::optional<double> walked_m(const RobotModel& robot, const Gait& gait, double duration_s) const override {
     BackendChoice alone = choice_;
     if (std::size_t* threads = alone.threads()) *threads = 1;
-    const auto backend = alone.build(robot, arena_, standing_poses(std::array{GroundPose{}}, robot), physics_);
+    const auto backend = alone.build(robot, arena_, standing_poses(std::array{GroundPose{}}, robot, arena_), physics_);
     locomotion::Locomotion<SteeringRule> locomotion{robot, gait, steering_, 1, {ecology_.control_hz, ecology_.cpg_integration}};
     const std::int64_t steps = std::max<std::int64_t>(1, std::llround(duration_s * ecology_.control_hz));
     try {
@@ -38,7 +40,7 @@ class EngineNursery final : public Nursery {
 
  private:
   const BackendChoice& choice_;
-  const Arena& arena_;
+  Arena arena_;  ///< without what stands in the middle
   const Physics& physics_;
   const EcologyParams& ecology_;
   const SteeringRule& steering_;

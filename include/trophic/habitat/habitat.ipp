@@ -14,6 +14,8 @@ TROPHIC_INLINE std::string numbers_text(const Habitat& habitat) {
     text +=
         numbers_text(*habitat.design) + numbers_text(habitat.design->servo) + numbers_text(habitat.design->root_density_kg_m3);
   }
+  if (!habitat.arena.obstacles.empty()) text += numbers_text(habitat.arena.obstacles);
+  for (const Zone& zone : habitat.arena.zones) text += zone.name + " " + numbers_text(zone);
   if (!habitat.robots.empty()) text += numbers_text(habitat.robots);
   if (!habitat.gaits.empty()) text += numbers_text(habitat.gaits);
   return text;

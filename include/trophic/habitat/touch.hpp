@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 #include <trophic/habitat/link_frames.hpp>
+#include <trophic/habitat/obstacle.hpp>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
 
@@ -68,6 +69,41 @@ struct PlacedBox {
   return std::ranges::any_of(boxes, [&](const PlacedBox& box) {
     const auto reach_m = [&](int axis) { return std::abs(box.centre_m[axis]) + box.half_edges_m.row(axis).cwiseAbs().sum(); };
     return std::max(reach_m(0), reach_m(1)) >= half_side_m;
+  });
+}
+
+/// Whether a box reaches an obstacle, seen from above, below its top. A pillar that stands inside the box, away from its edges
+/// and its centre, is not found: no engine lets that happen.
+[[nodiscard]] inline bool touch(const PlacedBox& box, const Obstacle& obstacle) {
+  if (distance_m(obstacle, box.centre_m.x(), box.centre_m.y()) > box.radius_m) return false;
+  if (box.centre_m.z() - box.half_edges_m.row(2).cwiseAbs().sum() > obstacle.height_m) return false;
+  if (distance_m(obstacle, box.centre_m.x(), box.centre_m.y()) <= 0.0) return true;
+  for (int edge = 0; edge < 12; ++edge) {
+    const int axis = edge / 4;
+    const auto sign = [&](int bit) { return (edge >> bit) % 2 == 0 ? 1.0 : -1.0; };
+    const Eigen::Vector3d middle =
+        box.centre_m + sign(0) * box.half_edges_m.col((axis + 1) % 3) + sign(1) * box.half_edges_m.col((axis + 2) % 3);
+    const Eigen::Vector3d from = middle - box.half_edges_m.col(axis);
+    const Eigen::Vector3d to = middle + box.half_edges_m.col(axis);
+    const Obstacle side{.x_m = from.x(), .y_m = from.y(), .to_x_m = to.x(), .to_y_m = to.y(), .radius_m = obstacle.radius_m};
+    const bool near_an_end = distance_m(obstacle, from.x(), from.y()) <= 0.0 ||
+                             distance_m(side, obstacle.x_m, obstacle.y_m) <= 0.0 ||
+                             distance_m(side, obstacle.to_x_m, obstacle.to_y_m) <= 0.0;
+    if (near_an_end || distance_m(obstacle, to.x(), to.y()) <= 0.0) return true;
+    const auto left_of = [](const Obstacle& line, double x_m, double y_m) {
+      return (line.to_x_m - line.x_m) * (y_m - line.y_m) > (line.to_y_m - line.y_m) * (x_m - line.x_m);
+    };
+    const bool crosses = left_of(obstacle, from.x(), from.y()) != left_of(obstacle, to.x(), to.y()) &&
+                         left_of(side, obstacle.x_m, obstacle.y_m) != left_of(side, obstacle.to_x_m, obstacle.to_y_m);
+    if (crosses) return true;
+  }
+  return false;
+}
+
+/// Whether a robot reaches an obstacle.
+[[nodiscard]] inline bool touch(std::span<const PlacedBox> boxes, std::span<const Obstacle> obstacles) {
+  return std::ranges::any_of(obstacles, [&](const Obstacle& one) {
+    return std::ranges::any_of(boxes, [&](const PlacedBox& box) { return touch(box, one); });
   });
 }
 

@@ -45,6 +45,10 @@ TROPHIC_INLINE Json json_of(const Arena& arena) {
                             {"half_extent_m", arena.height_field->half_extent_m},
                             {"height_m", arena.height_field->height_m}};
   }
+  for (const Obstacle& one : arena.obstacles)
+    json["obstacles"].push_back({one.x_m, one.y_m, one.to_x_m, one.to_y_m, one.radius_m, one.height_m});
+  for (const Zone& zone : arena.zones)
+    json["zones"].push_back({{"name", zone.name}, {"x_m", zone.x_m}, {"y_m", zone.y_m}, {"radius_m", zone.radius_m}});
   return json;
 }
 

@@ -129,7 +129,7 @@ class SenseLog {
       const double upright = (root.orientation.normalized() * Eigen::Vector3d::UnitZ()).z();
       rows_[body].height_m = root.position_m.z();
       rows_[body].tilt_rad = std::acos(std::clamp(upright, -1.0, 1.0));
-      rows_[body].touches_wall = touch_wall(bodies.back(), view.arena.half_side_m);
+      rows_[body].touches_wall = touch_wall(bodies.back(), view.arena.half_side_m) || touch(bodies.back(), view.arena.obstacles);
       rows_[body].robots_touched = 0;
     }
     const SpatialGrid grid{centres};

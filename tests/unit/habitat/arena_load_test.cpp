@@ -3,7 +3,10 @@
 
 #include <support/temporary_folder.hpp>
 #include <trophic/habitat/load/arena.hpp>
+#include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/habitat.hpp>
+#include <trophic/habitat/load/robot.hpp>
+#include <trophic/support/rng.hpp>
 #include <utility>
 
 using namespace trophic;
@@ -83,17 +86,87 @@ TEST_CASE("arena: bad file -> error with key and value") {
   CHECK(complaint("name = \"a\"\nrobots_per_m2 = 0\n") == ": robots_per_m2 = 0: must be > 0 and <= 1e+06");
   CHECK(complaint("name = \"a\"\nrobots_per_m2 = \"few\"\n") == ": robots_per_m2 = 'few': must be a number");
   CHECK(complaint("name = \"a\"\nrobots_per_m2 = 1\nside_m = 5\n") ==
-        ": side_m: unknown key; known here: friction, height_m, name, robots_per_m2");
+        ": side_m: unknown key; known here: friction, height_m, name, obstacle, robots_per_m2, zone");
   CHECK(complaint("name = \"a\"\n") == ": side_m: missing");
   CHECK(complaint("name = \"a\"\nside_m = 0\n") == ": side_m = 0: must be > 0 and <= 1e+06");
   CHECK(complaint("name = \"a\"\nside_m = inf\n") == ": side_m = inf: must be > 0 and <= 1e+06");
   CHECK(complaint("name = \"a\"\nside_m = 5\nwalls = 4\n") ==
-        ": walls: unknown key; known here: friction, height_m, name, robots_per_m2, side_m");
+        ": walls: unknown key; known here: friction, height_m, name, obstacle, robots_per_m2, side_m, zone");
   CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = [[0]]\n") == ": height_m: 1 rows: must be >= 2");
   CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = [[0, 0], [0]]\n") ==
         ": height_m: row 1 has 1 numbers: must have 2, one a row");
   CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = [[0, 0], [0, -1]]\n") == ": height_m = -1: must be >= 0");
   CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = [[1, 1], [1, 1]]\n") ==
-        ": height_m: must be 0 in the centre, where robots start");
+        ": height_m: must be higher at its edge than anywhere inside, or floor_side_m must say where the floor ends");
   CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = 3\n") == ": height_m = 3: must be a list");
+}
+
+TEST_CASE("arena: slopes -> the rings that are higher than all inside, so stones and noise are part of the floor") {
+  HeightField field{.nodes = 21, .half_extent_m = 12.0, .height_m = std::vector<double>(441, 0.0)};
+  Rng rng{1, Stream::user};
+  for (std::size_t iy = 0; iy < 21; ++iy) {
+    for (std::size_t ix = 0; ix < 21; ++ix) {
+      const std::size_t ring = std::min({ix, iy, 20 - ix, 20 - iy});
+      field.height_m[iy * 21 + ix] = ring == 0 ? 10.0 : ring == 1 ? 5.0 : rng.uniform(0.0, 0.01);
+    }
+  }
+  CHECK(floor_half_side_m(field) == doctest::Approx(9.6).epsilon(1e-15));
+  field.height_m[12 * 21 + 7] = 0.3;
+  field.height_m[13 * 21 + 13] = 0.3;
+  CHECK(floor_half_side_m(field) == doctest::Approx(9.6).epsilon(1e-15));
+  CHECK(flat_half_side_m(field) == 0.0);
+  Arena arena;
+  arena.height_field = field;
+  CHECK(highest_below_m(arena, {.x_m = -12.0 + 7 * 1.2 + 0.5, .y_m = -12.0 + 12 * 1.2}, 0.2) == 0.3);
+  CHECK(highest_below_m(arena, {.x_m = -12.0 + 7 * 1.2 + 1.5, .y_m = -12.0 + 12 * 1.2}, 0.2) < 0.01);
+  CHECK(highest_below_m(arena, {.x_m = 11.9, .y_m = 0.0}, 5.0) == 10.0);
+}
+
+TEST_CASE("arena: obstacles and zones -> from their tables, a pillar without a second point") {
+  const test::TemporaryFolder folder;
+  const Arena arena = load_arena(folder.file("arena.toml", R"(
+name = "court"
+side_m = 12.0
+[[obstacle]]
+x_m = 1.0
+y_m = 2.0
+radius_m = 0.3
+height_m = 0.5
+[[obstacle]]
+x_m = -3.0
+y_m = 0.0
+to_x_m = 3.0
+to_y_m = 1.0
+radius_m = 0.1
+height_m = 0.4
+[[zone]]
+name = "refuge"
+x_m = 4.0
+y_m = 4.0
+radius_m = 1.5
+)"));
+  REQUIRE(arena.obstacles.size() == 2);
+  CHECK(arena.obstacles[0].is_pillar());
+  CHECK(arena.obstacles[1] == Obstacle{.x_m = -3.0, .to_x_m = 3.0, .to_y_m = 1.0, .radius_m = 0.1, .height_m = 0.4});
+  REQUIRE(arena.zones.size() == 1);
+  CHECK(arena.zones[0].holds({.x_m = 5.0, .y_m = 5.0}));
+  CHECK_FALSE(arena.zones[0].holds({.x_m = 5.1, .y_m = 5.1}));
+  const std::string square = "name = \"a\"\nside_m = 4\n[[obstacle]]\nx_m = 1\ny_m = 0\nheight_m = 1\n";
+  CHECK(complaint(square + "radius_m = 0\n") == ": obstacle[0].radius_m = 0: must be > 0 and <= 2");
+  CHECK(complaint(square + "radius_m = 1\nto_x_m = 3\n") == ": obstacle[0].to_x_m = 3: must be >= -2 and <= 2");
+  CHECK(complaint(square + "radius_m = 1\nwidth_m = 3\n").starts_with(": obstacle[0].width_m: unknown key"));
+}
+
+TEST_CASE("arena: what stands in it -> is in the fingerprint, and nothing changes without") {
+  Habitat habitat{.robot = load_robot("spider"), .arena = load_arena("walled_square"), .gait = load_gait("spider_published")};
+  const std::string plain = numbers_text(habitat);
+  habitat.arena.obstacles = {{.x_m = 1.0}};
+  const std::string with_pillar = numbers_text(habitat);
+  CHECK(with_pillar != plain);
+  habitat.arena.obstacles[0].height_m = 0.7;
+  CHECK(numbers_text(habitat) != with_pillar);
+  habitat.arena.obstacles.clear();
+  CHECK(numbers_text(habitat) == plain);
+  habitat.arena.zones = {{.name = "refuge"}};
+  CHECK(numbers_text(habitat) != plain);
 }

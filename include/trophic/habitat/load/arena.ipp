@@ -2,7 +2,10 @@
 // Definitions of arena.hpp.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <span>
 #include <string>
 #include <trophic/habitat/load/arena.hpp>
 #include <trophic/habitat/load/toml_table.hpp>
@@ -23,9 +26,61 @@ TROPHIC_INLINE double flat_half_side_m(const HeightField& field) {
   return 0.0;
 }
 
+TROPHIC_INLINE double floor_half_side_m(const HeightField& field) {
+  const double spacing_m = 2.0 * field.half_extent_m / static_cast<double>(field.nodes - 1);
+  const std::size_t rings = (field.nodes + 1) / 2;
+  std::vector<double> lowest_m(rings, std::numeric_limits<double>::infinity());
+  std::vector<double> highest_m(rings, 0.0);
+  for (std::size_t iy = 0; iy < field.nodes; ++iy) {
+    for (std::size_t ix = 0; ix < field.nodes; ++ix) {
+      const std::size_t ring = std::min({ix, iy, field.nodes - 1 - ix, field.nodes - 1 - iy});
+      lowest_m[ring] = std::min(lowest_m[ring], field.height_m[iy * field.nodes + ix]);
+      highest_m[ring] = std::max(highest_m[ring], field.height_m[iy * field.nodes + ix]);
+    }
+  }
+  std::size_t floor = 0;
+  const auto is_slope = [&](std::size_t ring) {
+    return std::ranges::all_of(std::span{highest_m}.subspan(ring + 1),
+                               [&](double inside_m) { return inside_m < lowest_m[ring]; });
+  };
+  while (floor + 1 < rings && is_slope(floor)) ++floor;
+  return field.half_extent_m - static_cast<double>(floor) * spacing_m;
+}
+
 namespace detail {
 
 inline constexpr double largest_arena_m = 1e6;
+
+/// A wall may lead `to_x_m`, `to_y_m`; without them the obstacle is a pillar.
+[[nodiscard]] inline Obstacle obstacle_of(const TomlTable& table, double half_extent_m) {
+  const Bound inside = between(-half_extent_m, half_extent_m);
+  Obstacle one{.x_m = table.number("x_m", inside), .y_m = table.number("y_m", inside)};
+  one.to_x_m = table.has("to_x_m") ? table.number("to_x_m", inside) : one.x_m;
+  one.to_y_m = table.has("to_y_m") ? table.number("to_y_m", inside) : one.y_m;
+  one.radius_m = table.number("radius_m", above_to(0.0, half_extent_m));
+  one.height_m = table.number("height_m", above_to(0.0, half_extent_m));
+  table.no_other_keys();
+  return one;
+}
+
+[[nodiscard]] inline Zone zone_of(const TomlTable& table, double half_extent_m) {
+  const Bound inside = between(-half_extent_m, half_extent_m);
+  Zone zone{.name = table.text("name"), .x_m = table.number("x_m", inside), .y_m = table.number("y_m", inside)};
+  zone.radius_m = table.number("radius_m", above_to(0.0, 2.0 * half_extent_m));
+  table.no_other_keys();
+  return zone;
+}
+
+/// What stands and lies in an arena whose size is known.
+inline void read_things(const TomlTable& file, Arena& arena) {
+  const double half_extent_m = arena.extent_m / 2.0;
+  if (file.has("obstacle")) {
+    for (const TomlTable& table : file.tables("obstacle")) arena.obstacles.push_back(obstacle_of(table, half_extent_m));
+  }
+  if (file.has("zone")) {
+    for (const TomlTable& table : file.tables("zone")) arena.zones.push_back(zone_of(table, half_extent_m));
+  }
+}
 
 /// Whether a height field rises at every node of its edge.
 [[nodiscard]] inline bool has_rim(const HeightField& field) {
@@ -52,6 +107,7 @@ TROPHIC_INLINE Arena load_arena(std::string_view name_or_path, std::string_view 
       arena.extent_m = file.number("side_m", above_to(0.0, detail::largest_arena_m));
     }
     arena.half_side_m = arena.extent_m / 2.0;
+    detail::read_things(file, arena);
     file.no_other_keys();
     return arena;
   }
@@ -74,10 +130,14 @@ TROPHIC_INLINE Arena load_arena(std::string_view name_or_path, std::string_view 
     }
     field.height_m.insert(field.height_m.end(), rows[iy].begin(), rows[iy].end());
   }
-  file.no_other_keys();
   arena.extent_m = 2.0 * field.half_extent_m;
-  arena.half_side_m = flat_half_side_m(field);
-  if (!(arena.half_side_m > 0.0)) file.fail("height_m", ": must be 0 in the centre, where robots start");
+  arena.half_side_m =
+      file.has("floor_side_m") ? file.number("floor_side_m", above_to(0.0, arena.extent_m)) / 2.0 : floor_half_side_m(field);
+  detail::read_things(file, arena);
+  file.no_other_keys();
+  if (!(arena.half_side_m > 0.0)) file.fail("height_m", ": must have a floor: its heights rise from the centre to the edge");
+  if (!file.has("floor_side_m") && arena.half_side_m == field.half_extent_m)
+    file.fail("height_m", ": must be higher at its edge than anywhere inside, or floor_side_m must say where the floor ends");
   if (!detail::has_rim(field))
     file.fail("height_m", ": is 0 somewhere at its edge: must be > 0 all around, or robots walk off it");
   arena.height_field = std::move(field);

@@ -53,6 +53,7 @@ struct StandsUp {
         const Eigen::Vector3d there_m = first_m + radius_m * Eigen::Vector3d{std::cos(angle_rad), std::sin(angle_rad), 0.0};
         move_to(there_m);
         if (ring > 0 && touch_wall(boxes, arena.half_side_m)) continue;
+        if (touch(boxes, arena.obstacles)) continue;
         if (!touch(boxes, others)) return pose;
       }
     }

@@ -9,8 +9,8 @@
 
 namespace trophic::initialization::placement {
 
-/// Rule: positions uniform over the flat floor, one bounding radius from the walls, drawn again while closer than two bounding
-/// radii to a robot already placed; headings uniform. The paper has "attributed to one of the available bodies" (Sec.
+/// Rule: positions uniform over the floor, one bounding radius from walls and obstacles, drawn again while closer than two
+/// bounding radii to a robot already placed; headings uniform. The paper has "attributed to one of the available bodies" (Sec.
 /// "Initialization") and is silent about their positions and headings. The released code's positions are also random: see
 /// UniformSquare.   Reads: arena, radius.   Random draws: 3 per attempt.
 struct Scattered {
@@ -27,7 +27,7 @@ struct Scattered {
     std::vector<GroundPose> placed;
     detail::Squares squares{reach_m, radius_m, robots};
     while (placed.size() < robots) {
-      if (!place_one(placed, squares, reach_m, radius_m, rng)) {
+      if (!place_one(placed, squares, arena, radius_m, rng)) {
         throw std::invalid_argument{"ecology.robots = " + std::to_string(robots) + ": must be <= about " +
                                     std::to_string(placed.size()) + " to stand apart in a square of half side " +
                                     number_text(arena.half_side_m) + " m"};
@@ -37,12 +37,15 @@ struct Scattered {
   }
 
  private:
-  static bool place_one(std::vector<GroundPose>& placed, detail::Squares& squares, double reach_m, double radius_m, Rng& rng) {
+  static bool place_one(std::vector<GroundPose>& placed, detail::Squares& squares, const Arena& arena, double radius_m,
+                        Rng& rng) {
+    const double reach_m = arena.half_side_m - radius_m;
     for (int attempt = 0; attempt < max_attempts_per_robot; ++attempt) {
       GroundPose pose;
       pose.x_m = rng.uniform(-reach_m, reach_m);
       pose.y_m = rng.uniform(-reach_m, reach_m);
       pose.heading_rad = rng.uniform(-std::numbers::pi, std::numbers::pi);
+      if (!is_clear(arena, pose, radius_m)) continue;
       if (squares.all_near(pose, [&](const GroundPose& other) { return distance_m(other, pose) >= 2.0 * radius_m; })) {
         placed.push_back(pose);
         squares.add(pose);

@@ -15,6 +15,8 @@ struct UniformSquare {
   static constexpr std::string_view name = "uniform_square";
   static constexpr std::string_view source = "released code";
 
+  static constexpr int max_attempts_per_robot = 1000;
+
   struct Params {
     double half_extent_m = 9.0;
     double heading_rad = -0.75 * std::numbers::pi;
@@ -25,15 +27,19 @@ struct UniformSquare {
   };
   Params params;
 
-  [[nodiscard]] std::vector<GroundPose> place(std::size_t robots, const Arena& arena, double, Rng& rng) const {
+  [[nodiscard]] std::vector<GroundPose> place(std::size_t robots, const Arena& arena, double radius_m, Rng& rng) const {
     if (params.half_extent_m > arena.half_side_m) {
       throw std::invalid_argument{"rules.placement.half_extent_m = " + number_text(params.half_extent_m) +
                                   ": must be <= " + number_text(arena.half_side_m) + ", the arena's half side"};
     }
     std::vector<GroundPose> placed(robots);
     for (GroundPose& pose : placed) {
-      pose.x_m = rng.uniform(-params.half_extent_m, params.half_extent_m);
-      pose.y_m = rng.uniform(-params.half_extent_m, params.half_extent_m);
+      for (int attempt = 0; attempt == 0 || !is_clear(arena, pose, radius_m); ++attempt) {
+        if (attempt == max_attempts_per_robot)
+          throw std::invalid_argument{"arena " + arena.name + ": has no room among its obstacles"};
+        pose.x_m = rng.uniform(-params.half_extent_m, params.half_extent_m);
+        pose.y_m = rng.uniform(-params.half_extent_m, params.half_extent_m);
+      }
       pose.heading_rad = params.heading_rad;
     }
     return placed;

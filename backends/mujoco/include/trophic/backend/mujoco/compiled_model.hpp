@@ -64,7 +64,8 @@ class CompiledModel {
     const std::string height_file = "ground.hfield";
     // MuJoCo takes a step when it compiles: far enough apart and above the ground nothing touches.
     std::vector<Pose> apart(robots.size());
-    const double ground_m = arena.height_field ? std::ranges::max(arena.height_field->height_m) : 0.0;
+    double ground_m = arena.height_field ? std::ranges::max(arena.height_field->height_m) : 0.0;
+    for (const Obstacle& one : arena.obstacles) ground_m = std::max(ground_m, one.height_m);
     double widest_m = 0.0;
     for (const RobotModel* robot : robots) widest_m = std::max(widest_m, robot->bounding_radius_m);
     for (std::size_t i = 0; i < robots.size(); ++i) {

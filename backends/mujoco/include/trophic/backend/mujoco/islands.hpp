@@ -22,9 +22,9 @@ namespace trophic::backend::mujoco {
 
 /// A robot lies within its bounding sphere and, during a block of steps, its centre stays within its slack of its start; every
 /// step checks this. So robots with disjoint discs of (radius + slack) at the start of a block cannot touch within it, nor can
-/// a robot touch the walls if its disc is clear of them. Connected discs make one group, which is stepped by the kernel, or in a
-/// cached model of its bodies, with walls or without. If a robot leaves its disc, the block is repeated with twice the slack for
-/// it. The result does not depend on the number of threads.
+/// a robot touch walls or obstacles if its disc is clear of them. Connected discs make one group, which is stepped by the kernel,
+/// or in a cached model of its bodies, with walls and obstacles or without; the kernel has no obstacles. If a robot leaves its
+/// disc, the block is repeated with twice the slack for it. The result does not depend on the number of threads.
 class Islands {
  public:
   /// `fast`: the kernel steps robots if it supports all features of their models.
@@ -72,7 +72,7 @@ class Islands {
   }
 
  private:
-  /// The kinds of the robots in the model, and whether it has walls.
+  /// The kinds of the robots in the model, and whether it has walls and obstacles.
   using ModelKey = std::pair<std::vector<std::size_t>, bool>;
 
   /// Enough for a walking robot in one block, so that blocks are rarely repeated.
@@ -98,10 +98,10 @@ class Islands {
     kind->robot = robot;
     if (!lanes_) return kind;
     const RobotModel* body = &kind->robot;
-    auto model = make_model({&body, 1}, true, 1);
+    auto model = make_model({&body, 1}, {.walls = true, .obstacles = false}, 1);
     auto constants = kernel::read_model(model->model());
     if (constants) kind->constants = std::make_shared<const kernel::KernelModel>(std::move(*constants));
-    if (models_.empty() && constants) models_[{{0}, true}].model = std::move(model);
+    if (models_.empty() && constants && arena_.obstacles.empty()) models_[{{0}, true}].model = std::move(model);
     return kind;
   }
 
@@ -118,17 +118,20 @@ class Islands {
       give_back_freed_pages();
   }
 
-  [[nodiscard]] std::unique_ptr<CompiledModel> make_model(std::span<const RobotModel* const> robots, bool walls,
+  [[nodiscard]] std::unique_ptr<CompiledModel> make_model(std::span<const RobotModel* const> robots, Scene scene,
                                                           std::size_t memories) const {
-    const auto collisions = robots.size() <= most_robots_with_pairs ? Collisions::pairs : Collisions::broadphase;
-    const Scene scene{.walls = walls, .collisions = collisions, .servos = Servos::combined, .box_depth = box_depth_};
+    scene.collisions = robots.size() <= most_robots_with_pairs ? Collisions::pairs : Collisions::broadphase;
+    scene.servos = Servos::combined;
+    scene.box_depth = box_depth_;
     return std::make_unique<CompiledModel>(robots, arena_, physics_, scene, memories);
   }
 
   /// The model of these robots. Any thread may call it. Robots of the kernel leave so few steps to MuJoCo that its threads share
   /// a working memory: with one for each thread, each would be used at some time, and memory would grow over a long run.
   CompiledModel& model_of(std::span<const std::size_t> robots, const RobotStates& states) {
-    ModelKey key{{}, std::ranges::any_of(robots, [&](std::size_t robot) { return near_wall(discs_[robot]); })};
+    ModelKey key{{}, std::ranges::any_of(robots, [&](std::size_t robot) {
+                   return near_wall(discs_[robot]) || near_obstacle(discs_[robot]);
+                 })};
     for (const std::size_t robot : robots) key.first.push_back(states.kind(robot));
     const std::lock_guard lock{finding_model_};
     auto& [model, last_used] = models_[key];
@@ -137,13 +140,18 @@ class Islands {
       std::vector<const RobotModel*> bodies;
       for (const std::size_t kind : key.first) bodies.push_back(&kinds_[kind].robot);
       const bool by_kernel = std::ranges::all_of(key.first, [&](std::size_t kind) { return kinds_[kind].constants != nullptr; });
-      model = make_model(bodies, key.second, by_kernel ? 1 : pool_->threads());
+      model = make_model(bodies, {.walls = key.second, .obstacles = key.second},
+                         by_kernel && arena_.obstacles.empty() ? 1 : pool_->threads());
     }
     return *model;
   }
 
   [[nodiscard]] bool near_wall(const Disc& disc) const {
     return !arena_.height_field && std::max(std::abs(disc.x_m), std::abs(disc.y_m)) + disc.radius_m >= arena_.half_side_m;
+  }
+
+  [[nodiscard]] bool near_obstacle(const Disc& disc) const {
+    return !is_clear(arena_, {.x_m = disc.x_m, .y_m = disc.y_m}, disc.radius_m);
   }
 
   /// Steps every group once. Returns `done`, or the result to report or repair; repairs (slack, capacity) are already made.
@@ -159,7 +167,9 @@ class Islands {
     const auto first_single = std::ranges::find_if(groups, [](const auto& group) { return group.size() == 1; });
     std::stable_partition(first_single, groups.end(), [&](const auto& group) { return near_wall(discs_[group.front()]); });
     const auto is_mujocos = [&](const std::vector<std::size_t>& group) {
-      return std::ranges::any_of(group, [&](std::size_t robot) { return kinds_[states.kind(robot)].constants == nullptr; });
+      return std::ranges::any_of(group, [&](std::size_t robot) {
+        return kinds_[states.kind(robot)].constants == nullptr || near_obstacle(discs_[robot]);
+      });
     };
     const auto first_of_kernel = std::stable_partition(groups.begin(), groups.end(), is_mujocos);
     const std::span by_mujoco{groups.begin(), first_of_kernel};

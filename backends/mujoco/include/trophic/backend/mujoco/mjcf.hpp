@@ -29,7 +29,8 @@ enum class Servos {
 
 /// The content of an MJCF model besides the robots.
 struct Scene {
-  bool walls = true;  ///< the four walls of an arena without height field
+  bool walls = true;      ///< the four walls of an arena without height field
+  bool obstacles = true;  ///< those of the arena
   Collisions collisions = Collisions::broadphase;
   Servos servos = Servos::position_and_velocity;
   BoxDepth box_depth = BoxDepth::engine;
@@ -146,7 +147,26 @@ class MjcfWriter {
     return geom;
   }
 
+  /// A pillar is a cylinder, a wall a box with a cylinder at each end.
+  void write_obstacle(pugi::xml_node world, std::size_t number, const Obstacle& one) {
+    const std::string name = "obstacle" + std::to_string(number);
+    const double half_m = 0.5 * one.height_m;
+    const auto end = [&](const std::string& own, double x_m, double y_m) {
+      auto geom = ground_geom(world, own.c_str(), "cylinder");
+      set(geom, "size", {one.radius_m, half_m});
+      set(geom, "pos", {x_m, y_m, half_m});
+    };
+    end(name, one.x_m, one.y_m);
+    if (one.is_pillar()) return;
+    end(name + ".end", one.to_x_m, one.to_y_m);
+    auto geom = ground_geom(world, (name + ".side").c_str(), "box");
+    set(geom, "size", {0.5 * one.length_m(), one.radius_m, half_m});
+    set(geom, "pos", {0.5 * (one.x_m + one.to_x_m), 0.5 * (one.y_m + one.to_y_m), half_m});
+    set(geom, "euler", {0.0, 0.0, std::atan2(one.to_y_m - one.y_m, one.to_x_m - one.x_m)});
+  }
+
   void write_ground(pugi::xml_node world) {
+    for (std::size_t i = 0; scene_.obstacles && i < arena_.obstacles.size(); ++i) write_obstacle(world, i, arena_.obstacles[i]);
     if (arena_.height_field) {
       auto geom = ground_geom(world, "ground", "hfield");
       set(geom, "hfield", "ground");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The arena as ODE geometry: planes for floor and walls, a height field for slopes.
+// The arena as ODE geometry: planes for floor and walls, a height field for slopes, cylinders and boxes for obstacles.
 #pragma once
 
 #include <ode/ode.h>
@@ -20,6 +20,7 @@ namespace trophic::backend::ode {
 class Ground {
  public:
   explicit Ground(const Arena& arena) : floor_{dCreatePlane(nullptr, 0.0, 0.0, 1.0, 0.0)}, flat_m_{arena.half_side_m} {
+    for (const Obstacle& one : arena.obstacles) add(one);
     if (arena.height_field) {
       flat_m_ = std::min(flat_m_, flat_half_side_m(*arena.height_field));
       build_heights(*arena.height_field);
@@ -33,6 +34,10 @@ class Ground {
   /// Calls `touch(ground geom)` for each part of the ground that a box with this bounding sphere could touch.
   template <class Touch>
   void for_each_near(const double* centre_m, double radius_m, Touch&& touch) const {
+    for (const Standing& one : obstacles_) {
+      if (distance_m(one.obstacle, centre_m[0], centre_m[1]) > radius_m) continue;
+      for (const GeomPtr& part : one.parts) touch(part.get());
+    }
     const double reach_m = std::max(std::abs(centre_m[0]), std::abs(centre_m[1])) + radius_m;
     if (heights_ && reach_m > flat_m_) return touch(heights_.get());
     if (centre_m[2] < radius_m) touch(floor_.get());
@@ -41,6 +46,31 @@ class Ground {
   }
 
  private:
+  struct Standing {
+    Obstacle obstacle;
+    std::vector<GeomPtr> parts;
+  };
+
+  /// A pillar is a cylinder, a wall a box with a cylinder at each end.
+  void add(const Obstacle& one) {
+    Standing standing{.obstacle = one, .parts = {}};
+    const double half_m = 0.5 * one.height_m;
+    const auto end = [&](double x_m, double y_m) {
+      standing.parts.emplace_back(dCreateCylinder(nullptr, one.radius_m, one.height_m));
+      dGeomSetPosition(standing.parts.back().get(), x_m, y_m, half_m);
+    };
+    end(one.x_m, one.y_m);
+    if (!one.is_pillar()) {
+      end(one.to_x_m, one.to_y_m);
+      standing.parts.emplace_back(dCreateBox(nullptr, one.length_m(), 2.0 * one.radius_m, one.height_m));
+      dGeomSetPosition(standing.parts.back().get(), 0.5 * (one.x_m + one.to_x_m), 0.5 * (one.y_m + one.to_y_m), half_m);
+      dMatrix3 turn;
+      dRFromAxisAndAngle(turn, 0.0, 0.0, 1.0, std::atan2(one.to_y_m - one.y_m, one.to_x_m - one.x_m));
+      dGeomSetRotation(standing.parts.back().get(), turn);
+    }
+    obstacles_.push_back(std::move(standing));
+  }
+
   /// ODE's height fields lie in x and z with heights along y: turned by 90 degrees about x, so that rows run against y.
   void build_heights(const HeightField& field) {
     std::vector<double> rows_turned;
@@ -66,6 +96,7 @@ class Ground {
   GeomPtr floor_;
   double flat_m_;
   std::vector<GeomPtr> walls_;
+  std::vector<Standing> obstacles_;
   HeightsPtr height_data_;
   GeomPtr heights_;
 };
