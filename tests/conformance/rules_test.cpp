@@ -26,6 +26,7 @@
 #include <trophic/control/steering/no_steering.hpp>
 #include <trophic/death/activation/always_active.hpp>
 #include <trophic/death/activation/founders_start_active.hpp>
+#include <trophic/death/capture/catch_outside_refuges.hpp>
 #include <trophic/death/capture/no_capture.hpp>
 #include <trophic/death/floor/active_victim_floor.hpp>
 #include <trophic/death/floor/no_floor.hpp>
@@ -159,7 +160,7 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_activation_suite, death::activation::ActiveAwa
                           death::activation::FoundersStartActive, death::activation::AgesOnceAwayFromHunters,
                           death::activation::AlwaysActive);
 TEST_CASE_TEMPLATE_INVOKE(trophic_capture_suite, death::capture::CatchWithinReach, death::capture::CatchClosest,
-                          death::capture::NoCapture);
+                          death::capture::CatchOutsideRefuges, death::capture::NoCapture);
 TEST_CASE_TEMPLATE_INVOKE(trophic_floor_suite, death::floor::VictimFloor, death::floor::ActiveVictimFloor, death::floor::NoFloor);
 TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_interval_suite, death::starvation::interval::DelayedCrowdingInterval,
                           death::starvation::interval::DirectCrowdingInterval, death::starvation::interval::NeverDue);

@@ -71,6 +71,13 @@ template <class Rules>
   if (experiment.null == Null::shadow) {
     std::erase_if(run.named_params, [](const NamedParam& param) { return param.path.starts_with("rules.heredity."); });
   }
+  if constexpr (requires { Rules::Capture::zone; }) {
+    const auto is_named = [](const Zone& zone) { return zone.name == Rules::Capture::zone; };
+    if (std::ranges::none_of(habitat.arena.zones, is_named)) {
+      run.remarks.push_back("rules.capture = " + std::string{Rules::Capture::name} + ": arena " + habitat.arena.name +
+                            " has no zone named " + std::string{Rules::Capture::zone});
+    }
+  }
   Experiment<Rules> table;
   if (!experiment.ecology.gait.empty()) table.ecology.gait = habitat.robot.gait;
   run.other_params = observe::other_params(run.named_params, named_params_of(std::move(table), backend.fresh()));

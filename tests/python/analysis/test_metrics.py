@@ -44,12 +44,17 @@ def test_within_1_m_of_any_wall_sticks():
     robots = agents(robot(1, 0, "prey", 9.0, 0.0), robot(1, 1, "prey", 0.0, -9.5), robot(1, 2, "prey", 8.99, 8.99), robot(1, 3, "predator"),
                     robot(2, 0, "prey"), robot(2, 1, "prey", 11.0, 0.0, active=0), robot(2, 3, "predator", -9.9, 9.9),
                     robot(3, 3, "predator", 9.9, 0.0))
-    assert walls.wall_sticking(robots, "prey", "all", 10.0).mean == pytest.approx((2 / 3 + 1 / 2) / 2)  # no prey at tick 3
-    assert walls.wall_sticking(robots, "prey", "active", 10.0).mean == pytest.approx((2 / 3 + 0) / 2)
-    assert walls.wall_sticking(robots, "prey", "all", 10.0, 2.0).mean == pytest.approx((1 + 1 / 2) / 2)
-    assert walls.wall_sticking(robots, "predator", "all", 10.0).mean == pytest.approx(2 / 3)
-    assert math.isnan(walls.wall_sticking(robots, "predator", "random", 10.0).mean)
-    assert (walls.share_of_floor(10.0), walls.share_of_floor(0.5)) == (pytest.approx(0.19), 1.0)
+    assert walls.wall_sticking(robots, "prey", "all", walls.Floor(10.0)).mean == pytest.approx((2 / 3 + 1 / 2) / 2)  # no prey at tick 3
+    assert walls.wall_sticking(robots, "prey", "active", walls.Floor(10.0)).mean == pytest.approx((2 / 3 + 0) / 2)
+    assert walls.wall_sticking(robots, "prey", "all", walls.Floor(10.0), 2.0).mean == pytest.approx((1 + 1 / 2) / 2)
+    assert walls.wall_sticking(robots, "predator", "all", walls.Floor(10.0)).mean == pytest.approx(2 / 3)
+    assert math.isnan(walls.wall_sticking(robots, "predator", "random", walls.Floor(10.0)).mean)
+    court = walls.Floor(10.0, [[0.0, 0.0, 0.0, 0.0, 2.0, 0.5], [-5.0, 3.0, 5.0, 3.0, 0.5, 0.5]])
+    assert list(court.to_wall_m(numpy.array([0.0, 0.0, 9.5, 6.0]), numpy.array([0.0, 2.5, 0.0, 3.0]))) == pytest.approx([-2.0, 0.0, 0.5, 0.5])
+    near = math.pi * (3.0**2 - 2.0**2) / 2 + 400 - 18.0**2  # a part of the ring around the pillar, and the band at the walls
+    assert near / 400 < walls.share_of_floor(court) < 0.45
+    assert walls.wall_sticking(robots, "prey", "all", walls.Floor(100.0, [[0.0, 0.0, 0.0, 0.0, 200.0, 1.0]])).mean == 1.0
+    assert (walls.share_of_floor(walls.Floor(10.0)), walls.share_of_floor(walls.Floor(0.5))) == (pytest.approx(0.19), 1.0)
 
 
 def test_populations_hunger_and_crowds():
@@ -70,7 +75,7 @@ def test_the_time_of_extinction_is_when_the_last_one_is_gone_for_good(alive, exp
 
 def test_extinction_as_a_share_and_as_a_curve():
     rows = [robot(tick, 0, "prey") for tick in range(0, 301, 50)] + [robot(tick, 1, "predator") for tick in range(0, 151, 50)]
-    found = shipped(WEB, events(), pandas.DataFrame(sorted(rows, key=lambda row: row["tick"]), columns=list(AGENTS)), until_s=600.0, half_side_m=10.0)
+    found = shipped(WEB, events(), pandas.DataFrame(sorted(rows, key=lambda row: row["tick"]), columns=list(AGENTS)), until_s=600.0, floor=walls.Floor(10.0))
     values = {(row[0], row[1]): row[6] for row in found.rows if row[0] in demography.EXTINCTION}
     assert values == pytest.approx({("extinct", "prey"): 0.0, ("extinct_at", "prey"): NAN, ("extinct", "predator"): 1.0,
                                     ("extinct_at", "predator"): 400.0}, nan_ok=True)
@@ -102,7 +107,7 @@ def test_stuck_is_less_than_5_cm_away_after_10_s_wherever_it_was_meanwhile():
 
 def measured(web=WEB, of_agents=(), **how):
     frames = pandas.DataFrame(columns=list(EVENTS)), pandas.DataFrame(of_agents, columns=list(AGENTS))
-    return shipped(web, *frames, **{"until_s": 6000.0, "half_side_m": 10.0, **how}).rows
+    return shipped(web, *frames, **{"until_s": 6000.0, "floor": walls.Floor(10.0), **how}).rows
 
 
 def value(rows, *name):

@@ -5,7 +5,7 @@ import numpy
 import pandas
 import pytest
 from hand_written import WEB, agents, events, robot
-from trophic.metrics import AGENTS, shipped
+from trophic.metrics import AGENTS, shipped, walls
 from trophic.metrics.tags import bernoulli_symmetry, permuted_symmetry, tag_symmetry
 
 ROWS = [robot(1, 0, "prey"), robot(1, 1, "prey"), robot(1, 2, "prey", tag=-1, origin="random"), robot(1, 3, "predator", tag=-1),
@@ -30,7 +30,7 @@ def test_it_is_the_sum_of_the_mean_tags_of_the_inherited():
                                             (tuple(range(1001)), None)])
 def test_two_tags_of_any_name_have_it_and_other_numbers_of_tags_do_not(tags, expected):
     rows = pandas.DataFrame([robot(1, 0, "prey", tag=max(tags)), robot(1, 1, "predator", tag=min(tags))], columns=list(AGENTS))
-    results = shipped(WEB, events(), rows, until_s=10.0, half_side_m=10.0, tag_values=tags)
+    results = shipped(WEB, events(), rows, until_s=10.0, floor=walls.Floor(10.0), tag_values=tags)
     found = {row[6] for row in results.rows if row[0] == "tag_symmetry" and not row[4]}
     assert found == (set() if expected is None else {expected})
 

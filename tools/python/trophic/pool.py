@@ -6,6 +6,7 @@ import concurrent.futures
 import dataclasses
 import io
 import json
+import math
 import multiprocessing
 import os
 import pathlib
@@ -19,7 +20,7 @@ import pandas
 
 from . import metrics, runs
 from .description import changes_of, describe
-from .metrics import Measuring, Web, bodies, own
+from .metrics import Measuring, Web, bodies, own, walls
 from .runs import Run, RunError
 from .values import NEUTRAL, SHADOW, MeasuredSet, RunValues
 from .words import NO_NEUTRAL, NULLS, excerpt, number_text
@@ -51,8 +52,8 @@ class PooledRun(Run):
         return Web(self.manifest["species"], [(link["hunter"], link["victim"]) for link in self.manifest["food_web"]])
 
     @property
-    def half_side_m(self) -> float:
-        return float(self.manifest["arena"]["half_side_m"])
+    def floor(self) -> walls.Floor:
+        return walls.Floor(float(self.manifest["arena"]["half_side_m"]), self.manifest["arena"].get("obstacles", ()))
 
     @property
     def every_ticks(self) -> int:
@@ -282,6 +283,9 @@ def read_pooled(folder: pathlib.Path) -> PooledRun:
         texts([manifest], "backend", is_needed=True)
         number("clock", "until_s", 0.0, MOST_TIME_S)
         number("arena", "half_side_m", sys.float_info.min, sys.float_info.max)
+        for one in manifest["arena"].get("obstacles", []):
+            if not (isinstance(one, list) and len(one) == 6 and all(isinstance(value, (int, float)) and math.isfinite(value) for value in one)):
+                refuse(f"arena.obstacles: {json.dumps(one)}: must be six numbers")
         if "result" in manifest:
             number("result", "reached_s", 0.0, MOST_TIME_S + _LONGEST_TICK_S)
         whole(manifest.get("agents_every_ticks", 1), "agents_every_ticks", 1, 2**63 - 1)

@@ -106,7 +106,7 @@ def _turns_to(distances: Sequence[float], run: PooledRun) -> pandas.Series:
 def _behaviour(kind: str, run: PooledRun) -> pandas.Series:
     """The mean over an individual's life of what the metrics open_speed and velocity_open are means of."""
     agents = Agents(run.load("agents.csv", AGENTS, []), run.web)
-    is_open = walls.to_wall_m(agents, run.half_side_m) > walls.REACH_M
+    is_open = walls.to_wall_m(agents, run.floor) > walls.REACH_M
     if kind == "velocity_open":
         found = velocity.of_rows(velocity.samples(agents), is_open)
         return pandas.Series(found.velocity_m_s, index=agents.id[found.row]).groupby(level=0).mean()

@@ -2,6 +2,8 @@
 // Definitions of gltf_scene.hpp.
 #include <tools/trophic/replay/gltf_scene.hpp>
 
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <tools/recording/species_colour.hpp>
 
@@ -47,6 +49,7 @@ void GltfScene::add_arena(const Arena& arena) {
   const std::size_t node = file_.add_node(GltfFile::upright(), "arena", Eigen::Vector3d::Zero(), Eigen::Quaterniond::Identity());
   const std::size_t floor = file_.add_material("floor", {0.93F, 0.94F, 0.95F});
   const std::size_t wall = file_.add_material("wall", {0.72F, 0.76F, 0.8F});
+  for (const Obstacle& one : arena.obstacles) add_obstacle(node, wall, one);
   if (arena.height_field) return add_slopes(node, floor, *arena.height_field);
   const auto put = [&](std::size_t mesh, const Eigen::Vector3d& at_m, const Eigen::Vector3d& half_m) {
     file_.add_shape(node, mesh, at_m, Eigen::Quaterniond::Identity(), half_m);
@@ -59,6 +62,41 @@ void GltfScene::add_arena(const Arena& arena) {
     put(box, {side * (half + thick_m), 0.0, high_m}, {thick_m, half + 2.0 * thick_m, high_m});
     put(box, {0.0, side * (half + thick_m), high_m}, {half + 2.0 * thick_m, thick_m, high_m});
   }
+}
+
+/// A prism of 24 sides for each round end, and a box between them.
+void GltfScene::add_obstacle(std::size_t parent, std::size_t material, const Obstacle& one) {
+  constexpr std::uint32_t sides = 24;
+  std::vector<float> places;
+  std::vector<float> normals;
+  std::vector<std::uint32_t> corners;
+  const auto add = [&](double x, double y, double z, double nx, double ny, double nz) {
+    for (const double number : {x, y, z}) places.push_back(static_cast<float>(number));
+    for (const double number : {nx, ny, nz}) normals.push_back(static_cast<float>(number));
+  };
+  for (std::uint32_t side = 0; side <= sides; ++side) {
+    const double angle_rad = 2.0 * std::numbers::pi * side / sides;
+    const double x = std::cos(angle_rad);
+    const double y = std::sin(angle_rad);
+    add(x, y, 0.0, x, y, 0.0);
+    add(x, y, 1.0, x, y, 0.0);
+    add(x, y, 1.0, 0.0, 0.0, 1.0);
+  }
+  const auto top = static_cast<std::uint32_t>(places.size() / 3);
+  add(0.0, 0.0, 1.0, 0.0, 0.0, 1.0);
+  for (std::uint32_t at = 0; at < 3 * sides; at += 3) {
+    for (const std::uint32_t corner : {at, at + 3, at + 1, at + 1, at + 3, at + 4, top, at + 2, at + 5})
+      corners.push_back(corner);
+  }
+  const std::size_t prism = file_.add_surface("pillar", material, places, normals, corners);
+  const Eigen::Vector3d size_m{one.radius_m, one.radius_m, one.height_m};
+  file_.add_shape(parent, prism, {one.x_m, one.y_m, 0.0}, Eigen::Quaterniond::Identity(), size_m);
+  if (one.is_pillar()) return;
+  file_.add_shape(parent, prism, {one.to_x_m, one.to_y_m, 0.0}, Eigen::Quaterniond::Identity(), size_m);
+  const Eigen::AngleAxisd along{std::atan2(one.to_y_m - one.y_m, one.to_x_m - one.x_m), Eigen::Vector3d::UnitZ()};
+  const Eigen::Vector3d middle_m{0.5 * (one.x_m + one.to_x_m), 0.5 * (one.y_m + one.to_y_m), 0.5 * one.height_m};
+  file_.add_shape(parent, file_.add_box("side", material), middle_m, Eigen::Quaterniond{along},
+                  {0.5 * one.length_m(), one.radius_m, 0.5 * one.height_m});
 }
 
 void GltfScene::add_slopes(std::size_t parent, std::size_t material, const HeightField& field) {

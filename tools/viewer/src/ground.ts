@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The arena: floor with a grid of metres, walls or slopes. A wall between the camera and the floor is nearly transparent.
-import { BoxGeometry, BufferAttribute, BufferGeometry, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, PlaneGeometry, type Vector3 } from "three";
+import { BoxGeometry, BufferAttribute, BufferGeometry, CylinderGeometry, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, PlaneGeometry, RingGeometry, type Vector3 } from "three";
 import type { Head } from "./recording";
 import { theme } from "./theme";
 
@@ -15,6 +15,7 @@ export class Ground {
   private readonly floor = new MeshBasicMaterial();
   private readonly grid = new LineBasicMaterial();
   private readonly slopes = new MeshLambertMaterial({ side: DoubleSide, transparent: true, opacity: 0.8 });
+  private readonly obstacles = new MeshLambertMaterial();
   private readonly walls: Wall[] = [];
   private readonly half: number;
 
@@ -32,6 +33,12 @@ export class Ground {
     const net = new LineSegments(grid, this.grid);
     net.renderOrder = -1;
     this.group.add(net);
+    for (const one of arena.obstacles ?? []) this.makeObstacle(one);
+    for (const { x_m, y_m, radius_m } of arena.zones ?? []) {
+      const ring = new Mesh(new RingGeometry(radius_m - 0.004 * half, radius_m, 64), this.obstacles);
+      ring.position.set(x_m, y_m, 0.001);
+      this.group.add(ring);
+    }
     if (arena.height_field) this.group.add(this.makeSlopes(arena.height_field));
     else this.makeWalls();
     this.paint();
@@ -43,6 +50,7 @@ export class Ground {
     this.floor.color.set(colours.floor);
     this.grid.color.set(colours.grid);
     this.slopes.color.set(colours.wall);
+    this.obstacles.color.set(colours.wall);
     for (const { material } of this.walls) material.color.set(colours.wall);
   }
 
@@ -67,6 +75,20 @@ export class Ground {
       this.walls.push({ material, x, y });
       this.group.add(wall);
     }
+  }
+
+  private makeObstacle([x, y, toX, toY, radius, height]: number[]): void {
+    const add = (mesh: Mesh, atX: number, atY: number) => {
+      mesh.position.set(atX, atY, height / 2);
+      this.group.add(mesh);
+      return mesh;
+    };
+    const end = new CylinderGeometry(radius, radius, height, 24).rotateX(Math.PI / 2);
+    add(new Mesh(end, this.obstacles), x, y);
+    if (x === toX && y === toY) return;
+    add(new Mesh(end, this.obstacles), toX, toY);
+    const side = new BoxGeometry(Math.hypot(toX - x, toY - y), 2 * radius, height);
+    add(new Mesh(side, this.obstacles), (x + toX) / 2, (y + toY) / 2).rotation.z = Math.atan2(toY - y, toX - x);
   }
 
   private makeSlopes(field: NonNullable<Head["arena"]["height_field"]>): Mesh {

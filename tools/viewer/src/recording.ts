@@ -43,6 +43,8 @@ export interface Head {
     half_side_m: number;
     extent_m: number;
     height_field?: { nodes: number; half_extent_m: number; height_m: number[] };
+    obstacles?: number[][]; // of each: x and y of both ends of its axis, radius, height
+    zones?: { name: string; x_m: number; y_m: number; radius_m: number }[];
   };
 }
 

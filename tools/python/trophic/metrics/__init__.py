@@ -68,12 +68,12 @@ class Measuring:
             raise RunError(f"--jobs {self.jobs}: must be >= 1")
 
 
-def shipped(web: Web, events: pandas.DataFrame, agents: pandas.DataFrame, *, until_s: float, half_side_m: float, every_ticks: int = 1,
+def shipped(web: Web, events: pandas.DataFrame, agents: pandas.DataFrame, *, until_s: float, floor: walls.Floor, every_ticks: int = 1,
             tag_values: Sequence[int] = (-1, 1), simulated_s_per_s: float = 1.0) -> Results:
     """All metrics of tables with the columns EVENTS and AGENTS, and what motion.with_contacts adds, for any number of species, in an order that
     depends only on the food web and the tags. A metric whose table has no row or lacks the ticks for it is there with the value nan.
 
-    `until_s`: the time of the run that is measured, s. `half_side_m`: of the flat floor, m. `every_ticks`: agents has the ticks that are
+    `until_s`: the time of the run that is measured, s. `every_ticks`: agents has the ticks that are
     multiples of it. `tag_values`: the tags that the brains may choose. `simulated_s_per_s`: simulated seconds in a second of the clock."""
     results = Results()
     robots = Agents(agents, web)
@@ -83,12 +83,12 @@ def shipped(web: Web, events: pandas.DataFrame, agents: pandas.DataFrame, *, unt
     attribution.measure(events, locked.events_of_free(events, robots, ~is_free) if locks else events[:0], web, results)
     demography.measure_deaths(events, web, until_s, results)
     velocity.measure(robots, web, every_ticks, results, simulated_s_per_s=simulated_s_per_s, free=is_free,
-                     is_open=walls.to_wall_m(robots, half_side_m) > walls.REACH_M, is_upright=motion.is_upright(robots))
+                     is_open=walls.to_wall_m(robots, floor) > walls.REACH_M, is_upright=motion.is_upright(robots))
     for rows, suffix in ((robots, ""), (free, "_not_locked")):
-        walls.measure(rows, web, half_side_m, results, suffix)
+        walls.measure(rows, web, floor, results, suffix)
         tags.measure(rows, web, tag_values, results, suffix)
     locked.measure(robots, web, locks, results)
-    motion.measure(robots, web, half_side_m, results)
+    motion.measure(robots, web, floor, results)
     demography.measure_populations(robots, web, results)
     stuck.measure(robots, web, results)
     demography.measure_extinction(robots, web, results)
@@ -111,7 +111,7 @@ def measure_run(run: PooledRun, how: Measuring) -> RunValues:
         from . import bodies
         results = bodies.measure_run(run, how.bodies, events, agents)
     else:
-        results = shipped(run.web, events, agents, until_s=run.until_s, half_side_m=run.half_side_m, every_ticks=run.every_ticks, tag_values=run.tags,
+        results = shipped(run.web, events, agents, until_s=run.until_s, floor=run.floor, every_ticks=run.every_ticks, tag_values=run.tags,
                           simulated_s_per_s=run.manifest["clock"].get("simulated_s_per_clock_s", 1.0))
     results.remarks[:0] = remarks
     for column in how.columns:
@@ -154,7 +154,7 @@ def inherited(of: Iterable[Metric], how: Measuring) -> frozenset[str]:
 def names_of(web: Web, tag_values: Sequence[int] = (-1, 1)) -> list[Metric]:
     """The metrics of a run of these species and tags, in the order of all tables."""
     nothing = [pandas.DataFrame(columns=list(columns), dtype=float) for columns in (EVENTS, AGENTS)]
-    found = shipped(web, *nothing, until_s=0.0, half_side_m=1.0, tag_values=tag_values)
+    found = shipped(web, *nothing, until_s=0.0, floor=walls.Floor(1.0), tag_values=tag_values)
     return [Metric(*row[:4]) for row in found.rows if row[4] == ""]
 
 

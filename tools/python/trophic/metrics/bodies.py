@@ -57,7 +57,7 @@ def measure_run(run: PooledRun, distances: str | os.PathLike, events: pandas.Dat
     for species in run.web.species:
         curves = {metric: (times_s, points) for metric, points in _alive(lives[lives.species == species], times_s).items()}
         if len(times_s):
-            curves.update({metric: of[2:] for metric, of in motion.curves(robots, species, run.half_side_m, window_s).items()})
+            curves.update({metric: of[2:] for metric, of in motion.curves(robots, species, run.floor, window_s).items()})
         for metric, unit in _MEASURES.items():
             time_s, points = curves.get(metric, (times_s, times_s))
             is_early = 2.0 * time_s <= end_s

@@ -10,7 +10,7 @@ import numpy
 import pandas
 
 from .tables import WINDOW_S, Agents, Means, Results, Web, means, numbers, window_of
-from .walls import REACH_M, to_wall_m
+from .walls import REACH_M, Floor, to_wall_m
 
 if TYPE_CHECKING:
     from ..pool import PooledRun
@@ -21,7 +21,7 @@ def with_contacts(agents: pandas.DataFrame, run: PooledRun, remarks: list[str]) 
     is not a number."""
     radius_m = run.manifest.get("params", {}).get("backend", {}).get("radius_m")
     if radius_m is not None:
-        from_wall_m = run.half_side_m - agents[["x_m", "y_m"]].abs().max(axis=1)
+        from_wall_m = run.floor.to_wall_m(agents.x_m, agents.y_m)
         return agents.assign(touches_wall=(from_wall_m <= radius_m + 1e-6).astype(float))  # positions are rounded
     if not (run.path / "senses.csv").exists():
         return agents
@@ -35,11 +35,11 @@ def is_upright(agents: Agents) -> numpy.ndarray:
     return agents.tilt_rad <= 0.5 * numpy.pi
 
 
-def curves(agents: Agents, species: str, half_side_m: float, window_s: float = WINDOW_S) -> dict[str, Means]:
+def curves(agents: Agents, species: str, floor: Floor, window_s: float = WINDOW_S) -> dict[str, Means]:
     """Means over the members of a species, by the window of the row. walked: distance per second, in m/s, from an individual's row at the tick
     before; it includes turns. open_speed: with both rows more than 1 m from any wall; upright_speed: and upright in both. overturned and
     wall_contact: the share of those of whom it is known."""
-    own, is_open = agents.of(species), to_wall_m(agents, half_side_m) > REACH_M
+    own, is_open = agents.of(species), to_wall_m(agents, floor) > REACH_M
     before = agents.find(agents.at - 1, agents.id)
     time_s = agents.time_s[agents.at]
     with numpy.errstate(divide="ignore", invalid="ignore"):
@@ -55,8 +55,8 @@ def curves(agents: Agents, species: str, half_side_m: float, window_s: float = W
     return {name: means(window, agents.mean(*rows_and_values), window_s) for name, rows_and_values in of.items()}
 
 
-def measure(agents: Agents, web: Web, half_side_m: float, results: Results) -> None:
+def measure(agents: Agents, web: Web, floor: Floor, results: Results) -> None:
     for species in web.species:
-        of = curves(agents, species, half_side_m)
+        of = curves(agents, species, floor)
         for name in ("open_speed", "upright_speed", "overturned", "wall_contact"):
             results.add_means(name, species, "all", "m/s" if name.endswith("speed") else "1", of[name])

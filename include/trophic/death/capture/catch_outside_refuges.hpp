@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// The paper's catch, but for prey in a refuge.
+#pragma once
+
+#include <trophic/death/capture/catch_within_reach.hpp>
+
+namespace trophic::death::capture {
+
+/// Rule: as CatchWithinReach, but nothing is caught that stands in a zone of the arena named "refuge". Hunters may enter it, and
+/// see prey in it.
+/// Reads: zones, positions, species, activity, ages.   Random draws: 0.
+struct CatchOutsideRefuges {
+  static constexpr std::string_view name = "catch_outside_refuges";
+  static constexpr std::string_view source = "not in the paper";
+  static constexpr std::string_view zone = "refuge";
+
+  using Params = CatchWithinReach::Params;
+  Params params;
+
+  [[nodiscard]] std::vector<Capture> captures(const View& view, Rng& rng) const {
+    std::vector<Capture> reached = CatchWithinReach{params}.captures(view, rng);
+    std::erase_if(reached, [&](const Capture& capture) {
+      return std::ranges::any_of(view.arena.zones,
+                                 [&](const Zone& one) { return one.name == zone && one.holds(view.poses[capture.victim]); });
+    });
+    return reached;
+  }
+};
+static_assert(CaptureRule<CatchOutsideRefuges>);
+
+}  // namespace trophic::death::capture
