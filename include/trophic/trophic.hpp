@@ -22,6 +22,7 @@
 #include <trophic/control/pace/constant_pace.hpp>
 #include <trophic/control/steering/no_steering.hpp>
 #include <trophic/death/activation/founders_start_active.hpp>
+#include <trophic/death/capture/catch_outside_refuges.hpp>
 #include <trophic/death/floor/active_victim_floor.hpp>
 #include <trophic/death/senescence/energy_store.hpp>
 #include <trophic/death/senescence/old_age.hpp>

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <conformance/backend_suite.hpp>
 #include <conformance/embodying_suite.hpp>
+#include <conformance/ground_suite.hpp>
 #include <conformance/placing_suite.hpp>
 #include <trophic/backend/mujoco.hpp>
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_backend_suite, trophic::backend::Mujoco);
 TEST_CASE_TEMPLATE_INVOKE(trophic_embodying_suite, trophic::backend::Mujoco);
 TEST_CASE_TEMPLATE_INVOKE(trophic_placing_suite, trophic::backend::Mujoco);
+TEST_CASE_TEMPLATE_INVOKE(trophic_ground_suite, trophic::backend::Mujoco);

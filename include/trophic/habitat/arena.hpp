@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <optional>
-#include <string>
 #include <trophic/habitat/obstacle.hpp>
 #include <trophic/params/params.hpp>
 #include <vector>

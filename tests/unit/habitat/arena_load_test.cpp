@@ -7,7 +7,6 @@
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/support/rng.hpp>
-#include <utility>
 
 using namespace trophic;
 
@@ -102,23 +101,29 @@ TEST_CASE("arena: bad file -> error with key and value") {
 }
 
 TEST_CASE("arena: slopes -> the rings that are higher than all inside, so stones and noise are part of the floor") {
-  HeightField field{.nodes = 21, .half_extent_m = 12.0, .height_m = std::vector<double>(441, 0.0)};
-  Rng rng{1, Stream::user};
-  for (std::size_t iy = 0; iy < 21; ++iy) {
-    for (std::size_t ix = 0; ix < 21; ++ix) {
-      const std::size_t ring = std::min({ix, iy, 20 - ix, 20 - iy});
-      field.height_m[iy * 21 + ix] = ring == 0 ? 10.0 : ring == 1 ? 5.0 : rng.uniform(0.0, 0.01);
+  const test::TemporaryFolder folder;
+  const auto arena_with = [&](bool has_stones, std::string_view more = "") {
+    Rng rng{1, Stream::user};
+    std::string rows;
+    for (std::size_t iy = 0; iy < 21; ++iy) {
+      rows += "[";
+      for (std::size_t ix = 0; ix < 21; ++ix) {
+        const std::size_t ring = std::min({ix, iy, 20 - ix, 20 - iy});
+        const bool is_stone = has_stones && ix == iy && (ix == 7 || ix == 13);
+        rows += number_text(ring == 0 ? 10.0 : ring == 1 ? 5.0 : is_stone ? 0.3 : rng.uniform(0.0, 0.01)) + ",";
+      }
+      rows += "],";
     }
-  }
-  CHECK(floor_half_side_m(field) == doctest::Approx(9.6).epsilon(1e-15));
-  field.height_m[12 * 21 + 7] = 0.3;
-  field.height_m[13 * 21 + 13] = 0.3;
-  CHECK(floor_half_side_m(field) == doctest::Approx(9.6).epsilon(1e-15));
-  CHECK(flat_half_side_m(field) == 0.0);
-  Arena arena;
-  arena.height_field = field;
-  CHECK(highest_below_m(arena, {.x_m = -12.0 + 7 * 1.2 + 0.5, .y_m = -12.0 + 12 * 1.2}, 0.2) == 0.3);
-  CHECK(highest_below_m(arena, {.x_m = -12.0 + 7 * 1.2 + 1.5, .y_m = -12.0 + 12 * 1.2}, 0.2) < 0.01);
+    return load_arena(
+        folder.file("arena.toml", "name = \"a\"\nhalf_extent_m = 12\n" + std::string{more} + "height_m = [" + rows + "]\n"));
+  };
+  CHECK(arena_with(false).half_side_m == doctest::Approx(9.6).epsilon(1e-15));
+  CHECK(arena_with(true, "floor_side_m = 10\n").half_side_m == 5.0);
+  const Arena arena = arena_with(true);
+  CHECK(arena.half_side_m == doctest::Approx(9.6).epsilon(1e-15));
+  CHECK(flat_half_side_m(*arena.height_field) == 0.0);
+  CHECK(highest_below_m(arena, {.x_m = -12.0 + 7 * 1.2 + 0.5, .y_m = -12.0 + 7 * 1.2}, 0.2) == 0.3);
+  CHECK(highest_below_m(arena, {.x_m = -12.0 + 7 * 1.2 + 1.5, .y_m = -12.0 + 7 * 1.2}, 0.2) < 0.01);
   CHECK(highest_below_m(arena, {.x_m = 11.9, .y_m = 0.0}, 5.0) == 10.0);
 }
 

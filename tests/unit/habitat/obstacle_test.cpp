@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <numbers>
 #include <trophic/habitat/obstacle.hpp>
 #include <trophic/habitat/touch.hpp>
 #include <trophic/support/rng.hpp>

@@ -13,10 +13,6 @@ namespace trophic {
 /// Half side of the largest centred square of nodes that all have height 0, m; 0 if there is none.
 [[nodiscard]] double flat_half_side_m(const HeightField& field);
 
-/// Half side of the floor, m: of what is left without the rings of nodes at the edge of which each is higher than all inside it.
-/// 0 if nothing is left.
-[[nodiscard]] double floor_half_side_m(const HeightField& field);
-
 /// Loads the arena of a file, by name ("walled_square") or path. The file has `side_m` for a plane with four walls, or
 /// `robots_per_m2` for one whose side depends on the number of `robots`, or `half_extent_m` and the rows `height_m` for a
 /// height field, whose slopes are the rings of nodes at the edge that are higher than all inside, or begin at the side

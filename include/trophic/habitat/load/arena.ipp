@@ -26,7 +26,12 @@ TROPHIC_INLINE double flat_half_side_m(const HeightField& field) {
   return 0.0;
 }
 
-TROPHIC_INLINE double floor_half_side_m(const HeightField& field) {
+namespace detail {
+
+inline constexpr double largest_arena_m = 1e6;
+
+/// Half side of the floor, m: of what is left without the rings of nodes at the edge that are each higher than all inside.
+[[nodiscard]] inline double floor_half_side_m(const HeightField& field) {
   const double spacing_m = 2.0 * field.half_extent_m / static_cast<double>(field.nodes - 1);
   const std::size_t rings = (field.nodes + 1) / 2;
   std::vector<double> lowest_m(rings, std::numeric_limits<double>::infinity());
@@ -46,10 +51,6 @@ TROPHIC_INLINE double floor_half_side_m(const HeightField& field) {
   while (floor + 1 < rings && is_slope(floor)) ++floor;
   return field.half_extent_m - static_cast<double>(floor) * spacing_m;
 }
-
-namespace detail {
-
-inline constexpr double largest_arena_m = 1e6;
 
 /// A wall may lead `to_x_m`, `to_y_m`; without them the obstacle is a pillar.
 [[nodiscard]] inline Obstacle obstacle_of(const TomlTable& table, double half_extent_m) {
@@ -71,7 +72,7 @@ inline constexpr double largest_arena_m = 1e6;
   return zone;
 }
 
-/// What stands and lies in an arena whose size is known.
+/// Obstacles and zones of an arena whose size is known.
 inline void read_things(const TomlTable& file, Arena& arena) {
   const double half_extent_m = arena.extent_m / 2.0;
   if (file.has("obstacle")) {
@@ -131,8 +132,8 @@ TROPHIC_INLINE Arena load_arena(std::string_view name_or_path, std::string_view 
     field.height_m.insert(field.height_m.end(), rows[iy].begin(), rows[iy].end());
   }
   arena.extent_m = 2.0 * field.half_extent_m;
-  arena.half_side_m =
-      file.has("floor_side_m") ? file.number("floor_side_m", above_to(0.0, arena.extent_m)) / 2.0 : floor_half_side_m(field);
+  arena.half_side_m = file.has("floor_side_m") ? file.number("floor_side_m", above_to(0.0, arena.extent_m)) / 2.0
+                                               : detail::floor_half_side_m(field);
   detail::read_things(file, arena);
   file.no_other_keys();
   if (!(arena.half_side_m > 0.0)) file.fail("height_m", ": must have a floor: its heights rise from the centre to the edge");
