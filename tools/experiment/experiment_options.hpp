@@ -30,6 +30,7 @@ struct ExperimentOptions {
   double checkpoint_s = checkpoint::Schedule{}.every_s;
   bool shadow = false;
   bool neutral = false;
+  bool clones = false;
   std::string config;
   std::vector<std::string> assignments;
   std::string out;

@@ -275,6 +275,7 @@ int run_once(const ExperimentOptions& options, AnyExperiment& experiment, const 
   std::vector<Null> nulls;
   if (options.shadow) nulls.push_back(Null::shadow);
   if (options.neutral) nulls.push_back(Null::neutral);
+  if (options.clones) nulls.push_back(Null::clones);
   std::optional<checkpoint::SnapshotFolder> room;
   if (origin) {
     plan.check();

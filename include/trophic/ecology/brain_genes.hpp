@@ -19,10 +19,10 @@ class BrainGenes {
 
   BrainGenes(const Policies<Rules>& rules, std::uint64_t seed) : rules_{rules}, seed_{seed} {}
 
-  /// Draws the weights of an individual without a parent.
-  void draw(Genome& genome, const Individual& born) const {
-    Rng structure{seed_, Stream::brain_structure, born.id};
-    Rng rng{seed_, Stream::initial_genome, born.id};
+  /// Draws the weights of an individual without a parent, by the streams of the individual `as`.
+  void draw(Genome& genome, const Individual& born, IndividualId as) const {
+    Rng structure{seed_, Stream::brain_structure, as};
+    Rng rng{seed_, Stream::initial_genome, as};
     const Brain& brain = brain_of(born.species);
     genome.weights = control::ask::first_genes(brain, shape, structure);
     reproduction::ask::draw(rules_.initial_genome, control::ask::weights_of(brain, genome.weights), born, rng);

@@ -19,10 +19,13 @@ namespace trophic {
 
 namespace detail {
 
-/// Names the neutral null of a heredity: the population applies it.
+/// Name the neutral null of a heredity and that of clones: the population applies them.
 template <class Rule>
 struct NeutralHeredity : reproduction::heredity::NothingInherited {
   static constexpr std::string_view name = prefixed_name<"neutral", Rule>;
+};
+struct OneGenomeForAll : reproduction::heredity::NothingInherited {
+  static constexpr std::string_view name = "one_genome_for_all";
 };
 
 }  // namespace detail
@@ -43,32 +46,34 @@ template <class Rules>
 
 /// Everything that determines a run of `experiment` on `backend` in `habitat` until `until_s` (ecology seconds), and its
 /// fingerprint. `tags`: those that the table's brains may choose. A neutral shadow is described as the table with
-/// NothingInherited, a neutral null as one with neutral_HEREDITY.
+/// NothingInherited, a neutral null as one with neutral_HEREDITY, clones as one with one_genome_for_all.
 template <class Rules>
 [[nodiscard]] observe::RunDescription describe(const Experiment<Rules>& experiment, const BackendChoice& backend,
                                                const Habitat& habitat, std::vector<int> tags, double until_s) {
   using Shadow = with_heredity<Rules, reproduction::heredity::NothingInherited>;
   using Neutral = with_heredity<Rules, detail::NeutralHeredity<PolicyIn<Rules, RuleSlot::heredity>>>;
-  const auto of_null = [&](const auto& none, const auto& shadow, const auto& neutral) {
-    return experiment.null == Null::none ? none : experiment.null == Null::shadow ? shadow : neutral;
+  using Clones = with_heredity<Rules, detail::OneGenomeForAll>;
+  const auto of_null = [&](const auto&... none_shadow_neutral_clones) {
+    return std::array{none_shadow_neutral_clones...}[static_cast<std::size_t>(experiment.null)];
   };
-  observe::RunDescription run{.rules = of_null(table_name<Rules>(), table_name<Shadow>(), table_name<Neutral>()),
-                              .slots = {},
-                              .named_params = named_params_of(experiment, backend),
-                              .tags = std::move(tags),
-                              .inputs = Rules::Sensors::value_names(),
-                              .backend = backend.name() + " " + backend.version(),
-                              .remarks = backend.remarks(experiment.physics),
-                              .seed = experiment.seed,
-                              .tick_s = experiment.ecology.tick_s,
-                              .clock_scale = experiment.ecology.clock_scale,
-                              .until_s = until_s,
-                              .fingerprint = {}};
-  for (const rules::SlotRule& rule :
-       of_null(rules::slot_rules<Rules>(), rules::slot_rules<Shadow>(), rules::slot_rules<Neutral>())) {
+  observe::RunDescription run{
+      .rules = of_null(table_name<Rules>(), table_name<Shadow>(), table_name<Neutral>(), table_name<Clones>()),
+      .slots = {},
+      .named_params = named_params_of(experiment, backend),
+      .tags = std::move(tags),
+      .inputs = Rules::Sensors::value_names(),
+      .backend = backend.name() + " " + backend.version(),
+      .remarks = backend.remarks(experiment.physics),
+      .seed = experiment.seed,
+      .tick_s = experiment.ecology.tick_s,
+      .clock_scale = experiment.ecology.clock_scale,
+      .until_s = until_s,
+      .fingerprint = {}};
+  for (const rules::SlotRule& rule : of_null(rules::slot_rules<Rules>(), rules::slot_rules<Shadow>(),
+                                             rules::slot_rules<Neutral>(), rules::slot_rules<Clones>())) {
     run.slots.emplace_back(rule.slot, rule.policy);
   }
-  if (experiment.null == Null::shadow) {
+  if (experiment.null == Null::shadow || experiment.null == Null::clones) {
     std::erase_if(run.named_params, [](const NamedParam& param) { return param.path.starts_with("rules.heredity."); });
   }
   if constexpr (requires { Rules::Capture::zone; }) {

@@ -52,14 +52,14 @@ class Phenotypes {
 
   /// Draws the genes of body and gait that the genome of a newborn lacks, mutates the others, and expresses them in its body; the
   /// body after the last one is a new one. If the rule Viability refuses the newborn after a trial, they are drawn or mutated
-  /// again.
-  void develop(BodyIndex body, const Individual& born, Genome& genome) {
+  /// again. Random numbers are those of the individual `as`.
+  void develop(BodyIndex body, const Individual& born, Genome& genome, IndividualId as) {
     if (!differ) return;
     const bool draws_body = genome.body_genes.empty();
     const bool draws_gait = genome.gait_genes.empty();
     const bool is_drawn = (BodyGenes<Rules>::are_inherited && draws_body) || (GaitGenes<Rules>::are_inherited && draws_gait);
-    Rng body_rng{seed_, draws_body ? Stream::body_genes : Stream::body_mutation, born.id};
-    Rng gait_rng{seed_, draws_gait ? Stream::gait_genes : Stream::gait_mutation, born.id};
+    Rng body_rng{seed_, draws_body ? Stream::body_genes : Stream::body_mutation, as};
+    Rng gait_rng{seed_, draws_gait ? Stream::gait_genes : Stream::gait_mutation, as};
     const Genome inherited = genome;
     const auto& viability = for_species(rules_.viability, born.species);
     std::string refusal;

@@ -251,7 +251,7 @@ class Population {
     for (const Ancestor& parent : parents) before.push_back(parent.genome->weights);
     Rng crossover{seed_, Stream::crossover, born.id};
     const auto& heredity = for_species(rules_.heredity, species);
-    auto genome = parents.empty() || null_ == Null::shadow ? nullptr : reproduction::ask::inherit(heredity, parents, crossover);
+    auto genome = parents.empty() || draws_anew() ? nullptr : reproduction::ask::inherit(heredity, parents, crossover);
     if (const auto demand = genome && !genome->weights.empty() ? brains_.misfit(species, genome.get()) : std::nullopt) {
       throw RuleError{"heredity", "a genome of " + std::to_string(genome->weights.size()) + " weights: must have " + *demand};
     }
@@ -343,10 +343,14 @@ class Population {
 
   [[nodiscard]] std::shared_ptr<Genome> drawn_genome(const Individual& born, BodyIndex body) {
     auto genome = std::make_shared<Genome>(Genome{.id = next_genome_id_++});
-    brains_.draw(*genome, born);
-    phenotypes_.develop(body, born, *genome);
+    const IndividualId as = null_ == Null::clones ? 0 : born.id;
+    brains_.draw(*genome, born, as);
+    phenotypes_.develop(body, born, *genome, as);
     return genome;
   }
+
+  /// Whether offspring draw genomes instead of inheriting them.
+  [[nodiscard]] bool draws_anew() const { return null_ == Null::shadow || null_ == Null::clones; }
 
   /// Sets origin, parents and genome of a newborn with parents. `genome` is the inherited one, mutated here, with parts that are
   /// empty drawn; if null, a genome is drawn. `before`: the weights of each parent before all this.
@@ -360,11 +364,11 @@ class Population {
       const bool is_shared = std::ranges::any_of(parents, [&](const Ancestor& parent) { return parent.genome == genome; });
       if (!is_shared) genome->id = next_genome_id_++;
       if (genome->weights.empty()) {
-        brains_.draw(*genome, born);
+        brains_.draw(*genome, born, born.id);
       } else {
         brains_.mutate(*genome, states_.mutation[body], born);
       }
-      phenotypes_.develop(body, born, *genome);
+      phenotypes_.develop(body, born, *genome, born.id);
       born.genome = std::move(genome);
     }
     born.mutation_distance = std::numeric_limits<double>::infinity();
