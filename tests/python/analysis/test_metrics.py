@@ -6,7 +6,7 @@ import numpy
 import pandas
 import pytest
 from hand_written import WEB, agents, event, events, robot
-from trophic.metrics import AGENTS, EVENTS, Web, demography, help, lost_to_thinning, shipped, stuck, velocity, walls
+from trophic.metrics import AGENTS, EVENTS, Web, demography, help, living, lost_to_thinning, shipped, stuck, velocity, walls
 from trophic.metrics.tables import means, window_of
 
 NAN = math.nan
@@ -145,7 +145,8 @@ def test_the_help_lists_every_metric_once_with_its_unit(capsys):
     assert help.run({}) == 0
     lines = [line.split() for line in capsys.readouterr().out.splitlines()]
     assert lines[1] == ["metric", "unit", "of"] and ["hunger", "ticks", "predator:all"] in lines
-    assert sorted(line[0] for line in lines[2:]) == sorted({row[0] for row in measured()})
+    of = {row[0] for row in measured()} | {name.metric for name in living.names(WEB, True)}
+    assert sorted(line[0] for line in lines[2:]) == sorted(of)
 
 
 @pytest.mark.parametrize("every", [1, 2, 3, 4, 5, 6, 10])

@@ -14,10 +14,11 @@ import numpy
 import pandas
 
 from . import published
-from .metrics import READINGS, chosen
+from .metrics import READINGS, chosen, living
+from .report.columns import names
 from .runs import RunError
 from .statistics import (MIN_RUNS_FOR_TEST, SIGNIFICANCE, Difference, adjust_together, contrast, difference_of, estimate, known, mean_of,
-                         scatter_of)
+                         is_by_chance, scatter_of, share_difference, share_interval, survival)
 from .values import METRIC, NEUTRAL, SHADOW, MeasuredSet, Metric
 from .words import NULLS, Reading, over_text, p_text
 
@@ -112,12 +113,12 @@ def summarize(of: MeasuredSet, choices: Sequence[str] = ()) -> pandas.DataFrame:
     differences: list[Difference | None] = []
     for metric in wanted:
         values = of.table[metric, ""]
-        row = {"set": of.label, **metric._asdict(), **_estimated(values), "published": published.value_of(metric) if has_published else None,
+        row = {"set": of.label, **metric._asdict(), **_estimated(metric, values), "published": published.value_of(metric) if has_published else None,
                "same_as": str(repeats.get(metric, ""))}
         baselines: list[tuple[str, str, numpy.ndarray, Difference | None]] = []
-        for name in (name for name in of.nulls if name == SHADOW or metric.metric in of.inherited):
+        for name in (name for name in of.nulls if name != NEUTRAL or metric.metric in of.inherited):
             role = "null" if name == of.null_of(metric) else "reference"
-            baselines.append((name, role, of.null_values(metric, name), _difference(_over(of, metric, name))))
+            baselines.append((name, role, of.null_values(metric, name), _difference(metric, _over(of, metric, name))))
         for (other, name), role in of.roles.items():
             if other == metric:
                 paired = values - of.table[metric, name]
@@ -145,21 +146,22 @@ def compare(a: MeasuredSet, b: MeasuredSet, choices: Sequence[str] = ()) -> pand
     differences: list[Difference | None] = []
     for metric in wanted:
         of_a, of_b = a.table[metric, ""], b.table[metric, ""]
-        row = {"set_a": a.label, "set_b": b.label, **metric._asdict(), **_estimated(of_a, "_a"), **_estimated(of_b, "_b"),
+        row = {"set_a": a.label, "set_b": b.label, **metric._asdict(), **_estimated(metric, of_a, "_a"), **_estimated(metric, of_b, "_b"),
                "same_as": str(repeats.get(metric, ""))}
         null = a.null_of(metric) if a.null_of(metric) == b.null_of(metric) else SHADOW if a.shadow and b.shadow else ""
         if null:
-            over = _difference([*_over(a, metric, null, -1.0), *_over(b, metric, null)])
+            over = _difference(metric, [*_over(a, metric, null, -1.0), *_over(b, metric, null)])
             if over.value is not None:
                 rows.append({**row, "compared": f"over_{null}", "role": "null"})
                 differences.append(over)
         rows.append({**row, "compared": "raw", "role": "" if null else "null"})
-        differences.append(_difference([(-1.0, of_a), (1.0, of_b)]))
+        differences.append(_difference(metric, [(1.0, of_b), (-1.0, of_a)]))
     return _judged(rows, differences, "lower", "upper")
 
 
-def _estimated(values: numpy.ndarray, suffix: str = "") -> dict[str, Any]:
+def _estimated(metric: Metric, values: numpy.ndarray, suffix: str = "") -> dict[str, Any]:
     n, mean, deviation, interval = estimate(values)
+    interval = share_interval(values) if metric.metric in living.SHARES else interval
     named = {"n": n, "mean": mean, "deviation": deviation, "lower": interval and interval.lower, "upper": interval and interval.upper}
     return {name + suffix: value for name, value in named.items()}
 
@@ -170,7 +172,9 @@ def _over(of: MeasuredSet, metric: Metric, null: str, sign: float = 1.0) -> list
     return [(sign, values - its)] if null == NEUTRAL else [(sign, values), (-sign, its)]
 
 
-def _difference(terms: list[tuple[float, numpy.ndarray]]) -> Difference:
+def _difference(metric: Metric, terms: list[tuple[float, numpy.ndarray]]) -> Difference:
+    if metric.metric in living.SHARES and [sign for sign, _ in terms] == [1.0, -1.0]:
+        return share_difference(*(values for _, values in terms))
     return difference_of(_sum(*terms), contrast(*terms), scatter_of(*(values for _, values in terms)))
 
 
@@ -234,13 +238,59 @@ def runs_of(row: Any) -> str:
     """The runs of a comparison: "10+10" of two sets, "10" if each run has a null of its own."""
     if hasattr(row, "compared"):
         return f"{row.n_a}+{row.n_b}"
-    return f"{row.n}+{row.null_n}" if row.null == SHADOW else str(min(row.n, row.null_n))
+    return f"{row.n}+{row.null_n}" if row.null in NULLS and row.null != NEUTRAL else str(min(row.n, row.null_n))
 
 
 def too_few(of: MeasuredSet) -> list[str]:
     """A sentence for a set, and one for each of its nulls, of too few runs for a test."""
     return [f"too few runs for a test: {MIN_RUNS_FOR_TEST} are needed, {one.label} has {len(one.runs)}"
             for one in (of, *of.nulls.values()) if len(one.runs) < MIN_RUNS_FOR_TEST]
+
+
+# Worlds whose numbers change
+
+def survivals(of: MeasuredSet) -> pandas.DataFrame:
+    """survival.csv: of a set whose numbers change and of its nulls each species' survival; empty for any other set."""
+    rows: list[tuple] = []
+    for null, one in (("", of), *of.nulls.items()):
+        for (metric, baseline), values in one.table.items():
+            if (metric.metric, baseline) == ("extinct_at", "") and any(name.metric == "persists" for name, _ in one.table):
+                ends = [one.until_s if run.reached_s is None else min(one.until_s, run.reached_s) for run in one.runs]  # type: ignore[attr-defined]
+                died = ~numpy.isnan(values)
+                rows += [(of.label, null, metric.species, *row) for row in survival(numpy.where(died, values, ends), died)]
+    return pandas.DataFrame(rows, columns=names("survival.csv"))
+
+
+def living_sentences(of: MeasuredSet) -> list[str]:
+    """Sentences about persistence and cycles in a set whose numbers change, with those of its nulls; none for any other set."""
+    sentences = []
+    for metric in of.metrics():
+        values = known(of.table[metric, ""])
+        nulls = {name: known(null.baseline(metric, "")) for name, null in of.nulls.items()}
+        is_asked = metric.metric == "cycles" or metric.species == "all" or any((its == 0.0).any() for its in (values, *nulls.values()))
+        if metric.metric not in living.SHARES or len(values) == 0 or not is_asked:
+            continue
+        who = "All species" if metric.species == "all" else _who(metric.species).capitalize()
+        many, count = int(values.sum()), len(values)
+        beside = [f"{NULLS[name]} {int(its.sum())} of {len(its)}" for name, its in nulls.items() if len(its)]
+        field = mean_of(of.baseline(metric, living.MEAN_FIELD))
+        beside += [] if field is None else [f"mean field {field:.2f}"]
+        interval = share_interval(values)
+        share = f"{many} of {count} runs" + (f", a share of [{interval.lower:.3f}, {interval.upper:.3f}]" if interval else "")
+        if metric.metric == "persists":
+            text = f"{who} live to the end of {share}"
+        elif is_by_chance(many, count):
+            text = f"{who} have no cycle: red noise explains their numbers in {count - many} of {count} runs"
+        else:
+            period, amplitude = (estimate(of.baseline(Metric(name, *metric[1:3], unit), "")) for name, unit in (("period", "s"), ("amplitude", "1")))
+            text = f"{who} cycle in {share}, with a period of {_plain(period, 0, ' s')} and an amplitude of {_plain(amplitude, 2)} of their mean"
+        sentences.append(f"{text} ({', '.join(beside)})." if beside else f"{text}.")
+    return sentences
+
+
+def _plain(of: Any, digits: int, unit: str = "") -> str:
+    bounds = f" [{of.interval[0]:.{digits}f}, {of.interval[1]:.{digits}f}]" if of.interval else ""
+    return f"{of.mean:.{digits}f}{unit}{bounds}"
 
 
 # Findings
@@ -323,6 +373,14 @@ _NOUNS = {"velocity": "the velocity of {who} towards their adversaries", "veloci
           "walked": "the speed of {who}", "open_speed": "the speed of {who} away from walls",
           "upright_speed": "the speed of upright {who} away from walls", "overturned": "the share of {who} that lie on their backs",
           "wall_contact": "the share of {who} that touch a wall",
+          "persists": "the share of runs that {who} survive", "cycles": "the share of runs in which {who} cycle",
+          "period": "the period of the cycle of {who}",
+          "amplitude": "the relative amplitude of the cycle of {who}", "phase": "the phase between {who}", "birth_rate": "the birth rate of {who}",
+          "generation_time": "the generation time of {who}", "parents": "the number of parents of {who}",
+          "lineage_depth": "the depth of the lineages of {who}", "search_rate": "the search rate between {who}",
+          "search_rate_holling": "the search rate between {who} of type II", "handling_time": "the handling time between {who}",
+          "stock": "the stock of energy of {who}", "trophic_efficiency": "the trophic efficiency of {who}",
+          "pyramid_numbers": "the pyramid of numbers of {who}", "pyramid_energy": "the pyramid of energy of {who}",
           "extinct": "the share of runs in which {who} die out", "extinct_at": "the time at which {who} die out"}
 _CAUSES = {"caught": "are caught", "starved": "starve", "sacrificed": "are sacrificed", "senescence": "die of senescence"}
 

@@ -22,11 +22,11 @@ from . import metrics, runs
 from .description import changes_of, describe
 from .metrics import Measuring, Web, bodies, own, walls
 from .runs import Run, RunError
-from .values import NEUTRAL, SHADOW, MeasuredSet, RunValues
+from .values import CLONES, NEUTRAL, SHADOW, MeasuredSet, RunValues
 from .words import NO_NEUTRAL, NULLS, excerpt, number_text
 
-SHADOW_SLOT, SHADOW_POLICY = "heredity", "nothing_inherited"
-"""The slot in which a table and its shadow differ, and the policy that the shadow has there."""
+SHADOW_SLOT, POLICIES = "heredity", {SHADOW: "nothing_inherited", CLONES: "one_genome_for_all"}
+"""The slot in which a table and its nulls differ, and the policies there; of the neutral null neutral_HEREDITY."""
 MOST_TIME_S = 1e8
 """The longest run that is analysed: three years of its clock."""
 _LONGEST_TICK_S = 3600.0  # a run's last tick may end after its duration, by less than this
@@ -121,8 +121,8 @@ class PooledRun(Run):
 
 
 def read_set(paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | None = None, how: Measuring | None = None) -> MeasuredSet:
-    """Reads and measures runs that may be pooled, and their nulls: the shadow named, or else what is in the folders PATH/shadow, and the neutral
-    null in PATH/neutral.
+    """Reads and measures runs that may be pooled, and their nulls: the shadow named, or else what is in the folders PATH/shadow, the neutral
+    null in PATH/neutral and the clones in PATH/clones.
 
     Raises RunError before anything is measured for runs that are not replicates, a null that is not theirs, an own column that a run lacks, a
     name that is taken, and a choice that names no metric; and for a run that cannot be read."""
@@ -163,7 +163,7 @@ def pooled_sets(paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | 
     """The runs of some folders, and those of their nulls by name, each with remarks. Raises RunError as `read_set`."""
     folders = [pathlib.Path(path) for path in paths]
     pooled, nulls = pooled_runs(folders, how), {}
-    for name in NULLS:
+    for name in NULLS if how.bodies is None and how.lineages is None else (SHADOW, NEUTRAL):
         its_folders = [pathlib.Path(shadow)] if name == SHADOW and shadow is not None else null_folders(folders, name)
         if its_folders:
             nulls[name] = pooled_runs(its_folders, how)
@@ -359,7 +359,7 @@ def builds_text(builds: Sequence[str]) -> str:
 
 
 def null_folders(paths: Iterable[pathlib.Path], name: str = SHADOW) -> list[pathlib.Path]:
-    """The folders PATH/shadow or PATH/neutral that exist, into which --shadow and --neutral put the nulls of these runs."""
+    """The folders PATH/shadow, PATH/neutral or PATH/clones that exist, into which --shadow, --neutral and --clones put the nulls of these runs."""
     return [path / name for path in paths if (path / name).is_dir()]
 
 
@@ -377,9 +377,9 @@ def check_shadow(run: PooledRun, shadow: PooledRun, any_parent: bool = False, na
     nothing inherited or, with the name of the neutral null, with its heredity. Seeds may differ. With `any_parent` the rule in slot parent may
     differ too: if nothing is inherited, it changes parents and labels, and no genome and no motion."""
     def refuse(why: str) -> None:
-        raise RunError(f"{shadow.path}: is not a neutral {name.replace(NEUTRAL, 'null')} of {run.path}: {why}")
+        raise RunError(f"{shadow.path}: is not a {'set of' if name == CLONES else 'neutral'} {name.replace(NEUTRAL, 'null')} of {run.path}: {why}")
     policy, own_policy = (one.manifest.get("rules", {}).get(SHADOW_SLOT, "unknown") for one in (shadow, run))
-    if policy != (wanted := SHADOW_POLICY if name == SHADOW else f"{NEUTRAL}_{own_policy}"):
+    if policy != (wanted := POLICIES.get(name, f"{NEUTRAL}_{own_policy}")):
         refuse(f"its rule in slot {SHADOW_SLOT} is {policy}: must be {wanted}")
     free = {SHADOW_SLOT, "parent"} if any_parent else {SHADOW_SLOT}
 

@@ -150,6 +150,60 @@ def estimate(values: Values) -> Estimate:
     return Estimate(len(known(values)), mean_of(values), deviation_of(values), interval_of_mean(values))
 
 
+def share_interval(values: Values, level: float = 0.95) -> Interval | None:
+    """Clopper and Pearson's interval [clopper1934] of the share of runs, of values 0 and 1: it holds the true share with `level` at least. None if a
+    set has fewer than MIN_RUNS_FOR_TEST values."""
+    array = known(values)
+    n, k = len(array), array.sum()
+    if n < MIN_RUNS_FOR_TEST:
+        return None
+    tail = (1.0 - level) / 2.0
+    return Interval(float(special.betaincinv(k, n - k + 1, tail)) if k > 0 else 0.0,
+                    float(special.betaincinv(k + 1, n - k, 1.0 - tail)) if k < n else 1.0)
+
+
+def share_difference(a: Values, b: Values) -> Difference:
+    """The difference of two shares of runs, a - b: Fisher's exact test, and Newcombe's interval [newcombe1998] of both exact ones. Without p and
+    interval if a set has fewer than MIN_RUNS_FOR_TEST values, without p where all values are the same."""
+    a, b = known(a), known(b)
+    its, others = share_interval(a), share_interval(b)
+    value = float(a.mean() - b.mean()) if len(a) and len(b) else None
+    if value is None or its is None or others is None:
+        return Difference(value, None, None, None, scatter_of(a, b))
+    low = math.hypot(a.mean() - its.lower, others.upper - b.mean())
+    high = math.hypot(its.upper - a.mean(), b.mean() - others.lower)
+    both = int(a.sum() + b.sum())
+    p = None
+    if 0 < both < len(a) + len(b):
+        k = numpy.arange(max(0, both - len(b)), min(both, len(a)) + 1)
+        chance = special.binom(len(a), k) * special.binom(len(b), both - k)
+        here = chance[int(a.sum()) - k[0]]
+        p = float(min(1.0, chance[chance <= here * (1.0 + 1e-9)].sum() / chance.sum()))
+    return Difference(value, Interval(value - low, value + high), p, None, scatter_of(a, b))
+
+
+def is_by_chance(many: int, count: int) -> bool:
+    """Whether tests at 5 % find so many of `count` runs in more than 5 % of sets in which there is nothing."""
+    return many == 0 or float(special.bdtrc(many - 1, count, SIGNIFICANCE)) > SIGNIFICANCE
+
+
+def survival(ends: Values, died: Sequence[bool] | numpy.ndarray) -> list[tuple[float, int, int, float, float, float]]:
+    """Kaplan and Meier's estimate [kaplan1958]: of each time at which a run died its time, the runs at risk, those that died, the share that survives
+    it, and its 95 % interval by Greenwood's error of log(-log), nan where the share is 0. `ends`: the time of each run's end or death."""
+    rows, share, error, quantile = [], 1.0, 0.0, float(special.ndtri(0.975))
+    ends, died = numpy.asarray(ends, float), numpy.asarray(died, bool)
+    for time in numpy.unique(ends[died]):
+        at_risk, deaths = int((ends >= time).sum()), int((died & (ends == time)).sum())
+        share *= 1.0 - deaths / at_risk
+        bounds = (math.nan, math.nan)
+        if share > 0.0:
+            error += deaths / (at_risk * (at_risk - deaths))
+            spread = math.exp(quantile * math.sqrt(error) / abs(math.log(share)))
+            bounds = (share**spread, share ** (1.0 / spread))
+        rows.append((float(time), at_risk, deaths, share, *bounds))
+    return rows
+
+
 def holm(p_values: Values) -> numpy.ndarray:
     """Holm's step-down correction [holm1979]: a corrected value <= 0.05 is found in at most 5 % of analyses in which nothing differs, however the
     comparisons depend on each other. The k-th smallest of m values becomes the largest (m - j + 1) p_j of j = 1, ..., k."""

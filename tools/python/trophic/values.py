@@ -28,8 +28,8 @@ class Metric(NamedTuple):
 
 
 METRIC = list(Metric._fields)
-SHADOW, NEUTRAL = "shadow", "neutral"
-"""The names of the baselines that a set's neutral shadow and its neutral null give, and of their folders."""
+SHADOW, NEUTRAL, CLONES = "shadow", "neutral", "clones"
+"""The names of the baselines that a set's neutral shadow, its neutral null and its clones give, and of their folders."""
 VALUE_COLUMNS = [*METRIC, "baseline", "role", "value"]
 CURVE_COLUMNS = [*METRIC, "baseline", "time_s", "value"]
 
@@ -59,13 +59,15 @@ class MeasuredSet:
     remarks: list[str] = dataclasses.field(default_factory=list)
     neutral: "MeasuredSet | None" = None
     """its neutral null, of which each run repeats the run that has its seed"""
+    clones: "MeasuredSet | None" = None
+    """runs in which all have one genome: shown next to the set, not tested against"""
     inherited: frozenset[str] = frozenset()
     """the names of its metrics of genomes, bodies and brains"""
 
     @property
     def nulls(self) -> "dict[str, MeasuredSet]":
-        """The shadow and the neutral null, as far as there are any."""
-        return {name: one for name, one in ((SHADOW, self.shadow), (NEUTRAL, self.neutral)) if one is not None}
+        """The shadow, the neutral null and the clones, as far as there are any."""
+        return {name: one for name, one in ((SHADOW, self.shadow), (NEUTRAL, self.neutral), (CLONES, self.clones)) if one is not None}
 
     def null_of(self, metric: Metric) -> str:
         """The null that answers for a metric: the neutral one for what is inherited, if there is one, else the shadow. Empty without it."""
@@ -75,7 +77,7 @@ class MeasuredSet:
     def null_values(self, metric: Metric, name: str) -> numpy.ndarray:
         """The values of a metric in a null, one a run of it; those of the neutral null by the runs that they repeat, nan if there is none."""
         values = self.nulls[name].baseline(metric, "")
-        if name == SHADOW:
+        if name != NEUTRAL:
             return values
         of_seed = dict(zip((run.seed for run in self.nulls[name].runs), values))
         return numpy.array([of_seed.get(run.seed, numpy.nan) for run in self.runs])

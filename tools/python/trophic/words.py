@@ -7,10 +7,12 @@ import unicodedata
 from collections.abc import Iterable, Sequence
 
 from .statistics import MOST_RUNS, Estimate
-from .values import NEUTRAL, SHADOW, Metric
+from .values import CLONES, NEUTRAL, SHADOW, Metric
 
 _PLAIN_UNITS = ("", "1", "ticks")  # shares and counts; hunger in ticks is a metric of trophic's own, whose unit the glossary gives
-NULLS = {SHADOW: "shadow", NEUTRAL: "neutral null"}
+_DECIMALS = {**dict.fromkeys(("deaths", "population", "period", "generation_time", "handling_time", "lineage_depth", "stock"), 1), "birth_rate": 5,
+             "search_rate": 4, "search_rate_holling": 4}
+NULLS = {SHADOW: "shadow", NEUTRAL: "neutral null", CLONES: "clones"}
 """The nulls that are runs of their own. A null that each run has by itself has its own name."""
 NO_NEUTRAL = ("no neutral null: what is inherited changes by mutation alone, so a difference from the shadow need not be selection (--replicates with "
               "--neutral makes one)")
@@ -65,7 +67,7 @@ class Reading:
 
     def __init__(self, metric: Metric):
         self.factor = 100.0 if metric.unit == "m/s" else 1.0
-        self.decimals = 2 if metric.unit == "m/s" else 1 if metric.unit == "ticks" or metric.metric in ("deaths", "population") else 3
+        self.decimals = 2 if metric.unit == "m/s" else 1 if metric.unit == "ticks" else _DECIMALS.get(metric.metric, 3)
         self.unit = "cm/s" if metric.unit == "m/s" else "" if metric.unit in _PLAIN_UNITS else metric.unit
 
     def __call__(self, value: float | None, sign: bool = False) -> str:

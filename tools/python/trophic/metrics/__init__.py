@@ -15,7 +15,7 @@ import pandas
 from ..runs import RunError, verify
 from ..values import METRIC, Metric, RunValues
 from ..words import number_text
-from . import attribution, demography, locked, motion, own, stuck, tags, velocity, walls
+from . import attribution, demography, living, locked, motion, own, stuck, tags, velocity, walls
 from .own import OwnColumn, OwnMetric, metric
 from .tables import Agents, Results, Web
 
@@ -27,12 +27,12 @@ __all__ = ["Agents", "Measuring", "OwnColumn", "OwnMetric", "Results", "Web", "c
 
 EVENTS = ("time_s", "event", "id", "species", "body", "origin", "cause", "victim_id")
 AGENTS = ("time_s", "tick", "body", "id", "species", "origin", "active", "tag", "x_m", "y_m", "adversary_id", "hunger_ticks")
-OPTIONAL = ("upright_speed", "overturned", "wall_contact", "velocity_upright")
+OPTIONAL = ("upright_speed", "overturned", "wall_contact", "velocity_upright", *living.OPTIONAL)
 """Left out if no run has a value, unless a choice names it."""
 READINGS = {**dict.fromkeys(("velocity_points", "velocity_stored", "velocity_simulated", "velocity_open", "velocity_upright"), "velocity"),
             **{f"{metric}_not_locked": metric for metric in ("velocity", "wall_sticking", "wall_sticking_gap", "tag_symmetry", "attribution_caught",
                                                              "attribution_catches")},
-            "near_pairs": "locked", "near_longest": "locked", "upright_speed": "open_speed", "wall_contact": "wall_sticking"}
+            "search_rate_holling": "search_rate", "near_pairs": "locked", "near_longest": "locked", "upright_speed": "open_speed", "wall_contact": "wall_sticking"}
 """Metrics that are another reading of a metric, which is tested for them."""
 _INHERITED = ("modes_", "activity_", "body_", "brain_genes", "gait_genes")
 
@@ -69,12 +69,13 @@ class Measuring:
 
 
 def shipped(web: Web, events: pandas.DataFrame, agents: pandas.DataFrame, *, until_s: float, floor: walls.Floor, every_ticks: int = 1,
-            tag_values: Sequence[int] = (-1, 1), simulated_s_per_s: float = 1.0) -> Results:
+            tag_values: Sequence[int] = (-1, 1), simulated_s_per_s: float = 1.0, is_constant: bool = True) -> Results:
     """All metrics of tables with the columns EVENTS and AGENTS, and what motion.with_contacts adds, for any number of species, in an order that
     depends only on the food web and the tags. A metric whose table has no row or lacks the ticks for it is there with the value nan.
 
     `until_s`: the time of the run that is measured, s. `every_ticks`: agents has the ticks that are
-    multiples of it. `tag_values`: the tags that the brains may choose. `simulated_s_per_s`: simulated seconds in a second of the clock."""
+    multiples of it. `tag_values`: the tags that the brains may choose. `simulated_s_per_s`: simulated seconds in a second of the clock.
+    `is_constant`: numbers are, so that extinction is measured here."""
     results = Results()
     robots = Agents(agents, web)
     locks = locked.locks(robots) if locked.TICKS % every_ticks == 0 else None
@@ -91,7 +92,8 @@ def shipped(web: Web, events: pandas.DataFrame, agents: pandas.DataFrame, *, unt
     motion.measure(robots, web, floor, results)
     demography.measure_populations(robots, web, results)
     stuck.measure(robots, web, results)
-    demography.measure_extinction(robots, web, results)
+    if is_constant:
+        demography.measure_extinction(robots, web, results)
     return results
 
 
@@ -111,8 +113,11 @@ def measure_run(run: PooledRun, how: Measuring) -> RunValues:
         from . import bodies
         results = bodies.measure_run(run, how.bodies, events, agents)
     else:
+        is_constant = not living.changes_numbers(run)
         results = shipped(run.web, events, agents, until_s=run.until_s, floor=run.floor, every_ticks=run.every_ticks, tag_values=run.tags,
-                          simulated_s_per_s=run.manifest["clock"].get("simulated_s_per_clock_s", 1.0))
+                          simulated_s_per_s=run.manifest["clock"].get("simulated_s_per_clock_s", 1.0), is_constant=is_constant)
+        if not is_constant:
+            living.measure(run, events, results)
     results.remarks[:0] = remarks
     for column in how.columns:
         own.measure_column(column, run, results)  # type: ignore[arg-type]
@@ -141,7 +146,8 @@ def names(run: PooledRun, how: Measuring | None = None) -> list[Metric]:
     if how is not None and how.bodies is not None:
         from . import bodies
         return bodies.names(run.web)
-    return names_of(run.web, run.tags)
+    is_constant = not living.changes_numbers(run)
+    return names_of(run.web, run.tags, is_constant) + ([] if is_constant else living.names(run.web, living.has_energy(run)))
 
 
 def inherited(of: Iterable[Metric], how: Measuring) -> frozenset[str]:
@@ -151,10 +157,10 @@ def inherited(of: Iterable[Metric], how: Measuring) -> frozenset[str]:
                      | {one.column for one in how.columns if one.file in own.INHERITED})  # type: ignore[union-attr]
 
 
-def names_of(web: Web, tag_values: Sequence[int] = (-1, 1)) -> list[Metric]:
-    """The metrics of a run of these species and tags, in the order of all tables."""
+def names_of(web: Web, tag_values: Sequence[int] = (-1, 1), is_constant: bool = True) -> list[Metric]:
+    """The metrics of a run of these species and tags, in the order of all tables, without those of changing numbers."""
     nothing = [pandas.DataFrame(columns=list(columns), dtype=float) for columns in (EVENTS, AGENTS)]
-    found = shipped(web, *nothing, until_s=0.0, floor=walls.Floor(1.0), tag_values=tag_values)
+    found = shipped(web, *nothing, until_s=0.0, floor=walls.Floor(1.0), tag_values=tag_values, is_constant=is_constant)
     return [Metric(*row[:4]) for row in found.rows if row[4] == ""]
 
 

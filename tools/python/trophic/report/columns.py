@@ -26,7 +26,7 @@ seed whole: of the run
 metric
 species
 group text: all, random, inherited, active (at that tick) or inherited_active; of deaths a cause, of ticks_at a number of members
-baseline text: empty: observed; shadow or neutral: observed in that null of the set
+baseline text: empty: observed; shadow, neutral or clones: observed in that null of the set
 time_s exact? s: of a curve the end of its window; empty: of the whole run
 value: in `unit`; empty: could not be computed
 unit text: of the value; 1 for shares and counts
@@ -43,16 +43,27 @@ deviation: between these runs
 lower: of the mean's 95 % interval; empty for fewer than 6 runs
 upper: of the mean's 95 % interval
 published: the paper's mean, for its own rule tables; empty if it has none
-null text: shadow or neutral, which are runs, or the name of a null that each run has of its own; empty: no null
+null text: shadow, neutral or clones, which are runs, or the name of a null that each run has of its own; empty: no null
 null_n whole: runs that give the null
 null_mean: over these runs
 difference: mean - null_mean; of neutral and of a run's own null over the runs that have both
 difference_lower: of its own 95 % interval
 difference_upper: of its own 95 % interval
 p
-p_holm: corrected for all comparisons of the set; at most 0.05: significant; empty next to the shadow if the neutral null answers
+p_holm: corrected for all comparisons of the set; at most 0.05: significant; empty next to clones, and to the shadow if the neutral null answers
 runs_needed whole?: if p_holm > 0.05: runs in each set that would find a difference of this size in 80 % of studies
 same_as text: an earlier metric that says the same (other reading, or the same in every run); then not compared again
+"""),
+    "survival.csv": ("Survival of species in worlds whose numbers change (Kaplan and Meier): a row for each time at which one dies out in a run.", """
+set text: name of the rule table, with what differs from it
+null text: empty: of the set; shadow, neutral or clones: of that null
+species text: that dies out
+time_s exact s: of the extinction
+at_risk whole: runs in which it lived until then
+extinctions whole: runs in which it dies out then
+survival: the share of runs in which it lives on
+lower: of its 95 % interval, by Greenwood's error of log(-log); empty where the share is 0
+upper: of the same interval
 """),
     "differences.csv": ("Each metric of two sets that were compared.", """
 metric

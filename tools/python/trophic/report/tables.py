@@ -16,8 +16,8 @@ import pandas
 from .. import __version__, judge, published
 from ..runs import RunError
 from ..statistics import MIN_RUNS_FOR_TEST, is_significant
-from ..values import METRIC, MeasuredSet
-from ..words import NULLS, number_text
+from ..values import CLONES, METRIC, NEUTRAL, SHADOW, MeasuredSet
+from ..words import number_text
 from .columns import names
 
 
@@ -164,9 +164,10 @@ def _set(of: MeasuredSet, frame: pandas.DataFrame) -> dict[str, Any]:
     said = describe(of)
     return {"set": of.label, "description": said.sentence(), "backend": said.engine, "fingerprint": of.runs[0].fingerprint, "identity": said.identity,
             "min_runs_for_test": MIN_RUNS_FOR_TEST, "family": _family(frame), "findings": _findings(frame), "runs": _runs(of),
-            **{f"{name}_runs": _runs(of.nulls[name]) if name in of.nulls else [] for name in NULLS},
+            **{f"{name}_runs": _runs(of.nulls[name]) if name in of.nulls else [] for name in (SHADOW, NEUTRAL, *({CLONES} & {*of.nulls}))},
             "metrics": [_metric(rows) for _, rows in frame.groupby(METRIC, sort=False)],
             "answers": [_answer(one) for one in published.answers(of, frame)], "claims": _claims(of) if published.applies_to(of) else [],
+            **({"living": sentences} if (sentences := judge.living_sentences(of)) else {}),
             "remarks": [remark for one in (of, *of.nulls.values()) for remark in one.remarks]}
 
 
@@ -198,7 +199,7 @@ def _difference(rows: pandas.DataFrame) -> dict[str, Any]:
             **{side: {"runs": getattr(raw, f"n_{side}"), **{name: getattr(raw, f"{name}_{side}") for name in ("mean", "deviation", "lower", "upper")}}
                for side in "ab"},
             **{kind: {"value": row.difference, "lower": row.lower, "upper": row.upper, **_test(row), "conclusion": row.conclusion}
-               if (row := parts.get(kind)) else nothing for kind in ("raw", *(f"over_{name}" for name in NULLS))}}
+               if (row := parts.get(kind)) else nothing for kind in ("raw", f"over_{SHADOW}", f"over_{NEUTRAL}")}}
 
 
 def _answer(one: published.Answer) -> dict[str, Any]:

@@ -46,6 +46,7 @@ def _heading(of: MeasuredSet) -> str:
     if (locked := mean_of(of.table.get((Metric("locked", "all", "all", "1"), ""), ()))) is not None:
         text += f"locked: {locked:.3f} of robots are within 0.3 m of another for 12 s or longer; --all has the metrics without them\n"
     text += "".join(f"{NULLS[name]}: {described(null)}\n" for name, null in of.nulls.items())
+    text += "".join(f"{sentence}\n" for sentence in judge.living_sentences(of))
     return text + ("" if of.shadow else "no shadow: attribution and velocity have no null (--replicates with --shadow makes one)\n")
 
 
