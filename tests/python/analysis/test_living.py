@@ -6,6 +6,7 @@ import os
 import subprocess
 
 import numpy
+import pandas
 import pytest
 from hand_written import WEB, event, events, write_set
 from scipy import signal, stats
@@ -183,6 +184,14 @@ def test_genomes_that_do_nothing_leave_shadow_and_clones_to_the_byte_as_the_runs
     means = {f"{row.metric}:{row.species}": row.mean for row in frame[frame.group == "all"].itertuples()}
     assert means["birth_rate:sheep"] == pytest.approx(0.04, rel=0.1) and means["parents:wolf"] == 1.0 and 0.05 < means["trophic_efficiency:wolf"] < 1.0
     assert "extinct:wolf" not in means and means["pyramid_numbers:sheep+wolf"] < 1.0
+
+
+def test_clones_have_one_genome_a_run_that_no_birth_changes(wolf_sheep):
+    arguments = ["--rules", "pond", "--backend", "kinematic", "--replicates", "2", "--duration", "100", "--replay-hz", "0", "--clones", "--agents-every", "50"]
+    subprocess.run([os.environ["TROPHIC_WORLDS"], *arguments, "--out", wolf_sheep / "pond"], check=True, capture_output=True)
+    genomes = [pandas.read_csv(wolf_sheep / "pond" / null / f"replicate-0{i}/genomes.csv").filter(regex="^w").drop_duplicates() for null in ("clones", ".") for i in (0, 1)]
+    assert [len(each) for each in genomes[:2]] == [1, 1] and min(map(len, genomes[2:])) >= 60 and genomes[0].to_numpy().tolist() != genomes[1].to_numpy().tolist()
+    assert genomes[0].iloc[0].tolist() == genomes[2].iloc[0].tolist()  # the first founder's
 
 
 def test_runs_of_constant_numbers_have_none_of_these_metrics(tmp_path):

@@ -76,11 +76,12 @@ def _memory(correlation: numpy.ndarray) -> numpy.ndarray:
 
 def red_noise(memory: float, points: int, count: int, rng: numpy.random.Generator) -> numpy.ndarray:
     """Stationary autoregressive noise whose correlation falls to 1/e at this lag; white for a lag of 0. Shape (count, points)."""
-    from scipy import signal
     keep = numpy.exp(-1.0 / memory) if memory > 0.0 else 0.0
-    noise = rng.standard_normal((count, points))
-    noise[:, 0] /= numpy.sqrt(1.0 - keep**2)
-    return signal.lfilter([1.0], [1.0, -keep], noise, axis=-1)
+    noise = rng.standard_normal((points, count))
+    noise[0] /= numpy.sqrt(1.0 - keep**2)
+    for before, now in zip(noise, noise[1:]):
+        now += keep * before
+    return noise.T
 
 
 def cycle_of(series: numpy.ndarray, surrogates: int = SURROGATES, seed: int = 0) -> Cycle:

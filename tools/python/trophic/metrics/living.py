@@ -31,7 +31,7 @@ def measure(run: PooledRun, events: pandas.DataFrame, results: Results) -> None:
     most = int(run.manifest.get("params", {}).get("ecology", {}).get("robots", 1_000_000))
     _measure_numbers(census, mean_field.means_of(census, most, run.seed), run.seed, results)
     has_newcomers = _measure_descent(census, run, results)
-    area_m2 = (2.0 * run.half_side_m) ** 2
+    area_m2 = (2.0 * run.floor.half_side_m) ** 2
     for (hunter, prey), met in zip(run.web.links, census.meetings()):
         attack, reciprocal, handling_s = responses(met[0] / area_m2, *met[1:])
         by_holling = 1.0 / reciprocal if reciprocal * attack > 0.1 else math.nan  # else the density varies too little to know it
