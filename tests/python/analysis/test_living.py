@@ -16,6 +16,7 @@ from trophic.metrics import Measuring, mean_field
 from trophic.metrics.census import Census, dynamics, extinctions, responses
 from trophic.metrics.cycles import autocorrelation, cycle_of, red_noise
 from trophic.metrics.living import phase
+from trophic.report import tables
 from trophic.statistics import interval_of_mean, share_difference, share_interval, survival
 
 NAN = math.nan
@@ -197,7 +198,7 @@ def test_clones_have_one_genome_a_run_that_no_birth_changes(wolf_sheep):
 def test_runs_of_constant_numbers_have_none_of_these_metrics(tmp_path):
     measured = pool.read_set([write_set(tmp_path / "set")])
     assert not {name.metric for name in measured.metrics()} & {"persists", "cycles", "birth_rate"} and judge.living_sentences(measured) == []
-    assert len(judge.survivals(measured)) == 0
+    assert len(tables.survivals(measured)) == 0
 
 
 def test_sentences_of_a_set_in_which_a_species_dies_out_and_the_other_cycles():

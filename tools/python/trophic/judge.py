@@ -15,10 +15,9 @@ import pandas
 
 from . import published
 from .metrics import READINGS, chosen, living
-from .report.columns import names
 from .runs import RunError
 from .statistics import (MIN_RUNS_FOR_TEST, SIGNIFICANCE, Difference, adjust_together, contrast, difference_of, estimate, known, mean_of,
-                         is_by_chance, scatter_of, share_difference, share_interval, survival)
+                         is_by_chance, scatter_of, share_difference, share_interval)
 from .values import METRIC, NEUTRAL, SHADOW, MeasuredSet, Metric
 from .words import NULLS, Reading, over_text, p_text
 
@@ -248,18 +247,6 @@ def too_few(of: MeasuredSet) -> list[str]:
 
 
 # Worlds whose numbers change
-
-def survivals(of: MeasuredSet) -> pandas.DataFrame:
-    """survival.csv: of a set whose numbers change and of its nulls each species' survival; empty for any other set."""
-    rows: list[tuple] = []
-    for null, one in (("", of), *of.nulls.items()):
-        for (metric, baseline), values in one.table.items():
-            if (metric.metric, baseline) == ("extinct_at", "") and any(name.metric == "persists" for name, _ in one.table):
-                ends = [one.until_s if run.reached_s is None else min(one.until_s, run.reached_s) for run in one.runs]  # type: ignore[attr-defined]
-                died = ~numpy.isnan(values)
-                rows += [(of.label, null, metric.species, *row) for row in survival(numpy.where(died, values, ends), died)]
-    return pandas.DataFrame(rows, columns=names("survival.csv"))
-
 
 def living_sentences(of: MeasuredSet) -> list[str]:
     """Sentences about persistence and cycles in a set whose numbers change, with those of its nulls; none for any other set."""

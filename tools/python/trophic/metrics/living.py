@@ -68,8 +68,9 @@ def _measure_numbers(census: Census, field: dict[tuple[str, str], float], seed: 
     found = [dynamics(series, seed) for series in census.numbers]
     window = window_of(census.time_s)
     alive = {one: census.time_s < gone * census.tick_s for one, (gone, _) in zip(census.web.species, found)}
+    never = {one for one, series in zip(census.web.species, census.numbers) if not series.any()}
     for one, lives in {"all": numpy.logical_and.reduce([*alive.values()]), **alive}.items():
-        add("persists", one, "1", float(lives[-1]))
+        add("persists", one, "1", math.nan if one in never else float(lives[-1]))
         last = numpy.flatnonzero(numpy.diff(window, append=-1))
         results.add_curve("persists", one, "all", "1", (window[last] + 1) * WINDOW_S, lives[last].astype(float))
     for name, unit, values in (("extinct_at", "s", [gone * census.tick_s if math.isfinite(gone) else math.nan for gone, _ in found]),

@@ -121,7 +121,7 @@ def write_tables(folder: pathlib.Path, outcome: Outcome) -> list[str]:
         files |= {"differences.csv": tables.csv_text(made.differences), "differences.tex": tex.differences(sets[0], sets[1], compared)}
     elif published.answers(sets[0], outcome.frames[0]):
         files["answers.tex"] = tex.answers(sets[0], outcome.frames[0])
-    if len(survivals := pandas.concat([judge.survivals(of) for of in sets])):
+    if len(survivals := pandas.concat([tables.survivals(of) for of in sets])):
         files["survival.csv"] = tables.csv_text(survivals)
     files["summary.json"] = tables.json_text(made.summary)
     for name, content in files.items():

@@ -11,11 +11,12 @@ import shutil
 from collections.abc import Iterator, Sequence
 from typing import Any
 
+import numpy
 import pandas
 
 from .. import __version__, judge, published
 from ..runs import RunError
-from ..statistics import MIN_RUNS_FOR_TEST, is_significant
+from ..statistics import MIN_RUNS_FOR_TEST, is_significant, survival
 from ..values import CLONES, METRIC, NEUTRAL, SHADOW, MeasuredSet
 from ..words import number_text
 from .columns import names
@@ -124,6 +125,18 @@ def means(frame: pandas.DataFrame) -> pandas.DataFrame:
 def differences(frame: pandas.DataFrame) -> pandas.DataFrame:
     """differences.csv of a frame of judge.compare."""
     return frame[names("differences.csv")].reset_index(drop=True)
+
+
+def survivals(of: MeasuredSet) -> pandas.DataFrame:
+    """survival.csv: of a set whose numbers change and of its nulls each species' survival; empty for any other set."""
+    rows: list[tuple] = []
+    for null, one in (("", of), *of.nulls.items()):
+        for (metric, baseline), values in one.table.items():
+            if (metric.metric, baseline) == ("extinct_at", "") and (metric._replace(metric="persists", unit="1"), "") in one.table:
+                ends = [min(one.until_s, run.manifest.get("result", {}).get("reached_s", one.until_s)) for run in one.runs]
+                died = ~numpy.isnan(values)
+                rows += [(of.label, null, metric.species, *row) for row in survival(numpy.where(died, values, ends), died)]
+    return pandas.DataFrame(rows, columns=names("survival.csv"))
 
 
 # summary.json
