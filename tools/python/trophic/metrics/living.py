@@ -26,7 +26,8 @@ MEAN_FIELD = "mean_field"
 
 def measure(run: PooledRun, events: pandas.DataFrame, results: Results) -> None:
     """Adds the metrics of a run; energy only of one with energy.csv."""
-    reached_s = run.until_s if run.reached_s is None else min(run.until_s, run.reached_s)
+    last_s = run.reached_s if run.reached_s is not None else float(events.time_s.max()) if len(events) else 0.0
+    reached_s = min(run.until_s, last_s)
     census = Census(events, run.web, run.manifest["clock"]["tick_s"], reached_s)
     most = int(run.manifest.get("params", {}).get("ecology", {}).get("robots", 1_000_000))
     _measure_numbers(census, mean_field.means_of(census, most, run.seed), run.seed, results)
@@ -97,27 +98,28 @@ def phase(first: numpy.ndarray, second: numpy.ndarray, period: float) -> float:
 
 def _measure_descent(census: Census, run: PooledRun, results: Results) -> bool:
     """`birth_rate`: births without founders, by the time that all members lived. `generation_time`: age of parents at birth, over parents and births.
-    Returns whether newcomers without parents were born after the start."""
+    A run that did not reach its end has only the first, as its phylogeny lacks who lived. Returns whether newcomers without parents were born."""
     table = run.texts("phylogeny.csv", ["id", "ancestor_list", "origin_time", "species"], (), results.remarks)
     table = table.assign(id=table.id.astype("int64"), born_s=table.origin_time.astype(float)).sort_values("id")
-    table = table[table.born_s <= run.until_s]
+    table = table[(table.born_s <= run.until_s) & run.complete]
     parents = [[int(one) for one in text.strip("[]").split(",") if one not in ("", "none")] for text in table.ancestor_list]
     born_s = dict(zip(table.id, table.born_s))
     depth: dict[int, int] = {}
     for one, its in zip(table.id, parents):
-        depth[one] = max((depth[parent] + 1 for parent in its), default=0)
+        depth[one] = max((depth.get(parent, 0) + 1 for parent in its), default=0)  # a branch lacks who died before it
     frame = pandas.DataFrame({"species": table.species, "depth": [*depth.values()], "parents": [len(its) for its in parents], "born_s": table.born_s,
-                              "ages_s": [sum(time_s - born_s[parent] for parent in its) for its, time_s in zip(parents, table.born_s)]})
+                              "ages_s": [sum(time_s - born_s.get(parent, math.nan) for parent in its) for its, time_s in zip(parents, table.born_s)]})
     born = frame[frame.born_s > 0.0]
     lived_s = census.numbers[:, :-1].sum(axis=1) * census.tick_s
-    of = {species: (born[born.species == species], its_s) for species, its_s in zip(run.web.species, lived_s)}
-    for name, unit, value in (("birth_rate", "1/s", lambda own, its_s: _over(len(own), its_s)),
-                              ("generation_time", "s", lambda own, _: _over(own.ages_s.sum(), own.parents.sum())),
-                              ("parents", "1", lambda own, _: _over(own.parents.sum(), len(own))),
-                              ("lineage_depth", "births", lambda own, _: float(own.depth.max()) if len(own) else 0.0)):
+    of = {species: born[born.species == species] for species in run.web.species}
+    for species, its_s, births in zip(run.web.species, lived_s, census.births[:, 1:].sum(axis=1)):
+        results.add("birth_rate", species, "all", "1/s", _over(births, its_s))
+    for name, unit, value in (("generation_time", "s", lambda own: _over(own.ages_s.sum(), own.parents[own.ages_s.notna()].sum())),
+                              ("parents", "1", lambda own: _over(own.parents.sum(), len(own))),
+                              ("lineage_depth", "births", lambda own: float(own.depth.max()) if len(own) else 0.0 if run.complete else math.nan)):
         for species in run.web.species:
-            results.add(name, species, "all", unit, value(*of[species]))
-    return bool((born.parents == 0).any())
+            results.add(name, species, "all", unit, value(of[species]))
+    return bool((born.parents == 0).any()) or not run.complete
 
 
 def _over(total: float, count: float) -> float:
