@@ -7,7 +7,7 @@ import pandas
 import pytest
 from hand_written import WEB, agents, event, events, robot, write_run
 from trophic import judge, pool
-from trophic.metrics import AGENTS, OPTIONAL, READINGS, Agents, Measuring, locked, motion, names_of, shipped
+from trophic.metrics import AGENTS, OPTIONAL, READINGS, Agents, Measuring, living, locked, motion, names_of, shipped, walls
 from trophic.runs import RunError
 from trophic.values import Metric
 
@@ -56,7 +56,7 @@ def test_locks_are_those_of_every_pair_tried_out():
 
 def measured(rows, of_events=(), **how):
     frames = pandas.DataFrame(of_events, columns=list(events().columns)), pandas.DataFrame(rows, columns=[*AGENTS, "tilt_rad", "touches_wall"])
-    found = shipped(WEB, *frames, **{"until_s": 6000.0, "half_side_m": 10.0, **how}).rows
+    found = shipped(WEB, *frames, **{"until_s": 6000.0, "floor": walls.Floor(10.0), **how}).rows
     return {Metric(*row[:4]): row[6] for row in found if row[4] == ""}
 
 
@@ -91,7 +91,7 @@ def test_a_clock_of_1_2_simulated_seconds_a_second():
 
 
 def test_readings_are_tested_with_what_they_read():
-    names = names_of(WEB)
+    names = [*names_of(WEB), *living.names(WEB, True)]
     plain = {name: READINGS[name.metric] for name in names if name.metric in READINGS}
     assert {name.metric for name in plain} == set(READINGS) and {(of, *name[1:3]) for name, of in plain.items()} <= {name[:3] for name in names}
     values = {name: numpy.random.default_rng(i).normal(size=8) for i, name in enumerate(names)}
@@ -106,13 +106,13 @@ def walk(lies=(), touches=()):
 
 def test_speed_in_the_open_is_away_from_walls_and_upright_speed_of_those_that_stand():
     rows = [{**row, "y_m": 0.3 * row["tick"] if row["tick"] > 90 else 0.0} for row in walk(lies=range(50, 81), touches=[100])]
-    of = {name: means.mean for name, means in motion.curves(agents_of(rows), "prey", 10.0).items()}
+    of = {name: means.mean for name, means in motion.curves(agents_of(rows), "prey", walls.Floor(10.0)).items()}
     assert of["open_speed"] == pytest.approx(0.05) and of["upright_speed"] == pytest.approx(0.05) and of["walked"] > 0.1
     assert (of["overturned"], of["wall_contact"]) == pytest.approx((31 / 101, 1 / 101))
     rows = [{**row, "x_m": 2.0} if row["tick"] in range(50, 81) and row["id"] == 0 else row for row in walk(lies=range(49, 82))]
-    of = motion.curves(agents_of(rows), "prey", 10.0)
+    of = motion.curves(agents_of(rows), "prey", walls.Floor(10.0))
     assert of["upright_speed"].mean == pytest.approx(0.05) and of["open_speed"].mean != pytest.approx(0.05)
-    unknown = motion.curves(agents(*walk()), "prey", 10.0)
+    unknown = motion.curves(agents(*walk()), "prey", walls.Floor(10.0))
     assert all(math.isnan(unknown[name].mean) for name in ("upright_speed", "overturned", "wall_contact"))
 
 
