@@ -37,7 +37,14 @@
 #include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/perception/heading/reversed_on_back.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
+#include <trophic/perception/sensors/dealt.hpp>
 #include <trophic/perception/sensors/distance_over_diagonal.hpp>
+#include <trophic/perception/sensors/food_gradient.hpp>
+#include <trophic/perception/sensors/hearing.hpp>
+#include <trophic/perception/sensors/own_energy.hpp>
+#include <trophic/perception/sensors/own_speed.hpp>
+#include <trophic/perception/sensors/per_species.hpp>
+#include <trophic/perception/sensors/rays.hpp>
 #include <trophic/perception/tag_switch/first_switch_free.hpp>
 #include <trophic/perception/visibility/same_tag_if_active.hpp>
 #include <trophic/perception/visibility/within_range.hpp>

@@ -30,7 +30,7 @@ Signatures::Signatures(Decide decide, std::vector<std::vector<Inputs>> inputs)
 Type Signatures::type_of(Species species, std::span<const double> weights) {
   std::string decisions = std::to_string(species) + ":";
   for (const Inputs& inputs : inputs_.at(species)) {
-    const control::Decision decision = decide_(inputs, weights);
+    const control::Decision decision = decide_(species, inputs, weights);
     decisions += static_cast<char>('b' + side_of(decision));
     decisions += std::to_string(decision.tag);
   }
@@ -42,13 +42,13 @@ std::size_t Signatures::complexity(Species species, std::span<const double> weig
   if (met.empty()) return 0;
   std::vector<std::array<bool, 2>> depends(met.front().size());
   for (const Inputs& inputs : met) {
-    const control::Decision before = decide_(inputs, weights);
+    const control::Decision before = decide_(species, inputs, weights);
     Inputs changed = inputs;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
       for (const Inputs& end : extremes_.at(species)) {
         if (depends[i][0] && depends[i][1]) break;
         changed[i] = end[i];
-        const control::Decision after = decide_(changed, weights);
+        const control::Decision after = decide_(species, changed, weights);
         depends[i][0] = depends[i][0] || side_of(before) != side_of(after);
         depends[i][1] = depends[i][1] || before.tag != after.tag;
       }

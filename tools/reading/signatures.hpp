@@ -9,8 +9,8 @@
 
 namespace trophic::analysis {
 
-/// A brain's decision from its inputs and the weights of a genome.
-using Decide = std::function<control::Decision(std::span<const double> inputs, std::span<const double> weights)>;
+/// The decision of a species' brain from its inputs and the weights of a genome.
+using Decide = std::function<control::Decision(Species species, std::span<const double> inputs, std::span<const double> weights)>;
 
 /// A type of genomes; equal numbers are equal types.
 using Type = std::uint32_t;

@@ -46,9 +46,9 @@ constexpr std::size_t signature_inputs = 24;
     Rng rng{run.seed, Stream::null_model, k};
     forests.push_back(analysis::drift_of(forests.front(), rng));
   }
-  analysis::Signatures signatures{[&](std::span<const double> met, std::span<const double> weights) {
+  analysis::Signatures signatures{[&](Species species, std::span<const double> met, std::span<const double> weights) {
                                     try {
-                                      return brain(met, weights);
+                                      return brain(species, met, weights);
                                     } catch (const std::invalid_argument& error) {
                                       throw std::invalid_argument{(run.folder / "genomes.csv").string() + ": " + error.what()};
                                     }

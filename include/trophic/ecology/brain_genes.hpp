@@ -24,7 +24,7 @@ class BrainGenes {
     Rng structure{seed_, Stream::brain_structure, as};
     Rng rng{seed_, Stream::initial_genome, as};
     const Brain& brain = brain_of(born.species);
-    genome.weights = control::ask::first_genes(brain, shape, structure);
+    genome.weights = control::ask::first_genes(brain, shape_of(born.species), structure);
     reproduction::ask::draw(rules_.initial_genome, control::ask::weights_of(brain, genome.weights), born, rng);
     check_finite("initial_genome", "weights", genome.weights);
   }
@@ -36,13 +36,14 @@ class BrainGenes {
     Rng growth{seed_, Stream::brain_growth, born.id};
     const Brain& brain = brain_of(born.species);
     reproduction::ask::mutate(rules_.mutation, own, control::ask::weights_of(brain, genome.weights), born, rng);
-    control::ask::mutate_structure(brain, genome.weights, shape, growth);
+    control::ask::mutate_structure(brain, genome.weights, shape_of(born.species), growth);
     check_finite("mutation", "weights", genome.weights);
   }
 
   /// The demand of a species' brain that a genome violates, "a genome of 15 weights"; none if it fits. Null violates it.
   [[nodiscard]] std::optional<std::string> misfit(Species species, const Genome* genome) const {
     const Brain& brain = brain_of(species);
+    const control::BrainShape shape = shape_of(species);
     if (genome != nullptr && control::ask::fits(brain, genome->weights, shape)) return std::nullopt;
     return control::ask::demand(brain, shape);
   }
@@ -55,8 +56,9 @@ class BrainGenes {
   }
 
  private:
-  static constexpr control::BrainShape shape{.inputs = PolicyIn<Rules, RuleSlot::sensors>::size,
-                                             .outputs = PolicyIn<Rules, RuleSlot::acts>::outputs};
+  [[nodiscard]] static control::BrainShape shape_of(Species species) {
+    return {.inputs = PolicyIn<Rules, RuleSlot::sensors>::size_of(species), .outputs = PolicyIn<Rules, RuleSlot::acts>::outputs};
+  }
   [[nodiscard]] const Brain& brain_of(Species species) const { return for_species(rules_.brain, species); }
 
   const Policies<Rules>& rules_;

@@ -37,15 +37,16 @@ class Moment {
   }
 
   /// The choice of one robot. `common`: the sensors that are the same for all robots.
-  [[nodiscard]] Choice<Rules> choice(BodyIndex body, const typename Choice<Rules>::Inputs& common,
-                                     WithoutTarget without_target) const {
+  template <class Common>
+  [[nodiscard]] Choice<Rules> choice(BodyIndex body, const Common& common, WithoutTarget without_target) const {
     const auto horizon = perception::ask::horizon(rules_.visibility, population_[body]);
     const auto sees_other = [&](BodyIndex self, BodyIndex other) { return sees(self, other); };
     Choice<Rules> choice{.sighting = perception::adversary(body, now_, sees_other, horizon), .decision = std::nullopt};
     if (!choice.sighting && without_target == WithoutTarget::keeps_decision) return choice;
     const auto rng_of = [&](std::size_t sensor) { return Rng{seed_, Stream::sensors, population_[body].id, tick(), sensor}; };
     choice.inputs = rules_.sensors.sense(population_.states().sensors[body], body, choice.sighting, now_, common, rng_of);
-    choice.decision = population_.decide(body, choice.inputs, choice.outputs);
+    const std::size_t size = Population<Rules>::Sensors::size_of(population_[body].species);
+    choice.decision = population_.decide(body, std::span{choice.inputs}.first(size), choice.outputs);
     return choice;
   }
 

@@ -51,7 +51,7 @@ class Decisions {
       show_tag(audience, body, choice.decision->tag, may_switch == MaySwitch::yes_and_clock_restarts, now);
     }
     audience.decision({.body = body,
-                       .inputs = choice.inputs,
+                       .inputs = std::span{choice.inputs}.first(Population<Rules>::Sensors::size_of(self.species)),
                        .outputs = shows_outputs ? std::span<const double>{choice.outputs} : std::span<const double>{},
                        .target_angle_rad = choice.decision->target_angle_rad,
                        .tag = choice.decision->tag,

@@ -61,7 +61,7 @@ template <class Rules>
       .slots = {},
       .named_params = named_params_of(experiment, backend),
       .tags = std::move(tags),
-      .inputs = Rules::Sensors::value_names(),
+      .inputs = PolicyIn<Rules, RuleSlot::sensors>::value_names(),
       .backend = backend.name() + " " + backend.version(),
       .remarks = backend.remarks(experiment.physics),
       .seed = experiment.seed,

@@ -13,9 +13,10 @@
 
 namespace trophic {
 
-/// Returns the decision of a brain with these weights for these inputs. A brain with a State has its initial one. Throws
+/// Returns the decision of a species' brain with these weights for these inputs. A brain with a State has its initial one. Throws
 /// std::invalid_argument for inputs or weights that the brain does not take.
-using AskBrain = std::function<control::Decision(std::span<const double> inputs, std::span<const double> weights)>;
+using AskBrain =
+    std::function<control::Decision(Species species, std::span<const double> inputs, std::span<const double> weights)>;
 
 /// Starts with the parameters of its rule table and backend.
 class AnyExperiment {

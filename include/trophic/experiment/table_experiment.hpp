@@ -50,16 +50,16 @@ class TableExperiment final : public AnyExperiment {
   [[nodiscard]] AskBrain brain() const override {
     using Brain = AnswersForSpecies<PolicyIn<Rules, RuleSlot::brain>>;
     using Acts = PolicyIn<Rules, RuleSlot::acts>;
-    return [brain = for_species(make_policies<Rules>(experiment_.rules).brain, 0)](std::span<const double> inputs,
-                                                                                   std::span<const double> weights) {
-      constexpr std::size_t taken = PolicyIn<Rules, RuleSlot::sensors>::size;
+    return [brains = make_policies<Rules>(experiment_.rules).brain](Species species, std::span<const double> inputs,
+                                                                    std::span<const double> weights) {
+      const control::BrainShape shape{.inputs = PolicyIn<Rules, RuleSlot::sensors>::size_of(species), .outputs = Acts::outputs};
       const auto check = [](bool good, std::string_view what, std::size_t given, const std::string& must) {
         if (good) return;
         throw std::invalid_argument{std::string{what} + ": " + std::to_string(given) + ": must be " + must +
                                     ", as the rule table's brain takes"};
       };
-      check(inputs.size() == taken, "inputs", inputs.size(), std::to_string(taken));
-      constexpr control::BrainShape shape{.inputs = taken, .outputs = Acts::outputs};
+      const Brain& brain = for_species(brains, species);
+      check(inputs.size() == shape.inputs, "inputs", inputs.size(), std::to_string(shape.inputs));
       check(control::ask::fits(brain, weights, shape), "weights", weights.size(), control::ask::demand(brain, shape));
       StateOf<Brain> own{};
       std::array<double, Acts::outputs> outputs{};

@@ -17,7 +17,7 @@ namespace trophic::io {
 
 /// Writes a SenseRow per robot at the ticks whose number is a multiple of `every_ticks`. Height, tilt and contacts are those of
 /// the moment at which rules decide, by the shapes and poses of the bodies, and unknown if bodies have no joints; the inputs of a
-/// brain are unknown at a tick at which it was not evaluated.
+/// brain are unknown at a tick at which it was not evaluated, and beyond those of its species.
 class SenseLog {
  public:
   static constexpr std::string_view file_name = "senses.csv";
@@ -49,7 +49,7 @@ class SenseLog {
        : name == "tag" ? row.tag_output.emplace()
                        : row.outputs.values[other++]) = record.outputs[i];
     }
-    row.inputs.assign(record.inputs.begin(), record.inputs.end());
+    std::ranges::copy(record.inputs, row.inputs.begin());
   }
 
   void on_exemption(BodyIndex hunter, const View& view) { exempt_[hunter] = view.robots[hunter].id; }

@@ -67,6 +67,11 @@ struct View {
     const double dy_m = std::remainder(a.y_m - b.y_m, period_m);
     return std::sqrt(dx_m * dx_m + dy_m * dy_m);
   }
+  /// From one place to another along x and y, the shortest way over the edges of a torus.
+  [[nodiscard]] std::array<double, 2> way_m(const GroundPose& from, const GroundPose& to) const {
+    const auto shortest = [&](double way_m) { return period_m > 0.0 ? std::remainder(way_m, period_m) : way_m; };
+    return {shortest(to.x_m - from.x_m), shortest(to.y_m - from.y_m)};
+  }
   /// The marks of all whose species `accepts`: of all of them, of those with one tag, or of the active ones.
   template <std::predicate<Species> Accepts>
   [[nodiscard]] Marks marks(Accepts&& accepts, std::optional<int> tag = {}, bool only_active = false) const {
@@ -93,18 +98,21 @@ struct View {
     }
   }
 
+  /// Calls `visit(body)` for every body within `radius_m` of a point, and for others; bodies without an individual too.
+  template <class Visit>
+  void for_each_near(const GroundPose& point, double radius_m, Visit&& visit) const {
+    if (tree != nullptr) return tree->for_each_near(point, radius_m, visit);
+    for (BodyIndex body = 0; body < poses.size(); ++body) visit(body);
+  }
+
   /// All bodies with an individual whose centres are at most `radius_m` from a point on the floor, ascending.
   [[nodiscard]] std::vector<BodyIndex> within(const GroundPose& point, double radius_m) const {
     std::vector<BodyIndex> bodies;
     const auto take = [&](BodyIndex body) {
       if (distance_m(point, poses[body]) <= radius_m && robots[body].lives()) bodies.push_back(body);
     };
-    if (tree != nullptr) {
-      tree->for_each_near(point, radius_m, take);
-      std::ranges::sort(bodies);
-    } else {
-      for (BodyIndex body = 0; body < poses.size(); ++body) take(body);
-    }
+    for_each_near(point, radius_m, take);
+    std::ranges::sort(bodies);
     return bodies;
   }
 

@@ -18,6 +18,13 @@ class by_species;
 
 }  // namespace rules
 
+namespace perception::sensors {
+
+template <class Community, class... Lists>
+class PerSpeciesOf;
+
+}  // namespace perception::sensors
+
 namespace detail {
 
 /// The policy that a table states for each slot: `stated_<member><Rules>::type`, the neutral policy of a slot that it leaves
@@ -45,6 +52,10 @@ struct in_table {
 template <class Policy, class Community, class Rules>
 struct in_table<rules::by_species<Policy, Community>, Rules> {
   using type = rules::by_species<Policy, typename stated_community<Rules>::type>;
+};
+template <class... Lists, class Rules>
+struct in_table<perception::sensors::PerSpeciesOf<void, Lists...>, Rules> {
+  using type = perception::sensors::PerSpeciesOf<typename stated_community<Rules>::type, Lists...>;
 };
 template <template <class...> class Whole, class... Ps, class Rules>
 requires MadeOfParts<Whole<Ps...>>

@@ -79,7 +79,7 @@
   SLOT(Viability, viability, reproduction, Viability, reproduction::viability::AlwaysViable, true)                   \
   SLOT(Recruitment, recruitment, reproduction, Recruitment, reproduction::recruitment::NoRecruitment, false)         \
   SLOT(Activation, activation, death, Activation, death::activation::AlwaysActive, true)                             \
-  SLOT(Capture, capture, death, CaptureRule, death::capture::NoCapture, false)                                       \
+  SLOT(Capture, capture, death, CaptureRule, death::capture::NoCapture, true)                                        \
   SLOT(Floor, floor, death, Floor, death::floor::NoFloor, true)                                                      \
   SLOT(Starvation, starvation, death, Starvation, death::starvation::NoStarvation, false)                            \
   SLOT(MinimumPredators, minimum_predators, death, MinimumPredators, death::minimum_predators::NoMinimum, false)     \

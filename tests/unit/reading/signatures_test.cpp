@@ -13,7 +13,7 @@ namespace {
 using Weights = std::vector<double>;
 
 /// Turns by the first input and shows a tag by the second.
-control::Decision decide_by_weights(std::span<const double> inputs, std::span<const double> weights) {
+control::Decision decide_by_weights(Species, std::span<const double> inputs, std::span<const double> weights) {
   return {.target_angle_rad = weights[0] * inputs[0], .tag = weights[1] * inputs[1] > 0.0 ? 1 : -1};
 }
 

@@ -27,11 +27,12 @@ struct CatchClosest {
   };
   Params params;
 
-  [[nodiscard]] std::vector<Capture> captures(const View& view, Rng& rng) const {
+  [[nodiscard]] std::vector<Capture> captures(const View& view, Rng& rng, std::optional<Species> only = {}) const {
     std::vector<bool> caught(view.robots.size(), false);
     std::vector<BodyIndex> list;  // of hunters, in the order of bodies
     for (BodyIndex body = 0; body < view.robots.size(); ++body) {
-      if (view.web.hunts(view.robots[body].species)) list.push_back(body);
+      const Species species = view.robots[body].species;
+      if (species == only.value_or(species) && view.web.hunts(species)) list.push_back(body);
     }
     std::vector<std::size_t> order(list.size());
     std::iota(order.begin(), order.end(), std::size_t{0});

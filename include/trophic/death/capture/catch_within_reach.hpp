@@ -25,7 +25,7 @@ struct CatchWithinReach {
   };
   Params params;
 
-  [[nodiscard]] std::vector<Capture> captures(const View& view, Rng&) const {
+  [[nodiscard]] std::vector<Capture> captures(const View& view, Rng&, std::optional<Species> only = {}) const {
     struct Reached {
       double distance_m;
       Capture capture;
@@ -34,7 +34,7 @@ struct CatchWithinReach {
     for (BodyIndex victim = 0; victim < view.robots.size(); ++victim) {
       const Individual& prey = view.robots[victim];
       if (!prey.active) continue;
-      const auto eats = [&](Species other) { return view.web.eats(other, prey.species); };
+      const auto eats = [&](Species other) { return other == only.value_or(other) && view.web.eats(other, prey.species); };
       const auto hunter = view.closest(
           victim, [&](const Individual& other) { return eats(other.species) && view.passed(other.age_from_s, params.min_age_s); },
           {.within_m = params.reach_m, .among = view.marks(eats)});

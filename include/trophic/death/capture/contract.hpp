@@ -18,7 +18,8 @@ struct Capture {
   friend bool operator==(const Capture&, const Capture&) = default;
 };
 
-/// `captures(view, rng)`: returns all catches of this tick, in order; each victim once. If catches depend on the assignment of
+/// `captures(view, rng)`: returns all catches of this tick, in order; each victim once. Optional, for by_species: a last argument
+/// `std::optional<Species> only`, the species of the hunters, all if none. If catches depend on the assignment of
 /// individuals to bodies, the rule declares it: `static constexpr bool depends_on_order_of_bodies = true;`.
 template <class P>
 concept CaptureRule = requires(const P policy, const View& view, Rng& rng) {
@@ -31,9 +32,57 @@ concept CaptureRule = requires(const P policy, const View& view, Rng& rng) {
 namespace ask {
 
 template <class P>
+[[nodiscard]] std::vector<Capture> captures(const P& policy, std::span<const StateOf<P>> states, const View& view, Rng& rng);
+
+}  // namespace ask
+
+namespace detail {
+
+/// The catches by one species' hunters.
+template <class P>
+[[nodiscard]] std::vector<Capture> captures_of(Species species, const P& policy, std::span<const StateOf<P>> states,
+                                               const View& view, Rng& rng) {
+  std::vector<Capture> all;
+  if constexpr (requires { policy.captures(view, rng, states, std::optional{species}); }) {
+    all = policy.captures(view, rng, states, std::optional{species});
+  } else if constexpr (requires { policy.captures(view, rng, std::optional{species}); }) {
+    all = policy.captures(view, rng, std::optional{species});
+  } else {
+    all = ask::captures(policy, states, view, rng);
+  }
+  std::erase_if(all, [&](const Capture& one) { return view.robots[one.hunter].species != species; });
+  return all;
+}
+
+/// The catches of each species' hunters by its own policy, by distance; a victim of several hunters is caught by the closest.
+template <class P>
+[[nodiscard]] std::vector<Capture> captures_by_species(const P& policy, std::span<const StateOf<P>> states, const View& view,
+                                                       Rng& rng) {
+  std::vector<Capture> all;
+  for (Species species = 0; species < view.web.size(); ++species) {
+    if (!view.web.hunts(species)) continue;
+    std::ranges::copy(captures_of(species, policy.of(species), states, view, rng), std::back_inserter(all));
+  }
+  std::ranges::sort(all, {}, [&](const Capture& one) {
+    return std::tuple{view.distance_m(one.hunter, one.victim), one.hunter, one.victim};
+  });
+  std::vector<Capture> first;
+  for (const Capture& one : all) {
+    if (std::ranges::count(first, one.victim, &Capture::victim) == 0) first.push_back(one);
+  }
+  return first;
+}
+
+}  // namespace detail
+
+namespace ask {
+
+template <class P>
 [[nodiscard]] std::vector<Capture> captures(const P& policy, [[maybe_unused]] std::span<const StateOf<P>> states,
                                             const View& view, Rng& rng) {
-  if constexpr (requires { policy.captures(view, rng, states); }) {
+  if constexpr (!std::same_as<AnswersForSpecies<P>, P>) {
+    return detail::captures_by_species(policy, states, view, rng);
+  } else if constexpr (requires { policy.captures(view, rng, states); }) {
     return policy.captures(view, rng, states);
   } else {
     return policy.captures(view, rng);

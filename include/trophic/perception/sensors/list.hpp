@@ -162,6 +162,9 @@ class List : public detail::HeldSensors<Sensors...> {
 
   using Values = std::array<double, size>;
 
+  /// The number of inputs of a species' brain.
+  [[nodiscard]] static constexpr std::size_t size_of(Species) { return size; }
+
   /// The sensor name of each value.
   [[nodiscard]] static std::vector<std::string> value_names() {
     std::vector<std::string> names;

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// Smell: where there is more food.
+#pragma once
+
+#include <trophic/perception/sensors/contract.hpp>
+
+namespace trophic::perception::sensors {
+
+/// Rule: with the food F in the cells at `reach` in front, behind, to the right and to the left: (F front - F behind) / sum and
+/// (F right - F left) / sum; 0 where there is none. The reach is a free parameter.   Reads: own pose, resource.   Random draws:
+/// 0.
+struct FoodGradient {
+  static constexpr std::string_view name = "food_gradient";
+  static constexpr std::string_view source = "not in the paper";
+  static constexpr std::size_t size = 2;
+
+  struct Params {
+    double reach_m = 1.0;
+    static constexpr auto fields() {
+      return std::tuple{field("reach_m", &Params::reach_m, above(0.0), "distance of the cells compared")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] std::array<double, size> sense(BodyIndex self, const std::optional<Sighting>&, const View& view, Rng&) const {
+    if (view.field == nullptr) return {};
+    const GroundPose& from = view.poses[self];
+    const double x_m = params.reach_m * std::cos(from.heading_rad);
+    const double y_m = params.reach_m * std::sin(from.heading_rad);
+    const auto food_J = [&](double dx_m, double dy_m) {
+      const auto inside_m = [&](double place_m) {
+        return view.period_m > 0.0 ? std::remainder(place_m, view.period_m) : place_m;
+      };
+      return view.field->food_J(view.field->cell_at(inside_m(from.x_m + dx_m), inside_m(from.y_m + dy_m)));
+    };
+    const double ahead_J = food_J(x_m, y_m);
+    const double behind_J = food_J(-x_m, -y_m);
+    const double right_J = food_J(y_m, -x_m);
+    const double left_J = food_J(-y_m, x_m);
+    const double sum_J = ahead_J + behind_J + right_J + left_J;
+    if (sum_J <= 0.0) return {};
+    return {(ahead_J - behind_J) / sum_J, (right_J - left_J) / sum_J};
+  }
+};
+static_assert(OwnSensor<FoodGradient>);
+
+}  // namespace trophic::perception::sensors

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+// Eyes: the first thing on each of several rays around a robot.
+#pragma once
+
+#include <trophic/perception/sensors/contract.hpp>
+
+namespace trophic::perception::sensors {
+
+/// What a ray can show: those that self eats, those that eat it, its own species, walls, and food of the resource.
+enum class Sees { victims, hunters, kin, walls, food };
+
+/// Rule: `count` rays from left to right, spread over `field` about the heading. A ray ends at the first body (the circle of its
+/// robot) or wall within `range`; its value for each of the `kinds` is 1 - distance / range if that is one, else 0. For food it
+/// is that of the first cell with at least `food` before the ray's end. So bodies and walls hide what is behind them, and tags do
+/// not matter. All parameters are free.   Reads: positions, species, arena, resource.   Random draws: 0.
+template <std::size_t count, Sees... kinds>
+struct Rays {
+  static_assert(count > 0 && sizeof...(kinds) > 0,
+                "sensors::Rays needs a number of rays and what they show: Rays<16, Sees::walls>");
+  static constexpr std::string_view name = "rays";
+  static constexpr std::string_view source = "not in the paper";
+  static constexpr std::size_t size = count * sizeof...(kinds);
+
+  struct Params {
+    double range_m = 3.0;
+    double field_rad = 2.0 * std::numbers::pi;
+    double food_J = 0.5;
+    static constexpr auto fields() {
+      return std::tuple{field("range_m", &Params::range_m, above(0.0), "length of a ray, from the robot's centre"),
+                        field("field_rad", &Params::field_rad, between(0.0, 6.283185307179587), "angle that the rays span"),
+                        field("food_J", &Params::food_J, above(0.0), "energy from which a cell of the resource is food")};
+    }
+  };
+  Params params;
+
+  /// Ray by ray, its kinds in their order.
+  [[nodiscard]] std::array<double, size> sense(BodyIndex self, const std::optional<Sighting>&, const View& view, Rng&) const {
+    const std::array<Ray, count> rays = cast(self, view);
+    std::array<double, size> values{};
+    std::size_t place = 0;
+    for (const Ray& ray : rays) {
+      ((values[place++] = kinds == Sees::food ? food_on(ray, view.poses[self], view) : closeness(ray, kinds)), ...);
+    }
+    return values;
+  }
+
+ private:
+  static constexpr bool sees_food = ((kinds == Sees::food) || ...);
+  struct Ray {
+    double cos = 0.0;  ///< of its direction in the world
+    double sin = 0.0;
+    double end_m = 0.0;
+    std::uint32_t shows = 0;  ///< bits of Sees
+  };
+  [[nodiscard]] static std::uint32_t bit(Sees kind) { return std::uint32_t{1} << static_cast<unsigned>(kind); }
+
+  [[nodiscard]] double closeness(const Ray& ray, Sees kind) const {
+    return (ray.shows & bit(kind)) != 0 ? 1.0 - ray.end_m / params.range_m : 0.0;
+  }
+
+  [[nodiscard]] std::array<Ray, count> cast(BodyIndex self, const View& view) const {
+    const GroundPose& from = view.poses[self];
+    const double step_rad = params.field_rad / static_cast<double>(count);
+    const double first_rad = from.heading_rad + 0.5 * (params.field_rad - step_rad);
+    const double cos = std::cos(step_rad);
+    const double sin = std::sin(step_rad);
+    std::array<Ray, count> rays;
+    rays[0] = {.cos = std::cos(first_rad), .sin = std::sin(first_rad)};
+    for (std::size_t i = 1; i < count; ++i) {
+      rays[i].cos = rays[i - 1].cos * cos + rays[i - 1].sin * sin;
+      rays[i].sin = rays[i - 1].sin * cos - rays[i - 1].cos * sin;
+    }
+    for (Ray& ray : rays) {
+      ray.end_m = params.range_m;
+      hit_walls(ray, from, view, view.arena);
+    }
+    const double radius_m = view.robot_radius_m;
+    const Species own = view.robots[self].species;
+    view.for_each_near(from, params.range_m + radius_m, [&](BodyIndex other) {
+      const Individual& there = view.robots[other];
+      if (other == self || !there.lives()) return;
+      const auto [x_m, y_m] = view.way_m(from, view.poses[other]);
+      const double distance2 = x_m * x_m + y_m * y_m;
+      if (distance2 > (params.range_m + radius_m) * (params.range_m + radius_m)) return;
+      const std::uint32_t shows = (view.web.eats(own, there.species) ? bit(Sees::victims) : 0) |
+                                  (view.web.eats(there.species, own) ? bit(Sees::hunters) : 0) |
+                                  (own == there.species ? bit(Sees::kin) : 0);
+      for (Ray& ray : rays) {
+        const double ahead_m = x_m * ray.cos + y_m * ray.sin;
+        const double chord2 = radius_m * radius_m - distance2 + ahead_m * ahead_m;
+        if (chord2 < 0.0 || (ahead_m < 0.0 && distance2 > radius_m * radius_m)) continue;
+        const double hit_m = std::max(0.0, ahead_m - std::sqrt(chord2));
+        if (hit_m < ray.end_m || (hit_m == ray.end_m && ray.shows == 0)) ray.end_m = hit_m, ray.shows = shows;
+      }
+    });
+    return rays;
+  }
+
+  /// Ends a ray at the walls around the arena and at its obstacles, if it has any.
+  template <class Ground>
+  void hit_walls(Ray& ray, const GroundPose& from, const View& view, const Ground& arena) const {
+    const auto end = [&](double hit_m) {
+      if (hit_m < ray.end_m) ray.end_m = hit_m, ray.shows = bit(Sees::walls);
+    };
+    if (view.period_m <= 0.0) {
+      const double half_m = arena.half_side_m;
+      if (ray.cos != 0.0) end(std::max(0.0, (std::copysign(half_m, ray.cos) - from.x_m) / ray.cos));
+      if (ray.sin != 0.0) end(std::max(0.0, (std::copysign(half_m, ray.sin) - from.y_m) / ray.sin));
+    }
+    if constexpr (requires { arena.obstacles; }) {
+      const GroundPose along{.x_m = from.x_m, .y_m = from.y_m, .heading_rad = std::atan2(ray.sin, ray.cos)};
+      for (const auto& obstacle : arena.obstacles) {
+        if (const auto hit_m = ray_m(obstacle, along)) end(*hit_m);
+      }
+    }
+  }
+
+  [[nodiscard]] double food_on(const Ray& ray, const GroundPose& from, const View& view) const {
+    if (!sees_food || view.field == nullptr) return 0.0;
+    const double step_m = 0.25 * view.field->cell_m();
+    for (double at_m = 0.0; at_m <= ray.end_m; at_m += step_m) {
+      const double x_m = from.x_m + at_m * ray.cos;
+      const double y_m = from.y_m + at_m * ray.sin;
+      const auto inside_m = [&](double place_m) {
+        return view.period_m > 0.0 ? std::remainder(place_m, view.period_m) : place_m;
+      };
+      const std::size_t cell = view.field->cell_at(inside_m(x_m), inside_m(y_m));
+      if (view.field->food_J(cell) >= params.food_J) return 1.0 - at_m / params.range_m;
+    }
+    return 0.0;
+  }
+};
+static_assert(OwnSensor<Rays<16, Sees::victims, Sees::hunters, Sees::walls>>);
+
+}  // namespace trophic::perception::sensors
