@@ -49,6 +49,11 @@
 #include <trophic/perception/heading/reversed_on_back.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/perception/sensors/distance_over_diagonal.hpp>
+#include <trophic/perception/sensors/food_gradient.hpp>
+#include <trophic/perception/sensors/hearing.hpp>
+#include <trophic/perception/sensors/own_energy.hpp>
+#include <trophic/perception/sensors/own_speed.hpp>
+#include <trophic/perception/sensors/rays.hpp>
 #include <trophic/perception/tag_switch/first_switch_free.hpp>
 #include <trophic/perception/tag_switch/free_tags.hpp>
 #include <trophic/perception/visibility/all_active.hpp>
@@ -104,7 +109,10 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_visibility_suite, perception::visibility::Same
 TEST_CASE_TEMPLATE_INVOKE(trophic_sensor_suite, perception::sensors::SideOfAdversary, perception::sensors::SideAwayFromHunter,
                           perception::sensors::DistanceOverTerrain, perception::sensors::DistanceOverDiagonal,
                           perception::sensors::DistanceOverScale, perception::sensors::TagRatioOfAll,
-                          perception::sensors::TagRatioOfActive);
+                          perception::sensors::TagRatioOfActive, perception::sensors::Hearing<0>,
+                          perception::sensors::FoodGradient, perception::sensors::OwnEnergy, perception::sensors::OwnSpeed,
+                          perception::sensors::Rays<8, perception::sensors::Sees::kin, perception::sensors::Sees::victims,
+                                                    perception::sensors::Sees::walls, perception::sensors::Sees::food>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_newborn_tag_suite, perception::newborn_tag::KeepsBodyTag, perception::newborn_tag::RandomTag);
 TEST_CASE_TEMPLATE_INVOKE(trophic_tag_switch_suite, perception::tag_switch::TagCoolDown, perception::tag_switch::FirstSwitchFree,
                           perception::tag_switch::TagSampling, perception::tag_switch::FreeTags);

@@ -5,9 +5,14 @@
 #include <rapidcheck.h>
 #include <support/hand_population.hpp>
 #include <trophic/perception/adversary.hpp>
+#include <trophic/perception/sensors/dealt.hpp>
 #include <trophic/perception/sensors/distance_over_diagonal.hpp>
 #include <trophic/perception/sensors/distance_over_scale.hpp>
 #include <trophic/perception/sensors/distance_over_terrain.hpp>
+#include <trophic/perception/sensors/food_gradient.hpp>
+#include <trophic/perception/sensors/hearing.hpp>
+#include <trophic/perception/sensors/own_energy.hpp>
+#include <trophic/perception/sensors/own_speed.hpp>
 #include <trophic/perception/sensors/side_away_from_hunter.hpp>
 #include <trophic/perception/sensors/side_of_adversary.hpp>
 #include <trophic/perception/sensors/tag_ratio_of_active.hpp>
@@ -191,4 +196,79 @@ TEST_CASE("tag ratio of all: random populations -> within +-1/2, odd in all tags
     for (Individual& individual : robots.individuals) individual.tag = -individual.tag;
     RC_ASSERT(ratio_of(rule, robots.view()) == -ratio);
   }));
+}
+
+namespace {
+
+template <class Sensor>
+auto values_of(const Sensor& sensor, const View& view, BodyIndex self = 0) {
+  Rng rng{1, Stream::user};
+  return sensor.sense(self, std::nullopt, view, rng);
+}
+
+}  // namespace
+
+TEST_CASE("hearing: calls on the channel -> the loudest in each sector, less with distance") {
+  const test::HandPopulation robots{{{.heading_rad = 0.0},
+                                     {.x_m = 1.0, .y_m = 0.5},
+                                     {.x_m = 2.0, .y_m = 0.5},
+                                     {.x_m = -1.0, .y_m = -0.5},
+                                     {.x_m = 1.0, .y_m = -9.0}}};
+  const char* const key = &detail::act_key<control::acts::Signal<1>>;
+  const std::vector<double> signals{1.0, 0.2, 0.8, 0.5, 1.0};
+  View view = robots.view();
+  view.acts = {.acts = {&key, 1}, .values = signals};
+  const perception::sensors::Hearing<1, 4> ears{{.range_m = 8.0}};
+  // from the left of straight behind: behind left, ahead left, ahead right, behind right
+  const auto heard = values_of(ears, view);
+  CHECK(heard[0] == 0.0);
+  CHECK(heard[1] == doctest::Approx(0.8 * (1.0 - std::sqrt(4.25) / 8.0)));
+  CHECK(heard[2] == 0.0);
+  CHECK(heard[3] == doctest::Approx(0.5 * (1.0 - std::sqrt(1.25) / 8.0)));
+  CHECK(values_of(perception::sensors::Hearing<2, 4>{}, view) == std::array<double, 4>{});
+}
+
+TEST_CASE("food gradient: four cells around -> shares ahead and to the right, 0 without food") {
+  test::HandPopulation robots{{{.x_m = 0.5, .y_m = 0.5, .heading_rad = std::numbers::pi / 2.0}}};
+  ResourceField field{robots.arena, 20};
+  View view = robots.view();
+  const perception::sensors::FoodGradient nose{{.reach_m = 1.0}};
+  CHECK(values_of(nose, view) == std::array{0.0, 0.0});
+  view.field = &field;
+  CHECK(values_of(nose, view) == std::array{0.0, 0.0});
+  field.food_J(field.cell_at(0.5, 1.5)) = 3.0;   // ahead
+  field.food_J(field.cell_at(0.5, -0.5)) = 1.0;  // behind
+  field.food_J(field.cell_at(-0.5, 0.5)) = 4.0;  // left
+  CHECK(values_of(nose, view) == std::array{0.25, -0.5});
+}
+
+TEST_CASE("own energy: share of the scale, from 0 to 1") {
+  test::HandPopulation robots{{{}}};
+  const perception::sensors::OwnEnergy own{{.full_scale_J = 50.0}};
+  for (const auto& [energy_J, value] : std::vector<std::pair<double, double>>{{-1.0, 0.0}, {20.0, 0.4}, {80.0, 1.0}}) {
+    robots.individuals[0].energy_J = energy_J;
+    CHECK(values_of(own, robots.view())[0] == value);
+  }
+}
+
+TEST_CASE("own speed: distance of the last tick over its length and the scale") {
+  const test::HandPopulation robots{{{}}};
+  const perception::sensors::OwnSpeed own{{.full_scale_m_s = 0.1}};
+  perception::sensors::OwnSpeed::State state;
+  Rng rng{1, Stream::user};
+  CHECK(own.sense(0, std::nullopt, robots.view(), rng, state)[0] == 0.0);
+  own.on_walk(state, 0, 0.1, robots.view());
+  CHECK(own.sense(0, std::nullopt, robots.view(), rng, state)[0] == doctest::Approx(0.5));
+}
+
+TEST_CASE("dealt: values of a random robot of the species, each as often") {
+  test::HandPopulation robots{{{.species = prey}, {.species = predator}, {.species = prey}, {.species = prey}}};
+  for (BodyIndex body = 0; body < 4; ++body) robots.individuals[body].energy_J = 10.0 * static_cast<double>(body);
+  const perception::sensors::Dealt<perception::sensors::OwnEnergy> dealt{{.sensed = {.full_scale_J = 100.0}}};
+  std::array<int, 4> drawn{};
+  Rng rng{2, Stream::user};
+  for (int i = 0; i < 3000; ++i)
+    ++drawn.at(static_cast<std::size_t>(std::lround(10.0 * dealt.sense(0, std::nullopt, robots.view(), rng)[0])));
+  CHECK(drawn[1] == 0);
+  for (const std::size_t body : {0, 2, 3}) CHECK(std::abs(drawn[body] - 1000) < 100);
 }

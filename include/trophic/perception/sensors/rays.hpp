@@ -115,17 +115,24 @@ struct Rays {
     }
   }
 
+  /// Visits the cells that a ray crosses up to its end.
   [[nodiscard]] double food_on(const Ray& ray, const GroundPose& from, const View& view) const {
     if (!sees_food || view.field == nullptr) return 0.0;
-    const double step_m = 0.25 * view.field->cell_m();
-    for (double at_m = 0.0; at_m <= ray.end_m; at_m += step_m) {
-      const double x_m = from.x_m + at_m * ray.cos;
-      const double y_m = from.y_m + at_m * ray.sin;
-      const auto inside_m = [&](double place_m) {
-        return view.period_m > 0.0 ? std::remainder(place_m, view.period_m) : place_m;
-      };
-      const std::size_t cell = view.field->cell_at(inside_m(x_m), inside_m(y_m));
+    const double cell_m = view.field->cell_m();
+    const auto next_m = [&](double at_m, double start_m, double along) {  // where it crosses the next line of the grid
+      const double place = (start_m + at_m * along + view.arena.half_side_m) / cell_m;
+      const double line = along > 0.0 ? std::floor(place) + 1.0 : std::ceil(place) - 1.0;
+      return along == 0.0 ? params.range_m : at_m + (line - place) * cell_m / along;
+    };
+    const auto inside_m = [&](double place_m) { return view.period_m > 0.0 ? std::remainder(place_m, view.period_m) : place_m; };
+    for (double at_m = 0.0; at_m < ray.end_m;) {
+      const double crossing_m = std::min(next_m(at_m, from.x_m, ray.cos), next_m(at_m, from.y_m, ray.sin));
+      const double leaves_m = std::max(crossing_m, at_m + 1e-9 * cell_m);
+      const double middle_m = 0.5 * (at_m + leaves_m);
+      const std::size_t cell =
+          view.field->cell_at(inside_m(from.x_m + middle_m * ray.cos), inside_m(from.y_m + middle_m * ray.sin));
       if (view.field->food_J(cell) >= params.food_J) return 1.0 - at_m / params.range_m;
+      at_m = leaves_m;
     }
     return 0.0;
   }

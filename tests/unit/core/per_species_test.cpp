@@ -62,7 +62,7 @@ struct Watch {
 
 }  // namespace
 
-TEST_CASE("species differ: lists of sensors, neurons and reach by species -> genomes, inputs and catches of each") {
+TEST_CASE("per species: lists of sensors, neurons and reach by species -> genomes, inputs and catches of each") {
   std::vector<std::string> paths;
   for (const NamedParam& param : named_params_of(experiment().rules.capture)) paths.push_back(param.path);
   CHECK(paths == std::vector<std::string>{"prey.reach_m", "prey.min_age_s", "predator.reach_m", "predator.min_age_s"});
@@ -77,7 +77,7 @@ TEST_CASE("species differ: lists of sensors, neurons and reach by species -> gen
   CHECK(watch.walked_m > 1.0);
 }
 
-TEST_CASE("species differ: run that is cut off -> same bytes; senses with empty cells beyond a species' inputs") {
+TEST_CASE("per species: run that is cut off -> same bytes; senses with empty cells beyond a species' inputs") {
   const test::TemporaryFolder folder;
   const auto ignored = [](std::size_t, auto&) {};
   test::check_resumed(experiment(), backend::Kinematic::Params{}, folder.path(), {100, 250}, 200.0, ignored);
@@ -97,7 +97,7 @@ TEST_CASE("species differ: run that is cut off -> same bytes; senses with empty 
   CHECK(predators > 100);
 }
 
-TEST_CASE("species differ: a victim in reach of two species -> the closer hunter's, each by its own reach") {
+TEST_CASE("per species: a victim in reach of two species -> the closer hunter's, each by its own reach") {
   const FoodWeb web{{"prey", "fox", "owl"}, {{.hunter = 1, .victim = 0}, {.hunter = 2, .victim = 0}}};
   const test::HandPopulation robots{{{.species = 0},
                                      {.species = 1, .x_m = 0.9},
