@@ -63,6 +63,21 @@ TEST_CASE("rays: bodies and walls -> the first on each ray by its distance, what
   CHECK(sensed(Rays<1, Sees::hunters>{{.range_m = 4.0, .field_rad = 0.1}}, seen(robots), 1)[0] == 0.0);
 }
 
+TEST_CASE("rays: wall between two robots -> each sees the wall, not the other, until it looks past its end") {
+  HandPopulation robots{{{.species = predator, .x_m = -2.0}, {.species = prey, .x_m = 2.0, .heading_rad = std::numbers::pi}}};
+  robots.arena.obstacles = {{.x_m = 0.0, .y_m = -1.0, .to_x_m = 0.0, .to_y_m = 1.0, .radius_m = 0.1}};
+  const Rays<1, Sees::victims, Sees::hunters, Sees::walls> ahead{{.range_m = 5.0, .field_rad = 0.1}};
+  for (const BodyIndex self : {0, 1}) {
+    const auto values = sensed(ahead, seen(robots), self);
+    CHECK(values[0] == 0.0);
+    CHECK(values[1] == 0.0);
+    CHECK(values[2] == Approx(1.0 - 1.9 / 5.0));
+  }
+  robots.arena.obstacles[0].to_y_m = -0.2;
+  CHECK(sensed(ahead, seen(robots), 0)[0] == Approx(1.0 - 3.75 / 5.0));
+  CHECK(sensed(ahead, seen(robots), 1)[1] == Approx(1.0 - 3.75 / 5.0));
+}
+
 TEST_CASE("rays: any population -> as a walk along each ray in steps of a millimetre") {
   for (const std::uint64_t seed : {1, 2, 3}) {
     Rng rng{seed, Stream::user};

@@ -17,8 +17,8 @@ struct CatchOutsideRefuges {
   using Params = CatchWithinReach::Params;
   Params params;
 
-  [[nodiscard]] std::vector<Capture> captures(const View& view, Rng& rng) const {
-    std::vector<Capture> reached = CatchWithinReach{params}.captures(view, rng);
+  [[nodiscard]] std::vector<Capture> captures(const View& view, Rng& rng, std::optional<Species> only = {}) const {
+    std::vector<Capture> reached = CatchWithinReach{params}.captures(view, rng, only);
     std::erase_if(reached, [&](const Capture& capture) {
       return std::ranges::any_of(view.arena.zones,
                                  [&](const Zone& one) { return one.name == zone && one.holds(view.poses[capture.victim]); });

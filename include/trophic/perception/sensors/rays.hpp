@@ -72,7 +72,7 @@ struct Rays {
     }
     for (Ray& ray : rays) {
       ray.end_m = params.range_m;
-      hit_walls(ray, from, view, view.arena);
+      hit_walls(ray, from, view);
     }
     const double radius_m = view.robot_radius_m;
     const Species own = view.robots[self].species;
@@ -96,22 +96,19 @@ struct Rays {
     return rays;
   }
 
-  /// Ends a ray at the walls around the arena and at its obstacles, if it has any.
-  template <class Ground>
-  void hit_walls(Ray& ray, const GroundPose& from, const View& view, const Ground& arena) const {
+  /// Ends a ray at the walls around the arena and at its obstacles.
+  void hit_walls(Ray& ray, const GroundPose& from, const View& view) const {
     const auto end = [&](double hit_m) {
       if (hit_m < ray.end_m) ray.end_m = hit_m, ray.shows = bit(Sees::walls);
     };
     if (view.period_m <= 0.0) {
-      const double half_m = arena.half_side_m;
+      const double half_m = view.arena.half_side_m;
       if (ray.cos != 0.0) end(std::max(0.0, (std::copysign(half_m, ray.cos) - from.x_m) / ray.cos));
       if (ray.sin != 0.0) end(std::max(0.0, (std::copysign(half_m, ray.sin) - from.y_m) / ray.sin));
     }
-    if constexpr (requires { arena.obstacles; }) {
-      const GroundPose along{.x_m = from.x_m, .y_m = from.y_m, .heading_rad = std::atan2(ray.sin, ray.cos)};
-      for (const auto& obstacle : arena.obstacles) {
-        if (const auto hit_m = ray_m(obstacle, along)) end(*hit_m);
-      }
+    for (const Obstacle& obstacle : view.arena.obstacles) {
+      const auto hit_m = ray_m(obstacle, {.x_m = from.x_m, .y_m = from.y_m, .heading_rad = std::atan2(ray.sin, ray.cos)});
+      if (hit_m) end(*hit_m);
     }
   }
 
