@@ -9,7 +9,6 @@
 #include <trophic/backend/start_pose.hpp>
 #include <trophic/backend/torus.hpp>
 #include <trophic/backend/with_engine.hpp>
-#include <trophic/control/acts/signal.hpp>
 #include <trophic/control/brain/cognitive_brain_with_biases.hpp>
 #include <trophic/control/brain/feed_forward_brain.hpp>
 #include <trophic/control/brain/growing_brain.hpp>
@@ -65,7 +64,6 @@
 #include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/reproduction/viability/survives_trial.hpp>
 #include <trophic/reproduction/viability/within_mass.hpp>
-#include <trophic/rules/by_species.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/rules/with_ageing_victims.hpp>
 #include <trophic/run.hpp>

@@ -21,10 +21,9 @@ void add_met(const RunManifest& run, Met& met) {
   CsvReader table{path, {"species"}};
   std::size_t size = 0;
   for (; table.has("input" + std::to_string(size)); ++size) table.want("input" + std::to_string(size));
-  Inputs inputs;
   while (table.next()) {
     if (size == 0 || table.text(1).empty()) continue;  // the brain was not asked
-    inputs.clear();                                    // cells beyond the inputs of a species are empty
+    Inputs inputs;                                     // cells beyond those of a species are empty
     for (std::size_t i = 0; i < size && !table.text(i + 1).empty(); ++i) inputs.push_back(table.get<double>(i + 1));
     for (Species species = 0; species < run.web.size(); ++species) {
       if (run.web.name(species) == table.text(0)) met[species].insert(inputs);

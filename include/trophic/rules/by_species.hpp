@@ -2,6 +2,7 @@
 // A rule whose parameters differ by species.
 #pragma once
 
+#include <trophic/death/capture/detail/by_species.hpp>
 #include <trophic/params/group.hpp>
 #include <trophic/params/policy.hpp>
 #include <trophic/population/state.hpp>

@@ -8,7 +8,7 @@
 namespace trophic::perception::sensors {
 
 /// Rule: the values of `Sensed` at a random living robot of self's species, drawn at each tick: inputs as in the table with
-/// Sensed, that say nothing about self. Whoever does as well with it does not use that sensor. Sensed reads no sighting and has
+/// Sensed, that say nothing about self. Robots that do as well with it do not use that sensor. Sensed reads no sighting and has
 /// no State. Reads: what Sensed reads.   Random draws: 1, and those of Sensed.
 template <class Sensed>
 struct Dealt {

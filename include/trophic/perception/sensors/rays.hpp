@@ -6,13 +6,14 @@
 
 namespace trophic::perception::sensors {
 
-/// What a ray can show: those that self eats, those that eat it, its own species, walls, and food of the resource.
+/// The kinds of things on a ray: those that self eats, those that eat it, its own species, walls, and food of the resource.
 enum class Sees { victims, hunters, kin, walls, food };
 
 /// Rule: `count` rays from left to right, spread over `field` about the heading. A ray ends at the first body (the circle of its
 /// robot) or wall within `range`; its value for each of the `kinds` is 1 - distance / range if that is one, else 0. For food it
-/// is that of the first cell with at least `food` before the ray's end. So bodies and walls hide what is behind them, and tags do
-/// not matter. All parameters are free.   Reads: positions, species, arena, resource.   Random draws: 0.
+/// is that of the first cell with at least `food` before the ray's end. So bodies and walls hide what is behind them; things at
+/// the same distance all show. Tags do not matter. All parameters are free.   Reads: positions, species, arena, resource. Random
+/// draws: 0.
 template <std::size_t count, Sees... kinds>
 struct Rays {
   static_assert(count > 0 && sizeof...(kinds) > 0,
@@ -70,9 +71,11 @@ struct Rays {
       rays[i].cos = rays[i - 1].cos * cos + rays[i - 1].sin * sin;
       rays[i].sin = rays[i - 1].sin * cos - rays[i - 1].cos * sin;
     }
+    const bool has_walls = view.period_m <= 0.0 && std::max(std::abs(from.x_m), std::abs(from.y_m)) + params.range_m >
+                                                       view.arena.half_side_m;  // in range
     for (Ray& ray : rays) {
       ray.end_m = params.range_m;
-      hit_walls(ray, from, view);
+      if (has_walls || !view.arena.obstacles.empty()) hit_walls(ray, from, view);
     }
     const double radius_m = view.robot_radius_m;
     const Species own = view.robots[self].species;
@@ -90,7 +93,9 @@ struct Rays {
         const double chord2 = radius_m * radius_m - distance2 + ahead_m * ahead_m;
         if (chord2 < 0.0 || (ahead_m < 0.0 && distance2 > radius_m * radius_m)) continue;
         const double hit_m = std::max(0.0, ahead_m - std::sqrt(chord2));
-        if (hit_m < ray.end_m || (hit_m == ray.end_m && ray.shows == 0)) ray.end_m = hit_m, ray.shows = shows;
+        if (hit_m > ray.end_m) continue;
+        ray.shows = shows | (hit_m == ray.end_m ? ray.shows : 0);
+        ray.end_m = hit_m;
       }
     });
     return rays;
