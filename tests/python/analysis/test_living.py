@@ -30,7 +30,7 @@ def test_the_census_counts_who_lives_and_who_is_caught_at_each_tick():
     assert extinctions(numpy.array([[1, 0, 1], [1, 1, 0], [0, 0, 0]])).tolist() == [3, 2, 3] and dynamics(census.numbers[1])[0] == 3
 
 
-@pytest.mark.parametrize("memory, points", [(0, 150), (3, 150), (20, 150), (20, 400)])
+@pytest.mark.parametrize("memory, points", [(0, 150), (3, 150), (20, 300)])
 def test_at_most_8_percent_of_series_of_noise_have_a_cycle(memory, points):
     rng = numpy.random.default_rng(points + memory)
     found = [cycle_of(100.0 + series, 59, i).is_there for i, series in enumerate(red_noise(memory, points, 300, rng))]
@@ -160,7 +160,7 @@ def test_a_world_whose_parents_give_half_of_their_energy_differs_from_its_shadow
     rng = numpy.random.default_rng(11)
     ours = halving(rng, 800, True)
     assert found(ours, halving(rng, 800, True)) <= 0.07
-    assert found(ours, halving(rng, 800, False)) >= 0.9  # a shadow that hands over another energy is another world
+    assert found(ours, halving(rng, 160, False), 20) >= 0.9  # a shadow that hands over another energy is another world
 
 
 @pytest.fixture(scope="module")

@@ -40,12 +40,13 @@ def thinned(series: numpy.ndarray) -> tuple[numpy.ndarray, int]:
 
 def autocorrelation(series: numpy.ndarray) -> numpy.ndarray:
     """Returns that of each series along the last axis, less its linear trend, up to a third of its length; long lags are damped."""
+    from scipy import fft
     n = series.shape[-1]
     line = numpy.arange(n) - (n - 1) / 2
     rest = series - series.mean(axis=-1, keepdims=True)
     rest = rest - (rest @ line)[..., None] / (line @ line) * line
-    power = numpy.abs(numpy.fft.rfft(rest, 2 * n)) ** 2
-    sums = numpy.fft.irfft(power)[..., : n // _LEAST_CYCLES + 1]
+    size = fft.next_fast_len(n + n // _LEAST_CYCLES + 1, real=True)
+    sums = fft.irfft(numpy.abs(fft.rfft(rest, size)) ** 2, size)[..., : n // _LEAST_CYCLES + 1]
     return sums / sums[..., :1]
 
 
