@@ -67,6 +67,25 @@ TEST_CASE("kinematic: left and right turns -> mirror images") {
   CHECK(left.y_m == doctest::Approx(-right.y_m).epsilon(1e-12));
 }
 
+TEST_CASE("kinematic: pace -> the same path that much faster or slower, standing at 0") {
+  Kinematic plain = world({standing(0.0, 0.0, 0.0)});
+  plain.set_target_angle(0, 0.7);
+  plain.advance_to(13.0);
+  for (const auto& [pace, time_s] : std::vector<std::pair<double, double>>{{1.3, 10.0}, {0.5, 26.0}, {1.0, 13.0}}) {
+    Kinematic paced = world({standing(0.0, 0.0, 0.0)});
+    paced.set_target_angle(0, 0.7);
+    paced.set_pace(0, pace);
+    paced.advance_to(time_s);
+    CHECK((paced.pose(0).position_m - plain.pose(0).position_m).norm() < 1e-4);
+    if (pace == 1.0) CHECK(paced.pose(0).position_m == plain.pose(0).position_m);
+  }
+  const Eigen::Vector3d before_m = plain.pose(0).position_m;
+  plain.set_pace(0, 0.0);
+  plain.advance_to(100.0);
+  CHECK(plain.pose(0).position_m == before_m);
+  CHECK(message_of<std::invalid_argument>([&] { plain.set_pace(0, -0.1); }) == "pace = -0.1: must be finite and >= 0");
+}
+
 TEST_CASE("kinematic: wall -> robot stops a radius away and slides along it") {
   Kinematic backend = world({standing(9.8, 0.0, 0.0)}, {.speed_scale = 2.0, .radius_m = 0.15});
   backend.advance_to(10.0);

@@ -113,3 +113,11 @@ TEST_CASE("per species: a victim in reach of two species -> the closer hunter's,
   Rng rng{1, Stream::user};
   CHECK(death::ask::captures(rule, {}, robots.view(), rng) == std::vector<death::Capture>{{2, 0}, {4, 3}});
 }
+
+TEST_CASE("per species: lists without states -> brains of other sizes") {
+  using Lists = sensors::PerSpecies<sensors::List<sensors::SideOfAdversary>,
+                                    sensors::List<sensors::DistanceOverTerrain, sensors::TagRatioOfAll>>;
+  Ecology<with_sensors<rules::Paper, Lists>> ecology{{}, backend::Kinematic::Params{}};
+  ecology.run_until(100.0);
+  for (const Individual& one : ecology.view().robots) CHECK(one.genome->weights.size() == (one.species == 0 ? 9 : 12));
+}

@@ -15,15 +15,62 @@ struct ListNames {
   static constexpr std::string_view separator = " | ";
 };
 
-/// The states of lists of which some have one, each under its species' name.
-template <class Community, class... Lists>
-class StatesPerSpecies {
+/// One list for each species.
+template <class... Lists>
+class ListsHeld {
  public:
-  using State = GroupOf<rules::detail::SpeciesNames<Community>, StateOf<Lists>...>;
+  template <class Params>
+  explicit ListsHeld(const Params& given) : ListsHeld{given, std::index_sequence_for<Lists...>{}} {}
+
+ protected:
+  /// Calls `visit(list, its place as an integral_constant)` for a species' list.
+  template <class Visit>
+  void of(Species species, const Visit& visit) const {
+    [&]<std::size_t... place>(std::index_sequence<place...>) {
+      ((place == species ? visit(std::get<place>(lists_), std::integral_constant<std::size_t, place>{}) : void()), ...);
+    }
+    (std::index_sequence_for<Lists...>{});
+  }
+  [[nodiscard]] const std::tuple<Lists...>& lists() const { return lists_; }
+
+ private:
+  template <class Params, std::size_t... place>
+  ListsHeld(const Params& given, std::index_sequence<place...>)
+      : lists_{make_policy<Lists>(given.template get<place>(), "sensors")...} {}
+
+  std::tuple<Lists...> lists_;
 };
+
+/// Lists of which some have a State: the states of all, each under its species' name.
 template <class Community, class... Lists>
-requires(!(Stateful<Lists> || ...)) class StatesPerSpecies<Community, Lists...> {
+class ListsWithStates : public ListsHeld<Lists...> {
+ public:
+  using ListsHeld<Lists...>::ListsHeld;
+  using State = GroupOf<rules::detail::SpeciesNames<Community>, StateOf<Lists>...>;
+
+  [[nodiscard]] State born(const Individual& newborn, const State* parent, const State& body) const {
+    State all;
+    this->of(newborn.species, [&]<class List>(const List& list, auto place) {
+      if constexpr (Stateful<List>) {
+        const auto* parents = parent != nullptr ? &parent->template get<place>() : nullptr;
+        all.template get<place>() = list.born(newborn, parents, body.template get<place>());
+      }
+    });
+    return all;
+  }
+
+#define TROPHIC_NOTIFY_LISTS(hook, Happened, signature)                                     \
+  void hook(State& own, BodyIndex self, Happened what, const View& view) const {            \
+    this->of(view.robots[self].species, [&]<class List>(const List& list, auto place) {     \
+      if constexpr (Stateful<List>) list.hook(own.template get<place>(), self, what, view); \
+    });                                                                                     \
+  }
+  TROPHIC_STATE_HOOKS(TROPHIC_NOTIFY_LISTS)
+#undef TROPHIC_NOTIFY_LISTS
 };
+
+template <class Community, class... Lists>
+using HeldLists = std::conditional_t<(Stateful<Lists> || ...), ListsWithStates<Community, Lists...>, ListsHeld<Lists...>>;
 
 }  // namespace detail
 
@@ -42,7 +89,7 @@ class PerSpeciesOf<void, Lists...> {
 
 /// The same in a table of this community.
 template <class Community, class... Lists>
-class PerSpeciesOf : public detail::StatesPerSpecies<Community, Lists...> {
+class PerSpeciesOf : public detail::HeldLists<Community, Lists...> {
  public:
   static_assert(sizeof...(Lists) == Community::species_names.size(),
                 "sensors::PerSpecies needs one sensors::List for each species of the table's community");
@@ -55,10 +102,8 @@ class PerSpeciesOf : public detail::StatesPerSpecies<Community, Lists...> {
   using Params = GroupOf<rules::detail::SpeciesNames<Community>, ParamsOf<Lists>...>;
   Params params;
 
-  explicit PerSpeciesOf(const Params& given = {}) : PerSpeciesOf{given, std::index_sequence_for<Lists...>{}} {}
+  explicit PerSpeciesOf(const Params& given = {}) : detail::HeldLists<Community, Lists...>{given}, params{given} {}
 
-  static constexpr bool has_states = (Stateful<Lists> || ...);
-  using Own = StateOf<detail::StatesPerSpecies<Community, Lists...>>;
   using Values = std::array<double, size>;
   using Common = std::tuple<typename Lists::Values...>;
 
@@ -79,56 +124,20 @@ class PerSpeciesOf : public detail::StatesPerSpecies<Community, Lists...> {
   }
 
   [[nodiscard]] Common sense_common(const View& view) const {
-    return std::apply([&](const auto&... lists) { return Common{lists.sense_common(view)...}; }, lists_);
+    return std::apply([&](const auto&... lists) { return Common{lists.sense_common(view)...}; }, this->lists());
   }
 
   /// The values of the list of self's species; those beyond its size are 0.
-  template <class Stream>
+  template <class Own, class Stream>
   [[nodiscard]] Values sense([[maybe_unused]] const Own& own, BodyIndex self, const std::optional<Sighting>& sighting,
                              const View& view, const Common& common, const Stream& stream) const {
     Values values{};
-    of(view.robots[self].species, [&]<class List>(const List& list, auto place) {
+    this->of(view.robots[self].species, [&]<class List>(const List& list, auto place) {
       std::ranges::copy(list.sense(detail::state_in<List>(own, place), self, sighting, view, std::get<place>(common), stream),
                         values.begin());
     });
     return values;
   }
-
-  [[nodiscard]] Own born(const Individual& newborn, const Own* parent, const Own& body) const requires has_states {
-    Own all;
-    of(newborn.species, [&]<class List>(const List& list, auto place) {
-      if constexpr (Stateful<List>) {
-        const auto* parents = parent != nullptr ? &parent->template get<place>() : nullptr;
-        all.template get<place>() = list.born(newborn, parents, body.template get<place>());
-      }
-    });
-    return all;
-  }
-
-#define TROPHIC_NOTIFY_LISTS(hook, Happened, signature)                                            \
-  void hook(Own& own, BodyIndex self, Happened what, const View& view) const requires has_states { \
-    of(view.robots[self].species, [&]<class List>(const List& list, auto place) {                  \
-      if constexpr (Stateful<List>) list.hook(own.template get<place>(), self, what, view);        \
-    });                                                                                            \
-  }
-  TROPHIC_STATE_HOOKS(TROPHIC_NOTIFY_LISTS)
-#undef TROPHIC_NOTIFY_LISTS
-
- private:
-  template <std::size_t... place>
-  PerSpeciesOf(const Params& given, std::index_sequence<place...>)
-      : params{given}, lists_{make_policy<Lists>(given.template get<place>(), "sensors")...} {}
-
-  /// Calls `visit(list, its place as an integral_constant)` for a species' list.
-  template <class Visit>
-  void of(Species species, const Visit& visit) const {
-    [&]<std::size_t... place>(std::index_sequence<place...>) {
-      ((place == species ? visit(std::get<place>(lists_), std::integral_constant<std::size_t, place>{}) : void()), ...);
-    }
-    (std::index_sequence_for<Lists...>{});
-  }
-
-  std::tuple<Lists...> lists_;
 };
 
 }  // namespace trophic::perception::sensors
