@@ -23,7 +23,6 @@
 #include <trophic/death/activation/founders_start_active.hpp>
 #include <trophic/death/capture/catch_outside_refuges.hpp>
 #include <trophic/death/floor/active_victim_floor.hpp>
-#include <trophic/death/senescence/energy_store.hpp>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/death/starvation/choice/hungriest_else_oldest.hpp>
 #include <trophic/death/starvation/choice/hungriest_share.hpp>
@@ -61,6 +60,7 @@
 #include <trophic/reproduction/recruitment/after_escapes.hpp>
 #include <trophic/reproduction/recruitment/at_energy.hpp>
 #include <trophic/reproduction/recruitment/by_mating.hpp>
+#include <trophic/reproduction/traits/list.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/reproduction/viability/survives_trial.hpp>
 #include <trophic/reproduction/viability/within_mass.hpp>

@@ -11,6 +11,7 @@
 #include <trophic/reproduction/mutation/contract.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/reproduction/recruitment/contract.hpp>
+#include <trophic/reproduction/traits/contract.hpp>
 
 TEST_CASE_TEMPLATE_DEFINE("initial genome", Policy, trophic_initial_genome_suite) {
   using namespace trophic;
@@ -226,6 +227,32 @@ TEST_CASE_TEMPLATE_DEFINE("mutation", Policy, trophic_mutation_suite) {
       answers.add(mutated);
       answers.add(own);
     }
+    return answers;
+  });
+}
+
+TEST_CASE_TEMPLATE_DEFINE("traits", Policy, trophic_traits_suite) {
+  using namespace trophic;
+  static_assert(reproduction::TraitRule<Policy>);
+  conformance::check_policy<Policy>();
+  const auto generations = [](const Policy& policy, Rng& rng) {
+    std::vector<double> all;
+    std::vector<double> traits = policy.draw(rng);
+    for (int birth = 0; birth < 50; ++birth) {
+      CHECK(traits.size() == std::size(Policy::trait_names));
+      all.insert(all.end(), traits.begin(), traits.end());
+      policy.mutate(std::span{traits}, rng);
+    }
+    return all;
+  };
+  for (const std::uint64_t seed : conformance::seeds) {
+    const auto all = conformance::asked_twice(seed, [&](Rng& rng) { return generations(conformance::defaulted<Policy>(), rng); });
+    for (const double trait : all) CHECK(std::isfinite(trait));
+  }
+  conformance::check_params_used<Policy>([&](const Policy& made) {
+    conformance::Answers answers;
+    Rng rng{1, Stream::user};
+    answers.add(generations(made, rng));
     return answers;
   });
 }

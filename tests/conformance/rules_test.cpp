@@ -31,7 +31,6 @@
 #include <trophic/death/floor/active_victim_floor.hpp>
 #include <trophic/death/floor/no_floor.hpp>
 #include <trophic/death/minimum_predators/no_minimum.hpp>
-#include <trophic/death/senescence/energy_store.hpp>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/death/senescence/old_age_of_victims.hpp>
 #include <trophic/death/starvation/choice/hungriest_else_oldest.hpp>
@@ -78,6 +77,7 @@
 #include <trophic/reproduction/recruitment/at_energy.hpp>
 #include <trophic/reproduction/recruitment/by_mating.hpp>
 #include <trophic/reproduction/recruitment/no_recruitment.hpp>
+#include <trophic/reproduction/traits/list.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/reproduction/viability/survives_trial.hpp>
 #include <trophic/reproduction/viability/within_mass.hpp>
@@ -85,6 +85,15 @@
 #include <trophic/rules/released.hpp>
 
 using namespace trophic;
+
+namespace {
+
+struct Sight {
+  static constexpr std::string_view name = "sight_m";
+  static constexpr double first = 8.0, least = 1.0, most = 12.0, sd = 0.5;
+};
+
+}  // namespace
 
 TEST_CASE("rules: every number of a shipped rule has a line of help") {
   using Others = with_senescence<rules::Paper, death::senescence::OldAge>;
@@ -161,6 +170,7 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_heredity_suite, reproduction::heredity::Crosso
                           reproduction::heredity::SharedCopy, reproduction::heredity::NothingInherited,
                           reproduction::heredity::AllButBrain, reproduction::heredity::AllButGait,
                           reproduction::heredity::AllButBody, reproduction::heredity::Switched<reproduction::heredity::OwnCopy>);
+TEST_CASE_TEMPLATE_INVOKE(trophic_traits_suite, reproduction::traits::NoTraits, reproduction::traits::List<Sight>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_mutation_suite, reproduction::mutation::NormalMutation, reproduction::mutation::UniformMutation,
                           reproduction::mutation::NoMutation);
 
@@ -182,4 +192,4 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_suite, rules::Paper::Starvation, ru
 TEST_CASE_TEMPLATE_INVOKE(trophic_minimum_predators_suite, death::minimum_predators::SacrificeRandomVictim,
                           death::minimum_predators::NoMinimum);
 TEST_CASE_TEMPLATE_INVOKE(trophic_senescence_suite, death::senescence::NoSenescence, death::senescence::OldAge,
-                          death::senescence::OldAgeOfVictims, death::senescence::EnergyStore);
+                          death::senescence::OldAgeOfVictims);

@@ -78,9 +78,9 @@ constexpr std::string_view states = R"(
 ## states.csv
 
 The states of rules for every robot, at the ticks of agents.csv, after that tick's rules. Written only with --states.
-The columns time_s, tick, body and id are those of agents.csv. One column SLOT.MEMBER follows for each member of each State of the
-table, such as starvation.exemption.adversary_distance_m. Numbers are exact, ancestors are ids, lists are separated by spaces, and empty
-cells mean none. Without a State there are no further columns.
+The columns time_s, tick, body and id are those of agents.csv. With a rule Metabolism energy_J follows, the individual's energy. One column
+SLOT.MEMBER follows for each member of each State of the table, such as starvation.exemption.adversary_distance_m. Numbers are exact,
+ancestors are ids, lists are separated by spaces, and empty cells mean none.
 )";
 
 constexpr std::string_view bodies = R"(
@@ -109,7 +109,7 @@ column modules_text follows: the plan of its body, as in bodies.csv.)");
   text += section<io::GenomeRow>(
       "genomes.csv",
       R"(One row per birth. If genomes are shared, a later row with the same genome_id holds the weights of all who share it from then
-on.)");
+on. Each heritable trait of the table is one more column, with its name.)");
   text += section<io::GeneRow>("genes.csv",
                                R"(One row per gene of every newborn. Written only if individuals inherit gaits or bodies, or if
 brains grow.)");

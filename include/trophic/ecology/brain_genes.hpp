@@ -29,6 +29,13 @@ class BrainGenes {
     check_finite("initial_genome", "weights", genome.weights);
   }
 
+  /// Draws the weights of a newborn that has none, else mutates them.
+  template <class State>
+  void draw_or_mutate(Genome& genome, State& own, const Individual& born) const {
+    if (genome.weights.empty()) return draw(genome, born, born.id);
+    mutate(genome, own, born);
+  }
+
   /// Mutates inherited weights; `own` is the offspring's state of the rule Mutation.
   template <class State>
   void mutate(Genome& genome, State& own, const Individual& born) const {

@@ -90,7 +90,9 @@ void check_parts(const BackendChoice& backend) {
             "in a table with a rule BodyPlan; else no rule Embodiment is asked");
   if constexpr (requires { AnswersForSpecies<PolicyIn<Rules, RuleSlot::heredity>>::left_out; }) {
     constexpr std::string_view left_out = AnswersForSpecies<PolicyIn<Rules, RuleSlot::heredity>>::left_out;
-    const bool is_nothing = (left_out == "gait" && !GaitGenes<Rules>::are_inherited) || (left_out == "body" && !bodies_inherited);
+    const bool is_nothing = (left_out == "gait" && !GaitGenes<Rules>::are_inherited) ||
+                            (left_out == "body" && !bodies_inherited) ||
+                            (left_out == "traits" && is_neutral<Rules, RuleSlot::traits>);
     refuse_if(is_nothing, heredity + " with " + gaits + " and " + bodies,
               "in a table that inherits that part; else it is own_copy");
   }

@@ -8,6 +8,7 @@
 #include <trophic/ecology/economy.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/gait_genes.hpp>
+#include <trophic/ecology/trait_genes.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/params/numbers_text.hpp>
@@ -97,6 +98,7 @@ template <class Rules>
                             backend.name() + " stand upright");
   }
   if (!is_neutral<Rules, RuleSlot::acts>) run.outputs = PolicyIn<Rules, RuleSlot::acts>::output_names();
+  run.traits.assign(TraitGenes<Rules>::names.begin(), TraitGenes<Rules>::names.end());
   run.brains_grow = BrainGenes<Rules>::grow;
   run.bodies_differ = BodyGenes<Rules>::differ;
   run.has_energy = Economy<Rules>::has_energy;

@@ -79,6 +79,8 @@ class Ecology final : public Simulation {
             .resource = population_.economy().resource_flow(),
             .refused_births = refused_births_,
             .acts = population_.acts().values(),
+            .traits = TraitGenes<Rules>::names,
+            .is_over = ends_now(params_.ecology.ends_when, population_.members()),
             .period_m = period_m_};
   }
 
@@ -89,7 +91,7 @@ class Ecology final : public Simulation {
     return run;
   }
 
-  [[nodiscard]] io::StateColumns state_columns() const override { return io::state_columns(states()); }
+  [[nodiscard]] io::StateColumns state_columns() const override { return io::state_columns(states(), view().robots); }
 
  private:
   /// Whether the number of individuals may change.
@@ -126,7 +128,7 @@ class Ecology final : public Simulation {
         starvation_clock_ = death::ask::start(rules_.starvation, view());
         tick(audience);
       }
-      while (time_s() < until_s && audience.keep_running() && move(audience)) {
+      while (time_s() < until_s && !view().is_over && audience.keep_running() && move(audience)) {
         tick(audience);
         audience.between_ticks(*this, false);
       }
@@ -154,8 +156,7 @@ class Ecology final : public Simulation {
     return true;
   }
 
-  /// The individual dies; a random one of its species follows. A spare body stands up again, and so does one whose history says
-  /// when it dies.
+  /// The individual dies and a random one of its species follows. A spare body, or one with a history, stands up again.
   void end_diverged(observe::Audience& audience, BodyIndex body) {
     const Individual& self = population_[body];
     if (!self.lives() || params_.history) return bodies_.embody(body, population_.individuals().size());

@@ -10,6 +10,7 @@
 #include <trophic/ecology/lineup.hpp>
 #include <trophic/ecology/phenotypes.hpp>
 #include <trophic/ecology/state_hooks.hpp>
+#include <trophic/ecology/trait_genes.hpp>
 #include <trophic/reproduction/parent/contract.hpp>
 #include <trophic/rules/rule_states.hpp>
 #include <trophic/rules/table.hpp>
@@ -42,6 +43,7 @@ class Population {
         null_{setting.null},
         tags_{for_species(rules.brain, 0).tags()},
         brains_{rules, seed},
+        traits_{rules, seed},
         phenotypes_{rules, seed, setting.habitat, setting.nursery},
         economy_{rules, seed, web.size(), setting.habitat} {
     check_tags(tags_);
@@ -126,10 +128,10 @@ class Population {
         throw std::invalid_argument{"a contest of genomes of " + std::to_string(given.weights.size()) + " weights: must have " +
                                     *demand + ", as the table's brain takes it"};
       }
-      if (genome.gait_genes.empty() != given.gait_genes.empty() || genome.body_genes.empty() != given.body_genes.empty()) {
-        throw std::invalid_argument{"a contest of genomes without genes of gait or body: must have those that the table's do"};
-      }
-      genome = {genome.id, given.weights, given.gait_genes, given.body_genes};
+      const auto is_in_one = [&](auto part) { return (genome.*part).empty() != (given.*part).empty(); };
+      if (is_in_one(&Genome::gait_genes) || is_in_one(&Genome::body_genes) || is_in_one(&Genome::traits))
+        throw std::invalid_argument{"a contest of genomes without some parts: must have those that the table's have"};
+      genome = {genome.id, given.weights, given.gait_genes, given.body_genes, given.traits};
       phenotypes_.express(body, individuals_[body], genome);
       individuals_[body].active = true;
       mark(body);
@@ -307,7 +309,8 @@ class Population {
     }
     const bool sound = individual.id < next_id_ && individual.species < web_.size() &&
                        !brains_.misfit(individual.species, individual.genome.get()) && has_tag &&
-                       individual.adversary.value_or(0) < individuals_.size();
+                       individual.adversary.value_or(0) < individuals_.size() &&
+                       individual.genome->traits.size() == TraitGenes<Rules>::names.size();
     if (!sound) throw std::invalid_argument{"an individual of other rules"};
   }
 
@@ -345,6 +348,7 @@ class Population {
     auto genome = std::make_shared<Genome>(Genome{.id = next_genome_id_++});
     const IndividualId as = null_ == Null::clones ? 0 : born.id;
     brains_.draw(*genome, born, as);
+    traits_.draw_or_mutate(*genome, born, as);
     phenotypes_.develop(body, born, *genome, as);
     return genome;
   }
@@ -363,11 +367,8 @@ class Population {
     } else {
       const bool is_shared = std::ranges::any_of(parents, [&](const Ancestor& parent) { return parent.genome == genome; });
       if (!is_shared) genome->id = next_genome_id_++;
-      if (genome->weights.empty()) {
-        brains_.draw(*genome, born, born.id);
-      } else {
-        brains_.mutate(*genome, states_.mutation[body], born);
-      }
+      brains_.draw_or_mutate(*genome, states_.mutation[body], born);
+      traits_.draw_or_mutate(*genome, born, born.id);
       phenotypes_.develop(body, born, *genome, born.id);
       born.genome = std::move(genome);
     }
@@ -382,6 +383,7 @@ class Population {
   Null null_;
   std::vector<int> tags_;
   BrainGenes<Rules> brains_;
+  TraitGenes<Rules> traits_;
   Phenotypes<Rules> phenotypes_;
   Economy<Rules> economy_;
   IndividualId next_id_ = 0;

@@ -2,7 +2,9 @@
 // The parameters of an experiment that do not belong to a rule: bodies, time scales, models, decisions.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <span>
 #include <trophic/params/params.hpp>
 
 namespace trophic {
@@ -38,6 +40,20 @@ enum class WithoutTarget { decides, keeps_decision };
   return {"decides", "keeps_decision"};
 }
 
+/// When a run ends before its duration: never, once no individual of some species lives, or once those of at most one do. Only
+/// tables without floor and rescue come to it. As for the duration, runs that differ in it are one experiment.
+enum class EndsWhen { time_is_up, a_species_is_gone, one_species_is_left };
+[[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(EndsWhen) {
+  return {"time_is_up", "a_species_is_gone", "one_species_is_left"};
+}
+
+/// Whether a run with so many members of each species ends.
+[[nodiscard]] constexpr bool ends_now(EndsWhen when, std::span<const std::size_t> members) {
+  const auto gone = static_cast<std::size_t>(std::ranges::count(members, std::size_t{0}));
+  return (when == EndsWhen::a_species_is_gone && gone > 0) ||
+         (when == EndsWhen::one_species_is_left && gone + 1 >= members.size());
+}
+
 /// Bodies, time scales, models and the order of decisions (Sec. "Robot Body and Environment", "Cognitive Brain", "Birth",
 /// "Outputs").
 struct EcologyParams {
@@ -55,6 +71,7 @@ struct EcologyParams {
   PhaseAtBirth phase_at_birth = PhaseAtBirth::kept;
   DecisionOrder decision_order = DecisionOrder::together;
   WithoutTarget without_target = WithoutTarget::decides;
+  EndsWhen ends_when = EndsWhen::time_is_up;
 
   static constexpr auto fields() {
     return std::tuple{
@@ -73,8 +90,9 @@ struct EcologyParams {
         field("phase_at_birth", &EcologyParams::phase_at_birth, "kept or reset: the gait's phase at a birth in the body"),
         field("decision_order", &EcologyParams::decision_order,
               "together or in_turn: whether robots see tags chosen earlier in the tick"),
-        field("without_target", &EcologyParams::without_target,
-              "decides or keeps_decision: a robot that perceives no adversary")};
+        field("without_target", &EcologyParams::without_target, "decides or keeps_decision: a robot that perceives no adversary"),
+        field("ends_when", &EcologyParams::ends_when,
+              "time_is_up, a_species_is_gone or one_species_is_left: whether a run ends before its duration")};
   }
 };
 

@@ -10,13 +10,14 @@
 
 namespace trophic::io {
 
-/// Writes a GenomeRow per birth. The file begins with the first one, which sets the number of weights.
+/// Writes a GenomeRow per birth, with a column for each heritable trait. The file begins with the first one, which sets the
+/// number of weights.
 class GenomeLog {
  public:
   static constexpr std::string_view file_name = "genomes.csv";
 
   explicit GenomeLog(std::filesystem::path path, Opening opening = Opening::created) : path_{std::move(path)} {
-    if (opening == Opening::resumed) file_.emplace(path_, opening);
+    if (opening == Opening::resumed) file_.emplace(path_, "", opening);
   }
 
   void on_start(const observe::RunDescription& run, const View&) { brains_grow_ = run.brains_grow; }
@@ -25,8 +26,10 @@ class GenomeLog {
     const Genome& genome = *event.individual.genome;
     GenomeRow row{.id = event.individual.id, .genome = genome.id, .time_s = view.time_s, .weights = genome.weights};
     if (brains_grow_) row.weights.clear();
-    if (!file_) file_.emplace(path_, row);
-    file_->write(row);
+    if (!file_) file_.emplace(path_, with_cells(header_of(row), view.traits));
+    std::string line;
+    append_row(line, row, view.web);
+    file_->buffer() += with_cells(std::move(line), genome.traits);
   }
   void on_tick(const View&) {
     if (file_) file_->flush();
@@ -39,8 +42,15 @@ class GenomeLog {
   [[nodiscard]] TableSum sum() const { return file_ ? file_->sum() : TableSum{}; }
 
  private:
+  /// A line with more cells.
+  [[nodiscard]] static std::string with_cells(std::string line, const auto& cells) {
+    line.pop_back();
+    for (const auto& cell : cells) detail::append_cell(line += ',', cell);
+    return line + '\n';
+  }
+
   std::filesystem::path path_;
-  std::optional<CsvFile<GenomeRow>> file_;
+  std::optional<LineFile> file_;
   bool brains_grow_ = false;
 };
 

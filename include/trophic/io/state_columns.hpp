@@ -48,14 +48,18 @@ void append_state(const State& state, std::string& row) {
 
 }  // namespace detail
 
-/// The columns SLOT.MEMBER of all States of a table. Refers to the states.
+/// The column energy_J of individuals in a table with a rule Metabolism, and the columns SLOT.MEMBER of all States of a table.
+/// Refers to both.
 template <class Rules>
-[[nodiscard]] StateColumns state_columns(const RuleStates<Rules>& states) {
+[[nodiscard]] StateColumns state_columns(const RuleStates<Rules>& states, std::span<const Individual> robots = {}) {
+  constexpr bool has_energy = !is_neutral<Rules, RuleSlot::metabolism>;
   StateColumns columns;
+  if (has_energy) columns.names.emplace_back("energy_J");
   for_each_state(states, [&]<class P>(std::string_view slot, const BodyStates<P>&) {
     detail::append_names(StateOf<P>{}, std::string{slot}, columns.names);
   });
-  columns.append = [&states](BodyIndex body, std::string& row) {
+  columns.append = [&states, robots](BodyIndex body, std::string& row) {
+    if (has_energy) detail::append_cell(row += ',', robots[body].energy_J);
     for_each_state(states, [&](std::string_view, const auto& of_slot) { detail::append_state(of_slot[body], row); });
   };
   return columns;

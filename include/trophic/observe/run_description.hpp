@@ -55,6 +55,7 @@ struct RunDescription {
   std::vector<ParameterChange> changes = {};    ///< in the order in which they were made
   std::optional<Branch> branch = std::nullopt;  ///< none of a run from time 0
   std::size_t spare_bodies = 0;                 ///< bodies that start without an individual
+  std::vector<std::string> traits = {};         ///< names of the rule Traits
   bool has_energy = false;                      ///< whether there is a rule Metabolism
   bool has_resource = false;                    ///< whether there is a rule Resource
   bool brains_grow = false;                     ///< whether the number of a brain's genes may change
@@ -63,8 +64,8 @@ struct RunDescription {
   bool has_more_genes = false;                  ///< whether genomes have a gait or a body, or brains grow
 };
 
-/// Whether the results of a parameter's other value are those of another experiment: not of the seed, the duration and the
-/// number of threads.
+/// Whether the results of a parameter's other value are those of another experiment: not of the seed, of duration and
+/// ends_when, and of the number of threads.
 [[nodiscard]] bool makes_another_experiment(std::string_view path);
 
 /// 16 hexadecimal digits of rules, parameters, models and backend at the start, not of the seed, the duration and the number of

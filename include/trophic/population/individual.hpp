@@ -36,7 +36,10 @@ struct Genome {
   std::vector<double> weights = {};     ///< of the brain
   std::vector<double> gait_genes = {};  ///< of the rule Gait
   std::vector<double> body_genes = {};  ///< of the rule BodyPlan
-  static constexpr auto saved() { return std::tuple{&Genome::id, &Genome::weights, &Genome::gait_genes, &Genome::body_genes}; }
+  std::vector<double> traits = {};      ///< of the rule Traits
+  static constexpr auto saved() {
+    return std::tuple{&Genome::id, &Genome::weights, &Genome::gait_genes, &Genome::body_genes, &Genome::traits};
+  }
 };
 
 /// An individual that offspring can descend from, possibly dead.

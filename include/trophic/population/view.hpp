@@ -5,6 +5,8 @@
 #include <cmath>
 #include <concepts>
 #include <span>
+#include <stdexcept>
+#include <string>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/population/act_values.hpp>
 #include <trophic/population/energy_flow.hpp>
@@ -29,15 +31,17 @@ struct View {
   const Arena& arena;
   std::span<const Individual> robots;
   std::span<const GroundPose> poses;
-  const SearchTree* tree = nullptr;            ///< over the poses; without one, searches visit every robot
-  std::span<const std::size_t> members = {};   ///< of each species; if empty, they are counted
-  std::uint64_t refused_bodies = 0;            ///< mutations of bodies so far that the rules refused
-  std::span<const Phenotype> phenotypes = {};  ///< of each body; empty if all have the habitat's robot and gait
-  const ResourceField* field = nullptr;        ///< the resource; null in a table without a rule Resource
-  std::span<const EnergyFlow> energy = {};     ///< of each species since the last tick; empty without a rule Metabolism
-  ResourceFlow resource = {};                  ///< since the last tick
-  std::uint64_t refused_births = 0;            ///< for which no body or no room was free, so far
-  ActValues acts = {};                         ///< of the last decisions
+  const SearchTree* tree = nullptr;               ///< over the poses; without one, searches visit every robot
+  std::span<const std::size_t> members = {};      ///< of each species; if empty, they are counted
+  std::uint64_t refused_bodies = 0;               ///< mutations of bodies so far that the rules refused
+  std::span<const Phenotype> phenotypes = {};     ///< of each body; empty if all have the habitat's robot and gait
+  const ResourceField* field = nullptr;           ///< the resource; null in a table without a rule Resource
+  std::span<const EnergyFlow> energy = {};        ///< of each species since the last tick; empty without a rule Metabolism
+  ResourceFlow resource = {};                     ///< since the last tick
+  std::uint64_t refused_births = 0;               ///< for which no body or no room was free, so far
+  ActValues acts = {};                            ///< of the last decisions
+  std::span<const std::string_view> traits = {};  ///< names of the heritable traits of the rule Traits
+  bool is_over = false;                           ///< whether the run ends now by EcologyParams::ends_when
   double period_m = 0.0;  ///< the side of a torus, on which distances are the shortest; 0: an arena with walls
 
   /// The value of an act (control/acts/) at the last decision; its default in a table without it.
@@ -78,6 +82,14 @@ struct View {
     Marks all = 0;
     for (Species species = 0; species < web.size(); ++species) all |= accepts(species) ? marks_of(species, tag, only_active) : 0;
     return all;
+  }
+  /// An individual's trait, of the type in the table's list: `view.trait<Sight>(body)`. Throws std::invalid_argument for a trait
+  /// that is not in it.
+  template <class Trait>
+  [[nodiscard]] double trait(BodyIndex body) const {
+    const auto place = static_cast<std::size_t>(std::ranges::find(traits, std::string_view{Trait::name}) - traits.begin());
+    if (place < traits.size()) return robots[body].genome->traits.at(place);
+    throw std::invalid_argument{"trait " + std::string{Trait::name} + ": must be in the list Traits of the rule table"};
   }
   [[nodiscard]] double age_s(const Individual& individual) const { return time_s - individual.age_from_s; }
   /// Whether `wait_s` have passed since a moment: times are floating point, and a rule must not come a tick late for it.

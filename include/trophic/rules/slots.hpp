@@ -46,6 +46,8 @@
 #include <trophic/reproduction/parent/no_parent.hpp>
 #include <trophic/reproduction/recruitment/contract.hpp>
 #include <trophic/reproduction/recruitment/no_recruitment.hpp>
+#include <trophic/reproduction/traits/contract.hpp>
+#include <trophic/reproduction/traits/no_traits.hpp>
 #include <trophic/reproduction/viability/always_viable.hpp>
 #include <trophic/reproduction/viability/contract.hpp>
 
@@ -77,6 +79,7 @@
   SLOT(Mutation, mutation, reproduction, Mutation, reproduction::mutation::NoMutation, true)                         \
   SLOT(BodyPlan, body_plan, reproduction, BodyPlan, reproduction::body_plan::OneBody, true)                          \
   SLOT(Viability, viability, reproduction, Viability, reproduction::viability::AlwaysViable, true)                   \
+  SLOT(Traits, traits, reproduction, TraitRule, reproduction::traits::NoTraits, true)                                \
   SLOT(Recruitment, recruitment, reproduction, Recruitment, reproduction::recruitment::NoRecruitment, false)         \
   SLOT(Activation, activation, death, Activation, death::activation::AlwaysActive, true)                             \
   SLOT(Capture, capture, death, CaptureRule, death::capture::NoCapture, true)                                        \

@@ -102,8 +102,8 @@ TROPHIC_NO_SLOT(perception, "with_heading, with_visibility, with_sensors, with_n
 TROPHIC_NO_SLOT(control, "with_acts, with_brain, with_pace, with_steering and with_gait")
 TROPHIC_NO_SLOT(
     reproduction,
-    "with_initial_genome, with_genome_source, with_parent, with_heredity, with_mutation, with_body_plan, with_viability and "
-    "with_recruitment")
+    "with_initial_genome, with_genome_source, with_parent, with_heredity, with_mutation, with_body_plan, with_viability, "
+    "with_traits and with_recruitment")
 TROPHIC_NO_SLOT(death, "with_activation, with_capture, with_floor, with_starvation, with_minimum_predators and with_senescence")
 #undef TROPHIC_NO_SLOT
 

@@ -44,6 +44,7 @@ enum class Stream : std::uint64_t {
   bites,
   endowment,
   birth_place,
+  traits,
   user = 1'000'000,  ///< first number for rules of users
 };
 

@@ -56,8 +56,8 @@ TEST_CASE("checkpoint file: missing, of another format or version -> errors name
   CHECK(refusal("trophic checkpoint\n12") == "x.bin: is cut short");
   CHECK(refusal(bytes + "x") == "x.bin: is cut short or damaged: its checksum is another");
   std::string newer = bytes;
-  newer[19] = 7;
-  CHECK(refusal(newer) == "x.bin: has format 7, of a newer version of trophic: must be 6, as this program writes");
+  newer[19] = 8;
+  CHECK(refusal(newer) == "x.bin: has format 8, of a newer version of trophic: must be 7, as this program writes");
 }
 
 TEST_CASE("checkpoint file: missing or damaged -> its predecessor is read") {

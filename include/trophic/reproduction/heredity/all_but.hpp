@@ -7,25 +7,28 @@
 namespace trophic::reproduction::heredity {
 
 /// The parts of a genome.
-enum class Part { brain, gait, body };
+enum class Part { brain, gait, body, traits };
 
 /// Rule: the offspring's genome is a copy without this part, which is drawn anew as for an individual without a parent. Compared
 /// with OwnCopy it measures what inheritance of the part adds. An error in a table that does not inherit the part.   Reads:
 /// parent's genome.   Random draws: 0.
 template <Part part>
 struct AllBut {
-  static constexpr std::string_view name = std::array{"all_but_brain", "all_but_gait", "all_but_body"}[static_cast<int>(part)];
+  static constexpr std::string_view name =
+      std::array{"all_but_brain", "all_but_gait", "all_but_body", "all_but_traits"}[static_cast<int>(part)];
   static constexpr std::string_view left_out = name.substr(8);
   static constexpr std::string_view source = "control";
   [[nodiscard]] std::shared_ptr<Genome> inherit(const std::shared_ptr<Genome>& parent) const {
     auto genome = std::make_shared<Genome>(*parent);
-    (part == Part::brain ? genome->weights : part == Part::gait ? genome->gait_genes : genome->body_genes).clear();
+    constexpr std::array parts{&Genome::weights, &Genome::gait_genes, &Genome::body_genes, &Genome::traits};
+    ((*genome).*parts[static_cast<int>(part)]).clear();
     return genome;
   }
 };
 using AllButBrain = AllBut<Part::brain>;
 using AllButGait = AllBut<Part::gait>;
 using AllButBody = AllBut<Part::body>;
+using AllButTraits = AllBut<Part::traits>;
 static_assert(Heredity<AllButBrain>);
 
 }  // namespace trophic::reproduction::heredity

@@ -8,7 +8,7 @@
 namespace trophic::checkpoint {
 
 /// The version of a checkpoint file's format.
-inline constexpr std::uint32_t format_version = 6;
+inline constexpr std::uint32_t format_version = 7;
 
 /// More than any manifest, bytes: what is read of one takes many times as much memory.
 inline constexpr std::uint64_t largest_manifest = std::uint64_t{16} << 20U;

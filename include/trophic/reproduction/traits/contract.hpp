@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The contract of a slot: heritable numbers besides brain, gait and body.
+#pragma once
+
+#include <concepts>
+#include <string_view>
+#include <trophic/support/rng.hpp>
+#include <vector>
+
+#define TROPHIC_SENTENCE_TraitRule                                                                                      \
+  "static constexpr std::array<std::string_view, N> trait_names, std::vector<double> draw(Rng&) const and void mutate(" \
+  "std::span<double> traits, Rng&) const; see trophic/reproduction/traits/contract.hpp"
+
+namespace trophic::reproduction {
+
+/// Heritable numbers of each individual, which rules read as `view.trait<Sight>(body)`: the genome's part `traits`.
+/// `trait_names`: a name for each, a column of genomes.csv. `draw(rng)`: returns those of an individual without a parent.
+/// `mutate(traits, rng)`: changes inherited ones in place.
+template <class P>
+concept TraitRule = requires(const P policy, std::span<double> traits, Rng& rng) {
+  std::span<const std::string_view>{P::trait_names};
+  { policy.draw(rng) } -> std::same_as<std::vector<double>>;
+  { policy.mutate(traits, rng) } -> std::same_as<void>;
+};
+
+}  // namespace trophic::reproduction
