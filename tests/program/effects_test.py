@@ -26,7 +26,7 @@ OTHER = {"ecology.arena": "wide.toml", "ecology.first_tick_s": 20, "ecology.robo
          "rules.starvation.interval.base_ticks": 30, "rules.starvation.interval.min_interval_ticks": 40, "rules.starvation.interval.only_above": 12,
          "rules.starvation.exemption.range_m": 1.5, "backend.timestep_s": 0.07, "backend.box_depth": "whole"}
 # The length of the run, how an engine computes the same motion, and stops of hinges that these gaits do not reach.
-LEFT_OUT = {"ecology.duration_s", "backend.threads", "backend.stepping", "backend.limit_stiffness_N_m_rad", "backend.limit_damping_N_m_s_rad"}
+LEFT_OUT = {"ecology.duration_s", "ecology.ends_when", "backend.threads", "backend.stepping", "backend.limit_stiffness_N_m_rad", "backend.limit_damping_N_m_s_rad"}
 
 
 def call(*arguments, **how):

@@ -83,7 +83,7 @@ namespace detail {
   const View view = ecology.view();
   const double until_s = run.until_s;
   const std::string slow = replicates::add_speed(folder.manifest(), progress.elapsed_s(), ecology);
-  const bool is_stopped = view.time_s < until_s;
+  const bool is_stopped = view.time_s < until_s && !view.is_over;
   if (is_stopped) {
     const int signal = observe::StopOnSignal::caught();
     std::cout << (signal != 0 ? "stopped by signal " + std::to_string(signal) : "ended by its page") << " at "

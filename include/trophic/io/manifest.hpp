@@ -44,7 +44,10 @@ class Manifest {
     refused_bodies_ = view.refused_bodies;
     refused_births_ = view.refused_births;
   }
-  void on_end(const View& view) { finish(view.time_s < until_s_ ? "stopped" : "complete"); }
+  void on_end(const View& view) {
+    end_text_ = observe::end_text(view);
+    finish(view.time_s < until_s_ && !view.is_over ? "stopped" : "complete");
+  }
   void on_failure(std::string_view what);
 
   /// Sets the interval of agents.csv, if it lacks some ticks; call before `on_start`.
@@ -83,6 +86,7 @@ class Manifest {
   std::optional<std::vector<std::string>> inputs_;
   double until_s_ = 0.0;
   double reached_s_ = 0.0;
+  std::string end_text_ = {};  ///< of a run that ends before its time
   bool inherits_bodies_ = false;
   std::uint64_t refused_bodies_ = 0;  ///< mutations, up to the last tick
   std::uint64_t refused_births_ = 0;  ///< without a free body or room, up to the last tick

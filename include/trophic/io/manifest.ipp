@@ -175,6 +175,7 @@ TROPHIC_INLINE void Manifest::finish(std::string_view status) {
     json["status"] = status;
     auto& result = json["result"];
     result["reached_s"] = reached_s_;
+    if (!end_text_.empty()) result["ended"] = end_text_;
     result["births"] = tally_.births();
     result["deaths"] = tally_.deaths();
     for (const auto& [cause, deaths] : tally_.deaths_by_cause()) result[cause] = deaths;

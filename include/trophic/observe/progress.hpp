@@ -86,6 +86,8 @@ class Progress {
       out << (std::exchange(is_first, false) ? " (" : ", ") << deaths << " " << cause;
     out << ")\n";
     if (view.refused_births > 0) out << "remark  " << view.refused_births << " births had no free body or no room\n";
+    if (view.is_over)
+      out << "ended   at " << short_text(view.time_s) << " of " << short_text(run_.until_s) << " s; " << end_text(view) << "\n";
     out << "alive  ";
     for (Species species = 0; species < view.web.size(); ++species)
       out << " " << view.count(species) << " " << view.web.name(species);

@@ -34,7 +34,7 @@ namespace detail {
 }  // namespace detail
 
 TROPHIC_INLINE bool makes_another_experiment(std::string_view path) {
-  return path != "seed" && path != "ecology.duration_s" && path != "backend.threads";
+  return path != "seed" && path != "ecology.duration_s" && path != "ecology.ends_when" && path != "backend.threads";
 }
 
 TROPHIC_INLINE std::string fingerprint(const RunDescription& run, std::string_view models) {

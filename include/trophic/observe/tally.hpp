@@ -7,6 +7,15 @@
 
 namespace trophic::observe {
 
+/// The species that are gone, of a run that is over: "gone: prey, predator"; else empty.
+[[nodiscard]] inline std::string end_text(const View& view) {
+  std::string text;
+  for (Species species = 0; view.is_over && species < view.web.size(); ++species) {
+    if (view.count(species) == 0) text.append(text.empty() ? "gone: " : ", ").append(view.web.name(species));
+  }
+  return text;
+}
+
 /// Counts so far. Founders count as births.
 class Tally {
  public:

@@ -66,7 +66,7 @@ TEST_CASE("print table: rule table -> a line per rule in the order of slots, the
   CHECK(params_text(lines[lines.size() - 2].params) ==
         "robots = 30, duration_s = 6000, tick_s = 2, first_tick_s = 0, control_hz = 60, clock_scale = 1, robot = spider, arena = "
         "walled_square, cpg_integration = exact, idle_control_steps = 0, phase_at_birth = kept, decision_order = together, "
-        "without_target = decides");
+        "without_target = decides, ends_when = time_is_up");
   CHECK(params_text(lines.back().params) == "timestep_s = 0.0012, integrator = semi_implicit_euler, gravity_m_s2 = 9.81");
 }
 

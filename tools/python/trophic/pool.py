@@ -349,8 +349,9 @@ def lasted_text(run: PooledRun) -> str:
 
 
 def lasted_alike(a: PooledRun, b: PooledRun) -> bool:
-    """Whether two runs are known to have lasted equally long, of the same time."""
-    return a.until_s == b.until_s and a.end_s is not None and a.end_s == b.end_s
+    """Whether two runs are known to have lasted equally long, of the same time. A complete one may have ended early, by ecology.ends_when."""
+    complete = a.manifest["status"] == b.manifest["status"] == "complete"
+    return a.until_s == b.until_s and a.end_s is not None and (complete or a.end_s == b.end_s)
 
 
 def builds_text(builds: Sequence[str]) -> str:

@@ -69,7 +69,7 @@ class CheckpointWriter {
     if (!last && !due(ecology.time_s())) return;
     const double before_s = watch_.elapsed_s();
     write(folder_, take(ecology, run_, parts_));
-    if (last && ecology.time_s() >= run_.until_s) remove_predecessor(folder_);
+    if (last && (ecology.time_s() >= run_.until_s || ecology.view().is_over)) remove_predecessor(folder_);
     written_s_ = watch_.elapsed_s();
     cost_s_ = written_s_ - before_s;
     last_s_ = ecology.time_s();
