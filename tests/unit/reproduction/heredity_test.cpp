@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <numeric>
+#include <set>
 #include <trophic/reproduction/heredity/all_but.hpp>
 #include <trophic/reproduction/heredity/crossover.hpp>
 #include <trophic/reproduction/heredity/nothing_inherited.hpp>
@@ -18,7 +19,9 @@ using namespace trophic;
 using namespace reproduction::heredity;
 
 TEST_CASE("all but: one part of the genome -> drawn anew, the others inherited") {
-  const auto parent = std::make_shared<Genome>(Genome{.id = 3, .weights = {1}, .gait_genes = {2}, .body_genes = {3}});
+  const auto parent =
+      std::make_shared<Genome>(Genome{.id = 3, .weights = {1}, .gait_genes = {2}, .body_genes = {3}, .traits = {4}});
+  CHECK(AllButTraits{}.inherit(parent)->traits.empty());
   CHECK(AllButBrain{}.inherit(parent)->weights.empty());
   CHECK(AllButBrain{}.inherit(parent)->gait_genes == std::vector<double>{2});
   CHECK(AllButGait{}.inherit(parent)->gait_genes.empty());
@@ -68,34 +71,71 @@ TEST_CASE("shared copy: parent, offspring and grandchild -> one object, each mut
   CHECK(grandchild->id == 3);
 }
 
-TEST_CASE("crossover: two parents -> each gene is one parent's, about half of them, and the body the first one's") {
+TEST_CASE("crossover: two parents -> each number is one parent's, about half of them") {
   const auto genome = [](double value) {
     return std::make_shared<Genome>(
-        Genome{.weights = std::vector<double>(300, value), .gait_genes = std::vector<double>(30, value), .body_genes = {value}});
+        Genome{.weights = std::vector<double>(300, value), .gait_genes = std::vector<double>(30, value), .traits = {value}});
   };
-  const std::vector<Ancestor> parents{{.id = 1, .species = 0, .genome = genome(1.0)},
-                                      {.id = 2, .species = 0, .genome = genome(2.0)}};
+  const std::vector<Ancestor> parents{{.id = 1, .species = 0, .genome = genome(0.5)},
+                                      {.id = 2, .species = 0, .genome = genome(1.5)}};
   const auto sum = [](const std::vector<double>& genes) { return std::accumulate(genes.begin(), genes.end(), 0.0); };
   Rng rng{1, Stream::user};
   const auto child = Crossover{}.inherit(parents, rng);
-  for (const double weight : child->weights) CHECK((weight == 1.0 || weight == 2.0));
-  CHECK(sum(child->weights) == doctest::Approx(450.0).epsilon(0.08));
-  CHECK(sum(child->gait_genes) > 30.0);
-  CHECK(sum(child->gait_genes) < 60.0);
-  CHECK(child->body_genes == std::vector<double>{1.0});
-  CHECK(sum(parents[0].genome->weights) == 300.0);
+  for (const double weight : child->weights) CHECK((weight == 0.5 || weight == 1.5));
+  CHECK(sum(child->weights) == doctest::Approx(300.0).epsilon(0.1));
+  CHECK(sum(child->gait_genes) > 15.0);
+  CHECK(sum(child->gait_genes) < 45.0);
+  CHECK(sum(parents[0].genome->weights) == 150.0);
+  double traits = 0.0;
+  for (int birth = 0; birth < 400; ++birth) traits += Crossover{}.inherit(parents, rng)->traits.at(0);
+  CHECK(traits == doctest::Approx(400.0).epsilon(0.1));
 
   const Crossover runs{{.unit = CrossoverUnit::run, .length = 3}};
   const auto by_runs = runs.inherit(parents, rng);
   for (std::size_t gene = 0; gene < 300; ++gene) CHECK(by_runs->weights[gene] == by_runs->weights[gene - gene % 3]);
 }
 
-TEST_CASE("crossover: one parent, or parts of other lengths -> the first one's genes") {
-  const auto first = std::make_shared<Genome>(Genome{.weights = {1.0, 2.0}});
-  const auto second = std::make_shared<Genome>(Genome{.weights = {3.0}});
+TEST_CASE("crossover: one parent, or parts of other lengths or structure -> one parent's whole part") {
+  const auto first = std::make_shared<Genome>(Genome{.weights = {0.1, 0.2}, .gait_genes = {1.0, 0.5}});
+  const auto second = std::make_shared<Genome>(Genome{.weights = {0.3}, .gait_genes = {2.0, 0.7}});
   const std::vector<Ancestor> parents{{.id = 1, .species = 0, .genome = first}, {.id = 2, .species = 0, .genome = second}};
   Rng rng{1, Stream::user};
-  CHECK(Crossover{}.inherit(parents, rng)->weights == first->weights);
-  CHECK(Crossover{}.inherit(std::span{parents}.first(1), rng)->weights == first->weights);
-  CHECK(Crossover{}.inherit(parents, rng) != first);
+  std::size_t firsts = 0;
+  for (int birth = 0; birth < 100; ++birth) {
+    const auto child = Crossover{}.inherit(parents, rng);
+    const bool is_first = child->weights == first->weights;
+    const auto& pattern = is_first ? first : second;
+    CHECK(child->weights == pattern->weights);
+    CHECK(child->gait_genes == pattern->gait_genes);
+    firsts += is_first ? 1U : 0U;
+  }
+  CHECK(firsts > 30);
+  CHECK(firsts < 70);
+  const auto copy = Crossover{}.inherit(std::span{parents}.first(1), rng);
+  CHECK(copy->weights == first->weights);
+  CHECK(copy != first);
+}
+
+TEST_CASE("crossover: two bodies -> one with a subtree of the other at a face that both have, or unchanged if parts overlap") {
+  const auto genome = [](std::string_view plan) {
+    return std::make_shared<Genome>(Genome{.body_genes = body::genes_of(body::read_plan(plan))});
+  };
+  const auto plans_of = [&](std::string_view one, std::string_view other) {
+    const std::vector<Ancestor> parents{{.id = 1, .species = 0, .genome = genome(one)},
+                                        {.id = 2, .species = 0, .genome = genome(other)}};
+    std::set<std::string> plans;
+    Rng rng{1, Stream::user};
+    for (int birth = 0; birth < 200; ++birth)
+      plans.insert(body::text_of(body::tree_of(Crossover{}.inherit(parents, rng)->body_genes)));
+    return plans;
+  };
+  CHECK(plans_of("core[front:hinge0 left:hinge0[front:brick0]]", "core[front:brick1 right:hinge0]") ==
+        std::set<std::string>{"core[front:hinge0 left:hinge0[front:brick0]]", "core[front:brick1 right:hinge0]",
+                              "core[front:brick1 left:hinge0[front:brick0]]", "core[front:hinge0 right:hinge0]"});
+  CHECK(plans_of("core[front:hinge0]", "core[back:hinge0]") == std::set<std::string>{"core[front:hinge0]", "core[back:hinge0]"});
+  CHECK(body::text_of(body::tree_of(genome("core[front:brick0]")->body_genes)) == "core[front:brick0]");
+  const auto other = std::make_shared<Genome>(Genome{.body_genes = {0.5}});
+  Rng rng{1, Stream::user};
+  const std::vector<Ancestor> parents(2, Ancestor{.id = 1, .species = 0, .genome = other});
+  CHECK(Crossover{}.inherit(parents, rng)->body_genes == std::vector<double>{0.5});
 }

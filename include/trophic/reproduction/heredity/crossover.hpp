@@ -2,6 +2,7 @@
 // Offspring of two parents.
 #pragma once
 
+#include <trophic/habitat/body/plan.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/reproduction/heredity/contract.hpp>
 
@@ -13,10 +14,14 @@ enum class CrossoverUnit { weight, run };
   return {"weight", "run"};
 }
 
-/// Rule: each weight of the brain and each number of the gait is that of one of the parents, at random: every gene alone (uniform
-/// crossover [syswerda1989]), or runs of `length` genes, such as the weights of one neuron. The body is the first parent's, and
-/// so is a part in which parents differ in length. For brains of one size. The offspring of one parent has a copy.   Reads:
-/// parents' genomes.   Random draws: one for each gene or run, if there are several parents.
+/// Rule: one parent, at random, is the pattern of the offspring; parts are then mixed:
+/// - weights, gait and traits: each number is that of one of the parents, at random: every one alone (uniform crossover
+///   [syswerda1989]), or weights and gait in runs of `length`, such as the weights of one neuron. A part in which parents differ
+///   in length or in a whole number, as the structures of brains and networks that grow do, is the pattern's.
+/// - bodies: the subtree at a face that the pattern and another parent have is that parent's [sims1994]; the pattern's own body
+///   if modules would overlap or genes are not those of InheritedModules.
+/// The offspring of one parent has a copy.   Reads: parents' genomes.   Random draws: with several parents one for the pattern,
+/// one for each number or run, two for bodies.
 struct Crossover {
   static constexpr std::string_view name = "crossover";
   static constexpr std::string_view source = "not in the paper; [syswerda1989]";
@@ -32,23 +37,68 @@ struct Crossover {
   Params params;
 
   [[nodiscard]] std::shared_ptr<Genome> inherit(std::span<const Ancestor> parents, Rng& rng) const {
-    auto child = std::make_shared<Genome>(*parents.front().genome);
+    const Genome& pattern = *parents[parents.size() == 1 ? 0 : rng.index(parents.size())].genome;
+    auto child = std::make_shared<Genome>(pattern);
     if (parents.size() == 1) return child;
-    cross(parents, &Genome::weights, *child, rng);
-    cross(parents, &Genome::gait_genes, *child, rng);
+    const std::size_t length = params.unit == CrossoverUnit::weight ? 1 : params.length;
+    cross(parents, &Genome::weights, length, *child, rng);
+    cross(parents, &Genome::gait_genes, length, *child, rng);
+    cross(parents, &Genome::traits, 1, *child, rng);
+    if (pattern.body_genes.empty()) return child;
+    const Genome& other = *parents[rng.index(parents.size())].genome;
+    try {
+      child->body_genes = body::genes_of(crossed(body::tree_of(pattern.body_genes), body::tree_of(other.body_genes), rng));
+    } catch (const std::invalid_argument&) {
+      return child;  // modules overlap, or genes of a body in another encoding
+    }
     return child;
   }
 
  private:
-  void cross(std::span<const Ancestor> parents, std::vector<double> Genome::*part, Genome& child, Rng& rng) const {
+  /// The modules at one path of two trees.
+  struct Pair {
+    std::size_t here = 0;
+    std::size_t there = 0;
+  };
+  /// `tree` with the subtree of another one at a path that both have, at random.
+  [[nodiscard]] static body::ModuleTree crossed(const body::ModuleTree& tree, const body::ModuleTree& other, Rng& rng) {
+    std::vector<Pair> shared{{}};
+    for (std::size_t at = 0; at < shared.size(); ++at) {
+      for (const body::Face face : body::all_faces) {
+        const auto here = tree.child(shared[at].here, face);
+        const auto there = other.child(shared[at].there, face);
+        if (here && there) shared.push_back({*here, *there});
+      }
+    }
+    if (shared.size() == 1) return tree;
+    const Pair graft = shared[1 + rng.index(shared.size() - 1)];
+    body::ModuleTree result;
+    const auto copy = [&](const auto& self, const body::ModuleTree& from, std::size_t module, std::size_t to) -> void {
+      for (const body::Face face : body::all_faces) {
+        auto child = from.child(module, face);
+        if (!child) continue;
+        const bool is_graft = &from == &tree && *child == graft.here;
+        const body::ModuleTree& source = is_graft ? other : from;
+        if (is_graft) child = graft.there;
+        const body::Module& made = source.modules()[*child];
+        self(self, source, *child, result.attach(to, face, made.type, made.quarter_turns));
+      }
+    };
+    copy(copy, tree, 0, 0);
+    return result;
+  }
+  static void cross(std::span<const Ancestor> parents, std::vector<double> Genome::*part, std::size_t length, Genome& child,
+                    Rng& rng) {
     std::vector<double>& genes = child.*part;
     for (const Ancestor& parent : parents) {
-      if (((*parent.genome).*part).size() != genes.size()) return;
+      const bool is_alike = std::ranges::equal((*parent.genome).*part, genes, [](double one, double other) {
+        return one == other || (one != std::floor(one) && other != std::floor(other));
+      });
+      if (!is_alike) return;
     }
-    const std::size_t unit = params.unit == CrossoverUnit::weight ? 1 : params.length;
     const Ancestor* from = nullptr;
     for (std::size_t gene = 0; gene < genes.size(); ++gene) {
-      if (gene % unit == 0) from = &parents[rng.index(parents.size())];
+      if (gene % length == 0) from = &parents[rng.index(parents.size())];
       genes[gene] = ((*from->genome).*part)[gene];
     }
   }
