@@ -111,22 +111,25 @@ struct answers_for_species<P> {
 };
 
 // A name is ambiguous in a class that inherits it twice: `&Probe::on_walk` is ill-formed exactly if the policy has any on_walk.
+#define TROPHIC_PROBE_NAME(hook)                                 \
+  struct StateHas_##hook {                                       \
+    int hook;                                                    \
+  };                                                             \
+  template <class P>                                             \
+  struct StateProbe_##hook : P, StateHas_##hook {};              \
+  template <class P>                                             \
+  concept StateNames_##hook = !std::is_final_v<P> && !requires { \
+    &StateProbe_##hook<P>::hook;                                 \
+  };
 #define TROPHIC_PROBE_HOOK(hook, Happened, signature)                                                                            \
-  struct StateHas_##hook {                                                                                                       \
-    int hook;                                                                                                                    \
-  };                                                                                                                             \
-  template <class P>                                                                                                             \
-  struct StateProbe_##hook : P, StateHas_##hook {};                                                                              \
-  template <class P>                                                                                                             \
-  concept StateNames_##hook = !std::is_final_v<P> && !requires {                                                                 \
-    &StateProbe_##hook<P>::hook;                                                                                                 \
-  };                                                                                                                             \
+  TROPHIC_PROBE_NAME(hook)                                                                                                       \
   template <class P>                                                                                                             \
   concept StateTakes_##hook = Stateful<P>&& requires(const P& policy, typename P::State& own, Happened what, const View& view) { \
     policy.hook(own, BodyIndex{}, what, view);                                                                                   \
   };
 TROPHIC_STATE_HOOKS(TROPHIC_PROBE_HOOK)
-TROPHIC_PROBE_HOOK(born, Vacancy, )
+TROPHIC_PROBE_NAME(born)
+TROPHIC_PROBE_NAME(hand_over)
 #undef TROPHIC_PROBE_HOOK
 
 /// A policy with a State whose parents give some of it to newborns.
@@ -155,6 +158,9 @@ struct CheckStateHooks {
   TROPHIC_STATE_HOOKS(TROPHIC_CHECK_STATE_HOOK)
   static_assert(!StateNames_born<Policy> || Stateful<Policy>,
                 "a policy has born but no State, so it would never be called; see trophic/population/state.hpp");
+  static_assert(!StateNames_hand_over<Policy> || HandsOver<Policy>,
+                "a policy's hand_over must be callable as void hand_over(State& own, State& newborn, const View&) const; see "
+                "trophic/population/state.hpp");
 #undef TROPHIC_CHECK_STATE_HOOK
   static constexpr bool ok = true;
 };

@@ -16,6 +16,7 @@ struct Keeper {
   };
   State born(const trophic::Individual&, const State*, const State& body) const { return body; }
   void on_walk(State& own, trophic::BodyIndex, double distance_m, const trophic::View&) const { own.walked_m += distance_m; }
+  void hand_over(State& own, State& newborn, const trophic::View&) const { std::swap(own.walks, newborn.walks); }
   bool dies(const trophic::Individual&, const trophic::View&, trophic::Rng&, const State& own) const {
     return own.walked_m > 100.0;
   }

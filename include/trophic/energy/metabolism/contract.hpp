@@ -8,9 +8,20 @@
 #define TROPHIC_SENTENCE_Metabolism                                                                                              \
   "double first_J(const Individual&, Rng&) const, double upkeep_J(BodyIndex, double walked_m, const View&) const, double "       \
   "bite_J(BodyIndex, double there_J, const View&) const, double meal_J(BodyIndex hunter, BodyIndex victim, const View&) const, " \
-  "bool starves(BodyIndex, const View&) const; see trophic/energy/metabolism/contract.hpp"
+  "bool starves(BodyIndex, const View&) const; bonus_J, if there is one, must be callable as double bonus_J(BodyIndex hunter, "  \
+  "BodyIndex victim, const View&) const; see trophic/energy/metabolism/contract.hpp"
 
 namespace trophic::energy {
+
+namespace detail {
+
+TROPHIC_PROBE_NAME(bonus_J)
+template <class P>
+concept GivesBonus = requires(const P policy, BodyIndex body, const View& view) {
+  { policy.bonus_J(body, body, view) } -> std::same_as<double>;
+};
+
+}  // namespace detail
 
 /// The one owner of energy. `view.robots[body].energy_J` is the stock of the individual in a body, for every rule and sensor to
 /// read; only the population changes it, by what this rule says, so that energy never comes from nowhere. energy.csv is its
@@ -22,7 +33,7 @@ namespace trophic::energy {
 ///   asked once a tick, after upkeep, in random order, in a table with a rule Resource
 /// - `meal_J(hunter, victim, view)`: returns what a hunter gets of what its victim has, >= 0 and at most that; the rest is lost
 /// - optional: `bonus_J(hunter, victim, view)`: returns what a hunter gets from outside at a catch, >= 0, as in worlds without a
-/// budget
+///   budget
 /// - `starves(self, view)`: returns whether an individual dies of hunger (Cause::starved); asked after bites and catches
 ///
 /// A newborn's endowment is part of its birth: Recruit::endowment_J of the rule Recruitment.
@@ -34,6 +45,7 @@ concept Metabolism = requires(const P policy, const Individual& newborn, BodyInd
   { policy.bite_J(body, number, view) } -> std::same_as<double>;
   { policy.meal_J(body, body, view) } -> std::same_as<double>;
   { policy.starves(body, view) } -> std::same_as<bool>;
+  requires !detail::StateNames_bonus_J<P> || detail::GivesBonus<P>;
 };
 
 }  // namespace trophic::energy

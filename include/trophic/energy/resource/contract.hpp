@@ -2,14 +2,31 @@
 // The contract of a slot: food in space and time.
 #pragma once
 
-#include <trophic/population/view.hpp>
+#include <trophic/population/state.hpp>
 #include <trophic/support/rng.hpp>
 
-#define TROPHIC_SENTENCE_Resource                                                                              \
-  "ResourceField start(const Arena&, Rng&) const and void grow(ResourceField&, const View&, Rng&) const; see " \
-  "trophic/energy/resource/contract.hpp"
+#define TROPHIC_SENTENCE_Resource                                                                                       \
+  "ResourceField start(const Arena&, Rng&) const and void grow(ResourceField&, const View&, Rng&) const; on_bite and "  \
+  "on_death, if there are any, must be callable as void on_bite(ResourceField&, std::size_t cell, double taken_J, "     \
+  "BodyIndex, const View&) const and void on_death(ResourceField&, const Vacancy&, double left_J, const View&) const; " \
+  "see trophic/energy/resource/contract.hpp"
 
 namespace trophic::energy {
+
+namespace detail {
+
+TROPHIC_PROBE_NAME(on_bite)
+TROPHIC_PROBE_NAME(on_death)
+template <class P>
+concept TakesBites = requires(const P policy, ResourceField& field, std::size_t cell, const View& view) {
+  policy.on_bite(field, cell, 1.0, BodyIndex{}, view);
+};
+template <class P>
+concept TakesDeaths = requires(const P policy, ResourceField& field, const Vacancy& death, const View& view) {
+  policy.on_death(field, death, 1.0, view);
+};
+
+}  // namespace detail
 
 /// The world's own state. `view.field` is the field, for every rule and sensor to read; individuals take energy from it by the
 /// rule Metabolism. Checkpoints hold it.
@@ -18,15 +35,16 @@ namespace trophic::energy {
 /// - `grow(field, view, rng)`: changes it once a tick, after the robots have moved and before they bite
 /// Optional hooks, at their moments in a tick:
 /// - `void on_bite(ResourceField&, std::size_t cell, double taken_J, BodyIndex self, const View&) const`; may change that cell
-/// only
+///   only
 /// - `void on_death(ResourceField&, const Vacancy&, double left_J, const View&) const`: an individual, which is still there, dies
-/// with this
-///   energy, which is lost; what the hook adds to the field counts as grown
+///   with this energy, which is lost; what the hook adds to the field counts as grown
 /// After each of them no cell may hold less than 0 J or no finite number: RuleError.
 template <class P>
 concept Resource = requires(const P policy, const Arena& arena, ResourceField& field, const View& view, Rng& rng) {
   { policy.start(arena, rng) } -> std::same_as<ResourceField>;
   {policy.grow(field, view, rng)};
+  requires !detail::StateNames_on_bite<P> || detail::TakesBites<P>;
+  requires !detail::StateNames_on_death<P> || detail::TakesDeaths<P>;
 };
 
 }  // namespace trophic::energy

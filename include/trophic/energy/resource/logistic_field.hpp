@@ -3,7 +3,6 @@
 #pragma once
 
 #include <trophic/energy/resource/contract.hpp>
-#include <trophic/params/params.hpp>
 
 namespace trophic::energy::resource {
 
