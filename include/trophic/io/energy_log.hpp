@@ -75,11 +75,10 @@ struct FieldRow {
 };
 
 /// Writes an EnergyRow per species and tick.
-class EnergyLog {
+class EnergyLog : public CsvFile<EnergyRow> {
  public:
+  using CsvFile::CsvFile;
   static constexpr std::string_view file_name = "energy.csv";
-
-  EnergyLog(const std::filesystem::path& path, Opening opening) : file_{path, opening} {}
 
   void on_tick(const View& view) {
     std::vector<double> stock_J(view.energy.size());
@@ -88,76 +87,56 @@ class EnergyLog {
     }
     for (Species species = 0; species < view.energy.size(); ++species) {
       const EnergyFlow& flow = view.energy[species];
-      file_.write({.time_s = view.time_s,
-                   .tick = view.tick,
-                   .species = species,
-                   .individuals = view.count(species),
-                   .outside_J = flow.outside_J,
-                   .field_J = flow.field_J,
-                   .victims_J = flow.victims_J,
-                   .received_J = flow.received_J,
-                   .upkeep_J = flow.upkeep_J,
-                   .eaten_J = flow.eaten_J,
-                   .given_J = flow.given_J,
-                   .lost_J = flow.lost_J,
-                   .stock_J = stock_J[species]},
-                  view.web);
+      write({.time_s = view.time_s,
+             .tick = view.tick,
+             .species = species,
+             .individuals = view.count(species),
+             .outside_J = flow.outside_J,
+             .field_J = flow.field_J,
+             .victims_J = flow.victims_J,
+             .received_J = flow.received_J,
+             .upkeep_J = flow.upkeep_J,
+             .eaten_J = flow.eaten_J,
+             .given_J = flow.given_J,
+             .lost_J = flow.lost_J,
+             .stock_J = stock_J[species]},
+            view.web);
     }
-    file_.flush();
+    flush();
   }
-
-  void persist(Archive& archive) { archive(file_); }
-  [[nodiscard]] TableSum sum() const { return file_.sum(); }
-
- private:
-  CsvFile<EnergyRow> file_;
 };
 
 /// Writes a ResourceRow per tick.
-class ResourceLog {
+class ResourceLog : public CsvFile<ResourceRow> {
  public:
+  using CsvFile::CsvFile;
   static constexpr std::string_view file_name = "resource.csv";
 
-  ResourceLog(const std::filesystem::path& path, Opening opening) : file_{path, opening} {}
-
   void on_tick(const View& view) {
-    file_.write({.time_s = view.time_s,
-                 .tick = view.tick,
-                 .grown_J = view.resource.grown_J,
-                 .taken_J = view.resource.taken_J,
-                 .stock_J = view.field->total_J()});
-    file_.flush();
+    write({.time_s = view.time_s,
+           .tick = view.tick,
+           .grown_J = view.resource.grown_J,
+           .taken_J = view.resource.taken_J,
+           .stock_J = view.field->total_J()});
+    flush();
   }
-
-  void persist(Archive& archive) { archive(file_); }
-  [[nodiscard]] TableSum sum() const { return file_.sum(); }
-
- private:
-  CsvFile<ResourceRow> file_;
 };
 
 /// Writes a FieldRow per cell at every hundredth tick.
-class FieldLog {
+class FieldLog : public CsvFile<FieldRow> {
  public:
+  using CsvFile::CsvFile;
   static constexpr std::string_view file_name = "field.csv";
   static constexpr std::int64_t every_ticks = 100;
-
-  FieldLog(const std::filesystem::path& path, Opening opening) : file_{path, opening} {}
 
   void on_tick(const View& view) {
     if (view.tick % every_ticks != 0) return;
     for (std::size_t cell = 0; cell < view.field->cells(); ++cell) {
       const GroundPose at = view.field->centre(cell);
-      file_.write({.time_s = view.time_s, .x_m = at.x_m, .y_m = at.y_m, .food_J = view.field->food_J(cell)});
+      write({.time_s = view.time_s, .x_m = at.x_m, .y_m = at.y_m, .food_J = view.field->food_J(cell)});
     }
-    file_.flush();
+    flush();
   }
-
-  void persist(Archive& archive) { archive(file_); }
-  [[nodiscard]] TableSum sum() const { return file_.sum(); }
-
- private:
-  CsvFile<FieldRow> file_;
 };
 
 }  // namespace trophic::io

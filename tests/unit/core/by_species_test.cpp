@@ -4,7 +4,6 @@
 #include <support/hand_population.hpp>
 #include <tools/command/read_parameters.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/death/senescence/energy_store.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/initialization/community/food_chain.hpp>
@@ -63,26 +62,46 @@ TEST_CASE("by species: perception, death and floor -> numbers of the species con
   CHECK_FALSE(death::ask::may_die(Floor{floors}, PredatorPrey::predator, robots.view()));
 }
 
+/// Shoes wear out by walking.
+struct Shoes {
+  static constexpr std::string_view name = "shoes";
+  struct Params {
+    double sole_mm = 1.0;
+    double wear_mm_m = 1.0;
+    static constexpr auto fields() {
+      return std::tuple{field("sole_mm", &Params::sole_mm), field("wear_mm_m", &Params::wear_mm_m)};
+    }
+  };
+  Params params;
+  struct State {
+    double sole_mm = 0.0;
+    static constexpr auto fields() { return std::tuple{field("sole_mm", &State::sole_mm)}; }
+  };
+  [[nodiscard]] State born(const Individual&, const State*, const State&) const { return {params.sole_mm}; }
+  void on_walk(State& own, BodyIndex, double distance_m, const View&) const { own.sole_mm -= params.wear_mm_m * distance_m; }
+  [[nodiscard]] bool dies(const Individual&, const View&, Rng&, const State&) const { return false; }
+};
+
 TEST_CASE("by species: rule with a state -> state per body, numbers of its species") {
-  using Store = by_species<death::senescence::EnergyStore, PredatorPrey>;
+  using Store = by_species<Shoes, PredatorPrey>;
   Store::Params numbers;
-  numbers.get<PredatorPrey::prey>() = {.start_J = 7.0, .walking_J_per_m = 1.0, .resting_W = 0.0, .grazing_W = 0.0};
-  numbers.get<PredatorPrey::predator>() = {.start_J = 9.0, .walking_J_per_m = 2.0, .resting_W = 0.0};
+  numbers.get<PredatorPrey::prey>() = {.sole_mm = 7.0, .wear_mm_m = 1.0};
+  numbers.get<PredatorPrey::predator>() = {.sole_mm = 9.0, .wear_mm_m = 2.0};
   const Store store{numbers};
   const test::HandPopulation robots{{{.species = test::prey}, {.species = test::predator}}};
   auto prey = store.of(test::prey).born(robots.individuals[0], nullptr, {});
   auto predator = store.of(test::predator).born(robots.individuals[1], nullptr, {});
   store.of(test::prey).on_walk(prey, 0, 1.0, robots.view());
   store.of(test::predator).on_walk(predator, 1, 1.0, robots.view());
-  CHECK(prey.energy_J == 6.0);
-  CHECK(predator.energy_J == 7.0);
+  CHECK(prey.sole_mm == 6.0);
+  CHECK(predator.sole_mm == 7.0);
 
-  using Rules = with_senescence<rules::Paper, by_species<death::senescence::EnergyStore>>;
+  using Rules = with_senescence<rules::Paper, by_species<Shoes>>;
   Ecology<Rules>::Params params;
   params.rules.senescence = numbers;
   const Ecology<Rules> ecology{params, backend::Kinematic::Params{}};
-  CHECK(ecology.states().senescence[0].energy_J == 7.0);
-  CHECK(ecology.states().senescence[29].energy_J == 9.0);
+  CHECK(ecology.states().senescence[0].sole_mm == 7.0);
+  CHECK(ecology.states().senescence[29].sole_mm == 9.0);
 }
 
 TEST_CASE("by species: every suitable slot with equal numbers -> same run") {
