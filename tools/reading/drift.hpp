@@ -7,11 +7,11 @@
 
 namespace trophic::analysis {
 
-/// The forest in which the parent of each individual that has one is drawn among those of its species that are alive just before
-/// its birth and after its tick's deaths; if there are none, it keeps its parent. Genomes of roots are permuted among the
-/// founders of a species, and among its later roots. Each offspring's weights are those of its new parent plus the mutation of
-/// another offspring of its species, also permuted. So births, deaths and the numbers of newcomers are the run's, and no genome
-/// lives longer or has more offspring for what it does.
+/// The forest in which the parents of each individual that has any are drawn among those of its species that are alive just
+/// before its birth and after its tick's deaths; if these are fewer than its parents, it keeps them. Genomes of roots are
+/// permuted among the founders of a species, and among its later roots. Each offspring's weights are the mean of its new parents'
+/// plus the mutation, with two parents also the crossover, of another offspring of its species, also permuted. So births, deaths
+/// and the numbers of newcomers are the run's, and no genome lives longer or has more offspring for what it does.
 [[nodiscard]] Forest drift_of(const Forest& forest, Rng& rng);
 
 }  // namespace trophic::analysis

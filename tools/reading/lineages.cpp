@@ -84,13 +84,14 @@ Forest read_lineages(const RunManifest& run) {
   for (const io::TaxonRow& row : rows) {
     Taxon taxon{.id = row.id, .parent = {}, .birth_s = row.origin_time, .species = row.species};
     if (row.destruction_time) taxon.death_s = *row.destruction_time;
-    if (row.ancestor != row.id) {
-      const auto parent = places.find(row.ancestor);
+    for (const IndividualId one : parents_in(row.ancestor_list).value()) {
+      const auto parent = places.find(one);
       if (parent == places.end()) {
         throw std::invalid_argument{(run.folder / lineage_tables[0]).string() + ": id " + std::to_string(row.id) +
-                                    ": its parent " + std::to_string(row.ancestor) + " is not among those born before it"};
+                                    ": its parent " + std::to_string(one) + " is not among those born before it"};
       }
-      taxon.parent = parent->second;
+      if (taxon.parent) taxon.others.push_back(parent->second);
+      taxon.parent = taxon.parent.value_or(parent->second);
     }
     if (!places.emplace(row.id, forest.size()).second) {
       throw std::invalid_argument{(run.folder / lineage_tables[0]).string() + ": id " + std::to_string(row.id) +

@@ -14,11 +14,12 @@ namespace trophic::analysis {
 /// An individual of a forest of descent.
 struct Taxon {
   IndividualId id = 0;
-  std::optional<std::size_t> parent = {};  ///< its place in the forest; none for a root
+  std::optional<std::size_t> parent = {};  ///< the first one's place in the forest; none for a root
   double birth_s = 0.0;
   double death_s = std::numeric_limits<double>::infinity();
   Species species = 0;
-  std::vector<double> weights = {};  ///< of its genome
+  std::vector<double> weights = {};      ///< of its genome
+  std::vector<std::size_t> others = {};  ///< the places of its further parents
 
   /// Whether it is alive after the rules of the tick at this time.
   [[nodiscard]] bool lives_at(double time_s) const { return birth_s <= time_s && death_s > time_s; }

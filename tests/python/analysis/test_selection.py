@@ -41,6 +41,17 @@ def test_a_population_written_by_hand():
     assert (predators["newcomers", "all"], predators["mutation", "all"], predators["change", "all"]) == pytest.approx((0.5, 0.0, 0.5))
 
 
+def test_two_parents_count_half_each():
+    lists = {2: "[0,1]", 9: "[0]"}
+    events = frame_of().assign(parents=lambda frame: frame["id"].map(lists).fillna("[none]"))
+    found = selection.terms(events, pandas.Series(Z), "prey", 30.0)  # 2 is as the mean of its parents, which is that of the living
+    changed = {("parenthood", "all"): 0.0, ("mutation", "all"): 0.0, ("mutation_a_birth", "all"): 0.0, ("lives", "all"): 2.0 - 3.4}
+    assert {key: found[key] for key in PREY} == pytest.approx(PREY | changed, abs=1e-12)
+    births = events[events["event"] == "birth"]
+    assert selection.descent_of(births)["share"].tolist() == [0.5, 0.5, 1.0]
+    assert selection.descent_of(births.assign(parents=float("nan")))["parent"].tolist() == [0.0, 0.0]
+
+
 def test_who_lacks_the_trait_never_lived_and_a_trait_that_does_not_vary_is_exactly_zero():
     lacking = {id: z for id, z in Z.items() if id != 1}
     found = selection.terms(frame_of(), pandas.Series(lacking), "prey", 30.0)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <set>
 #include <tools/reading/drift.hpp>
 #include <unit/reading/forests.hpp>
 
@@ -48,4 +49,20 @@ TEST_CASE("drift: no other member alive -> parent and genomes are kept") {
   const Forest drifted = drift_of(forest, rng);
   CHECK(*drifted[1].parent == 0);
   CHECK(drifted[1].weights == forest[1].weights);
+}
+
+TEST_CASE("drift: two parents -> two others, the mean of their weights and a crossover of the run") {
+  Forest forest{one({}, 0.0, alive, 1.0), one({}, 0.0, alive, 3.0), one({}, 0.0, alive, 9.0), one(0, 5.0, alive, 2.5)};
+  forest[3].others = {1};
+  std::set<std::size_t> parents;
+  for (std::uint64_t seed = 0; seed < 100; ++seed) {
+    Rng rng{seed, Stream::user};
+    const Forest drifted = drift_of(forest, rng);
+    const Taxon& child = drifted[3];
+    REQUIRE(child.others.size() == 1);
+    CHECK(*child.parent != child.others[0]);
+    parents.insert({*child.parent, child.others[0]});
+    CHECK(child.weights[0] == Approx(0.5 + (drifted[*child.parent].weights[0] + drifted[child.others[0]].weights[0]) / 2.0));
+  }
+  CHECK(parents == std::set<std::size_t>{0, 1, 2});
 }

@@ -2,7 +2,7 @@
 """`trophic analyze --selection`: where selection acts on a trait of individuals, by Price's equation [price1970].
 
 Each birth and each death changes the mean trait of the n living members of a species, mean z. With z the trait of who is born or dies and z_p
-that of its parent, the change is exactly
+that of its parent, of several parents their mean, the change is exactly
 
     death        -(z - mean z) / (n - 1)        survival
     birth        (z_p - mean z) / (n + 1)       parenthood, and (z - z_p) / (n + 1)   mutation
@@ -141,14 +141,29 @@ def price(step: numpy.ndarray, z: numpy.ndarray, parent_z: numpy.ndarray) -> tup
 
 
 def events_of(run: PooledRun) -> pandas.DataFrame:
-    """Births and deaths in their order. Raises RunError for the death of an individual without a birth."""
+    """Births and deaths in their order; if a rule Recruitment may name several parents, with column `parents`, as an ancestor_list. Raises RunError
+    for the death of an individual without a birth."""
     found = run.load("events.csv", ("time_s", "tick", "event", "id", "species", "parent_id", "cause"), [])
     found = found[found["event"].isin(["birth", "death"])].astype({"event": str, "species": str, "cause": str}).reset_index(drop=True)
     born = set(found["id"][found["event"] == "birth"])
     for id in found["id"]:
         if id not in born:
             raise RunError(f"{run.path}/events.csv: individual {id} dies and has no birth: --selection needs runs from their beginning")
+    if "recruitment" in run.manifest.get("rules", {}):
+        lists = run.texts("phylogeny.csv", ["id", "ancestor_list"], (), [])
+        found["parents"] = found["id"].map(lists.set_index(numbers(run.path / "phylogeny.csv", lists["id"]).astype(int))["ancestor_list"])
     return found
+
+
+def descent_of(births: pandas.DataFrame) -> pandas.DataFrame:
+    """A row for each parent of some births: `id`, `parent` and its `share`, one over the number of parents."""
+    if "parents" not in births:
+        return pandas.DataFrame({"id": births["id"], "parent": births["parent_id"], "share": 1.0}).dropna()
+    by_id = births.set_index("id")  # the table of a run that was killed lacks those who live
+    lists = by_id["parents"].fillna(by_id["parent_id"].map("[{:.0f}]".format)).str.strip("[]")
+    parents = lists[~lists.isin(["none", "nan"])].str.split(",").explode().astype(float)
+    each = pandas.DataFrame({"id": parents.index, "parent": parents.to_numpy()})
+    return each.assign(share=1.0 / each.groupby("id")["parent"].transform("size"))
 
 
 def terms(events: pandas.DataFrame, z: pandas.Series, species: str, end_s: float) -> dict[tuple[str, str], float]:
@@ -156,9 +171,11 @@ def terms(events: pandas.DataFrame, z: pandas.Series, species: str, end_s: float
     lack it are left out as if they had never lived. Terms of lives and births belong to the third of the birth. nan is what cannot be computed."""
     of = events[(events["species"] == species) & events["id"].isin(z.index)]
     is_birth = (of["event"] == "birth").to_numpy()
-    its_z, parent_z = (of[column].map(z).to_numpy(float) for column in ("id", "parent_id"))
-    same = of["parent_id"].isin(events["id"][(events["species"] == species) & (events["event"] == "birth")]).to_numpy()
-    parent_z[~(same & is_birth)] = numpy.nan
+    births = events[(events["species"] == species) & (events["event"] == "birth")]
+    descent = descent_of(births)
+    descent["z"] = descent["share"] * descent["parent"].where(descent["parent"].isin(births["id"])).map(z)
+    means = descent.groupby("id")["z"].sum().where(~descent["z"].isna().groupby(descent["id"]).any())
+    its_z, parent_z = of["id"].map(z).to_numpy(float), of["id"].map(means).where(is_birth).to_numpy(float)
     parts, mean = price(numpy.where(is_birth, 1, -1), its_z, parent_z)
     time_s, cause = of["time_s"].to_numpy(), of["cause"].to_numpy()
     founds = is_birth & (of["tick"] == events["tick"].iloc[0]).to_numpy() | numpy.isnan(parts[0]) if len(of) else is_birth
@@ -167,8 +184,7 @@ def terms(events: pandas.DataFrame, z: pandas.Series, species: str, end_s: float
                              index=of["id"][is_birth])
     deaths = of[~is_birth].set_index("id")["time_s"]
     lives["life_s"] = deaths.reindex(lives.index).fillna(end_s) - lives["birth_s"]
-    births = events[(events["species"] == species) & (events["event"] == "birth")]
-    lives["offspring"] = births["parent_id"].value_counts().reindex(lives.index).fillna(0.0)
+    lives["offspring"] = descent.groupby("parent")["share"].sum().reindex(lives.index).fillna(0.0)
     found: dict[tuple[str, str], float] = {}
     for number, period in enumerate(PERIODS):
         first, last = (0, 2) if period == "all" else (number - 1, number - 1)
