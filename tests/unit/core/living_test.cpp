@@ -4,10 +4,10 @@
 
 #include <examples/worlds/pond.hpp>
 #include <map>
+#include <support/energy_auditor.hpp>
 #include <support/hand_population.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/reproduction/heredity/crossover.hpp>
 #include <trophic/rules/with_ageing_victims.hpp>
 #include <unit/checkpoint/resumed.hpp>
 
@@ -16,33 +16,6 @@ using namespace trophic::test;
 using worlds::Pond;
 
 namespace {
-
-/// Compares the stock of each species and of the resource with the last one and the ledger.
-struct Auditor {
-  void on_tick(const View& view) {
-    std::vector<double> now_J(view.web.size());
-    for (const Individual& one : view.robots) {
-      if (one.lives()) now_J[one.species] += one.energy_J;
-    }
-    const double most_J = std::max(1.0, *std::ranges::max_element(now_J));
-    for (Species species = 0; species < now_J.size(); ++species) {
-      const double before_J = stock_J.empty() ? 0.0 : stock_J[species];
-      worst = std::max(worst, std::abs(now_J[species] - before_J - view.energy[species].sum_J()) / most_J);
-      turned_over_J += view.energy[species].upkeep_J;
-    }
-    if (view.field != nullptr) {
-      const double now_there_J = view.field->total_J();
-      const ResourceFlow& flow = view.resource;
-      if (view.tick > 0) worst = std::max(worst, std::abs(now_there_J - there_J - flow.grown_J + flow.taken_J) / now_there_J);
-      there_J = now_there_J;
-    }
-    stock_J = now_J;
-  }
-  std::vector<double> stock_J = {};
-  double there_J = 0.0;
-  double worst = 0.0;
-  double turned_over_J = 0.0;
-};
 
 /// Counts lives.
 struct Lives {
@@ -77,25 +50,6 @@ struct Cold {
   static constexpr std::string_view name = "cold";
   static constexpr std::string_view cause = "frost";
   [[nodiscard]] bool dies(const Individual&, const View&, Rng& rng) const { return rng.chance(0.001); }
-};
-
-/// Two neighbours with enough energy have an offspring.
-struct Mates {
-  static constexpr std::string_view name = "mates";
-  [[nodiscard]] std::size_t spare_bodies() const { return 90; }
-  [[nodiscard]] bool leaves_spare(const Vacancy&, const View&) const { return true; }
-  [[nodiscard]] std::vector<reproduction::Recruit> recruits(const View& view, Rng&) const {
-    std::vector<reproduction::Recruit> births;
-    for (BodyIndex one = 0; one < view.robots.size(); ++one) {
-      const auto ready = [&](const Individual& other) {
-        return other.species == view.robots[one].species && other.active && other.energy_J > 40.0;
-      };
-      const auto mate = view.closest(one, ready, {.within_m = 3.0});
-      if (view.robots[one].lives() && mate && one < *mate && ready(view.robots[one]))
-        births.push_back({view.robots[one].species, {view.robots[one].as_ancestor(), view.robots[*mate].as_ancestor()}, 30.0});
-    }
-    return births;
-  }
 };
 
 /// Parents give a shell to their young, whatever these inherit.
@@ -150,7 +104,6 @@ struct Carrion {
 /// Successors follow the dead at once, as in the paper, and still all energy is accounted for.
 using PaperWithEnergy = with_metabolism<rules::Paper, energy::metabolism::GrazingAndHunting>;
 using ColdPond = with_senescence<Pond, Cold>;
-using MatingPond = with_heredity<with_recruitment<Pond, Mates>, reproduction::heredity::Crossover>;
 
 template <class Rules>
 [[nodiscard]] Experiment<Rules> short_pond(std::uint64_t seed = 1) {
@@ -162,9 +115,9 @@ template <class Rules>
 }  // namespace
 
 TEST_CASE_TEMPLATE("living: ledger of energy -> closes for each species and the resource at every tick", Rules, Pond, ColdPond,
-                   MatingPond, PaperWithEnergy) {
+                   PaperWithEnergy) {
   Ecology<Rules> ecology{short_pond<Rules>(), backend::Kinematic::Params{}};
-  Auditor auditor;
+  EnergyAuditor auditor;
   ecology.run_until(1000.0, auditor);
   CHECK(auditor.worst < 1e-9);
   CHECK(auditor.turned_over_J > 100.0);
@@ -193,20 +146,6 @@ TEST_CASE("living: births without a free body -> counted, not made") {
   CHECK(lives.most <= 150);
 }
 
-TEST_CASE("living: run killed three times -> the same bytes") {
-  const TemporaryFolder folder;
-  const auto experiment = short_pond<MatingPond>(4);
-  const io::OutputOptions output{.replay_hz = 0.0, .senses = true, .states = true};
-  run_part(experiment, backend::Kinematic::Params{}, folder.path() / "whole", never, 100.0, output);
-  for (const std::int64_t tick : {60, 170, 301}) {
-    run_part(experiment, backend::Kinematic::Params{}, folder.path() / "cut", tick, 100.0, output);
-  }
-  run_part(experiment, backend::Kinematic::Params{}, folder.path() / "cut", never, 100.0, output);
-  CHECK(results_in(folder.path() / "whole") == results_in(folder.path() / "cut"));
-  for (const char* table : {"energy.csv", "resource.csv", "field.csv"})
-    CHECK(content(folder.path() / "whole" / table).size() > 500);
-}
-
 TEST_CASE("living: cause that a rule names -> in events, counts and parents' rules") {
   Ecology<ColdPond> ecology{short_pond<ColdPond>(), backend::Kinematic::Params{}};
   Lives lives;
@@ -218,34 +157,6 @@ TEST_CASE("living: cause that a rule names -> in events, counts and parents' rul
   CHECK(tally.deaths_by_cause().back() == std::pair<std::string, std::size_t>{"frost", lives.deaths["frost"]});
   CHECK(cause_named("starved") == Cause::starved);
   CHECK_THROWS_AS(static_cast<void>(cause_named("Not a name")), std::invalid_argument);
-}
-
-TEST_CASE("living: two parents -> both in the phylogeny, genes of both, the distance from the nearer one") {
-  struct Couples {
-    void on_event(const observe::Event& event, const View& view) {
-      const Individual& child = event.individual;
-      if (event.kind != observe::EventKind::birth || child.parents.size() != 2) return;
-      double nearest = 1e9;
-      for (const Individual& one : view.robots) {
-        if (one.id != child.parents[0] && one.id != child.parents[1]) continue;
-        double square = 0.0;
-        for (std::size_t i = 0; i < 15; ++i) square += std::pow(one.genome->weights[i] - child.genome->weights[i], 2);
-        nearest = std::min(nearest, std::sqrt(square));
-      }
-      CHECK(child.mutation_distance <= nearest * (1.0 + 1e-12));
-      CHECK(child.energy_J == doctest::Approx(30.0));
-      ++couples;
-    }
-    std::size_t couples = 0;
-  } couples;
-  Ecology<MatingPond> ecology{short_pond<MatingPond>(), backend::Kinematic::Params{}};
-  ecology.run_until(800.0, couples);
-  CHECK(couples.couples > 10);
-
-  const TemporaryFolder folder;
-  run_part(short_pond<MatingPond>(), backend::Kinematic::Params{}, folder.path() / "run", never, 100.0, {.replay_hz = 0.0});
-  const std::string phylogeny = content(folder.path() / "run" / "phylogeny.csv");
-  CHECK(phylogeny.find(",\"[") != std::string::npos);
 }
 
 TEST_CASE("living: what parents hand over -> in the shadow too, where nothing is inherited") {
@@ -296,4 +207,32 @@ TEST_CASE("living: backend whose robots cannot come and go -> refused before the
         }) ==
         "rules.recruitment = at_energy on backend fixed: must be a backend whose robots come and go (Placing in "
         "backend/contract.hpp)");
+}
+
+TEST_CASE("living: species that is gone -> ends the run where ecology.ends_when says so, which is then complete") {
+  using enum EndsWhen;
+  const auto manifest_of = [](EndsWhen ends_when, Null null) {
+    const TemporaryFolder folder;
+    auto experiment = under(null, short_pond<Pond>());
+    experiment.ecology.ends_when = ends_when;
+    experiment.ecology.duration_s = 300.0;
+    experiment.rules.metabolism.get<predator>().resting_W = 1.0;  // who eats nothing lives for half a minute
+    experiment.rules.metabolism.get<predator>().efficiency = 0.0;
+    run_part(experiment, backend::Kinematic::Params{}, folder.path() / "run", 10, 5.0);
+    run_part(experiment, backend::Kinematic::Params{}, folder.path() / "run", never, 5.0);
+    const Ecology<Pond> again{experiment, backend::Kinematic::Params{}};
+    CHECK(checkpoint::run_state_in(folder.path() / "run", again.describe(300.0)).complete);
+    return parse_json(content(folder.path() / "run" / "manifest.json"));
+  };
+  for (const Null null : {Null::none, Null::shadow}) {
+    for (const EndsWhen early : {a_species_is_gone, one_species_is_left}) {
+      const auto manifest = manifest_of(early, null);
+      CHECK(manifest["status"] == "complete");
+      CHECK(manifest["result"]["ended"] == "gone: predator");
+      CHECK(manifest["result"]["reached_s"].get<double>() < 100.0);
+    }
+  }
+  const auto whole = manifest_of(time_is_up, Null::none);
+  CHECK(whole["result"]["reached_s"] == 300.0);
+  CHECK_FALSE(whole["result"].contains("ended"));
 }

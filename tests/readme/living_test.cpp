@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// The rules of docs/how-to/a-living-world.md in runs.
+#include <doctest/doctest.h>
+
+#include <a-living-world/01_part.cpp>
+#include <a-living-world/02_part.cpp>
+#include <a-living-world/03_part.cpp>
+#include <examples/worlds/pond.hpp>
+#include <map>
+#include <regex>
+#include <sstream>
+#include <support/energy_auditor.hpp>
+#include <support/temporary_folder.hpp>
+#include <trophic/backend/kinematic.hpp>
+#include <unit/checkpoint/resumed.hpp>
+
+using namespace trophic::test;
+using worlds::Pond;
+
+namespace {
+
+using ManuredPond = with_resource<Pond, Manure>;
+using MatingPond = with_heredity<with_recruitment<Pond, Mates>, reproduction::heredity::Crossover>;
+using SeeingPond = with_traits<with_visibility<Pond, AsFarAsItSees>, Traits>;
+
+template <class Rules>
+[[nodiscard]] Experiment<Rules> short_run() {
+  Experiment<Rules> experiment{.seed = 4};
+  experiment.ecology.duration_s = 800.0;
+  experiment.rules.recruitment = {.spare_bodies = 90, .birth_J = 60.0, .share = 0.5};
+  return experiment;
+}
+
+/// Individuals with two ancestors in a phylogeny. Holds it against the ALife data standard: ids that are there once, an
+/// ancestor_list of ids that are there and older or [none], and an end after the beginning.
+[[nodiscard]] std::size_t couples_in(const std::string& phylogeny) {
+  std::istringstream lines{phylogeny};
+  std::string line;
+  std::getline(lines, line);
+  CHECK(line.starts_with("id,ancestor_list,ancestor_id,origin_time,destruction_time,"));
+  const std::regex row{R"(^(\d+),"?\[(none|\d+(?:,\d+)*)\]"?,(\d+),([^,]+),([^,]+),)"};
+  std::map<std::string, double> origins_s;
+  std::vector<std::pair<std::string, std::string>> descents;
+  std::size_t couples = 0;
+  while (std::getline(lines, line)) {
+    std::smatch cells;
+    REQUIRE(std::regex_search(line, cells, row));
+    CHECK(origins_s.emplace(cells[1], std::stod(cells[4])).second);
+    CHECK((cells[5] == "inf" || std::stod(cells[5]) >= std::stod(cells[4])));
+    std::istringstream ancestors{cells[2] == "none" ? "" : cells[2].str()};
+    std::size_t count = 0;
+    for (std::string ancestor; std::getline(ancestors, ancestor, ','); ++count) descents.emplace_back(cells[1], ancestor);
+    CHECK(cells[3] == (count == 0 ? cells[1] : descents[descents.size() - count].second));
+    couples += count == 2 ? 1U : 0U;
+  }
+  for (const auto& [child, ancestor] : descents) {
+    REQUIRE(origins_s.contains(ancestor));
+    CHECK(origins_s[ancestor] < origins_s[child]);
+  }
+  return couples;
+}
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("rules of the how-to: run killed three times -> the same bytes, a ledger that closes", Rules, ManuredPond,
+                   MatingPond, SeeingPond) {
+  const TemporaryFolder folder;
+  const auto experiment = short_run<Rules>();
+  const io::OutputOptions output{.replay_hz = 0.0, .states = true};
+  for (const auto& [name, ticks] : {std::pair{"whole", std::vector{never}}, {"cut", {60, 170, 301, never}}})
+    for (const std::int64_t tick : ticks)
+      run_part(experiment, backend::Kinematic::Params{}, folder.path() / name, tick, 100.0, output);
+  CHECK(results_in(folder.path() / "whole") == results_in(folder.path() / "cut"));
+  for (const char* table : {"energy.csv", "resource.csv", "field.csv"}) {
+    CHECK(content(folder.path() / "whole" / table).size() > 500);
+    CHECK(content(folder.path() / "whole" / table) == content(folder.path() / "cut" / table));
+  }
+  Ecology<Rules> ecology{experiment, backend::Kinematic::Params{}};
+  EnergyAuditor auditor;
+  ecology.run_until(800.0, auditor);
+  CHECK(auditor.worst < 1e-9);
+  CHECK(auditor.turned_over_J > 100.0);
+}
+
+TEST_CASE("two parents of a pond: both in the phylogeny, genes of both, the distance from the nearer one") {
+  struct Couples {
+    void on_event(const observe::Event& event, const View& view) {
+      const Individual& child = event.individual;
+      if (event.kind != observe::EventKind::birth || child.parents.size() != 2) return;
+      double nearest = 1e9;
+      for (const Individual& one : view.robots) {
+        if (one.id != child.parents[0] && one.id != child.parents[1]) continue;
+        double square = 0.0;
+        for (std::size_t i = 0; i < 15; ++i) square += std::pow(one.genome->weights[i] - child.genome->weights[i], 2);
+        nearest = std::min(nearest, std::sqrt(square));
+      }
+      CHECK(child.mutation_distance <= nearest * (1.0 + 1e-12));
+      CHECK(child.energy_J == doctest::Approx(30.0));
+      ++couples;
+    }
+    std::size_t couples = 0;
+  } couples;
+  Ecology<MatingPond> ecology{short_run<MatingPond>(), backend::Kinematic::Params{}};
+  ecology.run_until(800.0, couples);
+  CHECK(couples.couples > 10);
+
+  const TemporaryFolder folder;
+  run_part(short_run<MatingPond>(), backend::Kinematic::Params{}, folder.path() / "run", never, 100.0, {.replay_hz = 0.0});
+  CHECK(couples_in(content(folder.path() / "run" / "phylogeny.csv")) > 10);
+}
