@@ -172,8 +172,58 @@ void mujoco(benchmark::State& state) {
   tick<backend::Mujoco>(state, ticks, ticks);
 }
 
+constexpr std::size_t living = 1000;
+
+struct Reaper {
+  static constexpr std::string_view name = "reaper";
+  struct Params {
+    double share = 0.0;
+    static constexpr auto fields() { return std::tuple{field("share", &Params::share)}; }
+  };
+  Params params;
+  [[nodiscard]] bool dies(const Individual&, const View&, Rng& rng) const { return rng.chance(params.share); }
+};
+/// Individuals have offspring next to them until `living` are there.
+struct Nurse {
+  static constexpr std::string_view name = "nurse";
+  [[nodiscard]] std::size_t spare_bodies() const { return living; }
+  [[nodiscard]] bool leaves_spare(const Vacancy&, const View&) const { return true; }
+  [[nodiscard]] std::vector<reproduction::Recruit> recruits(const View& view, Rng&) const {
+    std::vector<reproduction::Recruit> births;
+    const std::size_t there = view.count(0) + view.count(1);
+    while (there > 0 && there + births.size() < living) {
+      for (const Individual& one : view.robots) {
+        if (one.lives() && there + births.size() < living)
+          births.push_back({.species = one.species, .parents = {one.as_ancestor()}});
+      }
+    }
+    return births;
+  }
+};
+
+/// Ticks of 1000 living on MuJoCo, of whom so many die each second, and so many are born. The time is the processor's for a tick.
+void turnover(benchmark::State& state) {
+  using Rules = with_recruitment<with_senescence<rules::Paper, Reaper>, Nurse>;
+  Experiment<Rules> numbers;
+  numbers.ecology.robots = 2 * living;
+  numbers.ecology.arena = "walled_by_density";
+  numbers.rules.community.predators = living * 14 / 30;
+  numbers.rules.senescence.share = static_cast<double>(state.range(0)) * numbers.ecology.tick_s / static_cast<double>(living);
+  Ecology<Rules> ecology{numbers, backend::Mujoco::Params{}};
+  observe::Tally tally;
+  WarmUp warm{2};
+  constexpr double ticks = 3.0;
+  for (auto _ : state) {
+    ecology.run_until((2.0 + ticks) * numbers.ecology.tick_s, tally, warm);
+    state.SetIterationTime(warm.elapsed_s() / ticks);
+  }
+  state.counters["deaths/s"] = static_cast<double>(tally.deaths()) / ecology.time_s();
+  state.counters["living"] = static_cast<double>(ecology.view().count(0) + ecology.view().count(1));
+}
+
 }  // namespace
 
+BENCHMARK(turnover)->ArgName("deaths/s")->Arg(0)->Arg(300)->Iterations(1)->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(kinematic)
     ->ArgNames({"robots", "agents_every"})
     ->ArgsProduct({{1000, 10'000, 100'000}, {1, 10}})

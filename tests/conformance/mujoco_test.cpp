@@ -5,7 +5,23 @@
 #include <conformance/placing_suite.hpp>
 #include <trophic/backend/mujoco.hpp>
 
+namespace {
+
+using trophic::backend::Mujoco;
+
+template <Mujoco::Stepping stepping>
+struct Stepped : Mujoco {
+  using Mujoco::Mujoco;
+  struct Params : Mujoco::Params {
+    using Backend = Stepped;
+    Params() : Mujoco::Params{.stepping = stepping} {}
+  };
+};
+
+}  // namespace
+
 TEST_CASE_TEMPLATE_INVOKE(trophic_backend_suite, trophic::backend::Mujoco);
 TEST_CASE_TEMPLATE_INVOKE(trophic_embodying_suite, trophic::backend::Mujoco);
-TEST_CASE_TEMPLATE_INVOKE(trophic_placing_suite, trophic::backend::Mujoco);
+TEST_CASE_TEMPLATE_INVOKE(trophic_placing_suite, Mujoco, Stepped<Mujoco::Stepping::islands>,
+                          Stepped<Mujoco::Stepping::one_model>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_ground_suite, trophic::backend::Mujoco);
