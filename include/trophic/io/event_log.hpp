@@ -32,20 +32,13 @@ namespace trophic::io {
 }
 
 /// Writes an EventRow per event.
-class EventLog {
+class EventLog : public CsvFile<EventRow> {
  public:
+  using CsvFile::CsvFile;
   static constexpr std::string_view file_name = "events.csv";
 
-  explicit EventLog(const std::filesystem::path& path, Opening opening = Opening::created) : file_{path, opening} {}
-
-  void on_event(const observe::Event& event, const View& view) { file_.write(event_row(event, view), view.web); }
-  void on_tick(const View&) { file_.flush(); }
-
-  void persist(Archive& archive) { archive(file_); }
-  [[nodiscard]] TableSum sum() const { return file_.sum(); }
-
- private:
-  CsvFile<EventRow> file_;
+  void on_event(const observe::Event& event, const View& view) { write(event_row(event, view), view.web); }
+  void on_tick(const View&) { flush(); }
 };
 
 }  // namespace trophic::io

@@ -6,7 +6,6 @@
 #include <concepts>
 #include <span>
 #include <stdexcept>
-#include <string>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/population/act_values.hpp>
 #include <trophic/population/energy_flow.hpp>
