@@ -240,10 +240,10 @@ TEST_CASE("genome parts: brain that grows -> sizes differ, misfits are refused, 
   CHECK(birth.parent.weights.size() == 4);
   CHECK(birth.child.weights.size() == 5);
   CHECK(birth.population[0].mutation_distance >= birth.child.weights.back());
-  CHECK_FALSE(birth.population.misfit(&birth.child));
+  CHECK_FALSE(birth.population.misfit(0, &birth.child));
   Genome broken = birth.child;
   broken.weights.pop_back();
-  CHECK(birth.population.misfit(&broken) == "a genome that fits the brain growing");
+  CHECK(birth.population.misfit(0, &broken) == "a genome that fits the brain growing");
 }
 
 TEST_CASE("genome parts: interrupted runs -> resumed to the same bytes, genes.csv too") {
