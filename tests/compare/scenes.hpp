@@ -62,26 +62,12 @@ struct Pendulum {
   }
 };
 
-/// The frames of all links, from the root's pose and the joint angles.
-[[nodiscard]] inline std::vector<Pose> link_frames(const RobotModel& robot, const Pose& root,
-                                                   std::span<const double> angles_rad) {
-  std::vector<Pose> frames{root};
-  for (std::size_t i = 1; i < robot.links.size(); ++i) {
-    const Link& link = robot.links[i];
-    const Pose& parent = frames[static_cast<std::size_t>(link.parent)];
-    const Eigen::AngleAxisd turned{angles_rad[i - 1], robot.hinges[i - 1].axis};
-    frames.push_back({.position_m = parent.position_m + parent.orientation * link.offset_m,
-                      .orientation = parent.orientation * link.rotation * turned});
-  }
-  return frames;
-}
-
 template <Backend B>
 [[nodiscard]] Eigen::Vector3d centre_of_mass_m(const B& backend, const RobotModel& robot, std::size_t index) {
   const auto frames = link_frames(robot, backend.pose(index), backend.joint_angles(index));
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    sum += robot.links[i].mass_kg * (frames[i].position_m + frames[i].orientation * robot.links[i].centre_of_mass_m);
+    sum += robot.links[i].mass_kg * (frames[i] * robot.links[i].centre_of_mass_m);
   }
   return sum / robot.mass_kg();
 }

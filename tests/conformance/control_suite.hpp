@@ -121,23 +121,28 @@ TEST_CASE_TEMPLATE_DEFINE("steering", Policy, trophic_steering_suite) {
   static_assert(control::Steering<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
-  const std::vector<Side> sides{Side::left, Side::middle, Side::right, Side::left, Side::right};
+  const std::vector<HingePlace> hinges{{Side::left, 1.0, 1.0},
+                                       {Side::middle, -1.0, -1.0},
+                                       {Side::right, 0.0, 0.0},
+                                       {Side::left, -2.0, 0.7},
+                                       {Side::right, 2.0, -0.7}};
   const std::vector<double> targets_rad{0.5, -0.25, 0.75, 0.0, -1.0};
   for (const double target_angle_rad : {-std::numbers::pi, -0.7, 0.0, 0.7, std::numbers::pi}) {
     std::vector<double> steered = targets_rad;
-    policy.steer(target_angle_rad, sides, steered);
+    policy.steer(target_angle_rad, hinges, steered);
     for (const double target_rad : steered) CHECK(std::isfinite(target_rad));
     // the mirror image of a robot turns to the other side in the same way
-    std::vector<Side> other_sides = sides;
-    for (Side& side : other_sides) {
-      if (side != Side::middle) side = side == Side::left ? Side::right : Side::left;
+    std::vector<HingePlace> mirror = hinges;
+    for (HingePlace& hinge : mirror) {
+      if (hinge.side != Side::middle) hinge.side = hinge.side == Side::left ? Side::right : Side::left;
+      hinge.upright = -hinge.upright;
     }
     std::vector<double> mirrored = targets_rad;
-    policy.steer(-target_angle_rad, other_sides, mirrored);
+    policy.steer(-target_angle_rad, mirror, mirrored);
     CHECK(mirrored == steered);
     // the order of the hinges does not matter
     std::vector<double> backwards{targets_rad.rbegin(), targets_rad.rend()};
-    policy.steer(target_angle_rad, std::vector<Side>{sides.rbegin(), sides.rend()}, backwards);
+    policy.steer(target_angle_rad, std::vector<HingePlace>{hinges.rbegin(), hinges.rend()}, backwards);
     CHECK(std::vector<double>{backwards.rbegin(), backwards.rend()} == steered);
   }
   policy.steer(0.7, {}, {});
@@ -145,7 +150,7 @@ TEST_CASE_TEMPLATE_DEFINE("steering", Policy, trophic_steering_suite) {
     conformance::Answers answers;
     for (const double target_angle_rad : {-2.0, -0.7, 0.3, 0.7}) {
       std::vector<double> steered = targets_rad;
-      made.steer(target_angle_rad, sides, steered);
+      made.steer(target_angle_rad, hinges, steered);
       answers.add(steered);
     }
     return answers;

@@ -13,10 +13,10 @@ using namespace trophic;
 using control::steering::NoSteering;
 
 TEST_CASE("no steering: any target angle -> joint targets unchanged") {
-  const std::vector<Side> sides{Side::right, Side::left, Side::middle};
+  const std::vector<HingePlace> hinges{{Side::right}, {Side::left}, {Side::middle}};
   for (const double target_angle_rad : {-0.7, 0.0, 0.7, 4.0}) {
     std::vector<double> targets_rad{1.0, -0.5, 0.25};
-    NoSteering{}.steer(target_angle_rad, sides, targets_rad);
+    NoSteering{}.steer(target_angle_rad, hinges, targets_rad);
     CHECK(targets_rad == std::vector<double>{1.0, -0.5, 0.25});
   }
 }

@@ -3,6 +3,7 @@
 
 #include <support/toy_backend.hpp>
 #include <trophic/control/locomotion/steerable.hpp>
+#include <trophic/control/steering/bending_steering.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/habitat/load/gait.hpp>
@@ -27,7 +28,7 @@ RobotModel snake() {
 /// Knows no sides.
 struct SlowsAll {
   static constexpr std::string_view name = "slows_all";
-  void steer(double, std::span<const Side>, std::span<double> targets_rad) const {
+  void steer(double, std::span<const HingePlace>, std::span<double> targets_rad) const {
     for (double& target_rad : targets_rad) target_rad *= 0.5;
   }
 };
@@ -35,7 +36,7 @@ struct SlowsAll {
 /// Adds to each target instead of scaling it.
 struct Leans {
   static constexpr std::string_view name = "leans";
-  void steer(double target_angle_rad, std::span<const Side>, std::span<double> targets_rad) const {
+  void steer(double target_angle_rad, std::span<const HingePlace>, std::span<double> targets_rad) const {
     for (double& target_rad : targets_rad) target_rad += 0.1 * target_angle_rad;
   }
 };
@@ -67,16 +68,26 @@ TEST_CASE("steerable: shipped robots -> accepted") {
 }
 
 TEST_CASE("steerable: all hinges in the middle -> rejected, unless the steering needs no sides") {
-  CHECK(refusal([] { check_steerable(snake(), TargetedSteering{}); }) ==
-        "ecology.robot = snake with rules.steering = targeted_steering: cannot be steered: right and left turns move the hinges "
-        "equally (0 left, 0 right, 6 middle)");
+  CHECK(
+      refusal([] { check_steerable(snake(), TargetedSteering{}); }) ==
+      "ecology.robot = snake with rules.steering = targeted_steering: cannot be steered to both sides: a turn moves no hinge, or "
+      "all as the other turn does (0 left, 0 right, 6 middle); bending_steering needs no sides");
   CHECK(refusal([] { check_steerable(snake(), Leans{}); }) == "");
 }
 
-TEST_CASE("steerable: hinges on one side only -> accepted") {
+TEST_CASE("steerable: hinges on one side only -> rejected, for one of the turns is dead") {
   RobotModel robot = snake();
   robot.hinges.front().grid_position = {2, 1, 0};
-  CHECK(refusal([&] { check_steerable(robot, TargetedSteering{}); }) == "");
+  CHECK(refusal([&] { check_steerable(robot, TargetedSteering{}); }).find("(1 left, 0 right, 5 middle)") != std::string::npos);
+}
+
+TEST_CASE("steerable: a snake -> bends, in either frame") {
+  RobotModel robot = load_robot("snake");
+  CHECK(refusal([&] { check_steerable(robot, BendingSteering{}); }) == "");
+  CHECK_FALSE(refusal([&] { check_steerable(robot, TargetedSteering{}); }).empty());
+  robot.forward_rad = std::numbers::pi / 4.0;
+  CHECK(refusal([&] { check_steerable(robot, BendingSteering{}); }) == "");
+  CHECK_FALSE(refusal([&] { check_steerable(robot, TargetedSteering{}); }).empty());
 }
 
 TEST_CASE("steerable: steering with no effect, or the same for both turns -> rejected") {

@@ -10,6 +10,16 @@
 using namespace trophic;
 using namespace trophic::control::steering;
 
+namespace {
+
+std::vector<Side> sides_of(const RobotModel& robot) {
+  std::vector<Side> sides;
+  for (const HingePlace& hinge : hinge_places(robot)) sides.push_back(hinge.side);
+  return sides;
+}
+
+}  // namespace
+
 TEST_CASE("sides: spider -> x - y < 0 left, x - y > 0 right") {
   CHECK(sides_of(load_robot("spider")) == std::vector<Side>{Side::right, Side::left, Side::left, Side::right});
 }
@@ -33,15 +43,15 @@ TEST_CASE("targeted steering: target angle alpha -> delta = ((pi - |alpha|) / pi
 
 TEST_CASE("targeted steering: positive target angle -> right side slower, negative -> left, 0 -> none") {
   const TargetedSteering steering;
-  const std::vector<Side> sides{Side::right, Side::left, Side::middle, Side::right};
+  const std::vector<HingePlace> hinges{{Side::right}, {Side::left}, {Side::middle}, {Side::right}};
   const std::vector<double> walk{1.0, -0.5, 0.25, -1.0};
   const double delta = steering.slowing(0.7);
   std::vector<double> targets_rad = walk;
-  steering.steer(0.0, sides, targets_rad);
+  steering.steer(0.0, hinges, targets_rad);
   CHECK(targets_rad == walk);
-  steering.steer(0.7, sides, targets_rad);
+  steering.steer(0.7, hinges, targets_rad);
   CHECK(targets_rad == std::vector<double>{delta, -0.5, 0.25, -delta});
   targets_rad = walk;
-  steering.steer(-0.7, sides, targets_rad);
+  steering.steer(-0.7, hinges, targets_rad);
   CHECK(targets_rad == std::vector<double>{1.0, -0.5 * delta, 0.25, -1.0});
 }

@@ -70,7 +70,7 @@ TROPHIC_REFUSES(brain_with_outputs, control::Brain,
                 TROPHIC_AND(std::size_t genome_size(std::size_t, std::size_t) const; std::vector<int> tags() const), void,
                 evaluate, std::span<const double>, std::span<const double>, std::span<double>)
 TROPHIC_REFUSES(pace, control::Pace, TROPHIC_ALONE, double, pace, BodyIndex, const View&)
-TROPHIC_REFUSES(steering, control::Steering, TROPHIC_ALONE, void, steer, double, std::span<const Side>, std::span<double>)
+TROPHIC_REFUSES(steering, control::Steering, TROPHIC_ALONE, void, steer, double, std::span<const HingePlace>, std::span<double>)
 
 TROPHIC_REFUSES(initial_genome, reproduction::InitialGenome, TROPHIC_ALONE, void, draw, std::span<double>, Rng&)
 TROPHIC_REFUSES(mutation, reproduction::Mutation, TROPHIC_ALONE, void, mutate, std::span<double>, const Individual&, Rng&)

@@ -138,8 +138,8 @@ TEST_CASE("random trees: mirrored tree -> mirrored robot") {
     // What slows down for a right turn of one slows down for a left turn of the other.
     std::size_t left = 0;
     std::size_t right = 0;
-    for (const Side side : sides_of(robot)) left += side == Side::left;
-    for (const Side side : sides_of(image)) right += side == Side::right;
+    for (const HingePlace& hinge : hinge_places(robot)) left += hinge.side == Side::left;
+    for (const HingePlace& hinge : hinge_places(image)) right += hinge.side == Side::right;
     RC_ASSERT(left == right);
   }));
 }

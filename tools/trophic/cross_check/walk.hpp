@@ -55,7 +55,7 @@ inline constexpr std::string_view default_settings = "default";
   constexpr int controls_per_sample = static_cast<int>(sample_s * control_hz);
   const RobotModel& robot = habitat.robot;
   const std::size_t hinges = robot.hinges.size();
-  const auto sides = sides_of(robot);
+  const auto hinges_at = hinge_places(robot);
   const control::steering::TargetedSteering steering{};
   const locomotion::Cpg cpg{habitat.gait};
   const std::vector<Pose> starts = twelve_starts(robot);
@@ -93,7 +93,7 @@ inline constexpr std::string_view default_settings = "default";
   for (int control = 1; control <= controls; ++control) {
     cpg.step(states);
     cpg.outputs(states, 0, targets_rad);
-    steering.steer(condition.target_angle_rad, sides, targets_rad);
+    steering.steer(condition.target_angle_rad, hinges_at, targets_rad);
     for (std::size_t i = 0; i < walks.size(); ++i) backend.set_joint_targets(i, targets_rad);
     while (backend.time_s() < control / control_hz - 1e-9) {
       backend.advance_to(backend.time_s() + condition.timestep_s);

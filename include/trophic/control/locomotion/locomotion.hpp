@@ -29,7 +29,7 @@ class Locomotion {
  public:
   Locomotion(const RobotModel& robot, const Gait& gait, SteeringRule steering, std::size_t robots, const ControlSteps& control)
       : steering_{std::move(steering)},
-        sides_{sides_of(robot)},
+        hinges_{hinge_places(robot)},
         cpg_params_{.integration = control.integration, .step_s = 1.0 / control.hz},
         cpg_{gait, cpg_params_},
         states_{cpg_.initial_states(robots)},
@@ -76,14 +76,14 @@ class Locomotion {
   /// Gives each robot its own body and gait from here on, all with that of the constructor at first.
   void separate() {
     for (Eigen::Index robot = 0; robot < states_.cols(); ++robot) {
-      own_.push_back({.sides = sides_, .cpg = cpg_, .states = states_.col(robot)});
+      own_.push_back({.hinges = hinges_, .cpg = cpg_, .states = states_.col(robot)});
     }
   }
   /// Replaces one robot's body and gait and starts its CPG. After `separate`.
   void walk_by(std::size_t robot, const RobotModel& model, const Gait& gait) {
     Cpg cpg{gait, cpg_params_};
     Eigen::MatrixXd states = cpg.initial_states();
-    own_.at(robot) = {.sides = sides_of(model), .cpg = std::move(cpg), .states = std::move(states)};
+    own_.at(robot) = {.hinges = hinge_places(model), .cpg = std::move(cpg), .states = std::move(states)};
   }
 
   /// Simulated time of the control steps so far.
@@ -146,7 +146,7 @@ class Locomotion {
       if (!paces_.empty()) step_at_pace(cpg_, states_, robot, static_cast<Eigen::Index>(robot));
       if (!is_there(backend, robot)) continue;
       cpg_.outputs(states_, robot, targets_rad_);
-      steering_.steer(target_angles_rad[robot], sides_, targets_rad_);
+      steering_.steer(target_angles_rad[robot], hinges_, targets_rad_);
       backend.set_joint_targets(robot, targets_rad_);
     }
   }
@@ -157,9 +157,9 @@ class Locomotion {
       if (!is_there(backend, robot)) continue;
       Own& own = own_[robot];
       step_at_pace(own.cpg, own.states, robot, 0);
-      targets_rad_.resize(own.sides.size());
+      targets_rad_.resize(own.hinges.size());
       own.cpg.outputs(own.states, 0, targets_rad_);
-      steering_.steer(target_angles_rad[robot], own.sides, targets_rad_);
+      steering_.steer(target_angles_rad[robot], own.hinges, targets_rad_);
       backend.set_joint_targets(robot, targets_rad_);
     }
   }
@@ -186,13 +186,13 @@ class Locomotion {
 
   /// A robot with a gait of its own.
   struct Own {
-    std::vector<Side> sides;
+    std::vector<HingePlace> hinges;
     Cpg cpg;
     Eigen::MatrixXd states;  ///< 2n x 1
   };
 
   SteeringRule steering_;
-  std::vector<Side> sides_;
+  std::vector<HingePlace> hinges_;
   Cpg::Params cpg_params_;
   Cpg cpg_;
   std::vector<Own> own_;  ///< of each robot, if they differ

@@ -14,21 +14,26 @@ namespace trophic::locomotion {
 inline constexpr double probe_angle_rad = 0.7;
 
 /// Throws std::invalid_argument: this robot cannot be steered by this rule.
-[[noreturn]] void refuse_steering(const RobotModel& robot, std::string_view steering, const std::vector<Side>& sides);
+[[noreturn]] void refuse_steering(const RobotModel& robot, std::string_view steering, const std::vector<HingePlace>& hinges);
 
-/// Throws std::invalid_argument, naming robot, steering and hinges, if a right turn and a left turn give the same joint
-/// targets: brains would have no effect on the motion of robots. Accepts a rule with `steers = false`.
+/// Throws std::invalid_argument, naming robot, steering and hinges, if a turn to one side gives the joint targets of a straight
+/// walk, or of the other turn: brains would have no effect on the motion of robots. Accepts a rule with `steers = false`.
 template <control::Steering SteeringRule>
 void check_steerable(const RobotModel& robot, const SteeringRule& steering) {
   if constexpr (requires { requires !SteeringRule::steers; }) return;
-  const std::vector<Side> sides = sides_of(robot);
-  std::vector<double> right_rad(sides.size());
-  for (std::size_t i = 0; i < sides.size(); ++i) right_rad[i] = i % 2 == 0 ? 0.5 : -0.25;
-  std::vector<double> left_rad = right_rad;
-  steering.steer(probe_angle_rad, sides, right_rad);
-  steering.steer(-probe_angle_rad, sides, left_rad);
-  if (right_rad != left_rad) return;
-  refuse_steering(robot, SteeringRule::name, sides);
+  const std::vector<HingePlace> hinges = hinge_places(robot);
+  std::vector<double> straight_rad(hinges.size());
+  for (std::size_t i = 0; i < hinges.size(); ++i) straight_rad[i] = i % 2 == 0 ? 0.5 : -0.25;
+  const auto steered = [&](double target_angle_rad) {
+    std::vector<double> targets_rad = straight_rad;
+    steering.steer(target_angle_rad, hinges, targets_rad);
+    return targets_rad;
+  };
+  const std::vector<double> ahead_rad = steered(0.0);
+  const std::vector<double> right_rad = steered(probe_angle_rad);
+  const std::vector<double> left_rad = steered(-probe_angle_rad);
+  if (right_rad == left_rad || right_rad == ahead_rad || left_rad == ahead_rad)
+    refuse_steering(robot, SteeringRule::name, hinges);
 }
 
 }  // namespace trophic::locomotion

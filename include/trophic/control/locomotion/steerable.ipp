@@ -9,13 +9,15 @@
 
 namespace trophic::locomotion {
 
-TROPHIC_INLINE void refuse_steering(const RobotModel& robot, std::string_view steering, const std::vector<Side>& sides) {
+TROPHIC_INLINE void refuse_steering(const RobotModel& robot, std::string_view steering, const std::vector<HingePlace>& places) {
   std::string hinges;
   for (const Side side : {Side::left, Side::right, Side::middle}) {
-    hinges += (hinges.empty() ? "" : ", ") + std::to_string(std::ranges::count(sides, side)) + " " + std::string{enum_name(side)};
+    hinges += (hinges.empty() ? "" : ", ") + std::to_string(std::ranges::count(places, side, &HingePlace::side)) + " " +
+              std::string{enum_name(side)};
   }
   throw std::invalid_argument{"ecology.robot = " + robot.name + " with rules.steering = " + std::string{steering} +
-                              ": cannot be steered: right and left turns move the hinges equally (" + hinges + ")"};
+                              ": cannot be steered to both sides: a turn moves no hinge, or all as the other turn does (" +
+                              hinges + "); bending_steering needs no sides"};
 }
 
 }  // namespace trophic::locomotion

@@ -13,7 +13,7 @@ struct NoSteering {
   static constexpr std::string_view name = "no_steering";
   static constexpr std::string_view source = "control";
   static constexpr bool steers = false;
-  void steer(double, std::span<const Side>, std::span<double>) const {}
+  void steer(double, std::span<const HingePlace>, std::span<double>) const {}
 };
 static_assert(Steering<NoSteering>);
 

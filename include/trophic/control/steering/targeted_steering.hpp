@@ -34,12 +34,12 @@ struct TargetedSteering {
     return std::pow(left_over / std::numbers::pi, params.exponent);
   }
 
-  void steer(double target_angle_rad, std::span<const Side> sides, std::span<double> targets_rad) const {
+  void steer(double target_angle_rad, std::span<const HingePlace> hinges, std::span<double> targets_rad) const {
     if (target_angle_rad == 0.0) return;
     const Side slow = target_angle_rad > 0.0 ? Side::right : Side::left;
     const double delta = slowing(target_angle_rad);
     for (std::size_t i = 0; i < targets_rad.size(); ++i) {
-      if (sides[i] == slow) targets_rad[i] *= delta;
+      if (hinges[i].side == slow) targets_rad[i] *= delta;
     }
   }
 };

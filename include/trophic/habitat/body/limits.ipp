@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <trophic/habitat/body/limits.hpp>
+#include <trophic/habitat/hinge_places.hpp>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
-#include <trophic/habitat/sides.hpp>
 #include <trophic/habitat/touch.hpp>
 
 namespace trophic::body {
@@ -50,7 +50,7 @@ TROPHIC_INLINE std::string overlapping_links(const RobotModel& robot) {
 }
 
 TROPHIC_INLINE bool has_sides(const RobotModel& robot) {
-  return std::ranges::any_of(sides_of(robot), [](Side side) { return side != Side::middle; });
+  return std::ranges::any_of(hinge_places(robot), [](const HingePlace& hinge) { return hinge.side != Side::middle; });
 }
 
 TROPHIC_INLINE std::optional<std::string> refusal(const ModuleTree& tree, const RobotModel& robot, const Limits& limits) {

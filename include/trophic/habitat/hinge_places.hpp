@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// The places of a robot's hinges, for rules that steer.
+#pragma once
+
+#include <cmath>
+#include <trophic/habitat/link_frames.hpp>
+#include <trophic/habitat/robot_model.hpp>
+
+namespace trophic {
+
+/// The side of a robot's axis of symmetry that a hinge is on.
+enum class Side { left, right, middle };
+[[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(Side) {
+  return {"left", "right", "middle"};
+}
+
+/// Left if the cross product forward x grid position is positive, right if it is negative, middle on the axis. The spider's
+/// axis lies at 45 degrees through its core, so x - y < 0 is left and x - y > 0 right.
+[[nodiscard]] inline Side side_of(const Hinge& hinge, double forward_rad) {
+  const double x = hinge.grid_position.x();
+  const double y = hinge.grid_position.y();
+  const double cross = std::cos(forward_rad) * y - std::sin(forward_rad) * x;
+  if (std::abs(cross) < 1e-9) return Side::middle;
+  return cross > 0.0 ? Side::left : Side::right;
+}
+
+/// A hinge as rules that steer see it, on a robot that stands with all joint angles 0.
+struct HingePlace {
+  Side side = Side::middle;
+  double ahead = 0.0;    ///< of the core along the forward axis, in cells of the module grid; negative behind
+  double upright = 0.0;  ///< upward part of the axis about which the hinge turns what it carries, in [-1, 1]: 0 lifts, +-1 sweeps
+  friend bool operator==(const HingePlace&, const HingePlace&) = default;
+};
+
+/// The place of each hinge of a robot, in the model's order.
+[[nodiscard]] inline std::vector<HingePlace> hinge_places(const RobotModel& robot) {
+  std::vector<HingePlace> places;
+  const std::vector<Eigen::Isometry3d> frames = link_frames(robot, Pose{}, {});
+  for (std::size_t i = 0; i < robot.hinges.size(); ++i) {
+    const Hinge& hinge = robot.hinges[i];
+    const Eigen::Vector3d axis = frames[i + 1].linear() * hinge.axis;
+    const double ahead =
+        std::cos(robot.forward_rad) * hinge.grid_position.x() + std::sin(robot.forward_rad) * hinge.grid_position.y();
+    places.push_back({.side = side_of(hinge, robot.forward_rad), .ahead = ahead, .upright = axis.z()});
+  }
+  return places;
+}
+
+}  // namespace trophic

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+// A robot without sides turns by bending, in both engines.
+#include <doctest/doctest.h>
+
+#include <trophic/backend/mujoco.hpp>
+#include <trophic/backend/ode.hpp>
+#include <trophic/control/locomotion/locomotion.hpp>
+#include <trophic/control/steering/bending_steering.hpp>
+#include <trophic/habitat/ground_pose.hpp>
+#include <trophic/habitat/load/arena.hpp>
+#include <trophic/habitat/load/gait.hpp>
+#include <trophic/habitat/load/robot.hpp>
+
+using namespace trophic;
+
+TEST_CASE_TEMPLATE("snake: target angle to the right -> turns right, to the left -> left", Engine, backend::Mujoco,
+                   backend::Ode) {
+  const RobotModel robot = load_robot("snake");
+  std::vector<Pose> starts;
+  for (const double y_m : {-4.0, 0.0, 4.0}) starts.push_back({.position_m = {0.0, y_m, robot.rest_height_m}});
+  Engine engine{robot, load_arena("walled_square"), starts, Physics{}, {}};
+  locomotion::Locomotion<control::steering::BendingSteering> walk{robot, load_gait("snake_paper"), {}, 3, {}};
+  std::array<double, 3> turned_rad{};
+  std::array<double, 3> before_rad{};
+  for (int second = 0; second < 20; ++second) {
+    walk.advance(engine, 60, std::array{0.7, 0.0, -0.7});
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double heading_rad = ground_pose(engine.pose(i), robot.forward_rad).heading_rad;
+      turned_rad[i] += wrap_angle(heading_rad - before_rad[i]);
+      before_rad[i] = heading_rad;
+      CHECK(std::isfinite(heading_rad));
+    }
+  }
+  CAPTURE(turned_rad[1]);
+  CHECK(turned_rad[0] < turned_rad[1] - 0.3);
+  CHECK(turned_rad[2] > turned_rad[1] + 0.3);
+}
