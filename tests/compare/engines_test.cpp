@@ -311,7 +311,7 @@ TEST_CASE("engines: robot at rest in ODE -> spring forces sum to its weight") {
         const Eigen::Vector3d sign{(corner & 1U) != 0 ? 1.0 : -1.0, (corner & 2U) != 0 ? 1.0 : -1.0,
                                    (corner & 4U) != 0 ? 1.0 : -1.0};
         const Eigen::Vector3d corner_m = box.centre_m + box.orientation * sign.cwiseProduct(box.half_extents_m);
-        force_N -= params.contact_stiffness_N_m * std::min(0.0, (frames[i].position_m + frames[i].orientation * corner_m).z());
+        force_N -= params.contact_stiffness_N_m * std::min(0.0, (frames[i] * corner_m).z());
       }
     }
   }

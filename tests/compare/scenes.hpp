@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <trophic/backend/contract.hpp>
+#include <trophic/habitat/link_frames.hpp>
 
 namespace trophic::compare {
 

@@ -9,7 +9,7 @@
 namespace trophic::control::steering {
 
 /// Rule: `bend` * alpha * u is added to the target of each hinge with an upright axis, u its upward part; hinges ahead of the
-/// core take the opposite sign. So the body bends into an arc to the side of the target angle alpha, as snakes and snake robots
+/// core take the opposite sign. So a robot that walks forward bends to the side of the target angle alpha, as snakes and snake robots
 /// turn by an offset of their joints [hirose2009]. Hinges that lift (|u| < 0.5) keep their targets. The servos' limit applies
 /// afterwards. `bend` is a free parameter.   Reads: target angle, places of hinges.   Random draws: 0.
 struct BendingSteering {
