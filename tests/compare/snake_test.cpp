@@ -10,6 +10,7 @@
 #include <trophic/habitat/ground_pose.hpp>
 #include <trophic/habitat/load/arena.hpp>
 #include <trophic/habitat/load/gait.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/rules/paper.hpp>
 
@@ -42,7 +43,7 @@ TEST_CASE_TEMPLATE("snake: ecology -> six live and walk", Engine, backend::Mujoc
   params.rules.community.predators = 3;
   Ecology ecology{params, typename Engine::Params{}};
   const std::vector<GroundPose> starts{ecology.view().poses.begin(), ecology.view().poses.end()};
-  run(ecology, 20.0);
+  ecology.run_until(20.0);
   double way_m = 0.0;
   for (std::size_t i = 0; i < 6; ++i) way_m += distance_m(starts[i], ecology.view().poses[i]);
   CHECK(way_m > 6 * 0.1);

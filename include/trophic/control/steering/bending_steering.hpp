@@ -9,9 +9,9 @@
 namespace trophic::control::steering {
 
 /// Rule: `bend` * alpha * u is added to the target of each hinge with an upright axis, u its upward part; hinges ahead of the
-/// core take the opposite sign. So a robot that walks forward bends to the side of the target angle alpha, as snakes and snake robots
-/// turn by an offset of their joints [hirose2009]. Hinges that lift (|u| < 0.5) keep their targets. The servos' limit applies
-/// afterwards. `bend` is a free parameter.   Reads: target angle, places of hinges.   Random draws: 0.
+/// core take the opposite sign. So a robot that walks forward bends to the side of the target angle alpha, as snakes and snake
+/// robots turn by an offset of their joints [hirose2009]. Hinges that lift (|u| < 0.5) keep their targets. The servos' limit
+/// applies afterwards. `bend` is a free parameter.   Reads: target angle, places of hinges.   Random draws: 0.
 struct BendingSteering {
   static constexpr std::string_view name = "bending_steering";
   static constexpr std::string_view source = "not in the paper; [hirose2009]";
