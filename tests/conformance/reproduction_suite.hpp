@@ -134,9 +134,12 @@ TEST_CASE_TEMPLATE_DEFINE("recruitment", Policy, trophic_recruitment_suite) {
   static_assert(reproduction::Recruitment<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
+  // Places turn with the world.
   const auto births_of = [&](const test::HandPopulation& robots, const AllStates<Policy>& states, std::uint64_t seed) {
     Rng rng{seed, Stream::user};
-    return reproduction::ask::recruits(policy, states, robots.view(), rng);
+    auto births = reproduction::ask::recruits(policy, states, robots.view(), rng);
+    for (auto& birth : births) birth.place.reset();
+    return births;
   };
   conformance::on_populations([&](test::HandPopulation robots, std::uint64_t seed) {
     const std::size_t size = robots.individuals.size();
@@ -174,8 +177,10 @@ TEST_CASE_TEMPLATE_DEFINE("recruitment", Policy, trophic_recruitment_suite) {
         const conformance::AnyStates<Policy> states{made, robots, seed};
         Rng rng{seed, Stream::user};
         answers.add(made.spare_bodies());
-        for (const auto& birth : reproduction::ask::recruits(made, states.all(), robots.view(), rng))
+        for (const auto& birth : reproduction::ask::recruits(made, states.all(), robots.view(), rng)) {
           answers.add(std::pair{birth.parents.empty() ? 0 : birth.parents.front().id, birth.endowment_J});
+          answers.add(birth.place.value_or(GroundPose{}).x_m);
+        }
         for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
           answers.add(made.leaves_spare({.body = body, .cause = Cause::starved}, robots.view()));
         }

@@ -70,7 +70,7 @@ class Ecology final : public Simulation {
             .arena = habitat_.arena,
             .robots = population_.individuals(),
             .poses = bodies_.poses(),
-            .tree = population_.individuals().size() >= tree_from_robots && period_m_ <= 0.0 ? population_.tree() : nullptr,
+            .tree = population_.individuals().size() >= tree_from_robots ? population_.tree() : nullptr,
             .members = population_.members(),
             .refused_bodies = population_.refused_bodies(),
             .phenotypes = population_.phenotypes(),
@@ -81,12 +81,12 @@ class Ecology final : public Simulation {
             .acts = population_.acts().values(),
             .traits = TraitGenes<Rules>::names,
             .is_over = ends_now(params_.ecology.ends_when, population_.members()),
-            .period_m = period_m_};
+            .period_m = bodies_.period_m()};
   }
 
   [[nodiscard]] observe::RunDescription describe(double until_s) const override {
     auto run = trophic::describe(params_, choice_, habitat_, population_.tags(), until_s);
-    run.spare_bodies = rules_.recruitment.spare_bodies();
+    run.spare_bodies = reproduction::ask::spare_bodies(rules_.recruitment);
     if (std::string slow = bodies_.backend().speed_remark(); !slow.empty()) run.remarks.push_back(std::move(slow));
     return run;
   }
@@ -107,8 +107,7 @@ class Ecology final : public Simulation {
         population_{rules_, web_, genome_seed(params_), founders_of(params_, rules_, web_), {params_.null, &habitat_, &nursery_}},
         bodies_{params_, choice_, habitat_, rules_, population_},
         decisions_{params_.ecology, rules_, params_.seed, population_},
-        history_{params_.history},
-        period_m_{bodies_.backend().is_periodic() ? 2.0 * habitat_.arena.half_side_m : 0.0} {
+        history_{params_.history} {
     if (!params_.lineup.empty()) population_.enlist(params_.lineup);
     bodies_.embody_founders();
   }
@@ -339,7 +338,7 @@ class Ecology final : public Simulation {
 
   /// Death of the occupant and birth of its successor, unless the Recruitment rule leaves the body spare.
   void replace_occupant(observe::Audience& audience, const Vacancy& vacancy) {
-    if (rules_.recruitment.leaves_spare(vacancy, view())) {
+    if (for_species(rules_.recruitment, population_[vacancy.body].species).leaves_spare(vacancy, view())) {
       emit_death(audience, vacancy);
       population_.vacate(vacancy.body);
       return bodies_.take_away(vacancy.body);
@@ -390,7 +389,6 @@ class Ecology final : public Simulation {
   Bodies<Rules> bodies_;
   Decisions<Rules> decisions_;
   RepeatedHistory history_;
-  double period_m_;
   death::ClockOf<PolicyIn<Rules, RuleSlot::starvation>> starvation_clock_;
   std::int64_t tick_ = 0;
   bool started_ = false;

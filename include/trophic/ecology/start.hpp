@@ -25,7 +25,8 @@ template <class Rules>
     for (const Contestant& one : params.lineup) species.push_back(one.species);
     detail::check_one_each("community", "individuals of a contest", species.size(), robots);
   } else {
-    const std::size_t founders = robots - detail::checked_spare_bodies(rules.recruitment.spare_bodies(), robots);
+    const std::size_t founders =
+        robots - detail::checked_spare_bodies(reproduction::ask::spare_bodies(rules.recruitment), robots);
     species = rules.community.founders(founders);
     detail::check_one_each("community", "founders", species.size(), founders);
   }

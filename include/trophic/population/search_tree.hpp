@@ -14,6 +14,14 @@ namespace trophic {
 /// From this number of robots on, a tree finds the closest robot faster than a visit to each; both give the same result.
 inline constexpr std::size_t tree_from_robots = 64;
 
+/// Calls `visit` with a place and, on a torus of side `period_m`, with its eight images next to the square.
+template <class Visit>
+void for_each_image(const GroundPose& place, double period_m, Visit&& visit) {
+  for (int image = 0; image < (period_m > 0.0 ? 9 : 1); ++image) {  // 0: the place itself
+    visit(GroundPose{place.x_m + ((image + 1) % 3 - 1) * period_m, place.y_m + ((image / 3 + 1) % 3 - 1) * period_m});
+  }
+}
+
 /// A grid of robots under squares of two times two cells, four times four, ..., each of which holds the marks of the robots in
 /// it. A search visits the nearest squares first and skips those that are too far or lack the marks: its cost grows with the
 /// logarithm of the number of robots. It gives exactly the result of visiting every robot, ties included. Positions are stored
@@ -59,13 +67,18 @@ class SearchTree {
   }
 
   /// The body closest to `self`, which stands at `pose`, for which `accepts(body)` holds, excluding itself; on equal distance
-  /// the lower index.
+  /// the lower index. `period_m`: as View's.
   template <class Accepts>
   [[nodiscard]] std::optional<BodyIndex> closest(BodyIndex self, const GroundPose& pose, Accepts&& accepts,
-                                                 const Search& search = {}) const {
-    Nearest<std::remove_reference_t<Accepts>> nearest{*this,           self,    pose,         grid_.column(pose),
-                                                      grid_.row(pose), accepts, search.among, search.within_m};
-    if (!levels_.empty()) nearest.look(levels_.size() - 1, 0, 0);
+                                                 const Search& search = {}, double period_m = 0.0) const {
+    Nearest<std::remove_reference_t<Accepts>> nearest{*this, self, pose, period_m, accepts, search.among, search.within_m};
+    if (levels_.empty()) return std::nullopt;
+    for_each_image(pose, period_m, [&](const GroundPose& image) {
+      nearest.from = image;
+      nearest.own_column = grid_.column(image);
+      nearest.own_row = grid_.row(image);
+      nearest.look(levels_.size() - 1, 0, 0);
+    });
     return nearest.body;
   }
 
@@ -97,17 +110,19 @@ class SearchTree {
     const SearchTree& tree;
     BodyIndex self;
     const GroundPose& pose;
-    std::ptrdiff_t own_column;
-    std::ptrdiff_t own_row;
+    double period_m;
     Accepts& accepts;
     Marks among;
     double most_m;
     std::optional<BodyIndex> body = {};
+    GroundPose from = {};  ///< an image of `pose`, with its cell
+    std::ptrdiff_t own_column = 0;
+    std::ptrdiff_t own_row = 0;
 
     void look(std::size_t level, std::ptrdiff_t column, std::ptrdiff_t row) {
       const Level& here = tree.levels_[level];
       if (column >= here.side || row >= here.side || (here.at(column, row) & among) == 0) return;
-      if (!tree.grid_.may_reach(pose, most_m, column, row, std::ptrdiff_t{1} << level)) return;
+      if (!tree.grid_.may_reach(from, most_m, column, row, std::ptrdiff_t{1} << level)) return;
       if (level == 0) return look_in_cell(column, row);
       // The square nearest to the searching body first, so that the others are often too far.
       const auto nearest = [&](std::ptrdiff_t place, std::ptrdiff_t first) {
@@ -127,7 +142,7 @@ class SearchTree {
       const std::size_t bodies = tree.grid_.bodies_in(column, row).size();
       for (const Standing& other : std::span{tree.standing_}.subspan(tree.grid_.first_in(column, row), bodies)) {
         if (other.body == self || (other.marks & among) == 0) continue;
-        const double d = distance_m(pose, other.pose);
+        const double d = distance_m(pose, other.pose, period_m);
         const bool is_closer = d < most_m || (d == most_m && (!body || other.body < *body));
         if (!is_closer || !accepts(other.body)) continue;
         most_m = d;

@@ -64,16 +64,10 @@ struct View {
   }
   [[nodiscard]] double distance_m(BodyIndex a, BodyIndex b) const { return distance_m(poses[a], poses[b]); }
   /// Between two places, over the edges of a torus too.
-  [[nodiscard]] double distance_m(const GroundPose& a, const GroundPose& b) const {
-    if (period_m <= 0.0) return trophic::distance_m(a, b);
-    const double dx_m = std::remainder(a.x_m - b.x_m, period_m);
-    const double dy_m = std::remainder(a.y_m - b.y_m, period_m);
-    return std::sqrt(dx_m * dx_m + dy_m * dy_m);
-  }
+  [[nodiscard]] double distance_m(const GroundPose& a, const GroundPose& b) const { return trophic::distance_m(a, b, period_m); }
   /// From one place to another along x and y, the shortest way over the edges of a torus.
   [[nodiscard]] std::array<double, 2> way_m(const GroundPose& from, const GroundPose& to) const {
-    const auto shortest = [&](double way_m) { return period_m > 0.0 ? std::remainder(way_m, period_m) : way_m; };
-    return {shortest(to.x_m - from.x_m), shortest(to.y_m - from.y_m)};
+    return {shortest(to.x_m - from.x_m, period_m), shortest(to.y_m - from.y_m, period_m)};
   }
   /// The marks of all whose species `accepts`: of all of them, of those with one tag, or of the active ones.
   template <std::predicate<Species> Accepts>
@@ -109,11 +103,15 @@ struct View {
     }
   }
 
-  /// Calls `visit(body)` for every body within `radius_m` of a point, and for others; bodies without an individual too.
+  /// Calls `visit(body)` for every body within `radius_m` of a point, and for others; bodies without an individual too. On a
+  /// torus some are visited twice.
   template <class Visit>
   void for_each_near(const GroundPose& point, double radius_m, Visit&& visit) const {
-    if (tree != nullptr) return tree->for_each_near(point, radius_m, visit);
-    for (BodyIndex body = 0; body < poses.size(); ++body) visit(body);
+    if (tree == nullptr) {
+      for (BodyIndex body = 0; body < poses.size(); ++body) visit(body);
+    } else {
+      for_each_image(point, period_m, [&](const GroundPose& image) { tree->for_each_near(image, radius_m, visit); });
+    }
   }
 
   /// All bodies with an individual whose centres are at most `radius_m` from a point on the floor, ascending.
@@ -124,13 +122,14 @@ struct View {
     };
     for_each_near(point, radius_m, take);
     std::ranges::sort(bodies);
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
     return bodies;
   }
 
  private:
   template <class Accepts>
   [[nodiscard]] std::optional<BodyIndex> closest_body(BodyIndex self, Accepts&& accepts, const Search& search) const {
-    if (tree != nullptr) return tree->closest(self, poses[self], accepts, search);
+    if (tree != nullptr) return tree->closest(self, poses[self], accepts, search, period_m);
     std::optional<BodyIndex> best;
     double best_m = search.within_m;
     for (BodyIndex other = 0; other < robots.size(); ++other) {

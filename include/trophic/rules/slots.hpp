@@ -80,7 +80,7 @@
   SLOT(BodyPlan, body_plan, reproduction, BodyPlan, reproduction::body_plan::OneBody, true)                          \
   SLOT(Viability, viability, reproduction, Viability, reproduction::viability::AlwaysViable, true)                   \
   SLOT(Traits, traits, reproduction, TraitRule, reproduction::traits::NoTraits, true)                                \
-  SLOT(Recruitment, recruitment, reproduction, Recruitment, reproduction::recruitment::NoRecruitment, false)         \
+  SLOT(Recruitment, recruitment, reproduction, Recruitment, reproduction::recruitment::NoRecruitment, true)          \
   SLOT(Activation, activation, death, Activation, death::activation::AlwaysActive, true)                             \
   SLOT(Capture, capture, death, CaptureRule, death::capture::NoCapture, true)                                        \
   SLOT(Floor, floor, death, Floor, death::floor::NoFloor, true)                                                      \

@@ -30,17 +30,23 @@ struct GroundPose {
   return wrapped <= -std::numbers::pi ? std::numbers::pi : wrapped;
 }
 
+/// An offset on a torus of side `period_m`, over its edge if that is shorter; the same in an arena with walls, `period_m` 0.
+[[nodiscard]] inline double shortest(double offset_m, double period_m) {
+  return period_m > 0.0 ? std::remainder(offset_m, period_m) : offset_m;
+}
+
 /// Horizontal distance between two robots, m.
-[[nodiscard]] inline double distance_m(const GroundPose& a, const GroundPose& b) {
-  const double dx = b.x_m - a.x_m;
-  const double dy = b.y_m - a.y_m;
+[[nodiscard]] inline double distance_m(const GroundPose& a, const GroundPose& b, double period_m = 0.0) {
+  const double dx = shortest(b.x_m - a.x_m, period_m);
+  const double dy = shortest(b.y_m - a.y_m, period_m);
   return std::sqrt(dx * dx + dy * dy);
 }
 
 /// Direction of `target` seen from `self`, relative to its heading: 0 ahead, positive to the right (the sense of the paper's
 /// target angle alpha), in [-pi, pi).
-[[nodiscard]] inline double bearing_rad(const GroundPose& self, const GroundPose& target) {
-  return -wrap_angle(std::atan2(target.y_m - self.y_m, target.x_m - self.x_m) - self.heading_rad);
+[[nodiscard]] inline double bearing_rad(const GroundPose& self, const GroundPose& target, double period_m = 0.0) {
+  const double direction_rad = std::atan2(shortest(target.y_m - self.y_m, period_m), shortest(target.x_m - self.x_m, period_m));
+  return -wrap_angle(direction_rad - self.heading_rad);
 }
 
 }  // namespace trophic

@@ -8,6 +8,7 @@
 #include <support/hand_population.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
+#include <trophic/backend/torus.hpp>
 #include <trophic/rules/with_ageing_victims.hpp>
 #include <unit/checkpoint/resumed.hpp>
 
@@ -43,6 +44,24 @@ struct Lives {
   std::size_t fewest = 1000;
   std::uint64_t refused = 0;
   std::map<std::string, std::size_t> deaths;
+};
+
+/// Distances of newborns, over the edges of a torus, in radii of a robot.
+struct Neighbours {
+  void on_event(const observe::Event& event, const View& view) {
+    if (event.kind != observe::EventKind::birth || event.individual.parents.empty()) return;
+    for (BodyIndex other = 0; other < view.robots.size(); ++other) {
+      if (other == event.body || !view.robots[other].lives()) continue;
+      const double radii = view.distance_m(event.body, other) / view.robot_radius_m;
+      nearest_radii = std::min(nearest_radii, radii);
+      if (view.robots[other].id != event.individual.parents.front()) continue;
+      farthest_radii = std::max(farthest_radii, radii);
+      across += distance_m(view.poses[event.body], view.poses[other]) > view.arena.half_side_m ? 1U : 0U;
+    }
+  }
+  std::size_t across = 0;
+  double nearest_radii = 100.0;
+  double farthest_radii = 0.0;  ///< of a parent
 };
 
 /// The cold kills one in a thousand, by a name of its own.
@@ -144,6 +163,15 @@ TEST_CASE("living: births without a free body -> counted, not made") {
   ecology.run_until(300.0, lives);
   CHECK(lives.refused > 0);
   CHECK(lives.most <= 150);
+}
+
+TEST_CASE("living: births on a torus -> next to the parent over the edges too, free of others over the edges") {
+  Ecology<Pond> ecology{short_pond<Pond>(), backend::Torus::Params{.speed_m_s = 0.2}};
+  Neighbours neighbours;
+  ecology.run_until(1500.0, neighbours);
+  CHECK(neighbours.across > 0);
+  CHECK(neighbours.farthest_radii < 4.0);
+  CHECK(neighbours.nearest_radii >= 2.0);
 }
 
 TEST_CASE("living: cause that a rule names -> in events, counts and parents' rules") {

@@ -28,7 +28,8 @@ struct Recruit {
 /// `leaves_spare(vacancy, view)`: returns whether the body of a dying individual stays without one; otherwise the Parent rule
 /// replaces it at once. `recruits(view, rng)`: returns the births of this tick, after all deaths. A birth for which no body or no
 /// room is free, or whose parents have too little energy left, does not take place; it is counted (View::refused_births).
-/// GenomeSource is not applied to births: their parents are those that this rule names.
+/// GenomeSource is not applied to births: their parents are those that this rule names. If policies differ by species, spare
+/// bodies are summed.
 template <class P>
 concept Recruitment = requires(const P policy, const Vacancy& vacancy, const View& view) {
   { policy.spare_bodies() } -> std::same_as<std::size_t>;
@@ -45,9 +46,26 @@ concept Recruitment = requires(const P policy, const Vacancy& vacancy, const Vie
 namespace ask {
 
 template <class P>
+[[nodiscard]] std::size_t spare_bodies(const P& policy) {
+  if constexpr (requires { policy.spare_bodies(); }) return policy.spare_bodies();
+  std::size_t sum = 0;
+  if constexpr (requires { policy.of(0); }) {
+    for (Species species = 0; species < P::count; ++species) sum += policy.of(species).spare_bodies();
+  }
+  return sum;
+}
+
+template <class P>
 [[nodiscard]] std::vector<Recruit> recruits(const P& policy, [[maybe_unused]] const AllStates<P>& states, const View& view,
                                             Rng& rng) {
-  if constexpr (requires { policy.recruits(view, rng, states); }) {
+  if constexpr (requires { policy.of(0); }) {
+    std::vector<Recruit> births;
+    for (Species species = 0; species < P::count; ++species) {
+      std::ranges::copy_if(recruits(policy.of(species), states, view, rng), std::back_inserter(births),
+                           [&](const Recruit& birth) { return birth.species == species; });
+    }
+    return births;
+  } else if constexpr (requires { policy.recruits(view, rng, states); }) {
     return policy.recruits(view, rng, states);
   } else {
     return policy.recruits(view, rng);
