@@ -2,9 +2,11 @@
 // Living worlds, in which energy decides who lives and numbers change: examples/worlds/README.md.
 #include <trophic/experiment.hpp>
 
-#include "worlds/pond.hpp"
+#include "worlds/food_chain.hpp"
+#include "worlds/lotka_volterra.hpp"
 #include "worlds/wolf_sheep.hpp"
 
 int main(int argc, char** argv) {
-  return trophic::experiment<trophic::worlds::Pond, trophic::worlds::WolfSheep>(argc, argv);
+  using namespace trophic::worlds;
+  return trophic::experiment<Pond, FoodChain, WolfSheep, RosenzweigMacArthur, LotkaVolterra>(argc, argv);
 }

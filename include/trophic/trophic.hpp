@@ -13,8 +13,8 @@
 #include <trophic/control/brain/feed_forward_brain.hpp>
 #include <trophic/control/brain/growing_brain.hpp>
 #include <trophic/control/brain/hebbian.hpp>
-#include <trophic/control/brain/hebbian_brain.hpp>
 #include <trophic/control/brain/recurrent_brain.hpp>
+#include <trophic/control/brain/turns_by_input.hpp>
 #include <trophic/control/gait/inherited_cppn.hpp>
 #include <trophic/control/gait/learnt.hpp>
 #include <trophic/control/gait/named_gait.hpp>
@@ -23,11 +23,13 @@
 #include <trophic/control/steering/no_steering.hpp>
 #include <trophic/death/activation/founders_start_active.hpp>
 #include <trophic/death/capture/catch_outside_refuges.hpp>
+#include <trophic/death/capture/one_within_reach.hpp>
 #include <trophic/death/floor/active_victim_floor.hpp>
 #include <trophic/death/senescence/old_age.hpp>
 #include <trophic/death/starvation/choice/hungriest_else_oldest.hpp>
 #include <trophic/death/starvation/choice/hungriest_share.hpp>
 #include <trophic/ecology/simulations_of.hpp>
+#include <trophic/energy/metabolism/fixed_gains.hpp>
 #include <trophic/energy/metabolism/grazing_and_hunting.hpp>
 #include <trophic/energy/resource/delayed_patches.hpp>
 #include <trophic/energy/resource/logistic_field.hpp>
@@ -43,6 +45,7 @@
 #include <trophic/perception/sensors/own_energy.hpp>
 #include <trophic/perception/sensors/own_speed.hpp>
 #include <trophic/perception/sensors/per_species.hpp>
+#include <trophic/perception/sensors/random_turn.hpp>
 #include <trophic/perception/sensors/rays.hpp>
 #include <trophic/perception/tag_switch/first_switch_free.hpp>
 #include <trophic/perception/visibility/same_tag_if_active.hpp>
@@ -60,6 +63,7 @@
 #include <trophic/reproduction/parent/nearest_victim.hpp>
 #include <trophic/reproduction/recruitment/after_escapes.hpp>
 #include <trophic/reproduction/recruitment/at_energy.hpp>
+#include <trophic/reproduction/recruitment/by_chance.hpp>
 #include <trophic/reproduction/recruitment/by_mating.hpp>
 #include <trophic/reproduction/traits/list.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>

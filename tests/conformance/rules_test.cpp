@@ -15,8 +15,8 @@
 #include <trophic/control/brain/feed_forward_brain.hpp>
 #include <trophic/control/brain/growing_brain.hpp>
 #include <trophic/control/brain/hebbian.hpp>
-#include <trophic/control/brain/hebbian_brain.hpp>
 #include <trophic/control/brain/recurrent_brain.hpp>
+#include <trophic/control/brain/turns_by_input.hpp>
 #include <trophic/control/gait/inherited_cpg.hpp>
 #include <trophic/control/gait/inherited_cppn.hpp>
 #include <trophic/control/gait/learnt.hpp>
@@ -29,6 +29,7 @@
 #include <trophic/death/activation/founders_start_active.hpp>
 #include <trophic/death/capture/catch_outside_refuges.hpp>
 #include <trophic/death/capture/no_capture.hpp>
+#include <trophic/death/capture/one_within_reach.hpp>
 #include <trophic/death/floor/active_victim_floor.hpp>
 #include <trophic/death/floor/no_floor.hpp>
 #include <trophic/death/minimum_predators/no_minimum.hpp>
@@ -39,6 +40,7 @@
 #include <trophic/death/starvation/exemption/no_exemption.hpp>
 #include <trophic/death/starvation/interval/never_due.hpp>
 #include <trophic/death/starvation/no_starvation.hpp>
+#include <trophic/energy/metabolism/fixed_gains.hpp>
 #include <trophic/energy/metabolism/grazing_and_hunting.hpp>
 #include <trophic/energy/metabolism/no_metabolism.hpp>
 #include <trophic/energy/resource/delayed_patches.hpp>
@@ -53,6 +55,7 @@
 #include <trophic/perception/sensors/hearing.hpp>
 #include <trophic/perception/sensors/own_energy.hpp>
 #include <trophic/perception/sensors/own_speed.hpp>
+#include <trophic/perception/sensors/random_turn.hpp>
 #include <trophic/perception/sensors/rays.hpp>
 #include <trophic/perception/tag_switch/first_switch_free.hpp>
 #include <trophic/perception/tag_switch/free_tags.hpp>
@@ -76,6 +79,7 @@
 #include <trophic/reproduction/parent/nearest_victim.hpp>
 #include <trophic/reproduction/recruitment/after_escapes.hpp>
 #include <trophic/reproduction/recruitment/at_energy.hpp>
+#include <trophic/reproduction/recruitment/by_chance.hpp>
 #include <trophic/reproduction/recruitment/by_mating.hpp>
 #include <trophic/reproduction/recruitment/no_recruitment.hpp>
 #include <trophic/reproduction/traits/list.hpp>
@@ -122,16 +126,17 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_sensor_suite, perception::sensors::SideOfAdver
                           perception::sensors::TagRatioOfActive, perception::sensors::Hearing<0>,
                           perception::sensors::FoodGradient, perception::sensors::OwnEnergy, perception::sensors::OwnSpeed,
                           perception::sensors::Rays<8, perception::sensors::Sees::kin, perception::sensors::Sees::victims,
-                                                    perception::sensors::Sees::walls, perception::sensors::Sees::food>);
+                                                    perception::sensors::Sees::walls, perception::sensors::Sees::food>,
+                          perception::sensors::RandomTurn);
 TEST_CASE_TEMPLATE_INVOKE(trophic_newborn_tag_suite, perception::newborn_tag::KeepsBodyTag, perception::newborn_tag::RandomTag);
 TEST_CASE_TEMPLATE_INVOKE(trophic_tag_switch_suite, perception::tag_switch::TagCoolDown, perception::tag_switch::FirstSwitchFree,
                           perception::tag_switch::TagSampling, perception::tag_switch::FreeTags);
 TEST_CASE_TEMPLATE_INVOKE(trophic_brain_suite, control::brain::CognitiveBrain, control::brain::CognitiveBrainZeroRight,
                           control::brain::CognitiveBrainWithBiases, control::brain::CognitiveBrainZeroRight::WithBiases,
-                          control::brain::HebbianBrain, control::brain::FeedForwardBrain, control::brain::RecurrentBrain,
+                          control::brain::FeedForwardBrain, control::brain::RecurrentBrain,
                           control::brain::Hebbian<control::brain::FeedForwardBrain>,
                           control::brain::Hebbian<control::brain::RecurrentBrain>, control::brain::GrowingBrain,
-                          control::brain::Hebbian<control::brain::GrowingBrain>);
+                          control::brain::Hebbian<control::brain::GrowingBrain>, control::brain::TurnsByInput);
 TEST_CASE_TEMPLATE_INVOKE(trophic_act_suite, control::acts::Turn, control::acts::Tag, control::acts::Effort, control::acts::Eat,
                           control::acts::Mate, control::acts::Signal<0>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_pace_suite, control::pace::SamePace, control::pace::ConstantPace);
@@ -155,7 +160,7 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_parent_species_suite, rules::Paper::Parent, ru
                           reproduction::parent::MostEscapes);
 TEST_CASE_TEMPLATE_INVOKE(trophic_recruitment_suite, reproduction::recruitment::NoRecruitment,
                           reproduction::recruitment::AfterEscapes, reproduction::recruitment::AtEnergy,
-                          reproduction::recruitment::ByMating);
+                          reproduction::recruitment::ByMating, reproduction::recruitment::ByChance);
 TEST_CASE_TEMPLATE_INVOKE(trophic_gait_suite, control::gait::RobotsGait, control::gait::NamedGait, control::gait::InheritedCpg,
                           control::gait::InheritedCppn, control::gait::Learnt<control::gait::InheritedCpg>,
                           control::gait::Learnt<control::gait::InheritedCppn>);
@@ -164,7 +169,8 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_body_plan_suite, reproduction::body_plan::OneB
 TEST_CASE_TEMPLATE_INVOKE(trophic_viability_suite, reproduction::viability::AlwaysViable, reproduction::viability::WithinMass,
                           reproduction::viability::ModuleLimits,
                           reproduction::viability::SurvivesTrial<reproduction::viability::ModuleLimits>);
-TEST_CASE_TEMPLATE_INVOKE(trophic_metabolism_suite, energy::metabolism::GrazingAndHunting, energy::metabolism::NoMetabolism);
+TEST_CASE_TEMPLATE_INVOKE(trophic_metabolism_suite, energy::metabolism::GrazingAndHunting, energy::metabolism::FixedGains,
+                          energy::metabolism::NoMetabolism);
 TEST_CASE_TEMPLATE_INVOKE(trophic_resource_suite, energy::resource::LogisticField, energy::resource::DelayedPatches,
                           energy::resource::NoResource);
 
@@ -180,7 +186,7 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_activation_suite, death::activation::ActiveAwa
                           death::activation::FoundersStartActive, death::activation::AgesOnceAwayFromHunters,
                           death::activation::AlwaysActive);
 TEST_CASE_TEMPLATE_INVOKE(trophic_capture_suite, death::capture::CatchWithinReach, death::capture::CatchClosest,
-                          death::capture::CatchOutsideRefuges, death::capture::NoCapture);
+                          death::capture::CatchOutsideRefuges, death::capture::OneWithinReach, death::capture::NoCapture);
 TEST_CASE_TEMPLATE_INVOKE(trophic_floor_suite, death::floor::VictimFloor, death::floor::ActiveVictimFloor, death::floor::NoFloor);
 TEST_CASE_TEMPLATE_INVOKE(trophic_starvation_interval_suite, death::starvation::interval::DelayedCrowdingInterval,
                           death::starvation::interval::DirectCrowdingInterval, death::starvation::interval::NeverDue);

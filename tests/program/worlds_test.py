@@ -1,27 +1,28 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""worlds_test.py WORLDS: living worlds against independent programs, and what a run of changing numbers writes. Needs numpy and scipy: skipped without."""
+"""worlds_test.py WORLDS: living worlds against independent programs, and what a run of changing numbers writes. Needs pandas: skipped without."""
 
-import csv
-import json
 import re
 import subprocess
 import sys
 import unittest
 
-from figures_python import PYTHON
-from in_folder import InFolder
+import figures_python
+
+figures_python.continue_with_pandas()
+
+import numpy  # noqa: E402
+import pandas  # noqa: E402
+import scipy.stats  # noqa: E402
+from in_folder import InFolder  # noqa: E402
 
 WORLDS = sys.argv.pop(1)
-SETS = 30
 
-# An independent program of the model, in numpy: NetLogo's wolves, sheep and grass with its numbers. Prints the sheep, wolves and
-# grown patches of each tick as JSON, for each seed from 1.
-WOLF_SHEEP = """
-import json, sys
-import numpy
 
-def world(rng, ticks, side=51, delay=30):
+def wolf_sheep(seed, ticks, side=51, delay=30):
+    """NetLogo's wolves, sheep and grass with its numbers, an independent program: sheep, wolves and grown patches after each tick."""
+    rng = numpy.random.default_rng(seed)
+
     def animals(count, gain):
         return numpy.array([rng.uniform(0, side, count), rng.uniform(0, side, count), rng.uniform(0, 360, count), rng.integers(0, 2 * gain, count)], float)
 
@@ -72,79 +73,130 @@ def world(rng, ticks, side=51, delay=30):
         counts.append([sheep.shape[1], wolves.shape[1], int(grown.sum())])
     return counts
 
-print(json.dumps([world(numpy.random.default_rng(seed), int(sys.argv[2])) for seed in range(1, int(sys.argv[1]) + 1)]))
-"""
 
-# Compares two lists of runs by the statistics of PPHPC (Fachada et al. 2015): the largest and least value of each output, their times, and mean
-# and deviation in the steady state. Prints the least p, corrected by Holm's first step.
-COMPARE = """
-import json, sys
-import numpy, scipy.stats
+def well_mixed(seed, ticks, prey, predators, a, r, K, e, m, h):
+    """Rosenzweig's and MacArthur's world as a process of numbers, an independent program: prey and predators after each tick. `busy`: ticks until
+    each predator hunts again."""
+    rng = numpy.random.default_rng(seed)
+    busy = numpy.zeros(predators, int)
+    counts = []
+    for _ in range(ticks):
+        draws = rng.random(len(busy))
+        catches = []
+        for hunter in numpy.flatnonzero((busy == 0) & (draws < 1 - (1 - a) ** prey)):
+            if draws[hunter] < 1 - (1 - a) ** (prey - len(catches)):
+                catches.append(hunter)
+        prey -= len(catches)
+        busy = numpy.maximum(busy - 1, 0)
+        busy[catches] = h
+        kept = rng.random(len(busy)) >= m
+        young = rng.binomial(int(kept[catches].sum()), e)
+        busy = numpy.concatenate([busy[kept], numpy.zeros(young, int)])
+        prey += rng.binomial(prey, r * max(0, 1 - prey / K))
+        counts.append([prey, len(busy)])
+    return counts
 
-def statistics(runs, steady):
+
+def statistics(runs, steady=400):
+    """Those of PPHPC [fachada2015]: the largest and least value of each output, their times, and mean and deviation in the steady state."""
     runs = numpy.array(runs, float)
     late = runs[:, steady:]
     both = [runs.max(1), runs.argmax(1), runs.min(1), runs.argmin(1), late.mean(1), late.std(1)]
     return numpy.concatenate(both, axis=1)
 
-ours, theirs = (statistics(runs, 400) for runs in json.load(sys.stdin))
-p = [scipy.stats.mannwhitneyu(a, b).pvalue if len(set(a) | set(b)) > 1 else 1.0 for a, b in zip(ours.T, theirs.T)]
-print(min(p) * len(p))
-"""
+
+def least_p(ours, theirs):
+    """Of the tests of all statistics between two lists of runs, by Holm's first step."""
+    pairs = zip(statistics(ours).T, statistics(theirs).T)
+    p = [scipy.stats.mannwhitneyu(a, b).pvalue if len(set(a) | set(b)) > 1 else 1.0 for a, b in pairs]
+    return min(p) * len(p)
 
 
 class Worlds(InFolder):
-    def run_world(self, *arguments):
-        made = subprocess.run([WORLDS, "--replay-hz", "0", "--checkpoint-s", "0", *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, timeout=300)
+    def run_world(self, rules, backend, *options):
+        """The folder of the runs, or of the only run, and what was printed."""
+        self.number = getattr(self, "number", 0) + 1
+        folder = self.folder / str(self.number)
+        words = [WORLDS, "--rules", rules, "--backend", backend, "--replay-hz", 0, "--checkpoint-s", 0, "--agents-every", 1000, "--out", folder, *options]
+        made = subprocess.run([*map(str, words)], capture_output=True, text=True, timeout=300)
         self.assertEqual(made.returncode, 0, made.stderr)
-        return made.stdout
+        return folder, made.stdout
 
-    def python(self, program, *arguments, given=""):
-        done = subprocess.run([PYTHON, "-c", program, *map(str, arguments)], input=given, capture_output=True, text=True, timeout=300)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return json.loads(done.stdout)
+    def runs(self, rules, replicates, ticks, *options):
+        folder, _ = self.run_world(rules, "torus", "--replicates", replicates, "--duration", ticks, *options)
+        return sorted(folder.glob("replicate-*"))
 
-    def rows(self, table):
-        with open(self.folder / table, encoding="utf-8") as file:
-            return list(csv.DictReader(file))
+    def wolf_sheep(self, replicates, ticks, *options):
+        """As the independent program counts."""
+        runs = []
+        for folder in self.runs("wolf_sheep", replicates, ticks, *options):
+            numbers = pandas.read_csv(folder / "energy.csv").pivot(index="tick", columns="species", values="individuals")
+            numbers["grass"] = (pandas.read_csv(folder / "resource.csv").set_index("tick").stock_J / 4.0).round()
+            runs.append(numbers[["sheep", "wolf", "grass"]].iloc[1:].to_numpy())
+        return runs
 
-    def counts(self, folder):
-        """Sheep, wolves and grown patches after each tick."""
-        by_tick = {}
-        for row in self.rows(f"{folder}/energy.csv"):
-            by_tick.setdefault(int(row["tick"]), []).append(int(row["individuals"]))
-        for row in self.rows(f"{folder}/resource.csv"):
-            by_tick[int(row["tick"])].append(round(float(row["stock_J"]) / 4.0))
-        return [by_tick[tick] for tick in range(1, len(by_tick))]
+    def well_mixed(self, rules, replicates, ticks, *options):
+        """Prey and predators after each tick of each run."""
+        runs = []
+        for folder in self.runs(rules, replicates, ticks, *options):
+            events = pandas.read_csv(folder / "events.csv", usecols=["tick", "event", "species"])
+            change = events.event.map({"birth": 1, "death": -1}).fillna(0)
+            numbers = change.groupby([events.tick, events.species]).sum().unstack(fill_value=0).cumsum()
+            runs.append(numbers.reindex(range(ticks + 1)).ffill()[["prey", "predator"]].iloc[1:].to_numpy())
+        return numpy.array(runs)
 
-    @unittest.skipUnless(PYTHON, "needs Python with numpy and scipy")
     def test_wolves_sheep_and_grass_are_those_of_an_independent_program(self):
-        ticks = 700
-        self.run_world("--rules", "wolf_sheep", "--backend", "torus", "--replicates", SETS, "--duration", ticks, "--agents-every", 1000, "--out", "runs")
-        ours = [self.counts(f"runs/replicate-{number:02}") for number in range(SETS)]
-        theirs = self.python(WOLF_SHEEP, SETS, ticks)
-        self.assertGreater(self.python(COMPARE, given=json.dumps([ours, theirs])), 0.01)
+        theirs = [wolf_sheep(seed, 700) for seed in range(1, 31)]
+        self.assertGreater(least_p(self.wolf_sheep(30, 700), theirs), 0.01)
         # The comparison can tell: a birth rate of 5 instead of 4 per cent is seen.
-        self.run_world("--rules", "wolf_sheep", "--backend", "torus", "--replicates", 15, "--duration", ticks, "--agents-every", 1000, "--set", "rules.recruitment.sheep=0.05", "--out", "other")
-        other = [self.counts(f"other/replicate-{number:02}") for number in range(15)]
-        self.assertLess(self.python(COMPARE, given=json.dumps([other, theirs])), 0.01)
+        self.assertLess(least_p(self.wolf_sheep(15, 700, "--set", "rules.recruitment.sheep.chance=0.05"), theirs), 0.01)
 
     def test_sheep_without_grass_to_eat_die_out_and_wolves_after_them(self):
-        out = self.run_world("--rules", "wolf_sheep", "--backend", "torus", "--duration", 300, "--set", "rules.resource.patch_J=0", "--out", "bare")
-        self.assertRegex(out, r"alive\s+0 sheep 0 wolf")
+        for run in self.wolf_sheep(30, 150, "--set", "rules.resource.patch_J=0"):
+            self.assertEqual(list(run[-1]), [0, 0, 0])
+
+    def test_wolves_and_sheep_that_need_no_grass_are_unstable(self):
+        for run in self.wolf_sheep(10, 350, "--set", "rules.resource.patch_J=0", "--set", "rules.metabolism.sheep.tick_J=0"):
+            self.assertTrue(run[-1, :2].min() == 0 or run[:, 0].max() > 1500, run[::50])
+
+    def test_numbers_of_rosenzweig_and_macarthur_are_those_of_an_independent_program_and_cycle_in_a_rich_world(self):
+        ours = self.well_mixed("rosenzweig_macarthur", 4, 3000)
+        numbers = dict(prey=260, predators=180, a=numpy.pi * 1e-4, r=0.05, e=0.5, m=0.02, h=12)
+        theirs = numpy.array([well_mixed(seed, 3000, K=600, **numbers) for seed in range(1, 5)])
+        for mean, expected in zip(ours[:, 500:].mean((0, 1)), theirs[:, 500:].mean((0, 1))):
+            self.assertAlmostEqual(mean / expected, 1.0, delta=0.03)
+        self.assertLess(ours[:, 500:].std(1).max() / ours[:, 500:].mean(), 0.35)
+        for run in self.well_mixed("rosenzweig_macarthur", 2, 1500, "--set", "rules.recruitment.K=1600"):
+            self.assertTrue(run.min() == 0 or run[:, 0].max() > 10 * run[:, 0].min(), run[::100])
+
+    def test_means_over_periods_of_lotka_and_volterra_are_those_of_their_equations(self):
+        means = []
+        for prey, predators in (run.T for run in self.well_mixed("lotka_volterra", 3, 3500)):
+            smooth = pandas.Series(prey).rolling(100, center=True).mean()
+            crossings = numpy.flatnonzero((smooth >= 500) & (smooth.shift(1) < 500))
+            means.append([prey[crossings[0] : crossings[-1]].mean(), predators[crossings[0] : crossings[-1]].mean()])
+        for mean in numpy.mean(means, axis=0):
+            self.assertAlmostEqual(mean / 500.0, 1.0, delta=0.05)
+
+    def pyramid(self, rules, duration, *species):
+        """The energy of each species late in a run in which all of these live on."""
+        folder, out = self.run_world(rules, "kinematic", "--duration", duration)
+        for one in species:
+            self.assertGreater(int(re.search(rf"alive.* (\d+) {one}", out)[1]), 0, out)
+        self.assertGreater(int(re.search(r"births\s+(\d+)", out)[1]), 200)
+        energy = pandas.read_csv(folder / "energy.csv")
+        flows = energy.eval("outside_J + field_J + victims_J + received_J - upkeep_J - eaten_J - given_J - lost_J")
+        for name, ledger in energy.groupby("species"):
+            numpy.testing.assert_allclose(ledger.stock_J.diff().iloc[1:], flows[ledger.index].iloc[1:], atol=1e-9 * energy.stock_J.max(), err_msg=name)
+        late = energy[energy.time_s > duration / 2]
+        return [late[late.species == one].stock_J.mean() for one in species]
 
     def test_both_species_of_the_pond_live_on_and_its_ledger_closes(self):
-        out = self.run_world("--rules", "pond", "--backend", "kinematic", "--duration", 4000, "--agents-every", 100, "--out", "pond")
-        alive = re.search(r"alive\s+(\d+) prey (\d+) predator", out)
-        self.assertTrue(int(alive[1]) > 0 and int(alive[2]) > 0, out)
-        self.assertGreater(int(re.search(r"births\s+(\d+)", out)[1]), 200)
-        last = {}
-        for row in self.rows("pond/energy.csv"):
-            flow = sum(float(row[name]) for name in ("outside_J", "field_J", "victims_J", "received_J"))
-            flow -= sum(float(row[name]) for name in ("upkeep_J", "eaten_J", "given_J", "lost_J"))
-            stock = float(row["stock_J"])
-            self.assertAlmostEqual(stock - last.get(row["species"], 0.0), flow, delta=1e-9 * max(1.0, stock))
-            last[row["species"]] = stock
+        self.pyramid("pond", 4000, "prey", "predator")
+
+    def test_three_levels_of_the_food_chain_live_on_and_each_has_less_than_the_one_below(self):
+        energies = self.pyramid("food_chain", 4000, "grazer", "hunter", "apex")
+        self.assertEqual(energies, sorted(energies, reverse=True))
 
 
 if __name__ == "__main__":

@@ -4,29 +4,32 @@
 #include <trophic/control/brain/feed_forward_brain.hpp>
 #include <trophic/control/brain/growing_brain.hpp>
 #include <trophic/control/brain/hebbian.hpp>
-#include <trophic/control/brain/hebbian_brain.hpp>
 #include <trophic/control/brain/recurrent_brain.hpp>
-#include <trophic/support/rng.hpp>
 #include <unit/brain/check_out.hpp>
 #include <vector>
 
 using namespace trophic;
 using namespace trophic::control::brain;
 
-TEST_CASE("hebbian: feed-forward network of 3 hidden neurons -> the hebbian brain, bit by bit") {
+TEST_CASE("hebbian: feed-forward network -> the network's first decision, then one step of Oja's rule, computed by hand") {
+  const std::vector<double> weights{0.5, -0.3, 0.8, 0.1, 0.9, -0.7, -0.2, 0.4, 0.6, 0.3, -0.5, 0.7, -0.9, 0.2, 0.4};
+  constexpr std::array inputs{1.0, 0.25, -0.5};
   const Hebbian<FeedForwardBrain> learning{{.network = {}, .rate = 0.1}};
-  const HebbianBrain known{{.rate = 0.1}};
-  Rng rng{11, Stream::user};
-  std::vector<double> weights(15);
-  for (double& weight : weights) weight = rng.uniform(-2.0, 2.0);
   Hebbian<FeedForwardBrain>::State own;
-  HebbianBrain::State other;
-  for (int tick = 0; tick < 30; ++tick) {
-    const std::array inputs{rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)};
-    CHECK(test::outputs(learning, inputs, weights, own) == test::outputs(known, inputs, weights, other));
-    CHECK((test::decide(learning, inputs, weights, own) == test::decide(known, inputs, weights, other)));
-    CHECK(own.learnt == other.learnt);
-  }
+  CHECK((test::decide(learning, inputs, weights, own) == test::decide(FeedForwardBrain{}, inputs, weights)));
+  const double h0 = std::tanh(0.5 * 1.0 - 0.3 * 0.25 - 0.8 * 0.5);
+  const double h1 = std::tanh(0.1 * 1.0 + 0.9 * 0.25 + 0.7 * 0.5);
+  const double h2 = std::tanh(-0.2 * 1.0 + 0.4 * 0.25 - 0.6 * 0.5);
+  const double out1 = std::tanh(-0.9 * h0 + 0.2 * h1 + 0.4 * h2);
+  REQUIRE(own.learnt.size() == 15);
+  CHECK(own.learnt[0] == doctest::Approx(0.1 * h0 * (1.0 - h0 * 0.5)));
+  CHECK(own.learnt[5] == doctest::Approx(0.1 * h1 * (-0.5 - h1 * -0.7)));
+  CHECK(own.learnt[13] == doctest::Approx(0.1 * out1 * (h1 - out1 * 0.2)));
+  std::vector<double> sum = weights;
+  for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += own.learnt[i];
+  CHECK(test::outputs(learning, inputs, weights, own) == test::outputs(FeedForwardBrain{}, inputs, sum));
+  for (int i = 0; i < 20'000; ++i) static_cast<void>(test::decide(learning, std::array{i % 3 - 1.0, 0.3, 0.1}, weights, own));
+  for (std::size_t i = 0; i < weights.size(); ++i) CHECK(std::abs(weights[i] + own.learnt[i]) < 3.0);
 }
 
 TEST_CASE("hebbian: growing network -> one step of Oja's rule on its weights, none on its structure") {

@@ -5,7 +5,8 @@
 #include <set>
 #include <support/recorder.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/control/brain/hebbian_brain.hpp>
+#include <trophic/control/brain/feed_forward_brain.hpp>
+#include <trophic/control/brain/hebbian.hpp>
 #include <trophic/death/starvation/exemption/no_exemption.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
@@ -89,7 +90,7 @@ TEST_CASE("decision records: any run -> one a brain and tick, consistent with tu
 }
 
 TEST_CASE("decision records: learning brain -> outputs before learning") {
-  CHECK(listen<with_brain<rules::Paper, control::brain::HebbianBrain>>(3).asked > 0);
+  CHECK(listen<with_brain<rules::Paper, control::brain::Hebbian<control::brain::FeedForwardBrain>>>(3).asked > 0);
 }
 
 TEST_CASE("decision records: no exemption rule -> no on_exemption") {

@@ -13,7 +13,6 @@
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/with_ageing_victims.hpp>
 #include <trophic/support/rule_error.hpp>
-#include <unit/checkpoint/resumed.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
@@ -162,28 +161,6 @@ TEST_CASE("recruitment: spare bodies -> founders in the other ones, births witho
   CHECK(bodies.recruits > 5);
   CHECK(bodies.most > 24);
   CHECK(bodies.fewest >= 24);
-}
-
-TEST_CASE("recruitment: interrupted run -> the same bytes, a row in phylogeny.csv for each individual") {
-  const TemporaryFolder folder;
-  Experiment<Recruiting> experiment{.seed = 5};
-  experiment.ecology.duration_s = 600.0;
-  const io::OutputOptions output{.replay_hz = 0.5, .senses = true, .states = true};
-  run_part(experiment, backend::Kinematic::Params{}, folder.path() / "whole", never, 100.0, output);
-  run_part(experiment, backend::Kinematic::Params{}, folder.path() / "cut", 77, 100.0, output);
-  run_part(experiment, backend::Kinematic::Params{}, folder.path() / "cut", 211, 100.0, output);
-  run_part(experiment, backend::Kinematic::Params{}, folder.path() / "cut", never, 100.0, output);
-  const auto whole = results_in(folder.path() / "whole");
-  CHECK(whole == results_in(folder.path() / "cut"));
-
-  const auto lines = [&](const char* table) {
-    const std::string text = content(folder.path() / "whole" / table);
-    return std::ranges::count(text, '\n');
-  };
-  CHECK(lines("phylogeny.csv") == lines("genomes.csv"));
-  CHECK(lines("agents.csv") < 1 + 301 * 30);
-  CHECK(lines("agents.csv") == lines("senses.csv"));
-  CHECK(lines("agents.csv") == lines("states.csv"));
 }
 
 TEST_CASE("recruitment: invalid birth -> error that names it") {

@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
+#include <trophic/energy/metabolism/fixed_gains.hpp>
 #include <trophic/energy/metabolism/grazing_and_hunting.hpp>
 #include <trophic/energy/metabolism/no_metabolism.hpp>
 
@@ -79,6 +80,23 @@ TEST_CASE("grazing and hunting: first energies -> first_J, or uniform around it,
   CHECK(least_J >= 40.0);
   CHECK(least_J < 41.0);
   CHECK(most_J == 100.0);
+}
+
+TEST_CASE("fixed gains: by hand -> a price for each tick, a bite for grazers, a bonus for hunters, whole numbers at first") {
+  const energy::metabolism::FixedGains fixed{{.gain_J = 4.0, .tick_J = 1.5}};
+  const HandPopulation robots = pair(-0.1, 0.0);
+  CHECK(fixed.upkeep_J(0, 9.0, robots.view()) == 1.5);
+  CHECK(fixed.bite_J(0, 9.0, robots.view()) == 4.0);
+  CHECK(fixed.bite_J(0, 3.0, robots.view()) == 3.0);
+  CHECK(fixed.bite_J(1, 9.0, robots.view()) == 0.0);
+  CHECK(fixed.meal_J(1, 0, robots.view()) == 0.0);
+  CHECK(fixed.bonus_J(1, 0, robots.view()) == 4.0);
+  CHECK(fixed.starves(0, robots.view()));
+  CHECK_FALSE(fixed.starves(1, robots.view()));
+  Rng rng{1, Stream::user};
+  std::vector<int> drawn(8);
+  for (int i = 0; i < 8000; ++i) ++drawn.at(static_cast<std::size_t>(fixed.first_J({}, rng)));
+  for (const int of_each : drawn) CHECK(of_each == doctest::Approx(1000.0).epsilon(0.15));
 }
 
 TEST_CASE("no metabolism: individuals have, spend and need no energy") {

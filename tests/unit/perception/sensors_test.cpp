@@ -13,6 +13,7 @@
 #include <trophic/perception/sensors/hearing.hpp>
 #include <trophic/perception/sensors/own_energy.hpp>
 #include <trophic/perception/sensors/own_speed.hpp>
+#include <trophic/perception/sensors/random_turn.hpp>
 #include <trophic/perception/sensors/side_away_from_hunter.hpp>
 #include <trophic/perception/sensors/side_of_adversary.hpp>
 #include <trophic/perception/sensors/tag_ratio_of_active.hpp>
@@ -271,4 +272,19 @@ TEST_CASE("dealt: values of a random robot of the species, each as often") {
     ++drawn.at(static_cast<std::size_t>(std::lround(10.0 * dealt.sense(0, std::nullopt, robots.view(), rng)[0])));
   CHECK(drawn[1] == 0);
   for (const std::size_t body : {0, 2, 3}) CHECK(std::abs(drawn[body] - 1000) < 100);
+}
+
+TEST_CASE("random turn: many -> within 1 of 0, without bias, variance of a difference of uniform numbers") {
+  const HandPopulation robots{{{}}};
+  Rng rng{1, Stream::sensors};
+  double sum = 0.0;
+  double squares = 0.0;
+  for (int i = 0; i < 10'000; ++i) {
+    const double turn = perception::sensors::RandomTurn{}.sense(0, {}, robots.view(), rng)[0];
+    CHECK(std::abs(turn) < 1.0);
+    sum += turn;
+    squares += turn * turn;
+  }
+  CHECK(std::abs(sum) < 200.0);
+  CHECK(squares / 10'000.0 == doctest::Approx(1.0 / 6.0).epsilon(0.05));
 }
