@@ -160,9 +160,9 @@ class Worlds(InFolder):
             self.assertTrue(run[-1, :2].min() == 0 or run[:, 0].max() > 1500, run[::50])
 
     def test_numbers_of_rosenzweig_and_macarthur_are_those_of_an_independent_program_and_cycle_in_a_rich_world(self):
-        ours = self.well_mixed("rosenzweig_macarthur", 4, 3000)
+        ours = self.well_mixed("rosenzweig_macarthur", 6, 3000)
         numbers = dict(prey=260, predators=180, a=numpy.pi * 1e-4, r=0.05, e=0.5, m=0.02, h=12)
-        theirs = numpy.array([well_mixed(seed, 3000, K=600, **numbers) for seed in range(1, 5)])
+        theirs = numpy.array([well_mixed(seed, 3000, K=600, **numbers) for seed in range(1, 13)])
         for mean, expected in zip(ours[:, 500:].mean((0, 1)), theirs[:, 500:].mean((0, 1))):
             self.assertAlmostEqual(mean / expected, 1.0, delta=0.03)
         self.assertLess(ours[:, 500:].std(1).max() / ours[:, 500:].mean(), 0.35)

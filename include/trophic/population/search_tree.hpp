@@ -82,10 +82,11 @@ class SearchTree {
     return nearest.body;
   }
 
-  /// Calls `visit(body)` once for every body within `radius_m` of a point, and for some that are farther away.
+  /// Calls `visit(body)` for every body within `radius_m` of a point, and some that are farther away; some on a torus twice.
   template <class Visit>
-  void for_each_near(const GroundPose& point, double radius_m, Visit&& visit) const {
-    if (!levels_.empty()) grid_.for_each_near(point.x_m, point.y_m, radius_m, visit);
+  void for_each_near(const GroundPose& point, double radius_m, Visit&& visit, double period_m = 0.0) const {
+    if (levels_.empty()) return;
+    for_each_image(point, period_m, [&](const GroundPose& at) { grid_.for_each_near(at.x_m, at.y_m, radius_m, visit); });
   }
 
  private:

@@ -103,15 +103,11 @@ struct View {
     }
   }
 
-  /// Calls `visit(body)` for every body within `radius_m` of a point, and for others; bodies without an individual too. On a
-  /// torus some are visited twice.
+  /// Calls `visit(body)` for every body within `radius_m` of a point and others, also spare ones; some on a torus twice.
   template <class Visit>
   void for_each_near(const GroundPose& point, double radius_m, Visit&& visit) const {
-    if (tree == nullptr) {
-      for (BodyIndex body = 0; body < poses.size(); ++body) visit(body);
-    } else {
-      for_each_image(point, period_m, [&](const GroundPose& image) { tree->for_each_near(image, radius_m, visit); });
-    }
+    if (tree != nullptr) return tree->for_each_near(point, radius_m, visit, period_m);
+    for (BodyIndex body = 0; body < poses.size(); ++body) visit(body);
   }
 
   /// All bodies with an individual whose centres are at most `radius_m` from a point on the floor, ascending.
