@@ -149,7 +149,7 @@ class Worlds(InFolder):
         theirs = [wolf_sheep(seed, 700) for seed in range(1, 31)]
         self.assertGreater(least_p(self.wolf_sheep(30, 700), theirs), 0.01)
         # The comparison can tell: a birth rate of 5 instead of 4 per cent is seen.
-        self.assertLess(least_p(self.wolf_sheep(15, 700, "--set", "rules.recruitment.sheep.chance=0.05"), theirs), 0.01)
+        self.assertLess(least_p(self.wolf_sheep(10, 700, "--set", "rules.recruitment.sheep.chance=0.05"), theirs), 0.01)
 
     def test_sheep_without_grass_to_eat_die_out_and_wolves_after_them(self):
         for run in self.wolf_sheep(30, 150, "--set", "rules.resource.patch_J=0"):
@@ -171,7 +171,7 @@ class Worlds(InFolder):
 
     def test_means_over_periods_of_lotka_and_volterra_are_those_of_their_equations(self):
         means = []
-        for prey, predators in (run.T for run in self.well_mixed("lotka_volterra", 3, 3500)):
+        for prey, predators in (run.T for run in self.well_mixed("lotka_volterra", 3, 3000)):
             smooth = pandas.Series(prey).rolling(100, center=True).mean()
             crossings = numpy.flatnonzero((smooth >= 500) & (smooth.shift(1) < 500))
             means.append([prey[crossings[0] : crossings[-1]].mean(), predators[crossings[0] : crossings[-1]].mean()])
