@@ -125,7 +125,8 @@ stock_J is the last one's plus outside_J, field_J, victims_J and received_J, les
       "resource.csv",
       R"(The resource at every tick. Written only with a rule Resource. stock_J is the last one's plus grown_J less taken_J.)");
   text += section<io::FieldRow>("field.csv",
-                                "Every cell of the resource at every hundredth tick. Written only with a rule Resource.");
+                                "Every cell of the resource at every tenth tick, or hundredth if there are more than 10,000. "
+                                "Written only with a rule Resource.");
   text += section<contest::ContestRow>("contests.csv", "Results of `trophic contest`: one row per contest of two teams.");
   text += section<command::cross_check::WalkRow>("walks.csv", "The walks of the robots in a cross-check of gaits, one per row.");
   text += section<command::cross_check::TrajectoryRow>("trajectories.csv", "The paths of the robots in a cross-check of gaits.");

@@ -122,15 +122,14 @@ class ResourceLog : public CsvFile<ResourceRow> {
   }
 };
 
-/// Writes a FieldRow per cell at every hundredth tick.
+/// Writes a FieldRow per cell at every tenth tick, of a field of more than 10,000 cells at every hundredth.
 class FieldLog : public CsvFile<FieldRow> {
  public:
   using CsvFile::CsvFile;
   static constexpr std::string_view file_name = "field.csv";
-  static constexpr std::int64_t every_ticks = 100;
 
   void on_tick(const View& view) {
-    if (view.tick % every_ticks != 0) return;
+    if (view.tick % (view.field->cells() > 10'000 ? 100 : 10) != 0) return;
     for (std::size_t cell = 0; cell < view.field->cells(); ++cell) {
       const GroundPose at = view.field->centre(cell);
       write({.time_s = view.time_s, .x_m = at.x_m, .y_m = at.y_m, .food_J = view.field->food_J(cell)});
