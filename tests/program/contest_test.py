@@ -142,15 +142,6 @@ class Contest(InFolder):
         self.runs("blind")
         refused("blind", says="senses.csv: is missing: lineage measures need it of the first run; run with --senses")
 
-    def test_a_run_with_spare_bodies_is_not_shown_as_if_every_body_had_an_individual(self):
-        made = self.call(PREDATOR_PREY, "--backend", "kinematic", "--duration", 20, "--out", "run")
-        self.assertEqual(made.returncode, 0, made.stderr)
-        manifest = self.folder / "run/manifest.json"
-        manifest.write_text(sealed_text({**json.loads(manifest.read_text()), "rules": {"recruitment": "after_escapes"}}))
-        shown = self.call(TROPHIC, "show", "run", "--out", "page.html")
-        self.assertNotEqual(shown.returncode, 0)
-        self.assertIn("has no rows of spare bodies (rule recruitment)", shown.stderr)
-
     def test_what_runs_cannot_give_is_refused_in_a_sentence(self):
         self.runs("study")
         first = self.folder / "study/replicate-00"

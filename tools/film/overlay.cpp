@@ -36,6 +36,8 @@ void draw_mark(const Overlay& overlay, const LegendEntry& entry, double x, doubl
       return overlay.ring(x, y, radius, thin, entry.colour);
     case Mark::trail:
       return overlay.bar(x - radius, y - 0.5 * thin, 2.0 * radius, thin, mixed(paper, entry.colour, 0.7F));
+    case Mark::food:
+      return overlay.bar(x - radius, y - radius, 2.0 * radius, 2.0 * radius, entry.colour);
     case Mark::sight:
       return overlay.bar(x - radius, y - 0.5, 2.0 * radius, 1.0, mixed(paper, entry.colour, 0.45F));
   }

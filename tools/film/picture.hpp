@@ -51,13 +51,22 @@ struct Name {
 
 /// A mark and its meaning.
 struct LegendEntry {
-  enum class Mark { species, filled, hollow, catch_, death, marked, trail, sight };
+  enum class Mark { species, filled, hollow, catch_, death, marked, trail, sight, food };
   Mark mark = Mark::species;
   Colour colour{};
   std::string text;
 };
 
+/// A square of the floor, whose colour is its food: from 0 to 1, the most.
+struct FoodTile {
+  double x_m = 0.0;  ///< of its centre
+  double y_m = 0.0;
+  double half_side_m = 0.0;
+  float food = 0.0F;
+};
+
 struct Picture {
+  std::vector<FoodTile> food;  ///< they are all of the floor; none in a world without food
   std::vector<RobotLook> robots;
   std::vector<FloorLine> lines;
   std::vector<Flash> flashes;

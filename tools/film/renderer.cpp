@@ -123,7 +123,7 @@ class Renderer::Scene {
     scene_.flags[mjRND_SKYBOX] = 0;  // MuJoCo draws black in empty places; a white sky would cost more than `read` does
     scene_.flags[mjRND_REFLECTION] = 0;
     scene_.flags[mjRND_HAZE] = 0;
-    add_arena(Sight{camera}.eye_m);
+    add_arena(Sight{camera}.eye_m, picture.food);
     for (const FloorLine& line : picture.lines) add_line(line);
     for (const RobotLook& look : picture.robots) add_ring(look);
     for (const Flash& flash : picture.flashes) add_flash(flash);
@@ -182,9 +182,13 @@ class Renderer::Scene {
     add(mjGEOM_BOX, {0.5 * length, 0.5 * pixels * pixel_m_, flat_m}, 0.5 * (from + to), turn, colour, 1.0F);
   }
 
-  void add_arena(const Eigen::Vector3d& eye_m) {
+  void add_arena(const Eigen::Vector3d& eye_m, std::span<const FoodTile> food) {
     const double half = arena_.half_side_m;
-    add(mjGEOM_BOX, {half, half, 0.01}, {0, 0, -0.0105}, Eigen::Matrix3d::Identity(), floor_colour, 1.0F);
+    if (food.empty()) add(mjGEOM_BOX, {half, half, 0.01}, {0, 0, -0.0105}, Eigen::Matrix3d::Identity(), floor_colour, 1.0F);
+    for (const auto& [x, y, side, share] : food) {
+      const Colour colour = mixed(floor_colour, food_colour, share);
+      add(mjGEOM_BOX, {side, side, 0.01}, {x, y, -0.0105}, Eigen::Matrix3d::Identity(), colour, 1.0F);
+    }
     const double step = half > 40 ? 10 : half > 15 ? 2 : 1;
     for (double at = -std::floor(half / step) * step; at <= half + 1e-9; at += step) {
       add_segment({at, -half, 1e-3}, {at, half, 1e-3}, 1.3, grid_colour);

@@ -130,18 +130,22 @@ Json column_of(const TickSight& sight, Cell&& cell) {
 Json robots_of(const TickSight& sight) {
   const auto or_none = [&](auto value, const io::AgentRow& row) { return sight.are_spare[row.body] ? Json(-1) : Json(value); };
   const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4; };
-  return {{"kind", "tick"},
-          {"tick", sight.tick},
-          {"time_s", sight.time_s},
-          {"id", column_of(sight, [&](const io::AgentRow& row) { return or_none(row.id, row); })},
-          {"species", column_of(sight, [&](const io::AgentRow& row) { return or_none(row.species, row); })},
-          {"active", column_of(sight, [](const io::AgentRow& row) { return row.active ? 1 : 0; })},
-          {"tag", column_of(sight, [](const io::AgentRow& row) { return row.tag; })},
-          {"x", column_of(sight, [&](const io::AgentRow& row) { return rounded(row.x_m); })},
-          {"y", column_of(sight, [&](const io::AgentRow& row) { return rounded(row.y_m); })},
-          {"angle", column_of(sight, [&](const io::AgentRow& row) { return rounded(row.target_angle_rad); })},
-          {"adversary", column_of(sight, [](const io::AgentRow& row) { return or_null(row.adversary); })},
-          {"hunger", column_of(sight, [](const io::AgentRow& row) { return or_null(row.hunger_ticks); })}};
+  Json tick{{"kind", "tick"},
+            {"tick", sight.tick},
+            {"time_s", sight.time_s},
+            {"id", column_of(sight, [&](const io::AgentRow& row) { return or_none(row.id, row); })},
+            {"species", column_of(sight, [&](const io::AgentRow& row) { return or_none(row.species, row); })},
+            {"active", column_of(sight, [](const io::AgentRow& row) { return row.active ? 1 : 0; })},
+            {"tag", column_of(sight, [](const io::AgentRow& row) { return row.tag; })},
+            {"x", column_of(sight, [&](const io::AgentRow& row) { return rounded(row.x_m); })},
+            {"y", column_of(sight, [&](const io::AgentRow& row) { return rounded(row.y_m); })},
+            {"angle", column_of(sight, [&](const io::AgentRow& row) { return rounded(row.target_angle_rad); })},
+            {"adversary", column_of(sight, [](const io::AgentRow& row) { return or_null(row.adversary); })},
+            {"hunger", column_of(sight, [](const io::AgentRow& row) { return or_null(row.hunger_ticks); })}};
+  for (const auto& [name, values_J] : {std::pair{"stock", &sight.stock_J}, {"food", &sight.food_J}}) {
+    for (const double value_J : *values_J) tick[name].push_back(rounded(value_J));
+  }
+  return tick;
 }
 
 }  // namespace

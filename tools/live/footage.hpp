@@ -43,6 +43,8 @@ struct TickSight {
   std::vector<command::replay::Scene> scenes;  ///< of the catches among the events, in their order
   std::vector<io::AgentRow> rows;              ///< empty: only events are shown of this tick
   std::vector<bool> are_spare;                 ///< bodies without an individual
+  std::vector<double> stock_J;                 ///< of each species; empty in a world without energy
+  std::vector<double> food_J;                  ///< in each cell of the floor; empty without a resource
   std::vector<Moment> frames;
   SetDown set_down;      ///< empty if all robots have one body
   bool is_last = false;  ///< of the run

@@ -101,7 +101,7 @@ command::replay::Track Sight::track_of(std::size_t body, double from_s, const Vi
   const GroundPose& now = view.poses[body];
   command::replay::Track track{.places_m = {{now.x_m, now.y_m, 0.0}}, .radius_m = view.robot_radius_m};
   for (const auto& [time_s, places_m] : seen_) {
-    if (time_s >= from_s && body < places_m.size()) track.places_m.push_back(places_m[body]);
+    if (time_s > from_s && body < places_m.size()) track.places_m.push_back(places_m[body]);
   }
   return track;
 }
@@ -114,6 +114,13 @@ void Sight::on_tick(const View& view) {
     for (BodyIndex body = 0; body < view.robots.size(); ++body) {
       sight_->rows.push_back(io::agent_row(view, body));
       sight_->are_spare.push_back(!view.robots[body].lives());
+    }
+    sight_->stock_J.resize(view.energy.size());
+    for (const Individual& one : view.robots) {
+      if (one.lives() && !view.energy.empty()) sight_->stock_J[one.species] += one.energy_J;
+    }
+    for (std::size_t cell = 0; view.field != nullptr && cell < view.field->cells(); ++cell) {
+      sight_->food_J.push_back(view.field->food_J(cell));
     }
   }
   server_.show(std::exchange(sight_, std::make_shared<TickSight>()), facts_);

@@ -18,5 +18,6 @@ namespace trophic {
 
 /// The colour of a newborn that hunters neither perceive nor catch yet.
 inline constexpr Colour inactive_colour{0.6F, 0.63F, 0.66F};
+inline constexpr Colour food_colour{0.61F, 0.77F, 0.5F};  ///< of a floor with the most food
 
 }  // namespace trophic

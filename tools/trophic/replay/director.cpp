@@ -19,10 +19,12 @@ std::string seconds(double time_s) {
 }
 
 /// A robot's path in a stretch of a recording.
-Track track_of(const io::RecordingReader& recording, std::size_t body, double from_s, double to_s) {
+Track track_of(const io::RecordingReader& recording, const Partner& one, double from_s, double to_s) {
   constexpr double step_s = 0.5;
+  const std::size_t body = one.body;
   Track track;
-  for (double time_s = from_s; time_s < to_s + step_s; time_s += step_s) {
+  // Its body may have been elsewhere until its birth.
+  for (double time_s = from_s > one.born_s ? from_s : from_s + step_s; time_s < to_s + step_s; time_s += step_s) {
     const std::size_t at = recording.frame_at(std::min(time_s, to_s));
     track.places_m.push_back(recording.root(at, body).position_m);
     track.radius_m = std::max(track.radius_m, recording.robot(at, body).bounding_radius_m);
@@ -96,8 +98,8 @@ void stage(Scene& scene, const std::vector<Scene>& catches, const RecordedRun& r
   if (scene.ends_s > last_s) scene.add(Scene::cut, "its end is not shown");
   scene.begins_s = std::clamp(scene.begins_s, first_s, scene.time_s);
   scene.ends_s = std::clamp(scene.ends_s, scene.time_s, last_s);
-  const std::array<Track, 2> tracks{track_of(run.recording, scene.hunter.body, scene.begins_s, scene.ends_s),
-                                    track_of(run.recording, scene.victim.body, scene.begins_s, scene.time_s)};
+  const std::array<Track, 2> tracks{track_of(run.recording, scene.hunter, scene.begins_s, scene.ends_s),
+                                    track_of(run.recording, scene.victim, scene.begins_s, scene.time_s)};
   frame(scene, tracks, run.recording.head().arena);
   const auto others = std::ranges::count_if(catches, [&](const Scene& one) {
     if (one.time_s < scene.begins_s || one.time_s > scene.ends_s || one.victim.id == scene.victim.id) return false;

@@ -22,13 +22,13 @@ Colour colour(const io::AgentRow& row) {
 
 /// A line from each robot to the one that it hunts or flees.
 void add_sights(film::Picture& picture, std::span<const io::AgentRow> rows) {
-  for (std::size_t body = 0; body < rows.size(); ++body) {
-    if (!rows[body].adversary) continue;
-    const auto other = std::ranges::find(rows, *rows[body].adversary, &io::AgentRow::id);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (!rows[i].adversary) continue;
+    const auto other = std::ranges::find(rows, *rows[i].adversary, &io::AgentRow::id);
     if (other == rows.end()) continue;
-    const Eigen::Vector3d from = picture.robots[body].root.position_m;
+    const Eigen::Vector3d from = picture.robots[i].root.position_m;
     const Eigen::Vector3d to = picture.robots[static_cast<std::size_t>(other - rows.begin())].root.position_m;
-    picture.lines.push_back({from.x(), from.y(), to.x(), to.y(), colour(rows[body]), 0.22F});
+    picture.lines.push_back({from.x(), from.y(), to.x(), to.y(), colour(rows[i]), 0.22F});
   }
 }
 
@@ -37,6 +37,7 @@ void add_sights(film::Picture& picture, std::span<const io::AgentRow> rows) {
 Footage::Footage(const RecordedRun& run, double from_s, double to_s, double flash_s)
     : recording_{run.recording},
       agents_{run, from_s, to_s, trail_s},
+      food_{run},
       from_s_{from_s},
       to_s_{to_s},
       flash_s_{flash_s},
@@ -53,11 +54,12 @@ Footage::Footage(const RecordedRun& run, double from_s, double to_s, double flas
 
 film::Picture Footage::picture(double time_s, const Sights& sights) const {
   film::Picture picture;
+  picture.food = food_.at(time_s);
   const std::span<const io::AgentRow> rows = agents_.at(sights.rows_s.value_or(time_s));
   for (const io::AgentRow& row : rows) {
     picture.robots.push_back(look(time_s, row));
     picture.robots.back().is_marked = row.id == sights.marked;
-    if (sights.has_lines) add_trail(picture, time_s, row.body);
+    if (sights.has_lines) add_trail(picture, time_s, row);
     if (std::ranges::find(sights.named, row.id) == sights.named.end()) continue;
     const film::RobotLook& named = picture.robots.back();
     picture.names.push_back({.at_m = named.root.position_m,
@@ -79,7 +81,7 @@ film::Picture Footage::picture(double time_s, const Sights& sights) const {
 film::RobotLook Footage::look(double time_s, const io::AgentRow& row) const {
   const auto [before, after, part] = around(time_s, row.body);
   film::RobotLook look{
-      .root = root(time_s, row.body), .joint_angles_rad = {}, .colour = colour(row), .filled = row.tag == filled_tag_};
+      .root = root(time_s, row.body, &row), .joint_angles_rad = {}, .colour = colour(row), .filled = row.tag == filled_tag_};
   const bool differ = head().bodies_differ;
   const std::size_t joints = differ ? recording_.robot(before, row.body).hinges.size() : head().joints;
   for (std::size_t joint = 0; joint < joints; ++joint) {
@@ -90,15 +92,19 @@ film::RobotLook Footage::look(double time_s, const io::AgentRow& row) const {
   return look;
 }
 
-void Footage::add_trail(film::Picture& picture, double time_s, std::size_t body) const {
+void Footage::add_trail(film::Picture& picture, double time_s, const io::AgentRow& now) const {
   const double step_s = 2.0 * head().times.tick_s;
   const double oldest_s = std::max(head().first_time_s, time_s - trail_s);
-  Eigen::Vector3d from = picture.robots[body].root.position_m;
+  Eigen::Vector3d from = picture.robots.back().root.position_m;
   for (double then_s = std::floor(time_s / step_s - 1e-9) * step_s; then_s >= oldest_s; then_s -= step_s) {
-    const io::AgentRow& row = agents_.at(then_s)[body];
+    const io::AgentRow* row = agents_.find(then_s, now.body);
+    if (row == nullptr) return;
+    // Up to where its individual was born in a place of its own, or came over the edge of a torus.
+    const double most_m = row->id == now.id ? head().arena.half_side_m : head().robot.bounding_radius_m;
+    if (std::hypot(row->x_m - from.x(), row->y_m - from.y()) > most_m) return;
     const auto strength = static_cast<float>(0.8 * (1.0 - (time_s - then_s) / trail_s));
-    picture.lines.push_back({from.x(), from.y(), row.x_m, row.y_m, colour(row), strength});
-    from = {row.x_m, row.y_m, 0.0};
+    picture.lines.push_back({from.x(), from.y(), row->x_m, row->y_m, colour(*row), strength});
+    from = {row->x_m, row->y_m, 0.0};
   }
 }
 
@@ -116,6 +122,7 @@ std::vector<film::LegendEntry> Footage::legend(double time_s, const Sights& sigh
   legend.push_back({Mark::species, inactive_colour, "not yet active"});
   legend.push_back({Mark::catch_, film::catch_colour, "caught"});
   legend.push_back({Mark::death, ink, "other death"});
+  if (!food_.at(time_s).empty()) legend.push_back({Mark::food, food_colour, "food"});
   if (sights.marked) legend.push_back({Mark::marked, ink, "selected"});
   if (!sights.has_lines) return legend;
   legend.push_back({Mark::trail, ink, "trail"});
@@ -123,10 +130,14 @@ std::vector<film::LegendEntry> Footage::legend(double time_s, const Sights& sigh
   return legend;
 }
 
-Pose Footage::root(double time_s, std::size_t body) const {
+Pose Footage::root(double time_s, std::size_t body, const io::AgentRow* row) const {
   const auto [before, after, part] = around(time_s, body);
-  const Pose from = recording_.root(before, body);
-  const Pose to = recording_.root(after, body);
+  const auto pose = [&](std::size_t frame) {
+    return row == nullptr ? recording_.root(frame, body) : agents_.root(recording_, frame, *row);
+  };
+  const Pose from = pose(before);
+  const Pose to = pose(after);
+  if ((to.position_m - from.position_m).norm() > head().arena.half_side_m) return from;  // over the edge of a torus
   return {from.position_m + part * (to.position_m - from.position_m), from.orientation.slerp(part, to.orientation)};
 }
 
@@ -136,7 +147,7 @@ std::size_t Footage::body_of(IndividualId id) const {
   for (std::size_t tick = 0; tick <= ticks; ++tick) {
     const auto rows = agents_.at(std::min(to_s_, from_s_ + static_cast<double>(tick) * tick_s));
     const auto found = std::ranges::find(rows, id, &io::AgentRow::id);
-    if (found != rows.end()) return static_cast<std::size_t>(found - rows.begin());
+    if (found != rows.end()) return found->body;
   }
   throw std::invalid_argument{"--follow " + std::to_string(id) + ": no individual of that id lives between " +
                               number_text(from_s_) + " and " + number_text(to_s_) + " s"};

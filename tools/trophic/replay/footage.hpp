@@ -43,7 +43,7 @@ class Footage {
   /// Names every mark of that picture, and counts who lives at its moment.
   [[nodiscard]] std::vector<film::LegendEntry> legend(double time_s, const Sights& sights) const;
 
-  [[nodiscard]] Pose root(double time_s, std::size_t body) const;
+  [[nodiscard]] Pose root(double time_s, std::size_t body) const { return root(time_s, body, agents_.find(time_s, body)); }
   [[nodiscard]] const io::RecordingHead& head() const { return recording_.head(); }
   /// The body in which an individual lives. Throws std::invalid_argument for one that does not live in the stretch.
   [[nodiscard]] std::size_t body_of(IndividualId id) const;
@@ -57,13 +57,15 @@ class Footage {
     IndividualId id = 0;
   };
 
+  [[nodiscard]] Pose root(double time_s, std::size_t body, const io::AgentRow* row) const;
   [[nodiscard]] film::RobotLook look(double time_s, const io::AgentRow& row) const;
-  void add_trail(film::Picture& picture, double time_s, std::size_t body) const;
+  void add_trail(film::Picture& picture, double time_s, const io::AgentRow& row) const;
   /// The frames before and after a moment, and how far it is between them; the same one before a newborn's body is set down.
   [[nodiscard]] std::tuple<std::size_t, std::size_t, double> around(double time_s, std::size_t body) const;
 
   const io::RecordingReader& recording_;
   RecordedAgents agents_;
+  RecordedFood food_;
   double from_s_;
   double to_s_;
   double flash_s_;

@@ -13,7 +13,8 @@ GltfScene::GltfScene(const RecordedRun& run, double from_s, double to_s, std::op
     : recording_{run.recording},
       first_{recording_.frame_at(from_s)},
       last_{recording_.frame_at(to_s)},
-      agents_{run, recording_.time_s(first_), recording_.time_s(last_), 0.0} {
+      agents_{run, recording_.time_s(first_), recording_.time_s(last_), run.recording.head().times.tick_s},
+      food_{run} {
   const auto& head = recording_.head();
   const double bytes = 4.0 * static_cast<double>((last_ - first_ + 1) * (only ? 1 : head.robots) * (7 + 4 * head.joints));
   if (!(bytes <= most_bytes)) {
@@ -50,11 +51,22 @@ void GltfScene::add_arena(const Arena& arena) {
   const std::size_t floor = file_.add_material("floor", {0.93F, 0.94F, 0.95F});
   const std::size_t wall = file_.add_material("wall", {0.72F, 0.76F, 0.8F});
   for (const Obstacle& one : arena.obstacles) add_obstacle(node, wall, one);
-  if (arena.height_field) return add_slopes(node, floor, *arena.height_field);
   const auto put = [&](std::size_t mesh, const Eigen::Vector3d& at_m, const Eigen::Vector3d& half_m) {
     file_.add_shape(node, mesh, at_m, Eigen::Quaterniond::Identity(), half_m);
   };
-  put(file_.add_box("floor", floor), {0.0, 0.0, -0.01}, {half, half, 0.01});
+  const std::vector<film::FoodTile> food = food_.at(recording_.time_s(first_));
+  constexpr float shades = 16.0F;
+  std::map<long, std::size_t> tiles;  // a material of each shade
+  for (const auto& [x, y, side, share] : food) {
+    const long shade = std::lround(share * shades);
+    const auto [tile, is_new] = tiles.try_emplace(shade, 0);
+    const Colour colour = mixed({0.93F, 0.94F, 0.95F}, food_colour, static_cast<float>(shade) / shades);
+    const std::string name = "food " + std::to_string(shade);
+    if (is_new) tile->second = file_.add_box(name, file_.add_material(name, colour));
+    put(tile->second, {x, y, -0.008}, {side, side, 0.01});
+  }
+  if (arena.height_field) return add_slopes(node, floor, *arena.height_field);
+  if (food.empty()) put(file_.add_box("floor", floor), {0.0, 0.0, -0.01}, {half, half, 0.01});
   const std::size_t box = file_.add_box("wall", wall);
   const double thick_m = 0.006 * half;
   const double high_m = 0.0175 * half;
@@ -136,18 +148,18 @@ void GltfScene::add_slopes(std::size_t parent, std::size_t material, const Heigh
 
 void GltfScene::add_occupants(std::size_t body, std::optional<IndividualId> only) {
   std::size_t from = first_;
+  const auto row_at = [&](std::size_t frame) { return agents_.find(recording_.time_s(frame), body); };
   while (from <= last_) {
-    const io::AgentRow row = row_at(from, body);
+    const io::AgentRow* row = row_at(from);
     std::size_t next = from + 1;
-    while (next <= last_ && row_at(next, body).id == row.id) ++next;
+    const auto stays = [&](const io::AgentRow* then) {
+      return row == nullptr ? then == nullptr : then != nullptr && then->id == row->id;
+    };
+    while (next <= last_ && stays(row_at(next))) ++next;
     // The frame of a death is the last one of the dead and the first one of its successor in the body.
-    if (!only || row.id == *only) add_individual(body, row, from, next);
+    if (row != nullptr && (!only || row->id == *only)) add_individual(body, *row, from, next);
     from = next;
   }
-}
-
-const io::AgentRow& GltfScene::row_at(std::size_t frame, std::size_t body) const {
-  return agents_.at(recording_.time_s(frame))[body];
 }
 
 void GltfScene::add_individual(std::size_t body, const io::AgentRow& row, std::size_t from, std::size_t next) {
@@ -156,7 +168,7 @@ void GltfScene::add_individual(std::size_t body, const io::AgentRow& row, std::s
   if (from < std::min(next, last_) && recording_.is_set_down(from + 1, body)) ++from;
   const std::size_t to = std::min(next, last_);
   const RobotModel& robot = recording_.robot(from, body);
-  const Pose start = recording_.root(from, body);
+  const Pose start = agents_.root(recording_, from, row);
   const std::size_t root =
       file_.add_node(GltfFile::upright(), "robot " + std::to_string(row.id), start.position_m, start.orientation);
   file_.describe(root, {{"id", row.id}, {"species", recording_.head().species.at(row.species)}, {"body", body}});
@@ -171,7 +183,7 @@ void GltfScene::add_individual(std::size_t body, const io::AgentRow& row, std::s
       file_.add_shape(links[i], (i == 0 ? cores_ : limbs_)[row.species], box.centre_m, box.orientation, box.half_extents_m);
     }
   }
-  if (to > from) add_motion(body, links, from, to);
+  if (to > from) add_motion(row, links, from, to);
   add_lifetime(root, from, next);
 }
 
@@ -182,13 +194,14 @@ Eigen::Quaterniond GltfScene::turned(std::size_t link, std::size_t frame, std::s
   return (robot.links[link].rotation * Eigen::AngleAxisd{angle_rad, robot.hinges[link - 1].axis}).normalized();
 }
 
-void GltfScene::add_motion(std::size_t body, const std::vector<std::size_t>& links, std::size_t from, std::size_t to) {
+void GltfScene::add_motion(const io::AgentRow& row, const std::vector<std::size_t>& links, std::size_t from, std::size_t to) {
   const std::size_t times = times_between(from, to);
+  const std::size_t body = row.body;
   std::vector<float> places;
   std::vector<float> turns;
   Eigen::Quaterniond before = recording_.root(from, body).orientation;
   for (std::size_t frame = from; frame <= to; ++frame) {
-    const Pose pose = recording_.root(frame, body);
+    const Pose pose = agents_.root(recording_, frame, row);
     for (int i = 0; i < 3; ++i) places.push_back(static_cast<float>(pose.position_m[i]));
     add_turn(turns, pose.orientation, before);
   }

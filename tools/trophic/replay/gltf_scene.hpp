@@ -42,7 +42,6 @@ class GltfScene {
 
   /// Adds the individuals that lived in a body, one after another, or only one of them.
   void add_occupants(std::size_t body, std::optional<IndividualId> only);
-  [[nodiscard]] const io::AgentRow& row_at(std::size_t frame, std::size_t body) const;
 
   /// `next`: the first frame of the next occupant; beyond the last frame for an individual that survives.
   void add_individual(std::size_t body, const io::AgentRow& row, std::size_t from, std::size_t next);
@@ -50,7 +49,7 @@ class GltfScene {
   /// How a link stands to its parent.
   [[nodiscard]] Eigen::Quaterniond turned(std::size_t link, std::size_t frame, std::size_t body) const;
 
-  void add_motion(std::size_t body, const std::vector<std::size_t>& links, std::size_t from, std::size_t to);
+  void add_motion(const io::AgentRow& row, const std::vector<std::size_t>& links, std::size_t from, std::size_t to);
   /// Adds the one of an orientation's two quaternions that is nearer to the one before.
   static void add_turn(std::vector<float>& turns, const Eigen::Quaterniond& turn, Eigen::Quaterniond& before);
 
@@ -62,6 +61,7 @@ class GltfScene {
   std::size_t first_;
   std::size_t last_;
   RecordedAgents agents_;
+  RecordedFood food_;
   GltfFile file_;
   std::vector<std::size_t> cores_;  ///< meshes, by species
   std::vector<std::size_t> limbs_;

@@ -20,15 +20,15 @@ class OwnTables {
   /// Throws std::invalid_argument unless every event of events.csv happened at a tick of the recording, to an individual that was
   /// born into that body and lived there until then; std::runtime_error for a file that cannot be read.
   void check_events() {
-    analysis::CsvReader events{folder_ / "events.csv", {"time_s", "tick", "body", "x_m", "y_m", "event", "id"}};
+    analysis::CsvReader events{folder_ / "events.csv", {"time_s", "tick", "body", "x_m", "y_m", "id", "event"}};
     std::vector<std::optional<std::uint64_t>> lives(recording_.head().robots);
     while (events.next()) {
+      const bool is_birth = events.text(6) == "birth";
+      const auto id = events.get<std::uint64_t>(5);
+      if (is_birth) births_[id] = {events.get<std::size_t>(2), events.get<std::int64_t>(1)};
       const Row row = row_of(events, "events.csv");
-      const std::string_view event = events.text(5);
-      const auto id = events.get<std::uint64_t>(6);
-      if (event == "birth") {
+      if (is_birth) {
         lives[row.body] = id;
-        births_[id] = row.body;
       } else if (lives[row.body] != id && is_from_birth()) {
         throw std::invalid_argument{row.where + ": robot " + std::to_string(id) + " was never born there; they are of two runs"};
       }
@@ -73,7 +73,7 @@ class OwnTables {
     return (folder_ / table).string() + ":" + std::to_string(csv.line());
   }
 
-  /// The row at hand, whose first columns are time_s, tick, body, x_m and y_m, held to the recording.
+  /// The row at hand, whose first columns are time_s, tick, body, x_m, y_m and id, held to the recording.
   [[nodiscard]] Row row_of(const analysis::CsvReader& csv, const char* table) const {
     const auto time_s = csv.get<double>(0);
     const auto tick = csv.get<std::int64_t>(1);
@@ -93,7 +93,10 @@ class OwnTables {
     }
     if (time_s < head.first_time_s) return {body, std::move(where)};
     const std::size_t frame = recording_.frame_at(std::min(time_s + 1e-9, last_s_));
-    if (recording_.is_set_down(frame + 1, body)) return {body, std::move(where)};  // a newborn's place, which later frames have
+    const auto birth = births_.find(csv.get<std::uint64_t>(5));
+    if (recording_.is_set_down(frame + 1, body) || (birth != births_.end() && birth->second.second == tick && tick > 0)) {
+      return {body, std::move(where)};  // a newborn's place, which later frames have
+    }
     const Eigen::Vector3d at = recording_.root(frame, body).position_m;
     const double x_m = csv.get<double>(3);
     const double y_m = csv.get<double>(4);
@@ -109,7 +112,7 @@ class OwnTables {
 
   void check_born(std::uint64_t id, std::size_t body, const std::string& where) const {
     const auto birth = births_.find(id);
-    if (!is_from_birth() || (birth != births_.end() && birth->second == body)) return;
+    if (!is_from_birth() || (birth != births_.end() && birth->second.first == body)) return;
     throw std::invalid_argument{where + ": robot " + std::to_string(id) + " was never born into body " + std::to_string(body) +
                                 " by the events.csv next to it; they are of two runs"};
   }
@@ -117,7 +120,7 @@ class OwnTables {
   std::filesystem::path folder_;
   const io::RecordingReader& recording_;
   double last_s_;
-  std::map<std::uint64_t, std::size_t> births_;  ///< by individual: the body
+  std::map<std::uint64_t, std::pair<std::size_t, std::int64_t>> births_;  ///< by individual: body and tick
 };
 
 }  // namespace

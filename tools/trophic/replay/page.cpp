@@ -155,6 +155,11 @@ std::vector<std::pair<std::string_view, std::string>> files_of(const RecordedRun
     files.emplace_back("senses",
                        deflated(table_without(run.folder / "senses.csv", {"time_s", "id", "species"}, {"time_s"}, ticks, true)));
   }
+  const auto moments = [&](const analysis::CsvReader& csv) { return window.has_tick(csv.get<double>(0), 100.0 * tick_s); };
+  for (const auto& [name, table] : {std::pair{"energy", "energy.csv"}, {"food", "field.csv"}}) {
+    if (!std::filesystem::exists(run.folder / table)) continue;
+    files.emplace_back(name, deflated(table_without(run.folder / table, {"tick", "x_m", "y_m"}, {"time_s"}, moments, true)));
+  }
   return files;
 }
 

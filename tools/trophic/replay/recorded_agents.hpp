@@ -1,29 +1,49 @@
 // SPDX-License-Identifier: MIT
-// Individuals and their tags, by body, at every tick of a stretch of a run.
+// Individuals and their tags at every tick of a stretch of a run, and the food on its floor.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <tools/film/picture.hpp>
 #include <tools/trophic/replay/recorded_run.hpp>
 #include <trophic/io/tables.hpp>
 #include <vector>
 
 namespace trophic::command::replay {
 
-/// Rows of agents.csv, found by tick and body.
+/// Rows of agents.csv, found by tick and body. A body without a row is spare.
 class RecordedAgents {
  public:
   /// Reads the ticks that begin in [from_s - before_s, to_s]. Throws std::invalid_argument for a table that is not the run's.
   RecordedAgents(const RecordedRun& run, double from_s, double to_s, double before_s);
 
-  /// The rows of agents.csv at a moment, by body.
+  /// The rows of agents.csv at a moment, in the order of bodies.
   [[nodiscard]] std::span<const io::AgentRow> at(double time_s) const;
+  /// The row of a body at a moment; null if it is spare.
+  [[nodiscard]] const io::AgentRow* find(double time_s, std::size_t body) const;
+  /// The pose at a frame of who has a row at its moment; at the tick of its birth its body may be elsewhere in the recording.
+  [[nodiscard]] Pose root(const io::RecordingReader& recording, std::size_t frame, const io::AgentRow& row) const;
 
  private:
   double tick_s_;
-  std::size_t robots_;
   std::int64_t first_tick_ = 0;
   std::vector<io::AgentRow> rows_;
+  std::vector<std::size_t> begins_;  ///< of each tick in the rows; then their number
+};
+
+/// The food on the floor, as parts of the most that a cell has in the run.
+class RecordedFood {
+ public:
+  /// Throws std::runtime_error for a field.csv that cannot be read.
+  explicit RecordedFood(const RecordedRun& run);
+
+  /// Interpolated, in at most a hundred tiles in a row; none in a run without a resource.
+  [[nodiscard]] std::vector<film::FoodTile> at(double time_s) const;
+
+ private:
+  double half_side_m_;
+  float most_ = 1e-30F;
+  std::vector<std::pair<double, std::vector<float>>> moments_;  ///< J in each cell, row by row from the least x and y
 };
 
 }  // namespace trophic::command::replay

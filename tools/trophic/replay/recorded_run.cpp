@@ -57,11 +57,6 @@ RecordedRun open_run(const std::filesystem::path& folder) {
   try {
     io::RecordingReader recording{path};
     auto manifest = read_manifest(folder, recording.head());
-    if (manifest.contains("rules") && manifest["rules"].contains("recruitment")) {
-      throw std::invalid_argument{(folder / "agents.csv").string() +
-                                  ": has no rows of spare bodies (rule recruitment): must have an individual in every body to be "
-                                  "shown"};
-    }
     if (manifest.value("agents_every_ticks", Json(1)) != 1) {
       throw std::invalid_argument{(folder / "agents.csv").string() + ": has the ticks that are multiples of " +
                                   json_text(manifest["agents_every_ticks"]) +

@@ -63,10 +63,7 @@ export class App {
   private readonly notice = make("p", "notice");
 
   /** `live`: of a live run, the only one. */
-  constructor(
-    readonly runs: Run[],
-    readonly live: Live | null = null,
-  ) {
+  constructor(readonly runs: Run[], readonly live: Live | null = null) {
     const seek = (time: number): void => this.seek(time);
     this.side = new Side({ select: (id) => this.select(id), seek, jump: (event) => this.jump(event) }, live ? new NumbersPanel(seek) : null);
     this.isNow = live !== null;
@@ -221,6 +218,7 @@ export class App {
     this.hasGrown = false;
     this.timebar.show(this.run, this.firstTime, this.lastTime);
     this.side.grow(this.run, this.firstTime, this.lastTime);
+    if (this.run.food) this.showLegend();
     // Half of the time is for the world.
     this.grownAt = performance.now() + (performance.now() - now);
   }
@@ -477,6 +475,7 @@ export class App {
     let living = 0;
     const alive = run.index.species.map(() => 0);
     for (let at = row; at < row + run.robots; ++at) {
+      if (run.agents.id[at] < 0) continue;
       if (branch?.has(run.agents.id[at])) ++living;
       ++alive[run.agents.species[at]];
     }

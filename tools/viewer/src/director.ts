@@ -14,10 +14,7 @@ export class Player {
   private readonly end: number;
 
   /** `last`: the end of the run. */
-  constructor(
-    readonly scene: Scene,
-    last: number,
-  ) {
+  constructor(readonly scene: Scene, last: number) {
     this.end = Math.min(last, scene.ends_s);
   }
 

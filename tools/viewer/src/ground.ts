@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The arena: floor with a grid of metres, walls or slopes. A wall between the camera and the floor is nearly transparent.
-import { BoxGeometry, BufferAttribute, BufferGeometry, CylinderGeometry, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, PlaneGeometry, RingGeometry, type Vector3 } from "three";
+import { BoxGeometry, BufferAttribute, BufferGeometry, CylinderGeometry, DataTexture, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, PlaneGeometry, RingGeometry, SRGBColorSpace, type Vector3 } from "three";
+import type { Food } from "./food";
 import type { Head } from "./recording";
 import { theme } from "./theme";
 
@@ -47,11 +48,23 @@ export class Ground {
   /** Takes the colours of the theme. */
   paint(): void {
     const colours = theme();
-    this.floor.color.set(colours.floor);
+    this.floor.color.set(this.floor.map ? "#fff" : colours.floor);
     this.grid.color.set(colours.grid);
     this.slopes.color.set(colours.wall);
     this.obstacles.color.set(colours.wall);
     for (const { material } of this.walls) material.color.set(colours.wall);
+  }
+
+  /** Colours the floor by its food at a moment. */
+  show(food: Food, time: number): void {
+    if (!this.floor.map) {
+      this.floor.map = new DataTexture(new Uint8Array(4 * food.side ** 2), food.side, food.side);
+      this.floor.map.colorSpace = SRGBColorSpace;
+      this.floor.needsUpdate = true;
+      this.paint();
+    }
+    food.paint((this.floor.map as DataTexture).image.data as Uint8Array, time);
+    this.floor.map.needsUpdate = true;
   }
 
   /** Lets one see through the walls that stand before the floor as seen from a place. */

@@ -54,8 +54,8 @@ export class Inspector {
       const angle = (agents.targetAngle[at] * 180) / Math.PI;
       const turn = Math.abs(angle) < 0.5 ? "walks straight ahead" : `turns ${fixed(Math.abs(angle), 0)}° to the ${angle >= 0 ? "right" : "left"}`;
       rows.push(["brain", `${turn}, shows tag ${agents.tag[at] > 0 ? "+" : ""}${agents.tag[at]}`]);
-      if (run.senses) rows.push(...sensed(run.senses, at));
-      for (const [name, column] of agents.extra) rows.push([plain(name), column[at] === "" ? "–" : plain(column[at])]);
+      if (run.senses) rows.push(...sensed(run.senses, agents.line[at]));
+      for (const [name, column] of agents.extra) rows.push([plain(name), column[agents.line[at]] === "" ? "–" : plain(column[agents.line[at]])]);
       if (places) rows.push(["place", `${fixed(places.drawn[3 * body], 2)}, ${fixed(places.drawn[3 * body + 1], 2)} m`]);
       rows.push(["body", `${body}${shapeWords(run, body, time)}`]);
     } else {

@@ -3,6 +3,7 @@
 import { branchColour, catchColour, colourOf } from "./colours";
 import { make } from "./element";
 import type { Run } from "./run";
+import { theme } from "./theme";
 
 const tagName = (tag: number): string => `tag ${tag > 0 ? "+" : ""}${tag}`;
 
@@ -37,5 +38,6 @@ export function legendOf(run: Run): { items: HTMLElement[]; counts: HTMLElement[
     sign("trail", "trail", colourOf(0)),
     sign("link", "perceives", colourOf(species.length > 1 ? 1 : 0)),
   );
+  if (run.food) items.push(sign("food", `food, up to ${Number(run.food.most.toPrecision(3))} J a cell`, theme().food));
   return { items, counts };
 }

@@ -56,10 +56,7 @@ export class Live {
   private known: LiveState = { paused: false, speed: 10, over: false, steers: false, pages: 1, name: "", changes: [] };
   isConnected = true;
 
-  constructor(
-    readonly facts: LiveFacts,
-    private readonly socket: WebSocket,
-  ) {
+  constructor(readonly facts: LiveFacts, private readonly socket: WebSocket) {
     const { label, species, tags } = facts;
     this.run = Run.growing({ label, status: "live", species, tags }, facts.head);
   }

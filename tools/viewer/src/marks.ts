@@ -62,10 +62,7 @@ export class Marks {
   private readonly flashes: Flat;
   private readonly catches: Flat;
 
-  constructor(
-    count: number,
-    private readonly flashCount = 64,
-  ) {
+  constructor(count: number, private readonly flashCount = 64) {
     this.highlights = new Flat(new RingGeometry(1.66, 1.8, 48), count, 1, 0);
     this.discs = new Flat(new CircleGeometry(1, 32), count, 0.42, 1);
     this.rings = new Flat(new RingGeometry(0.88, 1, 48), count, 1, 2);
@@ -79,9 +76,10 @@ export class Marks {
     return [this.highlights, this.discs, this.rings, this.pointers, this.flashes, this.catches];
   }
 
-  set(index: number, mark: Mark, highlight: string | null): void {
+  /** `mark`: null for a spare body. */
+  set(index: number, mark: Mark | null, highlight: string | null): void {
     this.rings.set(index, mark);
-    this.discs.set(index, mark.filled ? mark : null);
+    this.discs.set(index, mark?.filled ? mark : null);
     this.pointers.set(index, mark);
     this.highlights.set(index, highlight ? mark : null, highlight ?? undefined);
   }
@@ -107,10 +105,7 @@ export class Lines {
   private used = 0;
   private readonly colour = new Color();
 
-  constructor(
-    private readonly most: number,
-    height: number,
-  ) {
+  constructor(private readonly most: number, height: number) {
     this.position = new BufferAttribute(new Float32Array(6 * most), 3);
     this.colours = new BufferAttribute(new Float32Array(8 * most), 4);
     const geometry = new BufferGeometry().setAttribute("position", this.position).setAttribute("color", this.colours);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Population, tags and speed over time, with the current moment and the moments at which parameters changed.
+// Population, energy, tags and speed over time, with the current moment and the moments at which parameters changed.
 import uPlot from "uplot";
 import { colourOf, faded } from "./colours";
 import type { Change, Run } from "./run";
@@ -16,6 +16,7 @@ export interface Curves {
 
 export interface Series {
   population: Curves;
+  energy: Curves | null; // null: a world without
   tags: Curves;
   speed: Curves | null; // known when the recording has been read
 }
@@ -37,6 +38,7 @@ export function seriesOf(run: Run): Series {
     const number = new Array<number>(count).fill(0);
     const shown = new Array<number>(count).fill(0);
     for (let at = tick * robots; at < (tick + 1) * robots; ++at) {
+      if (agents.id[at] < 0) continue;
       ++number[agents.species[at]];
       if (agents.tag[at] === filled) ++shown[agents.species[at]];
     }
@@ -48,7 +50,7 @@ export function seriesOf(run: Run): Series {
       tags.bySpecies[species].push(number[species] ? shown[species] / number[species] : null);
     }
   }
-  return { population, tags, speed: run.tracked ? speedOf(run, count) : null };
+  return { population, energy: run.energy, tags, speed: run.tracked ? speedOf(run, count) : null };
 }
 
 /** The mean over robots of their displacement in a window of at least 60 s, over that window, by species, cm/s; the band has half of them. */
@@ -62,7 +64,7 @@ function speedOf(run: Run, count: number): Curves {
     for (let body = 0; body < robots; ++body) {
       const now = tick * robots + body;
       const before = now - window * robots;
-      if (agents.id[now] !== agents.id[before]) continue;
+      if (agents.id[now] < 0 || agents.id[now] !== agents.id[before]) continue;
       const way = Math.hypot(track[2 * now] - track[2 * before], track[2 * now + 1] - track[2 * before + 1]);
       if (!Number.isNaN(way)) speeds[agents.species[now]].push((100 * way) / (window * recording.head.tick_s));
     }
@@ -101,11 +103,7 @@ export class Plot {
   private shape = "";
   private bounds: [number, number] = [0, 1];
 
-  constructor(
-    private readonly title: string,
-    private readonly range: [number, number] | null,
-    private readonly onJump: (time: number) => void,
-  ) {
+  constructor(private readonly title: string, private readonly range: [number, number] | null, private readonly onJump: (time: number) => void) {
     this.element.className = "plot";
   }
 

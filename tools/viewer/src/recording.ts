@@ -294,24 +294,25 @@ export class Recording {
   }
 
   /**
-   * As `frameInto` at any moment whose frames are ready: interpolated between the frames next to it, unless the robot was set down
-   * between them. `out` has `poseSize` numbers.
+   * As `frameInto` at any moment whose frames are ready: interpolated between the frames next to it, unless the robot was set down, or
+   * crossed the edge of a torus, between them. `born`: its place x, y at the last tick, if it was born then. `out` has `poseSize` numbers.
    */
-  poseInto(out: Float32Array, time: number, robot: number): void {
+  poseInto(out: Float32Array, time: number, robot: number, born?: ArrayLike<number>): void {
     const wanted = this.frameAt(time);
     const frame = this.known(wanted);
     let next = frame === wanted ? this.known(Math.min(this.frames - 1, frame + 1)) : frame;
     if (this.bodiesDiffer && this.lastSetDown(next, robot)?.frame > frame) next = frame;
     const { before: a, after: b } = this;
     this.frameInto(a, frame, robot);
+    this.frameInto(b, next, robot);
+    if (born && frame % this.head.frames_per_tick === 0) a.set(born);
     const gap = this.time(next) - this.time(frame);
     const part = gap > 0 ? Math.min(1, Math.max(0, (time - this.time(frame)) / gap)) : 0;
     const size = a.length;
-    if (part < 1e-6 || !this.isReady(next)) {
+    if (part < 1e-6 || !this.isReady(next) || Math.hypot(b[0] - a[0], b[1] - a[1]) > this.head.arena.half_side_m) {
       out.set(a);
       return;
     }
-    this.frameInto(b, next, robot);
     const dot = a[3] * b[3] + a[4] * b[4] + a[5] * b[5] + a[6] * b[6];
     const sign = dot < 0 ? -1 : 1;
     for (let i = 0; i < size; ++i) out[i] = a[i] + part * ((i >= 3 && i < 7 ? sign : 1) * b[i] - a[i]);

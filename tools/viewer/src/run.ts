@@ -2,6 +2,8 @@
 // One run: its recording and its tables, and their contents at a moment.
 import { fromBase64, inflate } from "./bytes";
 import { Table } from "./csv";
+import { Food } from "./food";
+import type { Curves } from "./plots";
 import { type Head, Recording } from "./recording";
 
 /** A parameter that another value replaced during the run. */
@@ -41,6 +43,9 @@ export interface LiveTick {
   angle: number[];
   adversary: (number | null)[];
   hunger: (number | null)[];
+  /** In a world with energy: of each species, and in each cell of the floor, J. */
+  stock?: number[];
+  food?: number[];
 }
 
 /** time, kind, id, body, species, cause, other, x, y, parent, origin; of a catch its scene. */
@@ -100,49 +105,42 @@ export interface Individual {
   row: number; // in the phylogeny's drawing
 }
 
-/** The contents of agents.csv: all robots after each tick, in arrays of ticks times robots. */
+/** The contents of agents.csv: all bodies after each tick, in arrays of ticks times robots. A spare body has -1 as id and species. */
 export class Agents {
-  id: Int32Array;
-  species: Int8Array;
-  active: Uint8Array;
-  tag: Int8Array;
-  targetAngle: Float32Array;
-  adversary: Int32Array; // -1: none
-  hunger: Float32Array; // NaN: has no prey
-  readonly extra = new Map<string, string[]>();
+  id = new Int32Array(0);
+  species = new Int8Array(0);
+  active = new Uint8Array(0);
+  tag = new Int8Array(0);
+  targetAngle = new Float32Array(0);
+  adversary = new Int32Array(0); // -1: none
+  hunger = new Float32Array(0); // NaN: has no prey
+  line = new Int32Array(0); // rows of the file
+  readonly extra = new Map<string, string[]>(); // by row of the file
+  firstTick = 0;
   ticks = 0;
 
-  private constructor(
-    readonly robots: number,
-    public firstTick: number,
-    rows: number,
-  ) {
-    this.id = new Int32Array(rows);
-    this.species = new Int8Array(rows);
-    this.active = new Uint8Array(rows);
-    this.tag = new Int8Array(rows);
-    this.targetAngle = new Float32Array(rows);
-    this.adversary = new Int32Array(rows);
-    this.hunger = new Float32Array(rows);
-  }
-
-  /** For a live run. */
-  static growing(robots: number): Agents {
-    return new Agents(robots, 0, 0);
-  }
+  constructor(readonly robots: number) {}
 
   static read(table: Table, robots: number, species: string[]): Agents {
     const names = new Map(species.map((name, index) => [name, index]));
-    const agents = new Agents(robots, Number(table.text("tick")[0]), 0);
-    agents.ticks = Math.floor(table.rows / robots);
-    if (agents.ticks === 0) throw new Error("agents.csv has no whole tick");
-    agents.id = Int32Array.from(table.text("id"), Number);
-    agents.species = Int8Array.from(table.text("species"), (name) => names.get(name) ?? -1);
-    agents.active = Uint8Array.from(table.text("active"), Number);
-    agents.tag = Int8Array.from(table.text("tag"), Number);
-    agents.targetAngle = Float32Array.from(table.text("target_angle_rad"), Number);
-    agents.adversary = Int32Array.from(table.text("adversary_id"), (cell) => (cell === "" ? -1 : Number(cell)));
-    agents.hunger = Float32Array.from(table.text("hunger_ticks"), (cell) => (cell === "" ? NaN : Number(cell)));
+    const agents = new Agents(robots);
+    const ticks = table.numbers("tick");
+    if (table.rows === 0) throw new Error("agents.csv has no tick");
+    agents.firstTick = ticks[0];
+    agents.ticks = ticks[table.rows - 1] - ticks[0] + 1;
+    agents.reserve(agents.ticks * robots);
+    const places = table.numbers("body").map((body, row) => (ticks[row] - ticks[0]) * robots + body);
+    const fill = (column: Column, name: string, valueOf: (cell: string) => number = Number): void => {
+      for (const [row, cell] of table.text(name).entries()) column[places[row]] = valueOf(cell);
+    };
+    fill(agents.id, "id");
+    fill(agents.species, "species", (name) => names.get(name) ?? -1);
+    fill(agents.active, "active");
+    fill(agents.tag, "tag");
+    fill(agents.targetAngle, "target_angle_rad");
+    fill(agents.adversary, "adversary_id", (cell) => (cell === "" ? -1 : Number(cell)));
+    fill(agents.hunger, "hunger_ticks", (cell) => (cell === "" ? NaN : Number(cell)));
+    places.forEach((place, row) => (agents.line[place] = row));
     const known = ["tick", "body", "id", "species", "active", "tag", "target_angle_rad", "adversary_id", "hunger_ticks"];
     for (const name of table.names) if (!known.includes(name)) agents.extra.set(name, table.text(name));
     return agents;
@@ -157,7 +155,7 @@ export class Agents {
     this.reserve(wanted * robots);
     for (; this.ticks > 0 && this.ticks < wanted - 1; ++this.ticks) {
       const to = this.ticks * robots;
-      for (const column of this.columns) column.copyWithin(to, to - robots, to);
+      for (const name of columns) this[name].copyWithin(to, to - robots, to);
     }
     const at = (wanted - 1) * robots;
     this.id.set(tick.id, at);
@@ -170,35 +168,27 @@ export class Agents {
     this.ticks = wanted;
   }
 
-  private get columns(): (Int32Array | Int8Array | Uint8Array | Float32Array)[] {
-    return [this.id, this.species, this.active, this.tag, this.targetAngle, this.adversary, this.hunger];
-  }
-
   private reserve(rows: number): void {
     if (rows <= this.id.length) return;
-    const room = Math.max(rows, 2 * this.id.length, 256 * this.robots);
-    this.id = grown(this.id, new Int32Array(room));
-    this.species = grown(this.species, new Int8Array(room));
-    this.active = grown(this.active, new Uint8Array(room));
-    this.tag = grown(this.tag, new Int8Array(room));
-    this.targetAngle = grown(this.targetAngle, new Float32Array(room));
-    this.adversary = grown(this.adversary, new Int32Array(room));
-    this.hunger = grown(this.hunger, new Float32Array(room));
+    const room = Math.max(rows, 2 * this.id.length);
+    const wider = Object.fromEntries(columns.map((name) => [name, grown(this[name], room)]));
+    Object.assign(this, wider);
   }
 }
 
-/** `to` with the values of `from` at its beginning. */
-function grown<T extends Int32Array | Int8Array | Uint8Array | Float32Array>(from: T, to: T): T {
+const columns = ["id", "species", "active", "tag", "targetAngle", "adversary", "hunger", "line"] as const;
+type Column = Int32Array | Int8Array | Uint8Array | Float32Array;
+
+/** A wider array with the values of `from` at its beginning, then -1. */
+function grown<T extends Column>(from: T, room: number): T {
+  const to = new (from.constructor as new (room: number) => T)(room).fill(-1) as T;
   to.set(from);
   return to;
 }
 
 /** The contents of senses.csv: all robots after each tick, row by row as the agents. */
 export class Senses {
-  constructor(
-    private readonly table: Table,
-    private readonly inputs: string[],
-  ) {}
+  constructor(private readonly table: Table, private readonly inputs: string[]) {}
 
   /** Inputs of the brain in a row: (sensor, value); empty if it was not evaluated. */
   told(row: number): [string, string][] {
@@ -215,22 +205,20 @@ export class Run {
   readonly individuals = new Map<number, Individual>();
   readonly roots: Individual[] = [];
   readonly events: Event[] = [];
+  /** In a world with energy. */
+  energy: Curves | null = null;
+  food: Food | null = null;
   /** x, y of every body at every tick of the agents; NaN until the recording has been read. */
   track: Float32Array;
   tracked = false;
 
-  private constructor(
-    readonly index: RunIndex,
-    readonly recording: Recording,
-    readonly agents: Agents,
-    readonly senses: Senses | null,
-  ) {
+  private constructor(readonly index: RunIndex, readonly recording: Recording, readonly agents: Agents, readonly senses: Senses | null) {
     this.track = new Float32Array(2 * agents.ticks * agents.robots).fill(NaN);
   }
 
   /** A live run: it grows by the `add` functions. */
   static growing(index: RunIndex, head: Head): Run {
-    const run = new Run(index, new Recording(head), Agents.growing(head.robots), null);
+    const run = new Run(index, new Recording(head), new Agents(head.robots), null);
     run.tracked = true;
     return run;
   }
@@ -241,12 +229,33 @@ export class Run {
     agents.append(tick);
     if (agents.ticks === before) return;
     const size = 2 * agents.ticks * robots;
-    if (size > this.track.length) this.track = grown(this.track, new Float32Array(Math.max(size, 2 * this.track.length, 512 * robots)).fill(NaN));
+    if (size > this.track.length) {
+      const before = this.track;
+      this.track = new Float32Array(Math.max(size, 2 * before.length)).fill(NaN);
+      this.track.set(before);
+    }
     for (let body = 0; body < robots; ++body) {
       const at = size - 2 * robots + 2 * body;
       this.track[at] = tick.x[body];
       this.track[at + 1] = tick.y[body];
     }
+    if (tick.stock) this.addEnergy(tick.time_s, tick.stock);
+    if (tick.food) (this.food ??= new Food()).add(tick.time_s, tick.food);
+  }
+
+  private addEnergy(time: number, bySpecies: ArrayLike<number>): void {
+    this.energy ??= { time: [], bySpecies: this.index.species.map(() => []) };
+    this.energy.time.push(time);
+    this.energy.bySpecies.forEach((curve, species) => curve.push(bySpecies[species]));
+  }
+
+  /** Rows of a table of a world with energy, moment by moment. */
+  private static *moments(table: Table, name: string): Generator<[number, Float64Array]> {
+    const time = table.numbers("time_s");
+    const values = table.numbers(name);
+    const first = time.findIndex((one) => one !== time[0]);
+    const each = first < 0 ? table.rows : first;
+    for (let row = 0; each > 0 && row + each <= table.rows; row += each) yield [time[row], values.subarray(row, row + each)];
   }
 
   addEvents(events: LiveEvent[]): void {
@@ -347,6 +356,11 @@ export class Run {
     return Math.min(this.agents.ticks - 1, Math.max(0, tick)) * this.robots;
   }
 
+  /** Whether an element of the agents is of one who was born at its tick. */
+  isNew(at: number): boolean {
+    return at >= this.robots && this.agents.id[at] !== this.agents.id[at - this.robots];
+  }
+
   /** The body of an individual at a moment; -1 if it does not live. */
   bodyOf(id: number, time: number): number {
     const row = this.rowAt(time);
@@ -372,13 +386,18 @@ export class Run {
         }
       }
     }, pause);
+    for (const { kind, time, body, x, y } of this.events) {
+      if (kind === "birth" && time >= this.agents.firstTick * head.tick_s) this.track.set([x, y], 2 * (this.rowAt(time) + body));
+    }
     this.tracked = true;
   }
 
   /** Reads run number `number` from the page. */
   static async open(index: RunIndex, number: number): Promise<Run> {
+    const find = (file: string): Element | null => document.querySelector(`script[data-run="${number}"][data-file="${file}"]`);
+    const isIn = (file: string): boolean => find(file) !== null;
     const bytes = (file: string): Uint8Array => {
-      const element = document.querySelector(`script[data-run="${number}"][data-file="${file}"]`);
+      const element = find(file);
       if (!element) throw new Error(`run ${index.label} lacks ${file}`);
       const found = fromBase64(element.textContent!.trim());
       element.remove();
@@ -394,6 +413,8 @@ export class Run {
     await recording.prepare(recording.firstFrame);
     const run = new Run(index, recording, Agents.read(agents, recording.head.robots, index.species), senses);
     run.readTables(events, phylogeny, JSON.parse(await text("scenes")) as Scene[]);
+    for (const [time, stock] of isIn("energy") ? Run.moments(await table("energy"), "stock_J") : []) run.addEnergy(time, stock);
+    for (const [time, cells] of isIn("food") ? Run.moments(await table("food"), "food_J") : []) (run.food ??= new Food()).add(time, cells);
     return run;
   }
 }

@@ -29,7 +29,7 @@ export class Side {
   readonly events: EventList;
   private readonly buttons = new Map<Tab, HTMLButtonElement>();
   private readonly curves = make("div", "curves");
-  readonly plots: { population: Plot; tags: Plot; speed: Plot };
+  readonly plots: { population: Plot; energy: Plot; tags: Plot; speed: Plot };
   private drawnTab: Tab = "overview";
 
   /** `numbers`: of a live run. */
@@ -40,10 +40,11 @@ export class Side {
     this.events = new EventList(jump);
     this.plots = {
       population: new Plot("individuals", null, seek),
+      energy: new Plot("energy, J", null, seek),
       tags: new Plot("share that shows the filled tag", [0, 1], seek),
       speed: new Plot("speed over a minute, mean and middle half, cm/s", null, seek),
     };
-    this.curves.append(this.plots.population.element, this.plots.tags.element, this.plots.speed.element);
+    this.curves.append(...Object.values(this.plots).map((plot) => plot.element));
     const row = make("nav", "tabs");
     for (const [tab, text, title] of tabs) {
       if (tab === "numbers" && !numbers) continue;
@@ -91,6 +92,8 @@ export class Side {
   showPlots(run: Run, first: number, last: number): void {
     const series = seriesOf(run);
     this.plots.population.show(series.population, run, first, last);
+    this.plots.energy.element.hidden = !series.energy;
+    if (series.energy) this.plots.energy.show(series.energy, run, first, last);
     this.plots.tags.show(series.tags, run, first, last);
     this.plots.speed.show(series.speed, run, first, last);
   }

@@ -57,17 +57,13 @@ export class World {
   private readonly links: Lines;
   private pose = new Float32Array(7);
   private readonly matrix = new Matrix4();
-  /** Last drawn place of each robot: x, y, z. */
+  /** Last drawn place of each robot: x, y, z; NaN of a spare body. */
   readonly drawn: Float32Array;
   /** The way that each robot was drawn to head, radians. */
   readonly headings: Float32Array;
 
   /** Throws where the browser has no WebGL. */
-  constructor(
-    readonly run: Run,
-    onPick: (body: number) => void,
-    onLook: () => void,
-  ) {
+  constructor(readonly run: Run, onPick: (body: number) => void, onLook: () => void) {
     const { head } = run.recording;
     const { robots } = run;
     this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: true, powerPreference: "high-performance", preserveDrawingBuffer: true });
@@ -199,12 +195,19 @@ export class World {
     const { agents, recording } = run;
     const row = run.rowAt(look.rowTime);
     const bodyOf = new Map<number, number>();
-    for (let body = 0; body < run.robots; ++body) bodyOf.set(agents.id[row + body], body);
-    this.takeShapes(look.time);
+    for (let body = 0; body < run.robots; ++body) if (agents.id[row + body] >= 0) bodyOf.set(agents.id[row + body], body);
+    this.takeShapes(look.time, row);
     for (let body = 0; body < run.robots; ++body) {
-      recording.poseInto(this.pose, look.time, body);
+      if (agents.id[row + body] < 0) {
+        this.drawn.fill(NaN, 3 * body, 3 * body + 3);
+        this.marks.set(body, null, null);
+        continue;
+      }
+      const place = look.time === look.rowTime && run.isNew(row + body) ? run.track.subarray(2 * (row + body), 2 * (row + body) + 2) : undefined;
+      recording.poseInto(this.pose, look.time, body, Number.isNaN(place?.[0]) ? undefined : place);
       this.drawRobot(body, row, look);
     }
+    if (run.food) this.ground.show(run.food, look.time);
     this.bodies.done();
     this.flash(look);
     this.marks.done();
@@ -216,13 +219,14 @@ export class World {
     this.placeLabels(look, row);
   }
 
-  /** The shapes of all robots' bodies at a moment. */
-  private takeShapes(time: number): void {
-    const { recording, robots } = this.run;
+  /** The shapes of all living robots' bodies at a moment. */
+  private takeShapes(time: number, row: number): void {
+    const { agents, recording, robots } = this.run;
     if (this.pose.length < recording.poseSize) this.pose = new Float32Array(recording.poseSize);
     const frame = recording.shownAt(time);
     let boxes = 0;
     for (let robot = 0; robot < robots; ++robot) {
+      if (agents.id[row + robot] < 0) continue;
       const body = recording.bodyAt(frame, robot);
       this.shapeOf[robot] = this.shapes[body] ??= new RobotShape(recording.bodies[body]);
       boxes += this.shapeOf[robot].boxes.length;
@@ -289,7 +293,9 @@ export class World {
         if (tick - back < 0 || (tick - back + agents.firstTick) * recording.head.tick_s > time + 1e-9) continue;
         const x1 = track[2 * at];
         const y1 = track[2 * at + 1];
-        if (Number.isNaN(x1)) break;
+        // Up to where its individual was born in a place of its own, or came over the edge of a torus.
+        const most = agents.id[at] === agents.id[row + body] ? recording.head.arena.half_side_m : this.radiusOf(body);
+        if (agents.id[at] < 0 || !(Math.hypot(x1 - x, y1 - y) < most)) break;
         const strength = body === selected ? 1 : 0.7;
         const colour = agents.active[at] === 1 ? colourOf(agents.species[at]) : inactiveColour;
         this.trails.add(x, y, x1, y1, colour, strength * (1 - back / trailTicks), strength * (1 - (back + 1) / trailTicks));
@@ -318,7 +324,7 @@ export class World {
     this.labels.clear();
     for (let body = 0; body < robots; ++body) {
       const isMain = body === selected || (scene?.individuals.includes(agents.id[row + body]) ?? false);
-      if (!isMain && this.pixelsOf(body) < namedPixels) continue;
+      if (!isMain && !(this.pixelsOf(body) >= namedPixels)) continue;
       const [x, y] = this.onScreen(body);
       if (this.point.z > 1 || x < 0 || y < 0 || x > this.canvas.clientWidth || y > this.canvas.clientHeight) continue;
       const id = agents.id[row + body];

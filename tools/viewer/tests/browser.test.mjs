@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pages that `trophic show` makes, in a real browser. TROPHIC, PREDATOR_PREY, OWN_BODIES and CHROMIUM name the programs.
+// Pages that `trophic show` makes, in a real browser. TROPHIC, PREDATOR_PREY, OWN_BODIES, WORLDS and CHROMIUM name the programs.
 import assert from "node:assert/strict";
 import { execFileSync } from "node:child_process";
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
@@ -39,6 +39,10 @@ before(async () => {
   show("wide.html", "wide");
   execFileSync(process.env.OWN_BODIES, ["--out", at("bodies"), "--seed", "3", "--duration", "400", "--set", "rules.body_plan.first_modules=6"]);
   show("bodies.html", "bodies");
+  const numbers = { "recruitment.spare_bodies": 140, "recruitment.birth_J": 40, "community.predators": 1, "resource.growth_1_s": 0, "resource.seed_1_s": 0 };
+  const set = Object.entries(numbers).flatMap(([path, value]) => ["--set", `rules.${path}=${value}`]);
+  execFileSync(process.env.WORLDS, ["--rules", "pond", "--backend", "kinematic", "--seed", "4", "--duration", "1000", "--out", at("pond"), ...set]);
+  show("pond.html", "pond");
   execFileSync(process.env.TROPHIC, ["show", at("bodies"), "--from", "200", "--to", "300", "--out", at("some_bodies.html")]);
   browser = await Browser.start();
 });
@@ -59,8 +63,7 @@ test("page: run of 6000 s -> opens within 3 s of processor time and draws both s
   const opened = await browser.open(at("long.html"));
   const busy = await opened.busySeconds();
   assert.ok(busy < 3, `${busy} s`);
-  await opened.evaluate(() => window.trophic.seek(1000));
-  await opened.settle();
+  await opened.seek(1000);
   for (const [species, colour] of [["prey", "#0072b2"], ["predators", "#d55e00"]]) {
     const pixels = await opened.pixels(colour);
     assert.ok(pixels > 100, `${pixels} pixels of ${species}`);
@@ -176,12 +179,33 @@ test("page: three events -> the drawn robot is at the place in events.csv, to 2 
   const opened = await browser.open(at("long.html"));
   const catches = rows("long", "events.csv").filter((row) => row.event === "catch");
   for (const event of [catches[0], catches[Math.floor(catches.length / 2)], catches[catches.length - 1]]) {
-    await opened.evaluate((time) => window.trophic.seek(time), Number(event.time_s));
-    await opened.settle();
+    await opened.seek(Number(event.time_s));
     const [x, y] = await opened.evaluate((body) => [...window.trophic.worlds[0].drawn.slice(3 * body, 3 * body + 2)], Number(event.body));
     const off = Math.hypot(x - event.x_m, y - event.y_m);
     assert.ok(off < 0.002, `${off} m at ${event.time_s} s`);
   }
+  await leave(opened);
+});
+
+test("page: numbers go from 10 to 70 and down to 20 -> the living are drawn at their places and no others, with curves of energy and food on the floor", async () => {
+  const opened = await browser.open(at("pond.html"), "#t=0&view=top");
+  const green = [];
+  for (const time of [0, 60, 420, 425.9, 1000]) {
+    await opened.seek(time);
+    const alive = rows("pond", "agents.csv").filter((row) => Number(row.tick) === Math.floor(time / 2));
+    const [drawn, counts] = await opened.evaluate(() => [[...window.trophic.worlds[0].drawn], window.trophic.counts.map((one) => Number(one.textContent))]);
+    const bodies = alive.map((row) => Number(row.body));
+    assert.deepEqual(drawn.flatMap((x, i) => (i % 3 === 0 && !Number.isNaN(x) ? [i / 3] : [])), bodies);
+    const off = (row) => Math.hypot(drawn[3 * row.body] - row.x_m, drawn[3 * row.body + 1] - row.y_m);
+    for (const row of alive) assert.ok(off(row) < (time % 2 ? 0.4 : 0.002), `${row.id} is ${off(row)} m away at ${time} s`);
+    assert.deepEqual(counts, ["prey", "predator"].map((species) => alive.filter((row) => row.species === species).length));
+    green.push(await opened.pixels("#9cc47f"));
+  }
+  assert.ok(green[0] > 1.5 * green[2] && green[2] > 1.5 * green[4], `${green} pixels of food`);
+  const shown = await opened.evaluate(() => window.trophic.side.plots.energy.plot.data.map((values) => [...values]));
+  const energy = rows("pond", "energy.csv").filter((row) => row.species === "prey").map((row) => Number(row.stock_J));
+  assert.equal(shown[1].length, energy.length);
+  energy.forEach((stock_J, i) => assert.ok(Math.abs(shown[1][i] - stock_J) <= 1e-3 * stock_J));
   await leave(opened);
 });
 
@@ -322,7 +346,7 @@ test("n and p go through the catches one by one, and Esc ends the scene", async 
 test("a click on a catch in the bar of time shows the victim still in its body", async () => {
   const opened = await browser.open(at("long.html"));
   const event = catches("long")[5];
-  await opened.evaluate((time) => window.trophic.show(window.trophic.run.events.find((one) => one.kind === "catch" && one.time === time)), event.time);
+  await opened.evaluate((time) => window.trophic.show(window.trophic.run.catches.find((one) => one.time === time)), event.time);
   await opened.settle();
   const shown = await opened.evaluate((body) => window.trophic.run.agents.id[window.trophic.run.rowAt(window.trophic.rowTime) + body], Number(event.victim.body));
   assert.equal(shown, Number(event.victim_id));
@@ -380,16 +404,6 @@ test("every mark is in the legend, with how many live now", async () => {
   await leave(opened);
 });
 
-test("the address follows what is shown", async () => {
-  const opened = await browser.open(at("short.html"), "#t=100");
-  await opened.evaluate(() => {
-    window.trophic.seek(140);
-    window.trophic.select(5);
-  });
-  await opened.until(() => location.hash === "#t=140&robot=5");
-  await leave(opened);
-});
-
 test("in dark surroundings page and world are dark, and turn light again", async () => {
   const dark = await browser.with({ viewport: { width: 1280, height: 800 }, colorScheme: "dark" });
   const opened = await dark.open(at("short.html"), "#t=100");
@@ -440,9 +454,8 @@ test("extinct branches are collapsed: lines of those who have living descendants
 test("the inspector says in words where the one is that a robot perceives", async () => {
   const opened = await browser.open(at("long.html"), "#t=3000");
   const row = rows("long", "agents.csv").find((one) => one.time_s === "3000" && one.adversary_id !== "");
-  await opened.evaluate((id) => window.trophic.select(id), Number(row.id));
-  await opened.settle();
-  const said = Object.fromEntries(await opened.page.$$eval(".inspector dt", (terms) => terms.map((term) => [term.textContent, term.nextSibling.textContent])));
+  await opened.seek(3000, Number(row.id));
+  const said = await opened.inspected();
   const other = rows("long", "agents.csv").find((one) => one.time_s === "3000" && one.id === row.adversary_id);
   const bearing = Math.atan2(other.y_m - row.y_m, other.x_m - row.x_m) - Number(row.heading_rad);
   const off = (Math.atan2(Math.sin(bearing), Math.cos(bearing)) * 180) / Math.PI;
@@ -481,7 +494,7 @@ test("lanes with more events than fit are drawn by density", async () => {
   await leave(opened);
 });
 
-test("a link opens at its moment, robot and view, and playing continues from there", async () => {
+test("a link opens at its moment, robot and view, playing continues from there, and the address follows", async () => {
   const opened = await browser.open(at("long.html"), "#t=1234&robot=17&view=top");
   assert.deepEqual(await opened.evaluate(() => [window.trophic.time, window.trophic.selected, window.trophic.worlds[0].view]), [1234, 17, "top"]);
   assert.equal(await opened.evaluate(() => window.trophic.link()), "#t=1234&robot=17&view=top");
@@ -492,6 +505,8 @@ test("a link opens at its moment, robot and view, and playing continues from the
   await opened.until(() => window.trophic.time > 1237);
   await opened.page.keyboard.press("Space");
   assert.equal(await opened.evaluate(() => window.trophic.playing), false);
+  await opened.seek(140, 5);
+  await opened.until(() => location.hash === "#t=140&robot=5&view=top");
   await leave(opened);
 });
 
@@ -499,8 +514,7 @@ test("page: several runs -> side by side on one time bar", async () => {
   const opened = await browser.open(at("two.html"));
   assert.equal(await opened.page.locator(".view").count(), 2);
   assert.equal(await opened.evaluate(() => window.trophic.lastTime), 6000);
-  await opened.evaluate(() => window.trophic.seek(120));
-  await opened.settle();
+  await opened.seek(120);
   for (const [number, name] of ["short", "long"].entries()) {
     const blue = await opened.pixels("#0072b2", number);
     assert.ok(blue > 5, `${blue} pixels of prey in ${name}`);
@@ -525,8 +539,7 @@ test("300 robots stay usable", async () => {
   const start = await opened.busySeconds();
   const pictures = 4;
   for (let i = 1; i <= pictures; ++i) {
-    await opened.evaluate((time) => window.trophic.seek(time), 43.3 * i);
-    await opened.settle();
+    await opened.seek(43.3 * i);
   }
   const each = ((await opened.busySeconds()) - start) / pictures;
   assert.ok(each < 0.12, `${each} s of work a picture`);
@@ -550,12 +563,8 @@ test("inspector: run with senses.csv -> a brain's inputs, outputs and wanted tag
   const fixed = (text) => Number(text).toFixed(2);
   for (const wish of ["denied", "kept", "switched"]) {
     const row = rows("sensing", "senses.csv").find((one) => one.tag_outcome === wish);
-    await opened.evaluate(([time, id]) => {
-      window.trophic.seek(time);
-      window.trophic.select(id);
-    }, [Number(row.time_s), Number(row.id)]);
-    await opened.settle();
-    const said = Object.fromEntries(await opened.page.$$eval(".inspector dt", (terms) => terms.map((term) => [term.textContent, term.nextSibling.textContent])));
+    await opened.seek(Number(row.time_s), Number(row.id));
+    const said = await opened.inspected();
     assert.equal(said["brain's inputs"], inputs.map((name, i) => `${name.replaceAll("_", " ")} ${fixed(row[`input${i}`])}`).join(", "));
     assert.equal(said.outputs, `angle ${fixed(row.angle_output)}, tag ${fixed(row.tag_output)}`);
     assert.equal(said["wants tag"], `${Number(row.chosen_tag) > 0 ? "+" : ""}${row.chosen_tag}, ${{ denied: "denied", kept: "as before", switched: "switched now" }[wish]}`);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run with --live in a real browser. PREDATOR_PREY, OWN_BODIES and CHROMIUM name the programs.
+// A run with --live in a real browser. PREDATOR_PREY, OWN_BODIES, WORLDS and CHROMIUM name the programs.
 import assert from "node:assert/strict";
 import { execFileSync, spawn } from "node:child_process";
 import { mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
@@ -177,6 +177,21 @@ test("live: individuals with bodies of their own -> each is drawn in its own", a
   const settled = drawn.filter(([id]) => Number(born.get(id)[header.indexOf("time_s")]) < 200); // the last newborns are not set down
   assert.ok(settled.length > 20);
   assert.deepEqual(settled, settled.map(([id]) => [id, Number(born.get(id)[header.indexOf("hinges")])]));
+});
+
+test("live: numbers that change -> the living are drawn and no others, on their food", async () => {
+  const run = await start("pond", process.env.WORLDS, ["--rules", "pond", "--backend", "kinematic", "--duration", "200", "--out", at("pond")]);
+  const opened = await open(run.address);
+  await opened.page.locator(".controls select").selectOption("0");
+  await opened.page.keyboard.press("Space");
+  await opened.until(() => window.trophic.live.state.over && window.trophic.time === 200 && window.trophic.settled);
+  const [drawn, curves] = await opened.evaluate(() => [[...window.trophic.worlds[0].drawn], window.trophic.run.energy.bySpecies.map((curve) => curve.length)]);
+  await opened.untilPixels("#9cc47f", (count) => count > 3000);
+  assert.deepEqual(opened.complaints, []);
+  await opened.page.close();
+  const last = readFileSync(join(at("pond"), "agents.csv"), "utf8").trim().split("\n").map((line) => line.split(",")).filter((cells) => cells[0] === "200");
+  assert.deepEqual(drawn.flatMap((x, i) => (i % 3 === 0 && !Number.isNaN(x) ? [i / 3] : [])), last.map((cells) => Number(cells[2])));
+  assert.ok(curves[0] > 1 && curves[0] === curves[1]);
 });
 
 test("live: on a phone and in the dark -> parameters in a sheet from below", async () => {

@@ -76,6 +76,20 @@ export class OpenedPage {
     await this.page.waitForFunction(() => window.trophicError || window.trophic?.settled, null, patience);
   }
 
+  /** Shows a moment, with an individual selected if one is given. */
+  async seek(time, id) {
+    await this.evaluate(([moment, one]) => {
+      window.trophic.seek(moment);
+      if (one !== undefined) window.trophic.select(one);
+    }, [time, id]);
+    await this.settle();
+  }
+
+  /** The rows of the inspector: term, text. */
+  async inspected() {
+    return Object.fromEntries(await this.page.$$eval(".inspector dt", (terms) => terms.map((term) => [term.textContent, term.nextSibling.textContent])));
+  }
+
   /** Waits until a condition of the page holds. */
   until(condition, argument = null) {
     return this.page.waitForFunction(condition, argument, patience);

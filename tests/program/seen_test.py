@@ -1,0 +1,125 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""seen_test.py WORLDS TROPHIC: page, live page, film and glTF of a run whose numbers go from 10 animals to about 70 and down to 20."""
+
+import base64
+import csv
+import io
+import json
+import re
+import subprocess
+import sys
+import unittest
+import zlib
+
+import system_python
+
+system_python.need("numpy", "PIL")
+
+import numpy  # noqa: E402
+from in_folder import InFolderWithSets  # noqa: E402
+from live_page import LiveRun  # noqa: E402
+from PIL import Image  # noqa: E402
+
+WORLDS, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
+GRASS, TOP = 400, 15.0  # cells of the floor, and the most that one has, J
+RULES = {"recruitment.spare_bodies": 140, "recruitment.birth_J": 40, "community.predators": 1, "resource.growth_1_s": 0, "resource.seed_1_s": 0}
+RUN = [WORLDS, "--rules", "pond", "--backend", "kinematic", "--seed", "4", *(word for path, value in RULES.items() for word in ("--set", f"rules.{path}={value}"))]
+
+
+class Seen(InFolderWithSets):
+    @classmethod
+    def make_sets(cls):
+        subprocess.run([*RUN, "--duration", "1000", "--out", str(cls.sets / "run")], capture_output=True, check=True, timeout=300)
+        cls.agents, cls.events, cls.energy = (cls.rows((cls.sets / f"run/{name}.csv").read_text()) for name in ("agents", "events", "energy"))
+        cls.alive = {time_s: {int(row["id"]): row for row in cls.agents if float(row["time_s"]) == time_s} for time_s in range(0, 1001, 20)}
+
+    @staticmethod
+    def rows(text):
+        return list(csv.DictReader(io.StringIO(text)))
+
+    def make(self, command, out, *options):
+        done = subprocess.run([TROPHIC, command, str(self.sets / "run"), "-o", out, *map(str, options)], capture_output=True, text=True, cwd=self.folder, timeout=300)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return self.folder / out
+
+    def test_the_run_goes_up_and_down(self):
+        numbers = [len(alive) for alive in self.alive.values()]
+        self.assertEqual(numbers[0], 10)
+        self.assertGreater(max(numbers), 50)
+        self.assertLess(numbers[-1], 30)
+
+    def test_a_page_has_who_lives_at_each_tick_energy_by_species_and_the_food_of_each_cell(self):
+        page = self.make("show", "page.html", "--from", 300, "--to", 500).read_text()
+        tables = {}
+        for name in ("agents", "energy", "food"):
+            packed = re.search(rf'data-file="{name}">([^<]*)<', page)[1]
+            tables[name] = self.rows(zlib.decompress(base64.b64decode(packed)).decode())
+        wanted = [(row["tick"], row["body"], row["id"]) for row in self.agents if 298 < float(row["time_s"]) <= 500]
+        self.assertEqual([(row["tick"], row["body"], row["id"]) for row in tables["agents"]], wanted)
+        stock_J = [float(row["stock_J"]) for row in self.energy if 298 < float(row["time_s"]) <= 500]
+        numpy.testing.assert_allclose([float(row["stock_J"]) for row in tables["energy"]][-len(stock_J) :], stock_J, rtol=1e-3)
+        times = sorted({float(row["time_s"]) for row in tables["food"]})
+        self.assertTrue(times[0] <= 300 and numpy.diff(times).max() <= 20, times)
+        self.assertEqual(len(tables["food"]), GRASS * len(times))
+
+    def test_gltf_shows_each_animal_from_its_birth_in_its_place_to_its_death_on_the_food(self):
+        scene = json.loads(self.make("export", "scene.gltf", "--from", 300, "--to", 340).read_text())
+        data = base64.b64decode(scene["buffers"][0]["uri"].split(",")[1])
+
+        def numbers(accessor):
+            one = scene["accessors"][accessor]
+            width = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}[one["type"]]
+            return numpy.frombuffer(data, "<f4", one["count"] * width, scene["bufferViews"][one["bufferView"]]["byteOffset"]).reshape(-1, width)
+
+        nodes = {node["extras"]["id"]: at for at, node in enumerate(scene["nodes"]) if "extras" in node}
+        moves = {}
+        for channel in scene["animations"][0]["channels"]:
+            sampler = scene["animations"][0]["samplers"][channel["sampler"]]
+            moves[channel["target"]["node"], channel["target"]["path"]] = numbers(sampler["input"])[:, 0] + 300, numbers(sampler["output"])
+        stretch = [row for row in self.agents if 300 <= float(row["time_s"]) <= 340]
+        self.assertEqual(set(nodes), {int(row["id"]) for row in stretch})
+        self.assertLess(len(nodes), 150)
+        births = [row for row in self.events if row["event"] == "birth" and 300 < float(row["time_s"]) < 338]
+        self.assertGreater(len(births), 2)
+        for row in births:
+            times_s, places_m = moves[nodes[int(row["id"])], "translation"]
+            self.assertLess(numpy.hypot(places_m[:3, 0] - float(row["x_m"]), places_m[:3, 1] - float(row["y_m"])).max(), 0.1)
+            times_s, scales = moves[nodes[int(row["id"])], "scale"]
+            self.assertEqual((list(scales[:2, 0]), times_s[1]), ([0.0, 1.0], float(row["time_s"])))
+        for row in self.events:
+            if row["event"] != "death" or not 300 < float(row["time_s"]) < 340:
+                continue
+            times_s, scales = moves[nodes[int(row["id"])], "scale"]
+            self.assertEqual((scales[-1, 0], round(float(times_s[-1]), 3)), (0.0, float(row["time_s"])))
+        shades = [scene["meshes"][node["mesh"]]["name"] for node in scene["nodes"] if "mesh" in node and scene["meshes"][node["mesh"]]["name"].startswith("food")]
+        self.assertEqual(len(shades), GRASS)
+        self.assertGreater(len(set(shades)), 5)
+
+    def test_a_film_shows_the_living_and_less_food_when_it_is_eaten(self):
+        if subprocess.run([TROPHIC, "film", "--help"], capture_output=True, text=True).returncode != 0:
+            self.skipTest("built without films")
+        blue, green = [], []
+        for time_s in (0, 420, 1000):
+            options = ("--from", time_s, "--view", "top", "--lines", "off", "--legend", "off", "--size", "800x800")
+            picture = numpy.array(Image.open(self.make("film", f"at-{time_s}.png", *options))).astype(int)
+            blue.append((numpy.abs(picture - (0, 114, 178)).sum(axis=-1) < 70).sum())
+            green.append((2 * picture[:, :, 1] - picture[:, :, 0] - picture[:, :, 2] > 40).sum())
+        self.assertGreater(blue[1], 2 * max(blue[0], blue[2]))
+        self.assertGreater(green[0], 1.5 * green[1])
+        self.assertGreater(green[1], 1.5 * green[2])
+
+    def test_a_live_page_gets_empty_bodies_energy_and_food(self):
+        with LiveRun([*RUN, "--duration", "40", "--out", "run"], self.folder) as run, run.page() as page:
+            page.send({"do": "speed", "value": 0})
+            tick = page.until(lambda message: message["kind"] == "tick" and message["time_s"] == 40.0)
+        alive = self.alive[40]
+        self.assertEqual({id_ for id_ in tick["id"] if id_ >= 0}, set(alive))
+        self.assertEqual(len(tick["id"]), 150)
+        energy = [float(row["stock_J"]) for row in self.energy if row["time_s"] == "40"]
+        numpy.testing.assert_allclose(tick["stock"], energy, atol=1e-4)
+        self.assertTrue(len(tick["food"]) == GRASS and 0.5 * TOP < max(tick["food"]) <= TOP)
+
+
+if __name__ == "__main__":
+    unittest.main()
