@@ -42,11 +42,14 @@
 #include <trophic/perception/sensors/distance_over_diagonal.hpp>
 #include <trophic/perception/sensors/food_gradient.hpp>
 #include <trophic/perception/sensors/hearing.hpp>
+#include <trophic/perception/sensors/joint_angles.hpp>
 #include <trophic/perception/sensors/own_energy.hpp>
 #include <trophic/perception/sensors/own_speed.hpp>
 #include <trophic/perception/sensors/per_species.hpp>
 #include <trophic/perception/sensors/random_turn.hpp>
 #include <trophic/perception/sensors/rays.hpp>
+#include <trophic/perception/sensors/tilt.hpp>
+#include <trophic/perception/sensors/touch.hpp>
 #include <trophic/perception/tag_switch/first_switch_free.hpp>
 #include <trophic/perception/visibility/same_tag_if_active.hpp>
 #include <trophic/perception/visibility/within_range.hpp>

@@ -2,8 +2,10 @@
 // A robot without sides turns by bending and lives in an ecology, in both engines.
 #include <doctest/doctest.h>
 
+#include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/backend/ode.hpp>
+#include <trophic/control/brain/feed_forward_brain.hpp>
 #include <trophic/control/locomotion/locomotion.hpp>
 #include <trophic/control/steering/bending_steering.hpp>
 #include <trophic/ecology/ecology.hpp>
@@ -12,6 +14,9 @@
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/habitat/load/robot.hpp>
+#include <trophic/perception/sensors/joint_angles.hpp>
+#include <trophic/perception/sensors/tilt.hpp>
+#include <trophic/perception/sensors/touch.hpp>
 #include <trophic/rules/paper.hpp>
 
 using namespace trophic;
@@ -36,15 +41,45 @@ TEST_CASE_TEMPLATE("snake: target angles to both sides -> other turns", Engine, 
   CHECK(std::abs(turned_rad[0] - turned_rad[2]) > 0.3);
 }
 
-TEST_CASE_TEMPLATE("snake: ecology -> six live and walk", Engine, backend::Mujoco, backend::Ode) {
-  Experiment<with_steering<rules::Paper, control::steering::BendingSteering>> params{.seed = 1};
+namespace {
+
+namespace sensors = perception::sensors;
+using Bending = with_steering<rules::Paper, control::steering::BendingSteering>;
+using Feeling = with_brain<with_sensors<Bending, sensors::List<sensors::JointAngles<5>, sensors::Tilt, sensors::Touch>>,
+                           control::brain::FeedForwardBrain>;
+
+/// The largest value of each input.
+struct Inputs {
+  std::array<double, 8> most{};
+  [[nodiscard]] bool wants_decisions() const { return true; }
+  void on_decision(const observe::DecisionRecord& record, const View&) {
+    for (std::size_t i = 0; i < most.size(); ++i) most[i] = std::max(most[i], record.inputs[i]);
+  }
+};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("snake: ecology -> six live, walk, and sense their bodies", Engine, backend::Mujoco, backend::Ode) {
+  Experiment<Feeling> params{.seed = 1};
   params.ecology.robot = "snake";
   params.ecology.robots = 6;
   params.rules.community.predators = 3;
   Ecology ecology{params, typename Engine::Params{}};
   const std::vector<GroundPose> starts{ecology.view().poses.begin(), ecology.view().poses.end()};
-  ecology.run_until(20.0);
+  Inputs inputs;
+  ecology.run_until(20.0, inputs);
+  for (std::size_t joint = 0; joint < 5; ++joint) CHECK(inputs.most[joint] > 0.1);
+  CHECK(inputs.most[5] > 0.0);
   double way_m = 0.0;
   for (std::size_t i = 0; i < 6; ++i) way_m += distance_m(starts[i], ecology.view().poses[i]);
   CHECK(way_m > 6 * 0.1);
+}
+
+TEST_CASE("senses of the body: backend without joints -> refused") {
+  Experiment<with_steering<Feeling, control::steering::TargetedSteering>> params;
+  const auto make = [&] { Ecology{params, backend::Kinematic::Params{}}; };
+  CHECK_THROWS_WITH_AS(make(),
+                       "rules.sensors = joint_angles + tilt + touch on backend kinematic: must be a backend with joints, whose "
+                       "robots have joint angles, tilt and touch",
+                       std::invalid_argument);
 }

@@ -53,10 +53,13 @@
 #include <trophic/perception/sensors/distance_over_diagonal.hpp>
 #include <trophic/perception/sensors/food_gradient.hpp>
 #include <trophic/perception/sensors/hearing.hpp>
+#include <trophic/perception/sensors/joint_angles.hpp>
 #include <trophic/perception/sensors/own_energy.hpp>
 #include <trophic/perception/sensors/own_speed.hpp>
 #include <trophic/perception/sensors/random_turn.hpp>
 #include <trophic/perception/sensors/rays.hpp>
+#include <trophic/perception/sensors/tilt.hpp>
+#include <trophic/perception/sensors/touch.hpp>
 #include <trophic/perception/tag_switch/first_switch_free.hpp>
 #include <trophic/perception/tag_switch/free_tags.hpp>
 #include <trophic/perception/visibility/all_active.hpp>
@@ -125,6 +128,7 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_sensor_suite, perception::sensors::SideOfAdver
                           perception::sensors::DistanceOverScale, perception::sensors::TagRatioOfAll,
                           perception::sensors::TagRatioOfActive, perception::sensors::Hearing<0>,
                           perception::sensors::FoodGradient, perception::sensors::OwnEnergy, perception::sensors::OwnSpeed,
+                          perception::sensors::JointAngles<4>, perception::sensors::Tilt, perception::sensors::Touch,
                           perception::sensors::Rays<8, perception::sensors::Sees::kin, perception::sensors::Sees::victims,
                                                     perception::sensors::Sees::walls, perception::sensors::Sees::food>,
                           perception::sensors::RandomTurn);

@@ -20,6 +20,7 @@
 #include <trophic/initialization/embodiment/contract.hpp>
 #include <trophic/observe/audience.hpp>
 #include <trophic/observe/frame.hpp>
+#include <trophic/population/body_reading.hpp>
 #include <trophic/rules/table.hpp>
 
 namespace trophic {
@@ -27,7 +28,7 @@ namespace trophic {
 /// The robots of a population in a backend. Each has the body and the gait of its individual's phenotype; if these
 /// phenotypes_differ, `embody` sets a newborn's body down and starts its gait.
 template <class Rules>
-class Bodies {
+class Bodies final : public BodyReading {
  public:
   /// `population` holds the founders. All arguments outlive the bodies.
   Bodies(const Experiment<Rules>& params, const BackendChoice& choice, const Habitat& habitat, const Policies<Rules>& rules,
@@ -58,6 +59,12 @@ class Bodies {
   }
 
   [[nodiscard]] std::span<const GroundPose> poses() const { return poses_; }
+  [[nodiscard]] const RobotModel& robot(BodyIndex body) const override {
+    const auto phenotypes = population_.phenotypes();
+    return phenotypes.empty() || !phenotypes[body].robot ? habitat_.robot : *phenotypes[body].robot;
+  }
+  [[nodiscard]] Pose root(BodyIndex body) const override { return backend_->pose(body); }
+  [[nodiscard]] std::span<const double> joint_angles_rad(BodyIndex body) const override { return backend_->joint_angles(body); }
   [[nodiscard]] const AnyBackend& backend() const { return *backend_; }
   /// The side of a torus; 0 for an arena with walls.
   [[nodiscard]] double period_m() const { return backend_->is_periodic() ? 2.0 * habitat_.arena.half_side_m : 0.0; }
@@ -73,8 +80,8 @@ class Bodies {
   /// Gives a body the phenotype of its individual. Founders are embodied in order, each among the `standing` ones before it.
   void embody(BodyIndex body, std::size_t standing) {
     if (bodies_differ) {
-      const Pose pose = rules_.embodiment.set_down(poses_[body], robot_in(body), habitat_.arena, boxes_near(body, standing));
-      backend_->embody(body, robot_in(body), pose);
+      const Pose pose = rules_.embodiment.set_down(poses_[body], robot(body), habitat_.arena, boxes_near(body, standing));
+      backend_->embody(body, robot(body), pose);
       poses_[body] = on_ground(body);
       population_.stand_at(poses_);
     }
@@ -93,7 +100,7 @@ class Bodies {
     poses_[body] = place;
     population_.leave_tree();
     if (bodies_differ) return embody(body, population_.individuals().size());
-    backend_->place(body, standing_poses(std::array{place}, robot_in(body), habitat_.arena).front());
+    backend_->place(body, standing_poses(std::array{place}, robot(body), habitat_.arena).front());
     if (phenotypes_differ) {
       walk_by(body);
     } else {
@@ -281,14 +288,9 @@ class Bodies {
     return paces;
   }
 
-  [[nodiscard]] const RobotModel& robot_in(BodyIndex body) const {
-    const auto phenotypes = population_.phenotypes();
-    return phenotypes.empty() || !phenotypes[body].robot ? habitat_.robot : *phenotypes[body].robot;
-  }
-
   [[nodiscard]] GroundPose on_ground(BodyIndex body) const {
     const Pose root = backend_->pose(body);
-    const double heading_rad = rules_.heading.heading_rad(root, robot_in(body).forward_rad);
+    const double heading_rad = rules_.heading.heading_rad(root, robot(body).forward_rad);
     return {.x_m = root.position_m.x(), .y_m = root.position_m.y(), .heading_rad = heading_rad};
   }
 
@@ -297,24 +299,24 @@ class Bodies {
     std::vector<PlacedBox> near;
     for (BodyIndex other = 0; other < standing; ++other) {
       if (other == body || !population_[other].lives()) continue;
-      const RobotModel& robot = robot_in(other);
+      const RobotModel& model = robot(other);
       const Pose root = backend_->pose(other);
       const GroundPose there{.x_m = root.position_m.x(), .y_m = root.position_m.y()};
-      const double most_m = 3.0 * robot_in(body).bounding_radius_m + robot.bounding_radius_m;
+      const double most_m = 3.0 * robot(body).bounding_radius_m + model.bounding_radius_m;
       if (distance_m(poses_[body], there) > most_m) continue;
-      const auto boxes = placed_boxes(robot, root, backend_->joint_angles(other));
+      const auto boxes = placed_boxes(model, root, backend_->joint_angles(other));
       near.insert(near.end(), boxes.begin(), boxes.end());
     }
     return near;
   }
 
-  void walk_by(BodyIndex body) { locomotion_.walk_by(body, robot_in(body), *population_.phenotypes()[body].gait); }
+  void walk_by(BodyIndex body) { locomotion_.walk_by(body, robot(body), *population_.phenotypes()[body].gait); }
 
   /// Gives the backend the body, in any pose, and the gait.
   void take_shape(BodyIndex body) {
-    const RobotModel& robot = robot_in(body);
-    const Pose any{.position_m = {0.0, 0.0, robot.rest_height_m}, .orientation = Eigen::Quaterniond::Identity()};
-    if (bodies_differ) backend_->embody(body, robot, any);
+    const RobotModel& model = robot(body);
+    const Pose any{.position_m = {0.0, 0.0, model.rest_height_m}, .orientation = Eigen::Quaterniond::Identity()};
+    if (bodies_differ) backend_->embody(body, model, any);
     walk_by(body);
   }
 

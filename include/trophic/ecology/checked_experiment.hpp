@@ -96,6 +96,9 @@ void check_parts(const BackendChoice& backend) {
     refuse_if(is_nothing, heredity + " with " + gaits + " and " + bodies,
               "in a table that inherits that part; else it is own_copy");
   }
+  refuse_if(PolicyIn<Rules, RuleSlot::sensors>::needs_joints && !backend.has_joints(),
+            "rules.sensors = " + std::string{policy_name<PolicyIn<Rules, RuleSlot::sensors>>()} + on_backend,
+            "a backend with joints, whose robots have joint angles, tilt and touch");
   if constexpr (!requires { requires PolicyIn<Rules, RuleSlot::steering>::walks_use_it; }) {
     refuse_if(!backend.has_joints(), steering + on_backend,
               "a backend with joints; without them robots turn by their walk, which is measured with targeted_steering");

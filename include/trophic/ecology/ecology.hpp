@@ -78,6 +78,7 @@ class Ecology final : public Simulation {
             .energy = population_.economy().flows(),
             .resource = population_.economy().resource_flow(),
             .refused_births = refused_births_,
+            .bodies = bodies_.backend().has_joints() ? &bodies_ : nullptr,
             .acts = population_.acts().values(),
             .traits = TraitGenes<Rules>::names,
             .is_over = ends_now(params_.ecology.ends_when, population_.members()),

@@ -18,6 +18,8 @@
 
 namespace trophic {
 
+class BodyReading;
+
 /// The world as rules see it at one tick. `robots` and `poses` have one element per body, in the same order. Spans refer to the
 /// ecology's own data: within a tick a view shows each birth and death at once. Only a table with a Recruitment rule has bodies
 /// without an individual: `robots[body].lives()` is false, they are not in the world, and no search finds them.
@@ -38,6 +40,7 @@ struct View {
   std::span<const EnergyFlow> energy = {};        ///< of each species since the last tick; empty without a rule Metabolism
   ResourceFlow resource = {};                     ///< since the last tick
   std::uint64_t refused_births = 0;               ///< for which no body or no room was free, so far
+  const BodyReading* bodies = nullptr;            ///< of an engine with joints (population/body_reading.hpp); null without
   ActValues acts = {};                            ///< of the last decisions
   std::span<const std::string_view> traits = {};  ///< names of the heritable traits of the rule Traits
   bool is_over = false;                           ///< whether the run ends now by EcologyParams::ends_when
@@ -112,14 +115,14 @@ struct View {
 
   /// All bodies with an individual whose centres are at most `radius_m` from a point on the floor, ascending.
   [[nodiscard]] std::vector<BodyIndex> within(const GroundPose& point, double radius_m) const {
-    std::vector<BodyIndex> bodies;
+    std::vector<BodyIndex> found;
     const auto take = [&](BodyIndex body) {
-      if (distance_m(point, poses[body]) <= radius_m && robots[body].lives()) bodies.push_back(body);
+      if (distance_m(point, poses[body]) <= radius_m && robots[body].lives()) found.push_back(body);
     };
     for_each_near(point, radius_m, take);
-    std::ranges::sort(bodies);
-    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
-    return bodies;
+    std::ranges::sort(found);
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
   }
 
  private:

@@ -38,6 +38,16 @@ concept OwnSensor = detail::Sized<P> &&(
       { policy.sense(self, sighting, view, rng, own) } -> std::same_as<std::array<double, P::size>>;
     });
 
+/// Whether a sensor reads joints, tilt or touch, by `static constexpr bool needs_joints = true;`: `view.bodies` then exists, and
+/// backends without joints are refused.
+template <class P>
+inline constexpr bool needs_joints = false;
+template <class P>
+requires requires {
+  requires P::needs_joints;
+}
+inline constexpr bool needs_joints<P> = true;
+
 namespace ask {
 
 template <class P>

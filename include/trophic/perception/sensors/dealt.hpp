@@ -16,6 +16,7 @@ struct Dealt {
   static constexpr std::string_view name = prefixed_name<"dealt", Sensed>;
   static constexpr std::string_view source = "control";
   static constexpr std::size_t size = Sensed::size;
+  static constexpr bool needs_joints = perception::needs_joints<Sensed>;
   struct Params {
     ParamsOf<Sensed> sensed;
     static constexpr auto fields() { return std::tuple{field("sensed", &Params::sensed)}; }

@@ -127,6 +127,7 @@ template <class... Sensors>
 class List : public detail::HeldSensors<Sensors...> {
  public:
   static constexpr bool is_sensor_list = (Sensor<Sensors> && ...);  ///< required by the slot
+  static constexpr bool needs_joints = (perception::needs_joints<Sensors> || ...);
   static constexpr std::size_t count = sizeof...(Sensors);
   static constexpr std::size_t size = (detail::size_of<Sensors>() + ... + 0);
   static constexpr std::string_view name = JoinedText<detail::Names<Sensors...>>::view;

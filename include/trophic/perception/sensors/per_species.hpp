@@ -94,6 +94,7 @@ class PerSpeciesOf : public detail::HeldLists<Community, Lists...> {
   static_assert(sizeof...(Lists) == Community::species_names.size(),
                 "sensors::PerSpecies needs one sensors::List for each species of the table's community");
   static constexpr bool is_sensor_list = (Lists::is_sensor_list && ...);  ///< required by the slot
+  static constexpr bool needs_joints = (Lists::needs_joints || ...);
   static constexpr std::size_t size = std::max({Lists::size...});
   static constexpr std::array<std::size_t, sizeof...(Lists)> sizes{Lists::size...};
   static constexpr std::string_view name = JoinedText<detail::ListNames<Lists...>>::view;
