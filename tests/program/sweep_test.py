@@ -202,7 +202,7 @@ class Ways(Sweeps):
         self.write("base0.sh", printed.stdout.replace("--out 'out'", "--out 'base0'"))
         for job, tasks in (("job.sh", (2, 1, 3)), ("base0.sh", (0, 1, 2))):
             for task in tasks:
-                self.assert_done(self.run_words("bash", job, env={**os.environ, "SLURM_ARRAY_TASK_ID": str(task)}))
+                self.assert_done(self.run_words("bash", "-c", f"cd / && bash '{self.folder / job}'", env={**os.environ, "SLURM_ARRAY_TASK_ID": str(task)}))
         self.assert_same()
         self.assert_same("base0")
         most = self.run_words(OPTIONS.program, "--sweep", "sweep.toml", "--out", "out", "--sbatch", "1000")
@@ -451,6 +451,36 @@ class Refusals(Sweeps):
         for keeps in ("replay_hz = 5.0", "agents_every = 2", "senses = true"):
             self.write("small.toml", f"{keeps}\n{text}")
             self.assertIn("small/plan.jsonl:1: the folder holds another plan", self.sweep(file="small.toml", out="small").stderr)
+
+    def test_sweep_gets_longer_and_more_to_the_same_bytes(self):
+        text = "engine = \"kinematic\"\nshadow = true\nreplicates = {}\n[set]\necology.duration_s = {}\n[grid]\nrules.mutation.sd = [0.05, 0.2{}]\n"
+        for name, *values in (("small", 1, 20.0, ""), ("whole", 2, 40.0, ", 0.8")):
+            self.write(f"{name}.toml", text.format(*values))
+            self.assert_done(self.sweep(file=f"{name}.toml", out=name))
+        plan = [json.loads(line) for line in (self.folder / "small/plan.jsonl").read_text().splitlines()]
+        self.assert_done(self.sweep(file="whole.toml", out="small"))
+        for path in (self.folder / "whole").rglob("*"):
+            if path.suffix == ".csv" or path.name == "replicates.json":
+                self.assertEqual(path.read_bytes(), (self.folder / "small" / path.relative_to(self.folder / "whole")).read_bytes(), path)
+        grown = [json.loads(line) for line in (self.folder / "small/plan.jsonl").read_text().splitlines()]
+        self.assertEqual([run["folder"] for run in grown[: len(plan)]], [run["folder"] for run in plan])
+        self.assertEqual(len(grown), 12)
+        for before, after, sentence in (("0.2, ", "", "small/plan.jsonl:3: the folder holds another plan, whose run the sweep lacks: rules.mutation.sd = 0.2 there"),
+                                        ("40.0", "30.0", "until_s = 40.0 there, 30.0 here"), ("replicates = 2", "replicates = 1", "replicate = 1 there, 0 here"),
+                                        ('"kinematic"', '"kinematic"\nrule_table = "released"', 'rule_table = "paper" there, "released" here; ')):
+            self.write("whole.toml", text.format(2, 40.0, ", 0.8").replace(before, after))
+            self.assertIn(sentence, self.sweep(file="whole.toml", out="small").stderr)
+
+    def test_set_gets_longer_to_the_same_bytes(self):
+        words = [OPTIONS.program, "--backend", "kinematic", "--replicates", "2", "--shadow", "--neutral", "--duration"]
+        self.assert_done(self.run_words(*words, "200", "--out", "set"))
+        self.assert_done(self.run_words(*words, "400", "--out", "whole"))
+        self.assert_done(self.run_words(*words, "400", "--out", "set", "--resume"))
+        for path in (self.folder / "whole").rglob("*.csv"):
+            self.assertEqual(path.read_bytes(), (self.folder / "set" / path.relative_to(self.folder / "whole")).read_bytes(), path)
+        self.assertIn("until_s = 400.0: must be 200.0", self.run_words(*words, "200", "--out", "set", "--resume").stderr)
+        if "mujoco" in ENGINES:
+            self.assertIn("engine = kinematic there, mujoco", self.run_words(*words[:1], *words[3:], "400", "--out", "set", "--resume").stderr)
 
     def test_folder_of_something_else_is_refused(self):
         (self.folder / "out").mkdir()

@@ -148,7 +148,7 @@ inline void check_resumed(const std::filesystem::path& folder, const observe::Ru
     if (its.empty() || its == ours || ++found > 3) return;
     text += (text.empty() ? "" : "; ") + name + " = " + its + " there, " + ours + " here";
   };
-  compare("backend", text_at(there, "backend"), run.backend);
+  compare("engine", text_at(there, "backend"), run.backend);
   compare("rule table", text_at(there, "rule_table"), run.rules);
   for (const NamedParam& param : run.named_params) {
     if (param.path == "seed" || param.path == "ecology.duration_s") continue;

@@ -2,6 +2,7 @@
 // Definitions of sweep.hpp.
 #include <algorithm>
 #include <map>
+#include <set>
 #include <thread>
 #include <tools/command/backends.hpp>
 #include <tools/command/output.hpp>
@@ -67,6 +68,39 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
           .fingerprint = facts.description.fingerprint};
 }
 
+/// The numbers of cells: that of a plan's cell with the same settings, or else with the same ones but for the duration if there
+/// is one such cell, or else the next.
+class CellNumbers {
+ public:
+  explicit CellNumbers(const std::vector<PlannedRun>& there) {
+    for (const PlannedRun& run : there) {
+      next_ = std::max(next_, run.cell + 1);
+      exact_.emplace(key(run, true), run.cell);
+      similar_[key(run, false)].insert(run.cell);
+    }
+  }
+
+  [[nodiscard]] std::size_t of(const PlannedRun& run) {
+    const auto exact = exact_.find(key(run, true));
+    const auto similar = similar_.find(key(run, false));
+    if (exact != exact_.end()) return exact->second;
+    return similar != similar_.end() && similar->second.size() == 1 ? *similar->second.begin() : next_++;
+  }
+
+ private:
+  [[nodiscard]] static std::string key(const PlannedRun& run, bool with_duration) {
+    std::map<std::string, std::string> settings;
+    for (const auto& [path, value] : run.settings.items()) {
+      if (with_duration || path != sweep::duration_path) settings.emplace(path, json_text(value));
+    }
+    return json_text({run.rule_table, run.engine, settings});
+  }
+
+  std::map<std::string, std::size_t> exact_;
+  std::map<std::string, std::set<std::size_t>> similar_;
+  std::size_t next_ = 0;
+};
+
 /// The lists of replicates with which `trophic analyze` finds a cell's runs.
 [[nodiscard]] inline std::vector<sweep::NamedText> files_of(const sweep::SweepFile& file, const std::vector<PlannedRun>& plan) {
   std::vector<sweep::NamedText> files{{"sweep.toml", file.text}};
@@ -126,8 +160,10 @@ inline void append_runs(const sweep::SweepFile& file, const PlannedRun& like, st
 
 }  // namespace detail::sweeps
 
-std::vector<sweep::PlannedRun> plan_of(const sweep::SweepFile& file, const Offer& offer) {
+std::vector<sweep::PlannedRun> plan_of(const sweep::SweepFile& file, const Offer& offer,
+                                       const std::vector<sweep::PlannedRun>& there) {
   std::vector<sweep::PlannedRun> plan;
+  detail::sweeps::CellNumbers numbers{there};
   std::map<std::pair<std::string, double>, std::size_t> seen;
   std::size_t number = 0;
   const auto cells = sweep::cells_of(file);
@@ -139,9 +175,14 @@ std::vector<sweep::PlannedRun> plan_of(const sweep::SweepFile& file, const Offer
       const std::string table = detail::sweeps::take(settings, "rule_table", offer.rule_tables.front().first);
       const std::string engine = detail::sweeps::take(settings, "engine", offer.default_backend);
       const auto chosen = detail::sweeps::experiment_of(table, engine, offer);
+      sweep::PlannedRun like;
+      like.rule_table = chosen->rule_table();
+      like.engine = chosen->backend().name();
+      like.settings = settings;
+      const std::size_t own = numbers.of(like);
       for (const bool shadow : {false, true}) {
         if (shadow && !file.params.shadow) continue;
-        const sweep::PlannedRun first = detail::sweeps::first_of(*chosen, settings, number, shadow);
+        const sweep::PlannedRun first = detail::sweeps::first_of(*chosen, settings, own, shadow);
         if (!shadow) {
           const auto [other, is_new] = seen.emplace(std::pair{first.fingerprint, first.until_s}, number);
           if (!is_new) throw std::invalid_argument{"is the same experiment as cell " + std::to_string(other->second)};
@@ -153,6 +194,13 @@ std::vector<sweep::PlannedRun> plan_of(const sweep::SweepFile& file, const Offer
     }
     ++number;
   }
+  std::map<std::filesystem::path, std::size_t> places;
+  for (const sweep::PlannedRun& run : there) places.emplace(run.folder, run.index);
+  std::ranges::stable_sort(plan, {}, [&](const sweep::PlannedRun& run) {
+    const auto place = places.find(run.folder);
+    return place == places.end() ? there.size() : place->second;
+  });
+  for (std::size_t i = 0; i < plan.size(); ++i) plan[i].index = i;
   return plan;
 }
 
@@ -162,7 +210,9 @@ int run_sweep(const ExperimentOptions& options, const Offer& offer) {
   if (options.sbatch == std::uint64_t{0}) throw std::invalid_argument{"--sbatch 0: must be >= 1"};
   if (options.jobs == std::uint64_t{0}) throw std::invalid_argument{"--jobs 0: must be >= 1"};
   const sweep::SweepFile file = sweep::read_sweep(options.sweep);
-  const std::vector<sweep::PlannedRun> plan = plan_of(file, offer);
+  const std::filesystem::path there = std::filesystem::path{options.out} / sweep::plan_name;
+  const bool joins = !options.out.empty() && std::filesystem::exists(there);
+  const auto plan = plan_of(file, offer, joins ? sweep::read_plan(there) : std::vector<sweep::PlannedRun>{});
   if (options.sbatch) return detail::sweeps::print_sbatch(options, file, plan, runner);
   if (options.dry_run) return detail::sweeps::dry_run(options, file, plan, runner);
   const std::vector<std::size_t> runs = detail::sweeps::chosen_runs(options, plan);

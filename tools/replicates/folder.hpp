@@ -55,9 +55,9 @@ class Folder {
   /// Makes the folder or, with `plan.resume`, resumes in it. Complete replicates stay; interrupted ones resume from their
   /// checkpoint. Those without one, and complete ones that were damaged, are moved to "replicate-NN.incomplete-K" and are to be
   /// run anew. `run` is any run of the plan, seed aside. Throws std::invalid_argument if the folder exists and the plan does not
-  /// resume, if what is there has other rules, parameters, seeds or duration, if there are links in it, or if another build of
-  /// the program made a part of the set and the plan does not accept that; std::runtime_error if another program works in it or
-  /// the system refuses.
+  /// resume, if what is there has other rules, parameters, seeds or a longer duration, if there are links in it, or if another
+  /// build of the program made a part of the set and the plan does not accept that; std::runtime_error if another program works
+  /// in it or the system refuses.
   Folder(const Plan& plan, const observe::RunDescription& run, const io::Provenance& provenance) {
     plan.check();
     if (!plan.resume || !std::filesystem::exists(plan.out)) {
@@ -130,7 +130,7 @@ class Folder {
     try {
       same(path, "fingerprint", there.at("fingerprint"), run.fingerprint);
       same(path, "master_seed", there.at("master_seed"), plan.master_seed);
-      same(path, "until_s", there.at("until_s"), run.until_s);
+      if (there.at("until_s") > run.until_s) same(path, "until_s", there.at("until_s"), run.until_s);
       same(path, "origin", there.value("origin", Json::object()), origin_of(plan));
       const Json& count = there.at("count");
       if (count > plan.count) {

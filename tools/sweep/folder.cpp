@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
-#include <string_view>
+#include <string>
 #include <system_error>
 #include <tools/command/host_name.hpp>
 #include <tools/sweep/folder.hpp>
@@ -27,40 +27,78 @@ namespace detail {
   }
 }
 
-/// Throws std::invalid_argument unless a folder holds this plan.
-inline void check_same_plan(const std::filesystem::path& folder, const std::string& plan) {
-  const std::filesystem::path path = folder / plan_name;
-  if (!std::filesystem::exists(path)) {
-    throw std::invalid_argument{folder.string() + ": exists already and is not a sweep's folder; runs are never overwritten"};
+/// The first three fields that differ between a run of a folder and one of a sweep, the engine first, and their number.
+[[nodiscard]] inline std::pair<std::string, std::size_t> differences(const PlannedRun& there, const PlannedRun& here) {
+  std::pair<std::string, std::size_t> found;
+  const auto compare = [&](const std::string& name, const Json& its, const Json& ours) {
+    if (its == ours || ++found.second > 3) return;
+    found.first += (found.second > 1 ? "; " : "") + name + " = " + json_text(its) + " there, " + json_text(ours) + " here";
+  };
+  compare("engine", there.engine, here.engine);
+  compare("rule_table", there.rule_table, here.rule_table);
+  for (const auto& [path, value] : there.settings.items()) {
+    if (path != duration_path) compare(path, value, here.settings.value(path, Json{}));
   }
-  const std::string there = read_whole_file(path);
-  if (there == plan) return;
-  const auto differs = std::ranges::mismatch(there, plan).in1;
-  const auto line = 1 + std::count(there.begin(), differs, '\n');
-  throw std::invalid_argument{path.string() + ":" + std::to_string(line) +
-                              ": the folder holds another plan from this run on; rules, parameters, models or the sweep changed: "
-                              "take another --out"};
+  for (const auto& [path, value] : here.settings.items()) {
+    if (path != duration_path && !there.settings.contains(path)) compare(path, nullptr, value);
+  }
+  if (there.until_s > here.until_s) compare("until_s", there.until_s, here.until_s);
+  compare("replicate", there.replicate, here.replicate);
+  compare("shadow", there.shadow, here.shadow);
+  compare("seed", there.seed, here.seed);
+  compare("replay_hz", there.output.replay_hz, here.output.replay_hz);
+  compare("agents_every", there.output.agents_every_ticks, here.output.agents_every_ticks);
+  compare("senses", there.output.senses, here.output.senses);
+  compare("states", there.output.states, here.output.states);
+  compare("fingerprint", there.fingerprint, here.fingerprint);
+  return found;
+}
+
+/// Throws std::invalid_argument unless a plan has every run of a folder, to the same end or a later one.
+inline void check_grown(const std::filesystem::path& path, const std::vector<PlannedRun>& plan) {
+  for (const PlannedRun& there : read_plan(path)) {
+    std::pair<std::string, std::size_t> least{"", std::string::npos};
+    for (const PlannedRun& here : plan) {
+      const auto found = differences(there, here);
+      if (found.second < least.second) least = found;
+    }
+    if (least.second == 0) continue;
+    throw std::invalid_argument{path.string() + ":" + std::to_string(there.index + 1) +
+                                ": the folder holds another plan, whose run the sweep lacks: " + least.first +
+                                "; a sweep can get more values, replicates and time: take another --out"};
+  }
 }
 
 }  // namespace detail
 
 void make_or_join(const std::filesystem::path& folder, const std::vector<PlannedRun>& plan, const std::vector<NamedText>& files) {
   const std::string text = plan_text(plan);
-  if (std::filesystem::exists(folder)) return detail::check_same_plan(folder, text);
+  const auto write_in = [&](const std::filesystem::path& place) {
+    for (const auto& [file, content] : files) {
+      std::filesystem::create_directories((place / file).parent_path());
+      replace_file(place / file, content);
+    }
+    replace_file(place / plan_name, text);
+  };
+  const auto join = [&] {
+    if (!std::filesystem::exists(folder / plan_name)) {
+      throw std::invalid_argument{folder.string() + ": exists already and is not a sweep's folder; runs are never overwritten"};
+    }
+    if (read_whole_file(folder / plan_name) == text) return;
+    detail::check_grown(folder / plan_name, plan);
+    write_in(folder);
+  };
+  if (std::filesystem::exists(folder)) return join();
   const std::filesystem::path name = without_slash(folder);
   if (name.has_parent_path()) std::filesystem::create_directories(name.parent_path());
   const std::filesystem::path making = detail::new_folder_beside(name);
-  for (const auto& [file, content] : files) {
-    std::filesystem::create_directories((making / file).parent_path());
-    replace_file(making / file, content);
-  }
-  replace_file(making / plan_name, text);
+  write_in(making);
   std::error_code error;
   std::filesystem::rename(making, name, error);
   if (!error) return;
   std::filesystem::remove_all(making);
   if (!std::filesystem::exists(folder)) throw std::runtime_error{"cannot make " + folder.string() + ": " + error.message()};
-  detail::check_same_plan(folder, text);
+  join();
 }
 
 }  // namespace trophic::sweep

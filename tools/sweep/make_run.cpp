@@ -12,6 +12,7 @@
 #include <tools/replicates/rewind.hpp>
 #include <tools/sweep/make_run.hpp>
 #include <trophic/io/growing_file.hpp>
+#include <trophic/run/checkpoint/manifest_in.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/support/folder_lock.hpp>
 #include <trophic/support/no_links.hpp>
@@ -74,21 +75,32 @@ class RunLock {
   return std::filesystem::exists(folder / "manifest.json") ? checkpoint::damage_in(folder) : "";
 }
 
-/// Throws std::invalid_argument if a folder on the way from a sweep to its run is a link, or if the run's holds anything.
-inline void check_place(const std::filesystem::path& sweep, const std::filesystem::path& run) {
+/// Whether a folder holds the complete run, but to an earlier end.
+[[nodiscard]] inline bool holds_shorter(const std::filesystem::path& folder, const PlannedRun& run) {
+  const double until_s = checkpoint::detail::until_in(checkpoint::detail::manifest_in(folder));
+  return until_s < run.until_s && checkpoint::holds_complete(folder, run.fingerprint, run.seed, until_s);
+}
+
+/// Throws std::invalid_argument if a folder on the way from a sweep to its run is a link, or if the run's holds anything else
+/// than its beginning.
+inline void check_place(const std::filesystem::path& sweep, const PlannedRun& run) {
   std::filesystem::path at = sweep;
-  for (const auto& part : run) check_no_link(at /= part);
+  for (const auto& part : run.folder) check_no_link(at /= part);
   for (const auto& beside : {lock_of(at), making_of(at)}) check_no_link(beside);
-  if (!std::filesystem::exists(std::filesystem::symlink_status(at)) || std::filesystem::is_empty(at)) return;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(at)) || std::filesystem::is_empty(at) || holds_shorter(at, run)) {
+    return;
+  }
   throw std::invalid_argument{at.string() + ": holds something else than the complete run that was planned: move it away"};
 }
 
 /// Begins or resumes a run in a folder and completes it.
 inline void complete(const std::filesystem::path& making, const PlannedRun& run,
                      const std::function<void(const std::filesystem::path& folder)>& work) {
-  if (holds(making, run) && checkpoint::damage_in(making).empty()) return;
-  // It lacks a table, or one is damaged.
-  if (checkpoint::status_of(making) == "complete") static_cast<void>(checkpoint::rename_incomplete(making));
+  if (checkpoint::status_of(making) == "complete") {
+    const bool is_whole = checkpoint::damage_in(making).empty();
+    if (is_whole && holds(making, run)) return;
+    if (!is_whole || !holds_shorter(making, run)) static_cast<void>(checkpoint::rename_incomplete(making));
+  }
   const bool resumes = checkpoint::last_moment_s(making).has_value();
   if (!resumes) std::filesystem::remove_all(making);
   try {
@@ -126,7 +138,7 @@ std::string make_run(const std::filesystem::path& sweep, const PlannedRun& run,
     if (!detail::is_locked(folder)) ::unlink(detail::lock_of(folder).c_str());
     return "";
   }
-  if (damage.empty()) detail::check_place(sweep, run.folder);
+  if (damage.empty()) detail::check_place(sweep, run);
   std::filesystem::create_directories(folder.parent_path());
   const detail::RunLock alone{folder};
   // Another program may have completed it before it gave the lock back.
@@ -135,7 +147,9 @@ std::string make_run(const std::filesystem::path& sweep, const PlannedRun& run,
   if (!damage.empty()) {
     damage = run.folder.string() + ": was damaged (" + damage + "): kept as " +
              checkpoint::rename_incomplete(folder).filename().string() + ", run anew";
-    detail::check_place(sweep, run.folder);
+    detail::check_place(sweep, run);
+  } else if (detail::holds_shorter(folder, run)) {
+    std::filesystem::rename(folder, detail::making_of(folder));
   }
   detail::complete(detail::making_of(folder), run, work);
   std::filesystem::rename(detail::making_of(folder), folder);

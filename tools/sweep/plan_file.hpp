@@ -10,6 +10,9 @@ namespace trophic::sweep {
 /// The file of a sweep's folder that lists its runs.
 inline constexpr std::string_view plan_name = "plan.jsonl";
 
+/// The setting of a run's length.
+inline constexpr const char* duration_path = "ecology.duration_s";
+
 /// One run of a sweep: a replicate of a cell of the grid, or of the cell's neutral shadow.
 struct PlannedRun {
   std::size_t index = 0;      ///< its place in the plan, from 0

@@ -196,7 +196,7 @@ TEST_CASE("sweep run: another run in the run's folder -> refused, a damaged one 
   check();
   other.seed = 8;
   check();
-  other.until_s = 0.5;
+  other.until_s = 2.0;
   check();
   leave(one.folder, "complete", one.run);
   CHECK(one.make(never) == "");

@@ -166,7 +166,7 @@ TEST_CASE("replicates: existing set -> never overwritten, and resumed by the sam
   PaperRun other = brief();
   other.rules.mutation.sd *= 2.0;
   CHECK(refusal(plan, other).find("replicates.json: fingerprint = ") != std::string::npos);
-  CHECK(refusal(plan, brief(400.0)).find("until_s = 200.0: must be 400.0") != std::string::npos);
+  CHECK(refusal(plan, brief(100.0)).find("until_s = 200.0: must be 100.0") != std::string::npos);
   replicates::Plan other_seed = plan;
   other_seed.master_seed = 2;
   CHECK(refusal(other_seed, brief()).find("master_seed = 1: must be 2") != std::string::npos);
