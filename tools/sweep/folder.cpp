@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
-#include <string>
 #include <system_error>
 #include <tools/command/host_name.hpp>
 #include <tools/sweep/folder.hpp>

@@ -58,7 +58,9 @@ class BodyLog {
   void on_tick(const View&) { file_.flush(); }
 
   void persist(Archive& archive) { archive(file_, plans_, plan_of_); }
-  [[nodiscard]] TableSum sum() const { return file_.sum(); }
+  [[nodiscard]] TableSum sum() const {
+    return file_.sum({"int64", "double", "string", "int64", "int64", "int64", "string", "int64", "int64", "int64", "double"});
+  }
 
   /// The number of modules to which the descriptor `size` refers.
   static constexpr std::size_t full_size = 20;

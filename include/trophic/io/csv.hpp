@@ -111,6 +111,27 @@ void append_row(std::string& text, const Row& row, const FoodWeb& web) {
   text.back() = '\n';
 }
 
+/// The type of cells as Arrow names it.
+template <class Cell>
+inline constexpr std::string_view type_name = std::integral<Cell>         ? "int64"
+                                              : std::floating_point<Cell> ? "double"
+                                                                          : "string";
+template <class Cell>
+inline constexpr std::string_view type_name<std::optional<Cell>> = type_name<Cell>;
+
+/// The types of a table's columns, of a list that of each of its columns; `more` follow.
+template <TableRow Row>
+[[nodiscard]] std::vector<std::string_view> column_types(std::vector<std::string_view> more = {}) {
+  std::vector<std::string_view> types;
+  for_each_column<Row>([&](const auto& column) {
+    using Kind = std::remove_cvref_t<decltype(column)>;
+    using Cell = std::remove_cvref_t<decltype(Row{}.*column.member)>;
+    types.push_back(is_species_column<Kind> ? "string" : is_list_columns<Kind> ? "double" : type_name<Cell>);
+  });
+  types.insert(types.end(), more.begin(), more.end());
+  return types;
+}
+
 /// A whole table of rows without species.
 template <TableRow Row>
 [[nodiscard]] std::string table_text(std::span<const Row> rows) {
@@ -122,8 +143,9 @@ template <TableRow Row>
 
 /// The states of rules with a State, as text; state_columns.hpp makes it from a table's states.
 struct StateColumns {
-  std::vector<std::string> names = {};                                     ///< SLOT.MEMBER
-  std::function<void(BodyIndex body, std::string& row)> append = nullptr;  ///< a comma and a cell for each name
+  std::vector<std::string> names = {};                                       ///< SLOT.MEMBER
+  std::vector<std::string_view> types{"double", "int64", "int64", "int64"};  ///< of time_s, tick, body, id and the names
+  std::function<void(BodyIndex body, std::string& row)> append = nullptr;    ///< a comma and a cell for each name
 };
 
 }  // namespace trophic::io

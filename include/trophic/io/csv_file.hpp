@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <sstream>
 #include <trophic/io/column.hpp>
 #include <trophic/io/csv.hpp>
 #include <trophic/io/growing_file.hpp>
@@ -10,10 +11,11 @@
 
 namespace trophic::io {
 
-/// Number of rows of a table, without its header, and the CRC-32 of its file.
+/// Number of rows of a table, without its header, the CRC-32 of its file, and the names and types (type_name) of its columns.
 struct TableSum {
   std::uint64_t rows = 0;
   std::uint32_t crc32 = 0;
+  std::vector<std::pair<std::string, std::string_view>> columns = {};
 };
 
 /// A file that grows by lines. Throws std::runtime_error naming the file if it exists or cannot be written.
@@ -48,7 +50,15 @@ class LineFile {
     archive(file_, lines_);
   }
 
-  [[nodiscard]] TableSum sum() const { return {.rows = lines_ == 0 ? 0 : lines_ - 1, .crc32 = file_.checksum()}; }
+  /// `types`: of the columns; the last is that of all further ones. The sum has no columns without it.
+  [[nodiscard]] TableSum sum(const std::vector<std::string_view>& types = {}) const {
+    TableSum sum{.rows = lines_ == 0 ? 0 : lines_ - 1, .crc32 = file_.checksum()};
+    std::istringstream names{types.empty() ? "" : file_.first_line()};
+    for (std::string name; std::getline(names, name, ',');) {
+      sum.columns.emplace_back(name, types[std::min(sum.columns.size(), types.size() - 1)]);
+    }
+    return sum;
+  }
 
  private:
   GrowingFile file_;
@@ -70,7 +80,7 @@ class CsvFile {
   void flush() { file_.flush(); }
   void finish() { file_.finish(); }
   void persist(Archive& archive) { archive(file_); }
-  [[nodiscard]] TableSum sum() const { return file_.sum(); }
+  [[nodiscard]] TableSum sum() const { return file_.sum(column_types<Row>()); }
 
  private:
   LineFile file_;

@@ -30,6 +30,7 @@ class GrowingFile {
     std::swap(file_, other.file_);
     std::swap(length_, other.length_);
     std::swap(checksum_, other.checksum_);
+    std::swap(first_line_, other.first_line_);
     return *this;
   }
   GrowingFile(const GrowingFile&) = delete;
@@ -48,18 +49,22 @@ class GrowingFile {
   /// Returns the CRC-32 of all its bytes; of the file of a resumed run, after `persist`.
   [[nodiscard]] std::uint32_t checksum() const { return checksum_; }
 
+  /// Returns the bytes before the first line's end, at most 64 KiB.
+  [[nodiscard]] const std::string& first_line() const { return first_line_; }
+
   /// Writing: puts all bytes on the disk and notes length and checksum. Reading: cuts the file to that length. Throws
   /// DamagedFile, and leaves the file as it is, if it is shorter or if its bytes up to that length have another checksum.
   void persist(Archive& archive);
 
  private:
   [[noreturn]] void fail(std::string_view what) const;
-  void check_content(std::uint64_t length, std::uint32_t checksum) const;
+  void check_content(std::uint64_t length, std::uint32_t checksum);
 
   std::filesystem::path path_;
   int file_ = -1;
   std::uint64_t length_ = 0;
   std::uint32_t checksum_ = 0;
+  std::string first_line_;
 };
 
 }  // namespace trophic

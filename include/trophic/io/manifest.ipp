@@ -99,7 +99,10 @@ TROPHIC_INLINE void Manifest::persist(Archive& archive) {
 
 TROPHIC_INLINE void Manifest::set_tables(const std::vector<std::pair<std::string, TableSum>>& tables) {
   content_->change([&](Json& json) {
-    for (const auto& [file, sum] : tables) json["tables"][file] = {{"rows", sum.rows}, {"crc32", sum.crc32}};
+    for (const auto& [file, sum] : tables) {
+      json["tables"][file] = {{"rows", sum.rows}, {"crc32", sum.crc32}};
+      for (const auto& [name, type] : sum.columns) json["tables"][file]["columns"][name] = type;
+    }
   });
 }
 

@@ -49,7 +49,7 @@ class Phylogeny {
   }
 
   void persist(Archive& archive) { archive(file_, tag_at_birth_); }
-  [[nodiscard]] TableSum sum() const { return file_.sum(); }
+  [[nodiscard]] TableSum sum() const { return file_.sum(column_types<TaxonRow>({"string"})); }  // modules_text
 
  private:
   /// "[none]", "[7]" or "[7,9]".

@@ -13,13 +13,15 @@ namespace trophic::io {
 namespace detail {
 
 template <class State>
-void append_names(const State& state, const std::string& path, std::vector<std::string>& names) {
+void append_names(const State& state, const std::string& path, StateColumns& columns) {
   for_each_field(state, [&]<class Value>(const auto& f, const Value& value) {
     const std::string name = join_path(path, f.name);
     if constexpr (HasFields<Value>) {
-      append_names(value, name, names);
+      append_names(value, name, columns);
     } else if constexpr (!std::is_empty_v<Value>) {
-      names.push_back(name);
+      constexpr bool is_ancestor = std::same_as<Value, Ancestor> || std::same_as<Value, std::optional<Ancestor>>;
+      columns.names.push_back(name);
+      columns.types.push_back(is_ancestor ? "int64" : type_name<Value>);
     }
   });
 }
@@ -56,7 +58,7 @@ template <class Rules>
   StateColumns columns;
   if (has_energy) columns.names.emplace_back("energy_J");
   for_each_state(states, [&]<class P>(std::string_view slot, const BodyStates<P>&) {
-    detail::append_names(StateOf<P>{}, std::string{slot}, columns.names);
+    detail::append_names(StateOf<P>{}, std::string{slot}, columns);
   });
   columns.append = [&states, robots](BodyIndex body, std::string& row) {
     if (has_energy) detail::append_cell(row += ',', robots[body].energy_J);

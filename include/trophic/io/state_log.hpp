@@ -40,7 +40,7 @@ class StateLog {
   }
 
   void persist(Archive& archive) { archive(file_); }
-  [[nodiscard]] TableSum sum() const { return file_.sum(); }
+  [[nodiscard]] TableSum sum() const { return file_.sum(columns_.types); }
 
  private:
   [[nodiscard]] std::string header() const {

@@ -38,6 +38,8 @@ TEST_CASE("state columns: State -> SLOT.MEMBER, nested members by path") {
       {.a = -1, .inner = {.b = 0.25}, .list = {1.0, 2.5}, .who = Ancestor{.id = 12, .species = 0, .genome = {}}});
   const io::StateColumns columns = io::state_columns(states);
   CHECK(columns.names == std::vector<std::string>{"senescence.a", "senescence.inner.b", "senescence.list", "senescence.who"});
+  CHECK(columns.types ==
+        std::vector<std::string_view>{"double", "int64", "int64", "int64", "int64", "double", "string", "int64"});
   std::string row;
   columns.append(0, row);
   CHECK(row == ",7,0.5,,");

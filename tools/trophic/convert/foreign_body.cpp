@@ -125,16 +125,14 @@ struct Slot {
     if (at == std::string_view::npos) return {};
     return Slot{faces.at(type == ModuleType::core ? at : (at + 4 - around.find(parent.own_place)) % 4), {}};
   }
-  if (type == ModuleType::hinge) return place == "0" ? std::optional{Slot{Face::front, Direction::UnitY()}} : std::nullopt;
-  if (type == ModuleType::brick) {
-    if (place == "0") return Slot{Face::front, Direction::UnitY()};
-    if (place == "1" || place == "2") return Slot{place == "1" ? Face::right : Face::left, Direction::UnitZ()};
-    return {};
-  }
   // The core's front faces its -y, and its slots are named as seen from there.
-  if (place == "0" || place == "1") return Slot{place == "0" ? Face::right : Face::left, -Direction::UnitX()};
-  if (place == "2" || place == "3") return Slot{place == "2" ? Face::front : Face::back, Direction::UnitZ()};
-  return {};
+  const std::array<Slot, 4> core{Slot{Face::right, -Direction::UnitX()}, Slot{Face::left, -Direction::UnitX()},
+                                 Slot{Face::front, Direction::UnitZ()}, Slot{Face::back, Direction::UnitZ()}};
+  const std::array<Slot, 3> brick{Slot{Face::front, Direction::UnitY()}, Slot{Face::right, Direction::UnitZ()},
+                                  Slot{Face::left, Direction::UnitZ()}};
+  const std::span<const Slot> slots = type == ModuleType::core ? std::span<const Slot>{core} : std::span<const Slot>{brick};
+  const auto at = static_cast<std::size_t>(place[0] - '0');
+  return at < (type == ModuleType::hinge ? 1 : slots.size()) ? std::optional{slots[at]} : std::nullopt;
 }
 
 /// Adds modules, parents first, to a body.
