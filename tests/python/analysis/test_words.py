@@ -5,7 +5,7 @@ import math
 import pytest
 from trophic.statistics import Estimate, Interval
 from trophic.values import Metric
-from trophic.words import Reading, columns, latex_text, metric_title, number_text, p_text, width_of
+from trophic.words import Reading, columns, latex_text, markdown_text, metric_title, number_text, one_line, p_text, width_of
 
 VELOCITY = Reading(Metric("velocity", "prey", "all", "m/s"))
 SHARE = Reading(Metric("stuck", "prey", "all", "1"))
@@ -50,6 +50,8 @@ def test_special_characters_show_letter_by_letter():
     assert latex_text(ODD) == (r"50 \% of ``A \& B'' \{\$5\} \#1 a\_\allowbreak{}b \textasciicircum{} \textasciitilde{} \textbackslash{} "
                                r"\textless{}c\textbar{}d\textgreater{} *")
     assert latex_text("a/b") == r"a/\allowbreak{}b"
+    assert markdown_text("a|b\n## c_d _e_ <f> `g`") == r"a\|b ## c_d \_e\_ \<f\> \`g\`"
+    assert one_line("% a\r\\input{b}\u2028\x85c") == r"% a \input{b} c"
 
 
 def test_columns_are_as_wide_as_the_widest_cell_and_headings_hold_none():

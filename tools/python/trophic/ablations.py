@@ -18,7 +18,7 @@ from .runs import RunError
 from .sweeps.cells import answers, corrected, count, metric_of
 from .sweeps.report import compared_title, with_significance
 from .values import METRIC, MeasuredSet, Metric
-from .words import Reading, p_text
+from .words import Reading, markdown_text, p_text
 
 PREFIX, BASE = "from_", "base"
 """Folders of a study: from_TABLE/base and from_TABLE/SWAP."""
@@ -145,11 +145,11 @@ def markdown(directions: Sequence[Direction], whole: pandas.DataFrame | None) ->
     """ablations.md: the significant effects, and what groups of rules make of the whole difference of two tables."""
     text = ""
     for one in directions:
-        text += f"## {one.name}\n\n{count(one.effects).sentence()}\n\n{significant_table(one.effects)}"
+        text += f"## {markdown_text(one.name)}\n\n{count(one.effects).sentence()}\n\n{significant_table(one.effects)}"
         text += "\np: corrected for all swaps and metrics of this direction; intervals are those of single comparisons.\n\n"
     if whole is not None:
         first, second = (one.name.removeprefix(PREFIX) for one in directions)
-        text += f"## Together\n\nFirst: {first}. Second: {second}. Each group of rules alone put into the first, and taken out of the second.\n\n"
+        text += f"## Together\n\nFirst: {markdown_text(first)}. Second: {markdown_text(second)}. Each group of rules alone put into the first, and taken out of the second.\n\n"
         text += shares_table(whole, directions[0].effects, directions[1].effects)
         text += "\n*: significant in its direction. Sums that miss the whole difference show that the groups act on each other.\n"
     return text
@@ -164,7 +164,7 @@ def significant_table(effects: pandas.DataFrame) -> str:
     rows = []
     for row in _significant(effects):
         reading = Reading(metric_of(row))
-        rows.append((row.swap, compared_title(row), reading(row.base), reading(row.swapped), reading.with_interval(row.difference, (row.lower, row.upper), True),
+        rows.append((markdown_text(row.swap), markdown_text(compared_title(row)), reading(row.base), reading(row.swapped), reading.with_interval(row.difference, (row.lower, row.upper), True),
                      p_text(row.p_holm)))
     return _table(("swap", "metric", "base", "swapped", "difference [95 %]", "p (Holm)"), rows)
 
@@ -190,7 +190,7 @@ def shares_table(whole: pandas.DataFrame, forward: pandas.DataFrame, backward: p
                 value = float("nan") if effect is None else sign * effect.difference
                 sums[side] += value
                 cells.append(reading(value, True) + ("*" if effect is not None and effect.conclusion in ("above", "below") else ""))
-        rows.append((compared_title(row), reading(row.base), reading(row.swapped), reading.with_interval(row.difference, (row.lower, row.upper), True), *cells,
+        rows.append((markdown_text(compared_title(row)), reading(row.base), reading(row.swapped), reading.with_interval(row.difference, (row.lower, row.upper), True), *cells,
                      *(reading(value, True) for value in sums)))
     head = [f"{name} {way}" for name in names for way in ("into first", "out of second")]
     return _table(("metric", "first", "second", "whole difference [95 %]", *head, "sum into first", "sum out of second"), rows)

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from . import description
 from .pool import read_pooled, run_folders
 from .runs import RunError, Runs, verify
+from .words import latex_text
 
 ENTRIES = """@misc{trophic,
   title = {trophic: ecologies of simulated robots with rules at compile time and physics behind an adapter},
@@ -47,7 +48,7 @@ def run(request: dict) -> int:
     one = description.describe(Runs(folder, list(runs)))
     made = f"in trophic {_all(versions)} (revision {_all(revisions)}, fingerprint {one.identity}, {seed})"
     also = "" if "description" in first else " The parameters are in manifest.json."
-    print(f"{one.sentence(made)}{also}\n\n{ENTRIES % (_all(versions), _all(revisions))}", end="")
+    print(f"{one.sentence(made)}{also}\n\n{ENTRIES % (latex_text(_all(versions)), latex_text(_all(revisions)))}", end="")
     return 0
 
 

@@ -8,6 +8,8 @@ import textwrap
 
 import matplotlib.pyplot as plt
 
+from ..words import latex_text, one_line
+
 # Okabe and Ito's colours, distinguishable with every common colour blindness and, with the line styles, in grey.
 COLOURS = {"prey": "#0072B2", "predator": "#D55E00"}
 # Colours of others: those that stay farthest apart in CIELAB under protanopia, deuteranopia and tritanopia, alone and next to those two.
@@ -18,7 +20,7 @@ NULL_COLOUR = "#555555"
 
 _SIZES = {"font.size": 8, "axes.titlesize": 8, "axes.labelsize": 8, "legend.fontsize": 7, "xtick.labelsize": 7, "ytick.labelsize": 7,
           "axes.spines.top": False, "axes.spines.right": False, "lines.linewidth": 1.2, "legend.frameon": False, "pdf.fonttype": 42,
-          "figure.constrained_layout.use": True}
+          "figure.constrained_layout.use": True, "text.parse_math": False}  # a $ in a name of a user is a $
 _SERIF = {"font.family": "serif", "font.serif": ["Times New Roman", "Nimbus Roman", "Liberation Serif", "STIXGeneral"], "mathtext.fontset": "stix"}
 # Inches of a column and of a page, and how letters look.
 STYLES = {"plain": (3.5, 7.16, {}), "serif": (3.5, 7.16, _SERIF), "ieee": (3.487, 7.14, _SERIF)}
@@ -100,17 +102,13 @@ def _with_caption(figure):
     figure.supxlabel("\n".join(lines), fontsize=6, color="#444444", x=0.01, ha="left", linespacing=1.15)
 
 
-def _tex(text):
-    special = {"\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}", ">": r"\textgreater{}", "|": r"\textbar{}"}
-    return "".join(special.get(c, "\\" + c if c in "{}$&#%_" else c) for c in text).replace("²", r"\textsuperscript{2}")
-
-
 def captions_tex(captions, folder="."):
     """A \\newcommand for the caption of each figure: \\trophicVelocity for velocity."""
     def command(name):
         return "trophic" + "".join(part.capitalize() for part in "".join(c if c.isalpha() else " " for c in name).split())
+    superscript = r"\textsuperscript{2}"
     lines = ["% \\input{captions}; then \\includegraphics{velocity} \\caption{\\trophicVelocity}"]
-    return "\n".join(lines + [f"\\newcommand{{\\{command(name)}}}{{{_tex(text)}}}" for name, text in captions.items()]) + "\n"
+    return "\n".join(lines + [f"\\newcommand{{\\{command(name)}}}{{{latex_text(one_line(text)).replace('²', superscript)}}}" for name, text in captions.items()]) + "\n"
 
 
 def save_all(figures, out, with_captions=False):

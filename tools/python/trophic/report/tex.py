@@ -10,7 +10,7 @@ import pandas
 from ..description import describe
 from ..judge import count, runs_of
 from ..values import SHADOW, MeasuredSet, Metric
-from ..words import NULLS, Reading, latex_text, metric_title, over_nulls, p_text
+from ..words import NULLS, Reading, latex_text, metric_title, one_line, over_nulls, p_text
 from .text import answers_of, estimate_of
 
 _PACKAGES = "% \\usepackage{booktabs,tabularx}; \\input{} this file in a table, or in a table* of two columns.\n"
@@ -56,7 +56,7 @@ def differences(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:
 def heading(of: MeasuredSet) -> str:
     """A set in half a line of a comment."""
     said = describe(of)
-    return f"{of.label} on {said.engine}, {said.length()}".replace("\n", " ")
+    return one_line(f"{of.label} on {said.engine}, {said.length()}")
 
 
 def math(text: Any) -> str:
