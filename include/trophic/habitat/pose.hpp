@@ -3,7 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <trophic/support/cpp20.hpp>
+#include <trophic/support/linkage.hpp>
 
 namespace trophic {
 
@@ -12,5 +12,7 @@ struct Pose {
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
 };
+static_assert(TROPHIC_HEADER_ONLY || (EIGEN_MAX_ALIGN_BYTES == 16 && alignof(Pose) == 16),
+              "trophic's compiled libraries have -DEIGEN_MAX_ALIGN_BYTES=16 and no other Eigen option: compile with it");
 
 }  // namespace trophic
