@@ -85,7 +85,6 @@ class CsvReader {
   bool split_line();
 
   static constexpr std::uint64_t largest_table = std::uint64_t{64} << 30U;
-  static constexpr std::size_t longest_header = std::size_t{1} << 20U;
 
   std::string file_;
   std::string text_;

@@ -8,6 +8,7 @@
 #include <trophic/io/csv.hpp>
 #include <trophic/io/growing_file.hpp>
 #include <trophic/params/archive.hpp>
+#include <trophic/support/whole_file.hpp>
 
 namespace trophic::io {
 
@@ -18,12 +19,16 @@ struct TableSum {
   std::vector<std::pair<std::string, std::string_view>> columns = {};
 };
 
-/// A file that grows by lines. Throws std::runtime_error naming the file if it exists or cannot be written.
+/// Longest first line of a table, bytes.
+inline constexpr std::size_t longest_header = std::size_t{1} << 20U;
+
+/// A file that grows by lines. Throws std::runtime_error naming the file if it exists, cannot be written, or begins too long.
 class LineFile {
  public:
   /// Writes the first lines at once into a new file.
   LineFile(const std::filesystem::path& path, std::string first, Opening opening = Opening::created)
       : file_{path, opening}, buffer_{std::move(first)} {
+    if (buffer_.size() > longest_header) throw std::runtime_error{path.string() + ": its first line is longer than 1 MiB"};
     if (opening == Opening::resumed) buffer_.clear();
     flush();
   }
@@ -50,13 +55,13 @@ class LineFile {
     archive(file_, lines_);
   }
 
-  /// `types`: of the columns; the last is that of all further ones. The sum has no columns without it.
+  /// `types`: of the columns; the last is that of all further ones. Without it the sum has no columns.
   [[nodiscard]] TableSum sum(const std::vector<std::string_view>& types = {}) const {
     TableSum sum{.rows = lines_ == 0 ? 0 : lines_ - 1, .crc32 = file_.checksum()};
-    std::istringstream names{types.empty() ? "" : file_.first_line()};
-    for (std::string name; std::getline(names, name, ',');) {
+    const std::string beginning = types.empty() ? "" : read_part(file_.path(), longest_header);
+    std::istringstream names{beginning.substr(0, beginning.find('\n'))};
+    for (std::string name; std::getline(names, name, ',');)
       sum.columns.emplace_back(name, types[std::min(sum.columns.size(), types.size() - 1)]);
-    }
     return sum;
   }
 

@@ -55,31 +55,26 @@ class GenomeLog {
 };
 
 /// Writes a GeneRow per gene of a newborn: of its gait, its body and, if brains grow, its brain.
-class GeneLog {
+class GeneLog : public CsvFile<GeneRow> {
  public:
   static constexpr std::string_view file_name = "genes.csv";
-
-  GeneLog(const std::filesystem::path& path, Opening opening) : file_{path, opening} {}
+  using CsvFile<GeneRow>::CsvFile;
 
   void on_start(const observe::RunDescription& run, const View&) { brains_grow_ = run.brains_grow; }
   void on_event(const observe::Event& event, const View&) {
     if (event.kind != observe::EventKind::birth) return;
     const Genome& genome = *event.individual.genome;
-    if (brains_grow_) write(event.individual.id, GenomePart::brain, genome.weights);
-    write(event.individual.id, GenomePart::gait, genome.gait_genes);
-    write(event.individual.id, GenomePart::body, genome.body_genes);
+    if (brains_grow_) write_all(event.individual.id, GenomePart::brain, genome.weights);
+    write_all(event.individual.id, GenomePart::gait, genome.gait_genes);
+    write_all(event.individual.id, GenomePart::body, genome.body_genes);
   }
-  void on_tick(const View&) { file_.flush(); }
-
-  void persist(Archive& archive) { archive(file_); }
-  [[nodiscard]] TableSum sum() const { return file_.sum(); }
+  void on_tick(const View&) { flush(); }
 
  private:
-  void write(IndividualId id, GenomePart part, const std::vector<double>& genes) {
-    for (std::size_t i = 0; i < genes.size(); ++i) file_.write({.id = id, .part = part, .index = i, .value = genes[i]});
+  void write_all(IndividualId id, GenomePart part, const std::vector<double>& genes) {
+    for (std::size_t i = 0; i < genes.size(); ++i) write({.id = id, .part = part, .index = i, .value = genes[i]});
   }
 
-  CsvFile<GeneRow> file_;
   bool brains_grow_ = false;
 };
 

@@ -30,7 +30,6 @@ class GrowingFile {
     std::swap(file_, other.file_);
     std::swap(length_, other.length_);
     std::swap(checksum_, other.checksum_);
-    std::swap(first_line_, other.first_line_);
     return *this;
   }
   GrowingFile(const GrowingFile&) = delete;
@@ -46,11 +45,9 @@ class GrowingFile {
   /// Returns the length of the file in bytes.
   [[nodiscard]] std::uint64_t length() const { return length_; }
 
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// Returns the CRC-32 of all its bytes; of the file of a resumed run, after `persist`.
   [[nodiscard]] std::uint32_t checksum() const { return checksum_; }
-
-  /// Returns the bytes before the first line's end, at most 64 KiB.
-  [[nodiscard]] const std::string& first_line() const { return first_line_; }
 
   /// Writing: puts all bytes on the disk and notes length and checksum. Reading: cuts the file to that length. Throws
   /// DamagedFile, and leaves the file as it is, if it is shorter or if its bytes up to that length have another checksum.
@@ -58,13 +55,12 @@ class GrowingFile {
 
  private:
   [[noreturn]] void fail(std::string_view what) const;
-  void check_content(std::uint64_t length, std::uint32_t checksum);
+  void check_content(std::uint64_t length, std::uint32_t checksum) const;
 
   std::filesystem::path path_;
   int file_ = -1;
   std::uint64_t length_ = 0;
   std::uint32_t checksum_ = 0;
-  std::string first_line_;
 };
 
 }  // namespace trophic

@@ -37,7 +37,6 @@ TROPHIC_INLINE GrowingFile::~GrowingFile() {
 }
 
 TROPHIC_INLINE void GrowingFile::append(std::string_view bytes) {
-  if (length_ == 0) first_line_ = bytes.substr(0, bytes.find('\n'));
   while (!bytes.empty()) {
     const ::ssize_t written = ::write(file_, bytes.data(), bytes.size());
     if (written < 0) {
@@ -66,7 +65,7 @@ TROPHIC_INLINE void GrowingFile::persist(Archive& archive) {
   checksum_ = sum;
 }
 
-TROPHIC_INLINE void GrowingFile::check_content(std::uint64_t length, std::uint32_t checksum) {
+TROPHIC_INLINE void GrowingFile::check_content(std::uint64_t length, std::uint32_t checksum) const {
   if (length > length_) {
     throw DamagedFile{"cannot continue " + path_.string() + ": it has " + std::to_string(length_) +
                       " bytes: must be >= " + std::to_string(length) + ", as many as it had at the checkpoint"};
@@ -79,9 +78,7 @@ TROPHIC_INLINE void GrowingFile::check_content(std::uint64_t length, std::uint32
     if (got < 0 && errno == EINTR) continue;
     if (got < 0) fail("read");
     if (got == 0) break;
-    const std::string_view bytes{piece.data(), static_cast<std::size_t>(got)};
-    if (at == 0) first_line_ = bytes.substr(0, bytes.find('\n'));
-    sum = trophic::checksum(bytes, sum);
+    sum = trophic::checksum({piece.data(), static_cast<std::size_t>(got)}, sum);
     at += static_cast<std::uint64_t>(got);
   }
   if (sum == checksum) return;
