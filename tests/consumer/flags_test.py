@@ -39,7 +39,7 @@ def refusal(flags: str, compiled: bool, folder: pathlib.Path, expected: list[byt
     toml = subprocess.run(["pkg-config", "--libs", "tomlplusplus"], capture_output=True, text=True).stdout.split()
     libraries = [*([LIBRARY] if compiled else []), *toml, "-lz", "-pthread"]
     more = [flag for flag in flags.split() if flag != "UNITY"]
-    command = [COMPILER, *ours, *more, *mode, f'-DTROPHIC_MODEL_DIR="{SOURCES}/models"', f"-I{SOURCES}/include", "-isystem", EIGEN, "-isystem", RANDOM123, str(program)]
+    command = [COMPILER, *ours, *more, *mode, f'-DTROPHIC_MODEL_DIR="{SOURCES}/models"', f"-I{SOURCES}/include", *(part for folder in (EIGEN, RANDOM123) if folder != "/usr/include" for part in ("-isystem", folder)), str(program)]
     done = subprocess.run([*command, *(["-o", str(folder / "program"), *libraries] if expected else ["-fsyntax-only"])], capture_output=True, text=True)
     if done.returncode != 0 or expected is None:
         return done.stderr

@@ -15,8 +15,8 @@ OPENING_S = 60
 class LiveRun:
     """A program that runs with --live."""
 
-    def __init__(self, command, folder):
-        self.process = subprocess.Popen([*command, "--live"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    def __init__(self, command, folder, **how):
+        self.process = subprocess.Popen([*command, "--live"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **how)
         self.address = None
         for line in self.process.stdout:
             found = re.match(r"live    (http://127\.0\.0\.1:(\d+)/\?token=([0-9a-f]{32}))$", line)

@@ -1,12 +1,15 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""live_test.py PREDATOR_PREY: a live run by its web socket: it is steered, made again to the byte, and shown to its own page alone."""
+"""live_test.py PREDATOR_PREY [SUITE] [--sessions=N]: a live run by its web socket: it is steered, made again to the byte, and shown to its
+own page alone."""
 
 import contextlib
 import csv
 import json
 import os
 import pathlib
+import random
+import resource
 import socket
 import subprocess
 import sys
@@ -17,6 +20,7 @@ from in_folder import InFolder
 from live_page import LiveRun
 
 PROGRAM = sys.argv.pop(1)
+SESSIONS = int(sys.argv.pop().removeprefix("--sessions=")) if sys.argv[-1].startswith("--sessions=") else 4
 RUN = [PROGRAM, "--backend", "kinematic", "--seed", "5"]
 
 
@@ -118,6 +122,8 @@ class Live(InFolder):
                 ({"do": "set", "number": "rules.capture.reach_m", "value": "-1"}, "rules.capture.reach_m = -1: must be > 0"),
                 ({"do": "set", "number": "rules.capture.reach_m", "value": "nan"}, "rules.capture.reach_m = nan: must be finite"),
                 ({"do": "set", "number": "rules.capture.reach_m", "value": "far"}, "must be a number"),
+                ({"do": "set", "number": "rules.newborn_tag.founder_tag", "value": "7"}, "rules.newborn_tag.founder_tag = 7: the policy in rules.newborn_tag"),
+                ({"do": "set", "number": "rules.capture.reach_m", "value": "1" * 201}, "must have <= 200 bytes"),
                 ({"do": "set", "number": "ecology.robots", "value": "7"}, "is not a number of a rule"),
                 ({"do": "set", "number": "rules.capture.reach_m", "value": "1\nx = 2"}, "one number"),
                 ({"do": "restart", "seed": -3, "rules": "paper"}, "seed = -3"),
@@ -208,6 +214,23 @@ class Live(InFolder):
         self.assertEqual([resumed[key] for key in ("identity", "description")], [again[key] for key in ("identity", "description")])
         self.assertEqual([one["value"] for one in resumed["description"]["changes"]], ["0.5"])
 
+    def test_failure_reaches_the_page_and_those_that_come_later(self):
+        limit = lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (60_000, 60_000))  # as a full disk
+        run = self.enterContext(LiveRun([*RUN, "--duration", "6000", "--out", "run"], self.folder, preexec_fn=limit))
+        with run.page() as page:
+            page.send({"do": "speed", "value": 0})
+            self.assertIn("The run ended: cannot write run/", page.until_kind("refused")["text"])
+            with run.page() as later:
+                self.assertIn("The run ended: cannot write run/", later.until_kind("refused")["text"])
+        self.assertEqual(run.wait()[0], 1)
+
+    def test_run_whose_address_cannot_be_printed_ends(self):
+        with open("/dev/full", "w") as full:
+            done = subprocess.run([*RUN, "--live", "--out", "run"], cwd=self.folder, stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
+        self.assertIn("cannot write to standard output", done.stderr)
+        self.assertFalse((self.folder / "run").exists())
+
     def refused(self, words, *options):
         done = subprocess.run([*RUN, *options], cwd=self.folder, capture_output=True, text=True, timeout=60)
         self.assertEqual(done.returncode, 2, done.stderr)
@@ -218,6 +241,56 @@ class Live(InFolder):
         self.refused("--live: not with --replicates", "--live", "--replicates", "2")
         self.refused("--live-port: needs --live", "--live-port", "4000")
         self.refused("--live-port 80: must be >= 1024", "--live", "--live-port", "80")
+
+
+class Sessions(InFolder):
+    """Random sessions at a page, made again by the changes that they recorded."""
+
+    def wish(self, draw, numbers):
+        number = draw.choice(numbers)
+        text = number["value"]
+        if text in ("true", "false"):
+            value = draw.choice(("true", "false"))
+        elif not text.replace(".", "").replace("-", "").replace("e", "").replace("+", "").isdigit():
+            value = draw.choice((text, "together", "0"))
+        else:
+            value = draw.choice((text, "0", "-0", "-0.0", "1", "-1", "7", "1e-300", "0.10", "9007199254740993", "9007199254740994.0", "12345678901234567890.0",
+                                 str(round(draw.uniform(0, 2) * float(text), draw.randrange(6))), str(draw.randrange(12)), "+0.5", "1_0", "0x10"))
+        return {"do": "set", "number": number["path"], "value": value}
+
+    def session(self, seed):
+        draw = random.Random(seed)
+        options = [PROGRAM, "--backend", "kinematic", "--rules", draw.choice(("paper", "released")), "--seed", str(seed), "--duration", str(draw.choice((30, 61, 200)))]
+        with LiveRun([*options, "--out", "live"], self.folder) as run:
+            with run.page() as page:
+                page.send({"do": "pause"})
+                numbers = [number for number in page.until_kind("run")["numbers"] if draw.random() < 0.3 or "reach" in number["path"]]
+                is_over = False
+                for _ in range(draw.randrange(1, 12)):
+                    for _ in range(draw.choice((1, 1, 2, 8))):
+                        page.send(draw.choice((self.wish(draw, numbers[:1]), self.wish(draw, numbers))))
+                    if draw.random() < 0.6 and not is_over:
+                        page.send({"do": "tick"})
+                        is_over = page.until(lambda message: message["kind"] == "tick" or message["kind"] == "state" and message["over"])["kind"] == "state"
+                page.send({"do": "speed", "value": 0})
+                page.send({"do": "play"})
+                is_over or page.until(lambda message: message["kind"] == "state" and message["over"])
+            code, errors = run.wait()
+        done = subprocess.run([*options, "--changes", "live/changes.csv", "--out", "again"], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual((done.returncode, done.stderr.replace("again", "live")), (code, errors))
+        live, again = (files_of(self.folder / name) for name in ("live", "again"))
+        self.assertEqual([name for name in live if live[name] != again[name]], [])
+        said = [json.loads((self.folder / name / "manifest.json").read_text()) for name in ("live", "again")]
+        self.assertEqual([said[0][key] for key in ("identity", "description", "remarks")], [said[1][key] for key in ("identity", "description", "remarks")])
+        changes = len(rows_of(self.folder / "live/changes.csv"))
+        subprocess.run(["rm", "-r", self.folder / "live", self.folder / "again"], check=True)
+        return changes, code
+
+    def test_random_sessions_are_made_again_to_the_byte(self):
+        made = [self.session(seed) for seed in range(SESSIONS)]
+        self.assertGreater(sum(changes for changes, _ in made), 2 * SESSIONS)
+        if SESSIONS > 4:
+            print(f"{SESSIONS} sessions, {sum(changes for changes, _ in made)} changes, {sum(code != 0 for _, code in made)} ended by an error")
 
 
 class Changes(InFolder):
@@ -254,6 +327,14 @@ class Changes(InFolder):
         for folder in ("replicate-00", "replicate-01", "shadow/replicate-00", "shadow/replicate-01"):
             rows = rows_of(self.folder / "run" / folder / "changes.csv")
             self.assertEqual([(row["time_s"], row["value"], row["before"]) for row in rows], [("20", "0.5", "1")])
+
+    def test_as_many_changes_as_a_page_made_are_made_again(self):
+        values = [str((index % 97 + 1) / 100) for index in range(2500)]
+        text = "time_s,number,value\n" + "".join(f"{2 * (index // 150)},rules.capture.reach_m,{value}\n" for index, value in enumerate(values))
+        self.assertEqual(self.run_with(text).returncode, 0)
+        self.assertEqual([row["value"] for row in rows_of(self.folder / "run/changes.csv")], values)
+        done = subprocess.run([*RUN, "--duration", "40", "--changes", "run/changes.csv", "--out", "again"], cwd=self.folder, capture_output=True, text=True)
+        self.assertEqual((done.returncode, files_of(self.folder / "run")), (0, files_of(self.folder / "again")))
 
     def test_of_a_number_that_changes_again_the_last_change_counts(self):
         reach, sd = "rules.capture.reach_m", "rules.mutation.sd"

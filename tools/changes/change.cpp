@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Definitions of change.hpp.
 #include <cstdlib>
+#include <set>
 #include <tools/changes/change.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/whole_file.hpp>
@@ -38,6 +39,12 @@ namespace detail {
 
 }  // namespace detail
 
+std::size_t made_together(std::span<const Change> due) {
+  std::set<std::string_view> numbers;
+  const auto again = std::ranges::find_if(due, [&](const Change& change) { return !numbers.insert(change.number).second; });
+  return static_cast<std::size_t>(again - due.begin());
+}
+
 std::vector<Change> read_changes(const std::filesystem::path& path) {
   const std::string text = read_whole_file(path);
   const auto lines = detail::lines_of(text);
@@ -52,7 +59,8 @@ std::vector<Change> read_changes(const std::filesystem::path& path) {
     if (found == header.end()) fail(1, "the column " + std::string{wanted[i]} + " is missing");
     places[i] = static_cast<std::size_t>(found - header.begin());
   }
-  if (lines.size() > most_changes) fail(most_changes, "must have <= " + std::to_string(most_changes) + " lines");
+  if (lines.size() > most_changes + 1)
+    fail(most_changes + 2, "must be left out: a run has <= " + std::to_string(most_changes) + " changes");
   std::vector<Change> changes;
   for (std::size_t line = 1; line < lines.size(); ++line) {
     if (lines[line].empty()) continue;
@@ -67,12 +75,14 @@ std::vector<Change> read_changes(const std::filesystem::path& path) {
     char* end = nullptr;
     change.time_s = std::strtod(moment.c_str(), &end);
     const bool is_number = !moment.empty() && moment.find_first_not_of("0123456789.eE+-") == std::string::npos && *end == '\0';
-    if (!is_number || !(change.time_s >= 0.0 && change.time_s <= 1e15)) fail(line + 1, "time_s = " + moment + ": must be >= 0");
+    if (!is_number || !(change.time_s >= 0.0 && change.time_s <= longest_run_s))
+      fail(line + 1, "time_s = " + moment + ": must be >= 0 and <= " + number_text(longest_run_s));
     if (!changes.empty() && change.time_s < changes.back().time_s) {
       fail(line + 1, "time_s = " + moment + ": must be >= " + number_text(changes.back().time_s) + ", as in the line above");
     }
     if (change.number.empty()) fail(line + 1, "number: must not be empty");
     if (change.value.empty()) fail(line + 1, "value: must not be empty");
+    if (change.value.size() > longest_value) fail(line + 1, "value: must have <= " + std::to_string(longest_value) + " bytes");
     changes.push_back(std::move(change));
   }
   return changes;

@@ -4,6 +4,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
+#include <trophic/habitat/ecology_params.hpp>
 #include <trophic/io/column.hpp>
 
 namespace trophic::changes {
@@ -38,8 +40,12 @@ struct ChangeRow {
 /// In the folder of a run whose parameters may change.
 inline constexpr std::string_view file_name = "changes.csv";
 
-/// Largest number of changes in a list.
-inline constexpr std::size_t most_changes = 1000;
+/// Largest number of changes of a run, and longest value in bytes: for those who make changes and those who read them.
+inline constexpr std::size_t most_changes = 20'000;
+inline constexpr std::size_t longest_value = 200;
+
+/// Returns how many of these changes, which are due at one moment, are made together: all before a number's second one.
+[[nodiscard]] std::size_t made_together(std::span<const Change> due);
 
 /// Reads a table with the columns time_s, number and value, such as a run's changes.csv. Throws std::invalid_argument naming
 /// file, line and value for a missing column, a moment that is not a number >= 0 or is earlier than the one above, or an empty

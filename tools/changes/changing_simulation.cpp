@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Definitions of changing_simulation.hpp.
 #include <exception>
+#include <set>
 #include <tools/changes/changing_simulation.hpp>
 #include <tools/replicates/rewind.hpp>
 #include <trophic/ecology/describe.hpp>
@@ -47,8 +48,8 @@ class ChangingSimulation::Relay final : public observe::Audience {
   Relay(ChangingSimulation& whole, observe::Audience& audience, double until_s)
       : whole_{whole}, audience_{audience}, until_s_{until_s} {}
 
-  /// The changes that ended the last part of the run.
-  [[nodiscard]] std::vector<Change> take() { return std::exchange(due_, {}); }
+  /// The changes that ended the last part of the run, and whether they are wishes.
+  [[nodiscard]] std::pair<std::vector<Change>, bool> take() { return {std::exchange(due_, {}), are_wishes_}; }
   [[nodiscard]] bool has_failed() const { return has_failed_; }
 
   void start(const observe::RunDescription&, const View& view) override {
@@ -68,6 +69,7 @@ class ChangingSimulation::Relay final : public observe::Audience {
   [[nodiscard]] bool keep_running() override {
     if (!audience_.keep_running()) return false;
     due_ = whole_.scheduled_until(whole_.time_s());
+    are_wishes_ = due_.empty();
     if (!due_.empty() || whole_.conductor_ == nullptr) return due_.empty();
     due_ = whole_.conductor_->due(whole_.time_s());
     return due_.empty() && !whole_.conductor_->ends();
@@ -90,6 +92,7 @@ class ChangingSimulation::Relay final : public observe::Audience {
   observe::Audience& audience_;
   double until_s_;
   std::vector<Change> due_;
+  bool are_wishes_ = false;
   bool is_started_ = false;
   bool has_failed_ = false;
 };
@@ -102,9 +105,13 @@ ChangingSimulation::ChangingSimulation(MakeChanged make, std::vector<Change> sch
       current_{make_({})},
       first_{current_->describe(0.0)} {
   // Each state of the parameters, so that nothing is refused halfway.
-  for (std::size_t many = 1; many <= schedule_.size(); ++many) {
-    if (many < schedule_.size() && schedule_[many].time_s == schedule_[many - 1].time_s) continue;
-    static_cast<void>(changed({}, {schedule_.begin(), schedule_.begin() + static_cast<std::ptrdiff_t>(many)}));
+  Values values;
+  for (std::span<const Change> left{schedule_}; !left.empty();) {
+    const auto later = std::ranges::find_if(left, [&](const Change& change) { return change.time_s != left.front().time_s; });
+    const auto together = left.first(made_together({left.begin(), later}));
+    static_cast<void>(changed(values, together));
+    for (const Change& change : together) values[change.number] = change.value;
+    left = left.subspan(together.size());
   }
 }
 ChangingSimulation::~ChangingSimulation() = default;
@@ -113,7 +120,9 @@ observe::RunDescription ChangingSimulation::describe(double until_s) const {
   observe::RunDescription run = first_;
   run.until_s = until_s;
   run.changes = made_;
+  std::set<std::string_view> seen;
   const auto remark_on = [&](const std::string& number, double time_s) {
+    if (!seen.insert(number).second) return;
     const bool needs_joints = !backend().has_joints() && acts_through_joints(number);
     if (!needs_joints && !checkpoint::acts_at_start(number)) return;
     run.remarks.push_back(number + ": its change at " + number_text(time_s) + " s has no effect: it acts " +
@@ -162,7 +171,9 @@ void ChangingSimulation::persist(Archive& archive) {
   std::vector<Change> schedule = schedule_;
   archive(made, schedule);
   if (archive.reads()) {
-    current_ = changed(made, {});
+    values_.clear();
+    for (const observe::ParameterChange& row : made) values_[row.number] = row.value;
+    current_ = changed(values_, {});
     Archive::require(schedule_.empty() || are_scheduled(made, schedule),
                      "other changes than those of --changes; without --changes the run continues with its own");
     made_ = std::move(made);
@@ -176,9 +187,13 @@ void ChangingSimulation::run(double until_s, observe::Audience& audience) {
   try {
     for (;;) {
       current_->run_before(relay, until_s);
-      const std::vector<Change> due = relay.take();
+      const auto [due, are_wishes] = relay.take();
       if (due.empty()) break;
-      make(due, audience, until_s);
+      for (std::span<const Change> left{due}; !left.empty();) {
+        const std::size_t many = are_wishes ? 1 : made_together(left);
+        make(left.first(many), audience, until_s);
+        left = left.subspan(many);
+      }
     }
     audience.between_ticks(*this, true);
     audience.end(view());
@@ -195,34 +210,35 @@ std::vector<Change> ChangingSimulation::scheduled_until(double time_s) {
   return due;
 }
 
-/// Whether these changes, made and to come, are those of the schedule. A row has its number's value after all changes of its
-/// tick.
+/// Whether these changes, made and to come, are those of the schedule.
 bool ChangingSimulation::are_scheduled(const std::vector<observe::ParameterChange>& made,
                                        const std::vector<Change>& to_come) const {
   if (made.size() > schedule_.size()) return false;
   const auto first_to_come = schedule_.begin() + static_cast<std::ptrdiff_t>(made.size());
   if (!std::ranges::equal(first_to_come, schedule_.end(), to_come.begin(), to_come.end())) return false;
   const double tick_s = current_->view().tick_s;
-  for (std::size_t index = 0; index < made.size();) {
-    std::size_t end = index;
-    while (end < made.size() && made[end].tick == made[index].tick) ++end;
-    const auto after = changed({}, {schedule_.begin(), schedule_.begin() + static_cast<std::ptrdiff_t>(end)})->describe(0.0);
-    for (; index < end; ++index) {
-      const Change& planned = schedule_[index];
-      const double late_s = made[index].time_s - planned.time_s;
-      if (planned.number != made[index].number || late_s < 0.0 || late_s >= tick_s) return false;
-      if (detail::value_in(after, planned.number) != made[index].value) return false;
+  Values values;
+  for (auto row = made.begin(); row != made.end();) {
+    const std::span<const Change> left{schedule_.begin() + (row - made.begin()), schedule_.begin() + std::ssize(made)};
+    const auto later = std::find_if(row, made.end(), [&](const auto& one) { return one.tick != row->tick; });
+    const auto together = left.first(made_together(left.first(static_cast<std::size_t>(later - row))));
+    const std::unique_ptr<Simulation> after = changed(values, together);
+    for (const Change& planned : together) {
+      const double late_s = row->time_s - planned.time_s;
+      if (planned.number != row->number || late_s < 0.0 || late_s >= tick_s) return false;
+      if (detail::value_in(after->describe(0.0), row->number) != row->value) return false;
+      values[row->number] = row->value;
+      ++row;
     }
   }
   return true;
 }
 
-/// The ecology of the parameters after changes, at its start.
-std::unique_ptr<Simulation> ChangingSimulation::changed(const std::vector<observe::ParameterChange>& rows,
-                                                        const std::vector<Change>& more) const {
+/// The ecology of the parameters after changes of these values, at its start.
+std::unique_ptr<Simulation> ChangingSimulation::changed(Values values, std::span<const Change> more) const {
+  for (const Change& change : more) values[change.number] = change.value;
   std::vector<Change> all;
-  for (const observe::ParameterChange& row : rows) all.push_back({row.time_s, row.number, row.value});
-  all.insert(all.end(), more.begin(), more.end());
+  for (const auto& [number, value] : values) all.push_back({.number = number, .value = value});
   std::unique_ptr<Simulation> ecology = make_(all);
   const observe::RunDescription run = ecology->describe(0.0);
   for (const Change& change : more) {
@@ -235,22 +251,29 @@ std::unique_ptr<Simulation> ChangingSimulation::changed(const std::vector<observ
   return ecology;
 }
 
-void ChangingSimulation::make(const std::vector<Change>& changes, observe::Audience& audience, double until_s) {
+/// Makes changes of different numbers at the present moment.
+void ChangingSimulation::make(std::span<const Change> changes, observe::Audience& audience, double until_s) {
   std::unique_ptr<Simulation> next;
   try {
-    next = changed(made_, changes);
-  } catch (const std::invalid_argument& error) {
+    if (made_.size() + changes.size() > most_changes)
+      throw std::invalid_argument{"this run has " + std::to_string(made_.size()) +
+                                  " changes: must have <= " + std::to_string(most_changes) + ", as many as can be made again"};
+    next = changed(values_, changes);
+    Archive state;
+    current_->persist(state);
+    const std::string bytes = std::move(state).bytes();
+    Archive same{bytes};
+    next->persist(same);
+    same.finish();
+  } catch (const std::exception& error) {  // a RuleError, too: the bound of a value may be in another rule
     if (conductor_ == nullptr) throw;
-    return conductor_->refused(changes.back(), error.what());
+    const Change& last = changes.back();
+    const std::string why = error.what();
+    const bool is_named = why.find(last.number) != std::string::npos;
+    return conductor_->refused(last, is_named ? why : last.number + " = " + last.value + ": " + why);
   }
   const observe::RunDescription before = current_->describe(0.0);
   const observe::RunDescription after = next->describe(0.0);
-  Archive state;
-  current_->persist(state);
-  const std::string bytes = std::move(state).bytes();
-  Archive same{bytes};
-  next->persist(same);
-  same.finish();
   current_ = std::move(next);
   for (const Change& change : changes) {
     const observe::ParameterChange row{.time_s = current_->time_s(),
@@ -258,6 +281,7 @@ void ChangingSimulation::make(const std::vector<Change>& changes, observe::Audie
                                        .number = change.number,
                                        .value = detail::value_in(after, change.number),
                                        .before = detail::value_in(before, change.number)};
+    values_[row.number] = row.value;
     made_.push_back(row);
     if (journal_->table != nullptr) journal_->table->write(row);
     if (conductor_ != nullptr) conductor_->made(row);

@@ -2,6 +2,7 @@
 // An ecology whose parameters change while it runs.
 #pragma once
 
+#include <map>
 #include <tools/changes/change.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/io/own_table.hpp>
@@ -17,8 +18,8 @@ class Conductor {
   Conductor& operator=(const Conductor&) = delete;
   virtual ~Conductor() = default;
 
-  /// Returns the changes to make now; their times are ignored. Called between two ticks, before the bodies move, and again after
-  /// changes. May wait.
+  /// Returns the changes to make now, each tried alone; their times are ignored. Called between two ticks, before the bodies
+  /// move, and again after changes. May wait.
   [[nodiscard]] virtual std::vector<Change> due(double time_s) = 0;
   /// Whether the run ends at the moment of the last call of `due`.
   [[nodiscard]] virtual bool ends() const = 0;
@@ -27,8 +28,8 @@ class Conductor {
   virtual void refused(const Change& change, const std::string& why) = 0;
 };
 
-/// Makes the ecology of an experiment in which these changes were made before its start. Throws std::invalid_argument for a
-/// number that is unknown or out of its bounds.
+/// Makes the ecology of an experiment in which these changes, one of each number, were made before its start. Throws
+/// std::invalid_argument for a number that is unknown or out of its bounds.
 using MakeChanged = std::function<std::unique_ptr<Simulation>(const std::vector<Change>& made)>;
 
 /// Runs the ecology of an experiment and replaces it, between two ticks, by one with other rule parameters in the same state. So
@@ -56,18 +57,19 @@ class ChangingSimulation final : public Simulation {
  private:
   class Relay;
   struct Journal;
+  using Values = std::map<std::string, std::string>;  ///< by their numbers
 
   void run(double until_s, observe::Audience& audience) override;
   [[nodiscard]] std::vector<Change> scheduled_until(double time_s);
-  [[nodiscard]] std::unique_ptr<Simulation> changed(const std::vector<observe::ParameterChange>& rows,
-                                                    const std::vector<Change>& more) const;
-  void make(const std::vector<Change>& changes, observe::Audience& audience, double until_s);
+  [[nodiscard]] std::unique_ptr<Simulation> changed(Values values, std::span<const Change> more) const;
+  void make(std::span<const Change> changes, observe::Audience& audience, double until_s);
   [[nodiscard]] bool are_scheduled(const std::vector<observe::ParameterChange>& made, const std::vector<Change>& to_come) const;
 
   MakeChanged make_;
   Conductor* conductor_;
   std::vector<Change> schedule_;  ///< changes still to come
   std::vector<observe::ParameterChange> made_;
+  Values values_;  ///< after the changes that were made
   std::shared_ptr<Journal> journal_;
   std::unique_ptr<Simulation> current_;
   observe::RunDescription first_;  ///< of the first parameters

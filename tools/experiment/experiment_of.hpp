@@ -3,8 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <iterator>
-#include <map>
 #include <thread>
 #include <tools/changes/change.hpp>
 #include <tools/changes/changing_simulation.hpp>
@@ -72,16 +70,6 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return schedule;
 }
 
-/// The changes in force after all of them, in their order: of a number, those at the moment of its last one.
-[[nodiscard]] inline std::vector<changes::Change> in_force(const std::vector<changes::Change>& made) {
-  std::map<std::string_view, double> last_s;
-  for (const changes::Change& change : made) last_s[change.number] = change.time_s;
-  std::vector<changes::Change> left;
-  std::ranges::copy_if(made, std::back_inserter(left),
-                       [&](const changes::Change& change) { return change.time_s == last_s.at(change.number); });
-  return left;
-}
-
 /// Makes the ecologies of an experiment, under a null, with --changes and those of a conductor, which may be null.
 [[nodiscard]] inline MakeSimulation simulations(const AnyExperiment& chosen, const ExperimentOptions& options,
                                                 const Config& config, AnyExperiment& experiment, Null null,
@@ -91,7 +79,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return [=, &chosen](std::uint64_t seed) -> std::unique_ptr<Simulation> {
     const auto make = [=, &chosen](const std::vector<changes::Change>& made) {
       const auto changed = experiment_of(chosen, options, config);
-      for (const changes::Change& change : in_force(made)) {
+      for (const changes::Change& change : made) {
         const toml::table number = read_assignment(change.number + "=" + change.value);
         command::check_keys(number, changed->params(), "");
         read_parameters(changed->params(), number);
@@ -101,7 +89,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
     };
     try {
       return std::make_unique<changes::ChangingSimulation>(make, schedule, conductor);
-    } catch (const std::invalid_argument& error) {
+    } catch (const std::logic_error& error) {  // a RuleError, too
       if (options.changes.empty()) throw;
       throw std::invalid_argument{options.changes + ": " + error.what()};
     }

@@ -125,13 +125,12 @@ namespace detail {
   return snapshot;
 }
 
-/// The text of a value in a manifest's "params" under a path such as "rules.mutation.sd"; empty if there is none.
-[[nodiscard]] inline std::string text_at(const Json& params, std::string_view path) {
+/// The value in a manifest's "params" under a path such as "rules.mutation.sd"; null if there is none.
+[[nodiscard]] inline Json value_at(const Json& params, std::string_view path) {
   const std::size_t dot = path.find('.');
   const auto found = params.is_object() ? params.find(std::string{path.substr(0, dot)}) : params.end();
-  if (!params.is_object() || found == params.end()) return "";
-  if (dot != std::string_view::npos) return text_at(*found, path.substr(dot + 1));
-  return found->is_string() ? found->get<std::string>() : json_text(*found);
+  if (!params.is_object() || found == params.end()) return nullptr;
+  return dot == std::string_view::npos ? *found : value_at(*found, path.substr(dot + 1));
 }
 
 /// Throws std::invalid_argument for a run of other rules or parameters in a folder that is to be resumed: the first three that
@@ -141,18 +140,19 @@ inline void check_resumed(const std::filesystem::path& folder, const observe::Ru
   std::error_code unknown;
   if (!std::filesystem::is_regular_file(path, unknown)) return;
   const Json there = parse_sealed(read_whole_file(path));
-  if (!there.is_object() || text_at(there, "fingerprint").empty() || text_at(there, "fingerprint") == run.fingerprint) return;
+  const Json fingerprint = value_at(there, "fingerprint");
+  if (fingerprint.is_null() || fingerprint == run.fingerprint) return;
   std::string text;
   std::size_t found = 0;
-  const auto compare = [&](const std::string& name, const std::string& its, const std::string& ours) {
-    if (its.empty() || its == ours || ++found > 3) return;
-    text += (text.empty() ? "" : "; ") + name + " = " + its + " there, " + ours + " here";
+  const auto compare = [&](const std::string& name, const Json& its, const Json& ours) {
+    if (its.is_null() || its == ours || ++found > 3) return;
+    text += (text.empty() ? "" : "; ") + name + " = " + json_text(its) + " there, " + json_text(ours) + " here";
   };
-  compare("engine", text_at(there, "backend"), run.backend);
-  compare("rule table", text_at(there, "rule_table"), run.rules);
+  compare("engine", value_at(there, "backend"), run.backend);
+  compare("rule_table", value_at(there, "rule_table"), run.rules);
   for (const NamedParam& param : run.named_params) {
     if (param.path == "seed" || param.path == "ecology.duration_s") continue;
-    compare(param.path, there.contains("params") ? text_at(there["params"], param.path) : "", value_text(param));
+    std::visit([&](const auto& value) { compare(param.path, value_at(there, "params." + param.path), value); }, param.value);
   }
   if (found == 0) return;
   if (found > 3) text += " and " + std::to_string(found - 3) + " more";
@@ -222,6 +222,7 @@ inline void check_same_changes(const ExperimentOptions& options, const std::file
     }
   } catch (const std::exception& error) {
     const int code = report_failure(options.program.c_str(), error);
+    if (live != nullptr) live->failed(error.what());
     std::error_code unknown;
     const bool is_there = std::filesystem::exists(folder.path(), unknown);
     std::cerr << (is_there ? "everything written so far is in " : "its folder was removed or moved: ") << folder.path().string()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Definitions of run_live.hpp.
 #include <iostream>
+#include <tools/command/run_command.hpp>
 #include <tools/experiment/experiment_of.hpp>
 #include <tools/experiment/run_experiment.hpp>
 #include <tools/experiment/run_live.hpp>
@@ -54,17 +55,23 @@ int run_live(std::unique_ptr<AnyExperiment> chosen, ExperimentOptions options, C
   }
   const std::unique_ptr<LiveServer> server = detail::open_live(static_cast<std::uint16_t>(options.live_port.value_or(0)));
   for (;;) {
-    const auto experiment = detail::experiment_of(*chosen, options, config);
-    server->begin({.folder = options.out,
-                   .rule_table = chosen->rule_table(),
-                   .rule_tables = table_names(offer),
-                   .seed = experiment->seed(),
-                   .until_s = experiment->ecology().duration_s,
-                   .numbers = detail::rule_parameters(*experiment),
-                   .table = detail::rule_parameters(*chosen->fresh())});
-    const int code = detail::run_once(
-        options, *experiment, detail::simulations(*chosen, options, config, *experiment, Null::none, {}, &server->conductor()),
-        std::nullopt, server.get());
+    int code = 0;
+    try {
+      const auto experiment = detail::experiment_of(*chosen, options, config);
+      server->begin({.folder = options.out,
+                     .rule_table = chosen->rule_table(),
+                     .rule_tables = table_names(offer),
+                     .seed = experiment->seed(),
+                     .until_s = experiment->ecology().duration_s,
+                     .numbers = detail::rule_parameters(*experiment),
+                     .table = detail::rule_parameters(*chosen->fresh())});
+      code = detail::run_once(options, *experiment,
+                              detail::simulations(*chosen, options, config, *experiment, Null::none, {}, &server->conductor()),
+                              std::nullopt, server.get());
+    } catch (const std::exception& error) {
+      code = report_failure(options.program.c_str(), error);
+      server->failed(error.what());
+    }
     const std::optional<Restart> next = server->next();
     if (!next) return code;
     detail::restart(*next, chosen->rule_table(), first_out, options, config);

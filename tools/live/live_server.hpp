@@ -43,6 +43,8 @@ class LiveServer {
   virtual void run_with_checkpoints(Simulation& ecology, double until_s, const std::filesystem::path& folder,
                                     const checkpoint::Schedule& schedule, const std::optional<checkpoint::Checkpoint>& from,
                                     io::RunFolder& files, observe::Progress& progress, const observe::StopOnSignal& stop) = 0;
+  /// The run that is shown ended with an error, or the next one could not begin.
+  virtual void failed(const std::string& why) = 0;
   /// Shows another run from now on.
   virtual void begin(const LiveRun& run) = 0;
   [[nodiscard]] virtual changes::Conductor& conductor() = 0;

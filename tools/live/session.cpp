@@ -2,12 +2,9 @@
 // trophic::live::open: the page, the server, the steering and the observer of runs together.
 #include <chrono>
 #include <condition_variable>
-#include <cstddef>
-#include <iostream>
 #include <mutex>
-#include <stdexcept>
-#include <string>
 #include <string_view>
+#include <tools/command/output.hpp>
 #include <tools/live/live_server.hpp>
 #include <tools/live/server.hpp>
 #include <tools/live/sight.hpp>
@@ -52,13 +49,14 @@ class Session final : public command::LiveServer, private Listener {
       : steering_{*this},
         server_{port,
                 live_page(),
-                {.pages = [this](std::size_t pages) { steering_.set_pages(pages); },
+                {.pages = [this](std::size_t pages) { count(pages); },
                  .wish = [this](const std::string& message) { return follow(message); },
                  .state = [this] { return state(); }}},
         sight_{server_, steering_} {
     std::cout << "live    " << server_.address()
               << "\n        open it in a browser of this machine; the run begins then. From another machine first: ssh -L "
               << server_.port() << ":127.0.0.1:" << server_.port() << " HOST" << std::endl;
+    command::flush_output();  // without its address no user opens the page, and the run waits for ever
   }
 
   void begin(const command::LiveRun& run) override {
@@ -66,6 +64,7 @@ class Session final : public command::LiveServer, private Listener {
       const std::lock_guard lock{mutex_};
       run_ = run;
       is_over_ = false;
+      failure_.clear();
     }
     begun_.notify_all();
     sight_.begin(run);
@@ -75,6 +74,11 @@ class Session final : public command::LiveServer, private Listener {
                             const checkpoint::Schedule& schedule, const std::optional<checkpoint::Checkpoint>& from,
                             io::RunFolder& files, observe::Progress& progress, const observe::StopOnSignal& stop) override {
     checkpoint::run_with_checkpoints(ecology, until_s, folder, schedule, from, files, progress, stop, sight_);
+  }
+  void failed(const std::string& why) override {
+    const std::lock_guard lock{mutex_};
+    failure_ = "The run ended: " + why;
+    refused(failure_);
   }
   [[nodiscard]] std::optional<command::Restart> next() override {
     {
@@ -87,6 +91,13 @@ class Session final : public command::LiveServer, private Listener {
 
  private:
   void refused(const std::string& why) override { server_.tell(message_of({{"kind", "refused"}, {"text", why}})); }
+
+  /// A page that comes after a failure hears of it, too.
+  void count(std::size_t pages) {
+    steering_.set_pages(pages);
+    const std::lock_guard lock{mutex_};
+    if (!failure_.empty()) refused(failure_);
+  }
 
   [[nodiscard]] Json state() {
     const Pace pace = steering_.pace();
@@ -143,6 +154,7 @@ class Session final : public command::LiveServer, private Listener {
   std::condition_variable begun_;
   command::LiveRun run_;  ///< its rule table is empty before it begins
   bool is_over_ = false;
+  std::string failure_;
   Steering steering_;
   Server server_;
   Sight sight_;

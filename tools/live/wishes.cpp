@@ -12,12 +12,11 @@ namespace trophic::live {
 namespace {
 
 constexpr std::array<std::string_view, 6> kinds{"play", "pause", "tick", "speed", "set", "restart"};
-constexpr std::size_t longest_value = 200;
 
 std::string text_at(const Json& json, const std::string& key) {
   std::string text = json.at(key).get<std::string>();
-  if (text.size() > longest_value)
-    throw std::invalid_argument{key + ": must have <= " + std::to_string(longest_value) + " bytes"};
+  if (text.size() > changes::longest_value)
+    throw std::invalid_argument{key + ": must have <= " + std::to_string(changes::longest_value) + " bytes"};
   return text;
 }
 
@@ -55,7 +54,7 @@ Wish read_wish(std::string_view message, const command::LiveRun& run) {
       }
     }
     if (wish.kind == Wish::Kind::restart) {
-      wish.seed = whole_number<std::uint64_t>(json, "seed", 0, std::uint64_t{1} << 53U);
+      wish.seed = whole_number<std::uint64_t>(json, "seed", 0, static_cast<std::uint64_t>(any_seed().upper));
       wish.rule_table = text_at(json, "rules");
       if (std::ranges::find(run.rule_tables, wish.rule_table) == run.rule_tables.end()) {
         throw std::invalid_argument{command::must_be_one_of("rules = " + wish.rule_table, run.rule_tables)};

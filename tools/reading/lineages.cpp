@@ -39,7 +39,7 @@ void check_taxon(const io::TaxonRow& row, const RunManifest& run) {
   const auto fail = [&](const std::string& what) {
     throw std::invalid_argument{(run.folder / lineage_tables[0]).string() + ": id " + std::to_string(row.id) + ": " + what};
   };
-  const double end_s = run.reached_s.value_or(most_time_s);
+  const double end_s = run.reached_s.value_or(longest_run_s);
   constexpr double rounding_s = 1e-6;
   if (!(row.origin_time >= 0.0 && row.origin_time <= end_s + rounding_s)) {
     fail("origin_time = " + number_text(row.origin_time) + ": must be >= 0 and <= " + number_text(end_s) + ", the run's end");

@@ -7,7 +7,6 @@
 #include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/support/plain_text.hpp>
 #include <trophic/support/unreadable_file.hpp>
-#include <trophic/support/whole_file.hpp>
 
 namespace trophic::analysis {
 
@@ -85,9 +84,9 @@ RunManifest manifest_of(std::string_view text, const std::filesystem::path& path
       manifest.begins = "at " + said("at_s") + " s of " + said("run") + " (seed " + said("seed") + ")";
     }
     manifest.until_s = json.at("clock").at("until_s").get<double>();
-    if (!(manifest.until_s >= 0.0 && manifest.until_s <= most_time_s)) {
+    if (!(manifest.until_s >= 0.0 && manifest.until_s <= longest_run_s)) {
       throw std::invalid_argument{"clock.until_s = " + number_text(manifest.until_s) +
-                                  ": must be >= 0 and <= " + number_text(most_time_s)};
+                                  ": must be >= 0 and <= " + number_text(longest_run_s)};
     }
     manifest.half_side_m = json.at("arena").at("half_side_m").get<double>();
     if (json.contains("agents_every_ticks")) {

@@ -3,13 +3,11 @@
 #pragma once
 
 #include <map>
+#include <trophic/habitat/ecology_params.hpp>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/support/json.hpp>
 
 namespace trophic::analysis {
-
-/// The longest run that is analysed, three years of its clock: curves have a point every 200 s.
-inline constexpr double most_time_s = 1e8;
 
 /// The entries of a run's manifest that metrics need.
 struct RunManifest {

@@ -3,6 +3,7 @@
 #include <map>
 #include <set>
 #include <tools/sweep/plan_file.hpp>
+#include <trophic/habitat/ecology_params.hpp>
 #include <trophic/support/plain_text.hpp>
 #include <trophic/support/whole_file.hpp>
 
@@ -83,7 +84,8 @@ class PlanLine {
   run.settings = line.settings("settings");
   run.seed = line.whole("seed");
   run.until_s = line.number("until_s");
-  if (!(run.until_s > 0.0 && run.until_s <= 1e12)) line.reject("until_s", "be > 0 and <= 1e12");
+  if (!(run.until_s > 0.0 && run.until_s <= longest_run_s))
+    line.reject("until_s", "be > 0 and <= " + number_text(longest_run_s));
   run.output.replay_hz = line.number("replay_hz");
   if (!(run.output.replay_hz >= 0.0 && run.output.replay_hz <= 1000.0)) line.reject("replay_hz", "be >= 0 and <= 1000");
   run.output.agents_every_ticks = line.ticks("agents_every");

@@ -54,6 +54,9 @@ enum class EndsWhen { time_is_up, a_species_is_gone, one_species_is_left };
          (when == EndsWhen::one_species_is_left && gone + 1 >= members.size());
 }
 
+/// Longest run, ecology seconds, for those who make runs and those who read them: a curve has a point every 200 s.
+inline constexpr double longest_run_s = 1e8;
+
 /// Bodies, time scales, models and the order of decisions (Sec. "Robot Body and Environment", "Cognitive Brain", "Birth",
 /// "Outputs").
 struct EcologyParams {
@@ -76,7 +79,7 @@ struct EcologyParams {
   static constexpr auto fields() {
     return std::tuple{
         field("robots", &EcologyParams::robots, between(1, 10'000'000), "robot bodies, fixed for the whole run"),
-        field("duration_s", &EcologyParams::duration_s, above_to(0.0, 1e12), "length of the run, ecology seconds"),
+        field("duration_s", &EcologyParams::duration_s, above_to(0.0, longest_run_s), "length of the run, ecology seconds"),
         field("tick_s", &EcologyParams::tick_s, above_to(0.0, 3600.0), "decision step, ecology seconds"),
         field("first_tick_s", &EcologyParams::first_tick_s, at_least(0.0), "rules act from then on, ecology seconds"),
         field("control_hz", &EcologyParams::control_hz, above_to(0.0, 1e5), "gait control per simulated second"),

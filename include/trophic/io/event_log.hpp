@@ -36,7 +36,6 @@ class EventLog : public CsvFile<EventRow> {
  public:
   using CsvFile::CsvFile;
   static constexpr std::string_view file_name = "events.csv";
-  using CsvFile<EventRow>::CsvFile;
 
   void on_event(const observe::Event& event, const View& view) { write(event_row(event, view), view.web); }
   void on_tick(const View&) { flush(); }

@@ -84,6 +84,8 @@ class Manifest {
   observe::Tally tally_;
   std::int64_t agents_every_ticks_ = 1;
   std::optional<std::vector<std::string>> inputs_;
+  std::optional<observe::RunDescription> changed_;  ///< by changes of parameters
+  std::size_t described_ = 0;                       ///< changes in the file
   double until_s_ = 0.0;
   double reached_s_ = 0.0;
   std::string end_text_ = {};  ///< of a run that ends before its time

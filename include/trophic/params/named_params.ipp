@@ -16,7 +16,10 @@ TROPHIC_INLINE std::string value_text(const NamedParam& param) {
         } else if constexpr (std::same_as<T, std::string>) {
           return value;
         } else {
-          return number_text(value);
+          std::string text = number_text(value);
+          const bool looks_whole = std::floating_point<T> && text.find_first_not_of("-0123456789") == std::string::npos;
+          if (looks_whole && (text == "-0" || text.size() > 15)) text += ".0";  // TOML reads -0 as 0, and 64 bits
+          return text;
         }
       },
       param.value);
@@ -53,17 +56,15 @@ TROPHIC_INLINE NamedParams named_params_of(const ParamRefs& params) {
 
 TROPHIC_INLINE void validate(const ParamRefs& params) {
   for (const ParamRef& ref : params) {
-    const auto check = [&](double number, const std::string& text) {
+    const auto check = [&](auto number) {
       if (detail::within(number, ref.bound)) return;
       const std::size_t dot = ref.path.rfind('.');
       const std::string prefix = dot == std::string::npos ? "" : ref.path.substr(0, dot);
-      detail::reject_number(prefix, ref.path.substr(dot + 1), number, text, ref.bound);
+      detail::reject_number(prefix, ref.path.substr(dot + 1), static_cast<double>(number), number_text(number), ref.bound);
     };
-    if (const auto* number = std::get_if<double*>(&ref.target)) check(**number, number_text(**number));
-    if (const auto* whole = std::get_if<WholeRef>(&ref.target); whole != nullptr && whole->names.empty()) {
-      const std::int64_t value = whole->get(whole->value);
-      check(static_cast<double>(value), number_text(value));
-    }
+    if (const auto* number = std::get_if<double*>(&ref.target)) check(**number);
+    if (const auto* whole = std::get_if<WholeRef>(&ref.target); whole != nullptr && whole->names.empty())
+      check(whole->get(whole->value));
   }
 }
 

@@ -184,9 +184,14 @@ requires std::is_arithmetic_v<Number>
 
 namespace detail {
 
-/// Returns false for numbers that are not finite.
-[[nodiscard]] constexpr bool within(double value, const Bound& bound) {
+/// Returns false for numbers that are not finite. Whole numbers are compared as such, beyond 2^53, too.
+template <class Number>
+[[nodiscard]] constexpr bool within(Number number, const Bound& bound) {
+  const auto value = static_cast<double>(number);
   const bool above_lower = bound.lower_excluded ? value > bound.lower : value >= bound.lower;
+  if constexpr (std::integral<Number>) {
+    if (value == bound.upper && value < 0x1p63 && std::cmp_greater(number, static_cast<std::int64_t>(bound.upper))) return false;
+  }
   return above_lower && value <= bound.upper && value - value == 0.0;
 }
 
@@ -209,8 +214,7 @@ struct Validate {
     if constexpr (HasFields<T>) {
       validate(value, join_path(path, f.name));
     } else if constexpr (std::is_arithmetic_v<T> && !std::same_as<T, bool>) {
-      const auto number = static_cast<double>(value);
-      if (!within(number, f.bound)) reject_number(path, f.name, number, number_text(value), f.bound);
+      if (!within(value, f.bound)) reject_number(path, f.name, static_cast<double>(value), number_text(value), f.bound);
     }
   }
 };

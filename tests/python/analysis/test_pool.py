@@ -272,6 +272,12 @@ def test_columns_are_read_by_name_and_empty_cells_as_none():
         assert run.load("events.csv", EVENTS, []).cause.astype(str).tolist() == ["", "", "", "caught", ""]
 
 
+@pytest.mark.parametrize("file, text, bound", [("include/trophic/habitat/ecology_params.hpp", "longest_run_s = ", pool.MOST_TIME_S),
+                                                ("tools/reading/run_manifest.cpp", "most_species = ", pool._MOST_SPECIES)])
+def test_bounds_are_those_of_the_programs(file, text, bound):
+    assert f"{text}{bound:g};" in (pathlib.Path(__file__).parents[3] / file).read_text().replace("e8", "e+08")
+
+
 def test_times_are_exact():
     times = [0.1 * 3, 200.00000000000003, 1e8 / 3]
     write_run("run", of_agents=[{**robot(i, 0, "prey"), "time_s": time_s} for i, time_s in enumerate(times)], until_s=1e8, sums=True)

@@ -97,7 +97,7 @@ def write_plan(folder, plan):
 @pytest.mark.parametrize("change, part", [
     ({"index": 2}, ":4: index = 2: must be 3, as lines stand in the order of their index"), ({"folder": "cell-0/shadow/replicate-0"}, ":4: folder = "),
     ({"folder": "../x"}, "must be a folder within that of the plan"), ({"rule_table": "released"}, ':4: rule_table = "released": must be "paper", as in the other runs of cell 0'),
-    ({"until_s": 300.0}, ":4: until_s = 300.0: must be 6000.0, as in the other runs"), ({"until_s": 0}, ":4: until_s = 0: must be > 0 and <= 1e12"),
+    ({"until_s": 300.0}, ":4: until_s = 300.0: must be 6000.0, as in the other runs"), ({"until_s": 0}, ":4: until_s = 0: must be > 0 and <= 100000000"),
     ({"seed": -1}, ":4: seed = -1: must be a whole number >= 0"), ({"seed": 7}, ":4: seed = 7: must be 101, as a replicate and its shadow have one"),
     ({"seed": 100}, ":4: seed = 100: must be another for each replicate of cell 0"), ({"replicate": 0}, ":4: replicate = 0: must be another for each run of cell 0"),
     ({"fingerprint": "other"}, ':4: fingerprint = "other": must be "f0s"'), ({"engine": "a\nb"}, "without control characters"), ({"settings": {"a": [1]}}, ":4: settings = "),

@@ -37,8 +37,19 @@ TEST_CASE("changes: wrong line -> error with its number") {
         std::pair{"time_s,number,value\n0x10,a,1\n", "line 2: time_s = 0x10: must be >= 0"},
         std::pair{"time_s,number,value\n2,a,1\n1,a,2\n", "line 3: time_s = 1: must be >= 2, as in the line above"},
         std::pair{"time_s,number,value\n2,a\n", "line 2: 2 cells: must be 3, as in the first line"},
+        std::pair{"time_s,number,value\n2e8,a,1\n", "line 2: time_s = 2e8: must be >= 0 and <= 1e+08"},
         std::pair{"time_s,number,value\n2,a,\n", "line 2: value: must not be empty"}}) {
     CAPTURE(text);
     CHECK_THROWS_WITH_AS(read(text), doctest::Contains(what), std::invalid_argument);
   }
+}
+
+TEST_CASE("changes: as many and as long as a run may have -> read, one more -> refused") {
+  std::string text = "time_s,number,value\n";
+  const std::string longest(changes::longest_value, '1');
+  for (std::size_t i = 0; i < changes::most_changes; ++i) text += "2,a," + longest + "\n";
+  CHECK(read(text).size() == changes::most_changes);
+  CHECK_THROWS_WITH_AS(read(text + "2,a,1\n"), doctest::Contains("line 20002: must be left out"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(read("time_s,number,value\n2,a,1" + longest), doctest::Contains("must have <= 200 bytes"),
+                       std::invalid_argument);
 }

@@ -33,12 +33,13 @@ struct Person final : changes::Conductor {
   std::vector<std::string> refusals;
   std::vector<observe::ParameterChange> rows;
   double ends_at_s = 1e9;
+  bool at_once = false;  ///< all that are due
   double now_s = 0.0;
 
   [[nodiscard]] std::vector<Change> due(double time_s) override {
     now_s = time_s;
     std::vector<Change> now;
-    if (!wishes.empty() && wishes.front().time_s <= time_s) {
+    while (!wishes.empty() && wishes.front().time_s <= time_s && (now.empty() || at_once)) {
       now.push_back(wishes.front());
       wishes.erase(wishes.begin());
     }
@@ -160,6 +161,33 @@ TEST_CASE("changing ecology: wrong change -> schedule refused before the run, wi
     plain->run_until(40.0);
     CHECK(state_of(steered).ends_with(state_of(*plain)));
   }
+}
+
+TEST_CASE("changing ecology: wishes of one moment -> each taken or refused alone, each its row, and made again by a schedule") {
+  Person person;
+  person.at_once = true;
+  const std::string reach = "rules.capture.reach_m", tag = "rules.newborn_tag.founder_tag";
+  person.wishes = {{20.0, reach, "0.5"}, {20.0, reach, "-1"},         {20.0, reach, "0.40"},
+                   {20.0, tag, "7"},     {20.0, moved.number, "0.7"}, {20.0, reach, "1"}};
+  ChangingSimulation steered{make, {}, &person};
+  steered.run_until(100.0);
+  REQUIRE(person.refusals.size() == 2);
+  CHECK(person.refusals[1].starts_with(tag + " = 7: the policy in rules.newborn_tag returned tag 7"));
+  std::vector<Change> rows;
+  for (const auto& row : person.rows) rows.push_back({row.time_s, row.number, row.value + " for " + row.before});
+  CHECK(rows == std::vector<Change>{{20.0, reach, "0.5 for 1"},
+                                    {20.0, reach, "0.4 for 0.5"},
+                                    {20.0, moved.number, "0.7 for 0.05"},
+                                    {20.0, reach, "1 for 0.4"}});
+  std::vector<Change> schedule;
+  for (const auto& row : person.rows) schedule.push_back({row.time_s, row.number, row.value});
+  ChangingSimulation again{make, schedule};
+  again.run_until(100.0);
+  CHECK(state_of(again) == state_of(steered));
+  const std::string bytes = state_of(again);
+  ChangingSimulation resumed{make, schedule};
+  Archive archive{bytes};
+  CHECK_NOTHROW(resumed.persist(archive));
 }
 
 TEST_CASE("changing ecology: conductor that ends the run -> stops there") {

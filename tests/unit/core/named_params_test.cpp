@@ -4,6 +4,7 @@
 #include <trophic/backend/contract.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/params/named_params.hpp>
+#include <trophic/params/parse_toml.hpp>
 #include <trophic/rules/released.hpp>
 
 using namespace trophic;
@@ -31,6 +32,16 @@ TEST_CASE("named params: numbers, switches, texts and names -> paths with help")
   CHECK(value_text(find(physics, "integrator")) == "semi_implicit_euler");
   CHECK(std::get<double>(find(physics, "timestep_s").value) == 0.0012);
   CHECK(value_text(find(named_params_of(EcologyParams{}), "robot")) == "spider");
+}
+
+TEST_CASE("named params: text of a number -> read as the same number") {
+  for (const auto& [value, text] :
+       {std::pair{-0.0, "-0.0"}, std::pair{0.0, "0"}, std::pair{2.0, "2"}, std::pair{0x1p53 + 2, "9007199254740994.0"},
+        std::pair{1.2345678901234567e19, "12345678901234567168.0"}, std::pair{1e20, "1e+20"}}) {
+    CHECK(value_text({.path = "", .value = value, .help = ""}) == text);
+    CHECK(std::bit_cast<std::uint64_t>(parse_toml("a=" + std::string{text})["a"].value<double>().value()) ==
+          std::bit_cast<std::uint64_t>(value));
+  }
 }
 
 TEST_CASE("named params: rule table -> every number once") {

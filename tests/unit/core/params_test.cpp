@@ -132,4 +132,7 @@ TEST_CASE("params: two that differ -> path of the first difference, nested ones 
 
 TEST_CASE("params: seed -> whole number up to 2^53") {
   CHECK(bound_text(any_seed()) == "must be >= 0 and <= 9007199254740992");
+  CHECK(detail::within(std::uint64_t{1} << 53U, any_seed()));
+  CHECK_FALSE(detail::within((std::uint64_t{1} << 53U) + 1, any_seed()));
+  CHECK_FALSE(detail::within(std::numeric_limits<std::uint64_t>::max(), between(0.0, 0x1p63)));
 }

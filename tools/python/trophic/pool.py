@@ -28,7 +28,7 @@ from .words import NO_NEUTRAL, NULLS, excerpt, number_text
 SHADOW_SLOT, POLICIES = "heredity", {SHADOW: "nothing_inherited", CLONES: "one_genome_for_all"}
 """The slot in which a table and its nulls differ, and the policies there; of the neutral null neutral_HEREDITY."""
 MOST_TIME_S = 1e8
-"""The longest run that is analysed: three years of its clock."""
+"""The longest run that is made and analysed: three years of its clock."""
 _LONGEST_TICK_S = 3600.0  # a run's last tick may end after its duration, by less than this
 _MOST_SPECIES = 1000
 # The cells of events.csv and agents.csv.

@@ -9,6 +9,7 @@ import pathlib
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from ..pool import MOST_TIME_S
 from ..runs import RunError
 
 PLAN = "plan.jsonl"
@@ -209,7 +210,7 @@ _TEXT = _is_text, "be a text that is not empty, without control characters"
 _FIELDS: dict[str, tuple[Callable[[Any], bool], str]] = {
     "index": _WHOLE, "cell": _WHOLE, "replicate": _WHOLE, "shadow": _YES_OR_NO, "rule_table": _TEXT, "engine": _TEXT,
     "settings": (_are_settings, "be an object of settings by their paths: numbers, texts, true or false"), "seed": _WHOLE,
-    "until_s": (lambda value: _is_number(value, largest=1e12) and value > 0, "be > 0 and <= 1e12"),
+    "until_s": (lambda value: _is_number(value, largest=MOST_TIME_S) and value > 0, f"be > 0 and <= {MOST_TIME_S:.0f}"),
     "replay_hz": (lambda value: _is_number(value, largest=1000.0), "be >= 0 and <= 1000"),
     "agents_every": (lambda value: _is_whole(value) and 1 <= value < 2**63, f"be >= 1 and <= {2**63 - 1}"), "senses": _YES_OR_NO,
     "states": _YES_OR_NO, "work": (_is_number, "be >= 0"), "folder": (_is_folder, "be a folder within that of the plan, without . and .."),
