@@ -467,7 +467,7 @@ class Refusals(Sweeps):
         self.assertEqual(len(grown), 12)
         for before, after, sentence in (("0.2, ", "", "small/plan.jsonl:3: the folder holds another plan, whose run the sweep lacks: rules.mutation.sd = 0.2 there"),
                                         ("40.0", "30.0", "until_s = 40.0 there, 30.0 here"), ("replicates = 2", "replicates = 1", "replicate = 1 there, 0 here"),
-                                        ('"kinematic"', '"kinematic"\nrule_table = "released"', 'rule_table = "paper" there, "released" here; ')):
+                                        ("[grid]\nrules.mutation.sd", '"rule_table" = "released"\n[grid]\nrules.mutation.half_width', 'rule_table = "paper" there, "released" here; ')):
             self.write("whole.toml", text.format(2, 40.0, ", 0.8").replace(before, after))
             self.assertIn(sentence, self.sweep(file="whole.toml", out="small").stderr)
 
@@ -480,7 +480,7 @@ class Refusals(Sweeps):
             self.assertEqual(path.read_bytes(), (self.folder / "set" / path.relative_to(self.folder / "whole")).read_bytes(), path)
         self.assertIn("until_s = 400.0: must be 200.0", self.run_words(*words, "200", "--out", "set", "--resume").stderr)
         if "mujoco" in ENGINES:
-            self.assertIn("engine = kinematic there, mujoco", self.run_words(*words[:1], *words[3:], "400", "--out", "set", "--resume").stderr)
+            self.assertIn("engine = \"kinematic 1\" there, \"mujoco", self.run_words(*words[:1], *words[3:], "400", "--out", "set", "--resume").stderr)
 
     def test_folder_of_something_else_is_refused(self):
         (self.folder / "out").mkdir()
@@ -494,7 +494,7 @@ class Refusals(Sweeps):
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["killed.toml", "sweep.toml"])
 
     def test_dry_run_that_is_stopped_prints_no_time(self):
-        self.write("long.toml", "engine = \"kinematic\"\nreplicates = 1\n[set]\necology.duration_s = 1e9\n[grid]\nrules.mutation.sd = [0.05, 0.2]\n")
+        self.write("long.toml", "engine = \"kinematic\"\nreplicates = 1\n[set]\necology.duration_s = 1e8\n[grid]\nrules.mutation.sd = [0.05, 0.2]\n")
         environment = {**os.environ, "TMPDIR": str(self.folder)}
         run = subprocess.Popen([OPTIONS.program, "--sweep", "long.toml", "--dry-run"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
         while run.poll() is None and not list(self.folder.glob("*-probe*/run/events.csv")):

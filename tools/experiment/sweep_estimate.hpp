@@ -143,10 +143,10 @@ struct Estimates {
       "#SBATCH --job-name=" +
       quoted(one_line(options.program)) + "\n#SBATCH --array=1-" + tasks +
       "\n#SBATCH --cpus-per-task=1\n#SBATCH --time=" + time.data() + "\n#SBATCH --mem=" + std::to_string(megabytes) +
-      "M\n#SBATCH --output=slurm-%A_%a.log\n#SBATCH --signal=B:TERM@120\ncd " +
-      quoted(std::filesystem::current_path().string()) + " || exit 2\nexec " + quoted(program_path().string()) + " --sweep " +
-      quoted(options.sweep) + " --out " + quoted(options.out) + " --jobs 1 --run $(seq $((SLURM_ARRAY_TASK_ID % " + tasks +
-      ")) " + tasks + " " + std::to_string(plan.size() - 1) + ")\n");
+      "M\n#SBATCH --output=slurm-%A_%a.log\n#SBATCH --signal=B:TERM@120\ncd " + quoted(std::filesystem::current_path().string()) +
+      " || exit 2\nexec " + quoted(program_path().string()) + " --sweep " + quoted(options.sweep) + " --out " +
+      quoted(options.out) + " --jobs 1 --run $(seq $((SLURM_ARRAY_TASK_ID % " + tasks + ")) " + tasks + " " +
+      std::to_string(plan.size() - 1) + ")\n");
 }
 
 }  // namespace trophic::command::detail::sweeps
