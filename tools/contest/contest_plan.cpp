@@ -115,7 +115,8 @@ Plan read_plan(const std::filesystem::path& path) {
     }
     return read;
   });
-  if (!(plan.duration_s > 0.0 && plan.duration_s <= longest_run_s)) refuse("duration_s: must be > 0 and <= " + number_text(longest_run_s));
+  if (!(plan.duration_s > 0.0 && plan.duration_s <= longest_run_s))
+    refuse("duration_s: must be > 0 and <= " + number_text(longest_run_s));
   if (!(plan.reach_m > 0.0)) refuse("reach_m: must be > 0");
   for (const Match& match : plan.matches) {
     if (std::max(match.hunters, match.victims) >= plan.teams.size()) refuse("matches: a team that is not there");

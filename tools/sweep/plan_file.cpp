@@ -84,8 +84,7 @@ class PlanLine {
   run.settings = line.settings("settings");
   run.seed = line.whole("seed");
   run.until_s = line.number("until_s");
-  if (!(run.until_s > 0.0 && run.until_s <= longest_run_s))
-    line.reject("until_s", "be > 0 and <= " + number_text(longest_run_s));
+  if (!(run.until_s > 0.0 && run.until_s <= longest_run_s)) line.reject("until_s", "be > 0 and <= " + number_text(longest_run_s));
   run.output.replay_hz = line.number("replay_hz");
   if (!(run.output.replay_hz >= 0.0 && run.output.replay_hz <= 1000.0)) line.reject("replay_hz", "be >= 0 and <= 1000");
   run.output.agents_every_ticks = line.ticks("agents_every");

@@ -83,7 +83,8 @@ struct Options {
 void check(const Options& options) {
   const auto positive = [](const char* option, double value) {
     if (value > 0.0 && value <= longest_run_s) return;
-    throw std::invalid_argument{std::string{option} + " " + number_text(value) + ": must be > 0 and <= " + number_text(longest_run_s)};
+    throw std::invalid_argument{std::string{option} + " " + number_text(value) +
+                                ": must be > 0 and <= " + number_text(longest_run_s)};
   };
   positive("--duration", options.duration_s);
   positive("--reach", options.reach_m);

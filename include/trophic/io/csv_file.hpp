@@ -19,12 +19,11 @@ struct TableSum {
   std::vector<std::pair<std::string, std::string_view>> columns = {};
 };
 
-/// Longest first line of a table, bytes.
-inline constexpr std::size_t longest_header = std::size_t{1} << 20U;
-
 /// A file that grows by lines. Throws std::runtime_error naming the file if it exists, cannot be written, or begins too long.
 class LineFile {
  public:
+  static constexpr std::size_t longest_header = std::size_t{1} << 20U;  ///< bytes of the first lines
+
   /// Writes the first lines at once into a new file.
   LineFile(const std::filesystem::path& path, std::string first, Opening opening = Opening::created)
       : file_{path, opening}, buffer_{std::move(first)} {

@@ -74,7 +74,6 @@ class GeneLog : public CsvFile<GeneRow> {
   void write_all(IndividualId id, GenomePart part, const std::vector<double>& genes) {
     for (std::size_t i = 0; i < genes.size(); ++i) write({.id = id, .part = part, .index = i, .value = genes[i]});
   }
-
   bool brains_grow_ = false;
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Refuses an older C++, and flags with which a run would have other bytes or crash, by one error: a file that cannot be included
-// ends a compilation, an #error does not.
+// Refuses an older C++, and flags that change or crash a run, by one error: a missing file ends a compilation, #error does not.
 #pragma once
 
 #if __cplusplus < 202002L
