@@ -6,9 +6,9 @@ namespace trophic::analysis {
 
 CsvReader::CsvReader(const std::filesystem::path& path, std::initializer_list<std::string_view> columns) : file_{path.string()} {
   try {
-    const std::string beginning = read_part(path, io::LineFile::longest_header);
+    const std::string beginning = read_part(path, io::TableSum::longest_header);
     if (beginning.find('\0') != std::string::npos ||
-        (beginning.size() == io::LineFile::longest_header && beginning.find('\n') == std::string::npos)) {
+        (beginning.size() == io::TableSum::longest_header && beginning.find('\n') == std::string::npos)) {
       throw std::invalid_argument{file_ + ":1: is not a line of a table"};
     }
     text_ = read_whole_file(path, largest_table);

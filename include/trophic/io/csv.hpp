@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 #include <span>
+#include <sstream>
 #include <trophic/io/column.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/population/individual.hpp>
@@ -132,6 +133,20 @@ template <TableRow Row>
   types.insert(types.end(), more.begin(), more.end());
   return types;
 }
+
+/// Number of rows of a table, without its header, the CRC-32 of its file, and the names and types (type_name) of its columns.
+struct TableSum {
+  static constexpr std::size_t longest_header = std::size_t{1} << 20U;  ///< bytes of a first line
+  std::uint64_t rows = 0;
+  std::uint32_t crc32 = 0;
+  std::vector<std::pair<std::string, std::string_view>> columns = {};
+
+  void add_columns(std::string_view table, const std::vector<std::string_view>& types) {
+    std::istringstream names{std::string{table.substr(0, table.find('\n'))}};
+    for (std::string name; std::getline(names, name, ',');)
+      columns.emplace_back(name, types[std::min(columns.size(), types.size() - 1)]);
+  }
+};
 
 /// A whole table of rows without species.
 template <TableRow Row>

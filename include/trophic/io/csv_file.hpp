@@ -3,31 +3,20 @@
 #pragma once
 
 #include <filesystem>
-#include <sstream>
-#include <trophic/io/column.hpp>
 #include <trophic/io/csv.hpp>
 #include <trophic/io/growing_file.hpp>
-#include <trophic/params/archive.hpp>
 #include <trophic/support/whole_file.hpp>
 
 namespace trophic::io {
 
-/// Number of rows of a table, without its header, the CRC-32 of its file, and the names and types (type_name) of its columns.
-struct TableSum {
-  std::uint64_t rows = 0;
-  std::uint32_t crc32 = 0;
-  std::vector<std::pair<std::string, std::string_view>> columns = {};
-};
-
 /// A file that grows by lines. Throws std::runtime_error naming the file if it exists, cannot be written, or begins too long.
 class LineFile {
  public:
-  static constexpr std::size_t longest_header = std::size_t{1} << 20U;  ///< bytes of the first lines
-
   /// Writes the first lines at once into a new file.
   LineFile(const std::filesystem::path& path, std::string first, Opening opening = Opening::created)
       : file_{path, opening}, buffer_{std::move(first)} {
-    if (buffer_.size() > longest_header) throw std::runtime_error{path.string() + ": its first line is longer than 1 MiB"};
+    if (buffer_.size() > TableSum::longest_header)
+      throw std::runtime_error{path.string() + ": its first line is longer than 1 MiB"};
     if (opening == Opening::resumed) buffer_.clear();
     flush();
   }
@@ -57,10 +46,7 @@ class LineFile {
   /// `types`: of the columns; the last is that of all further ones. Without it the sum has no columns.
   [[nodiscard]] TableSum sum(const std::vector<std::string_view>& types = {}) const {
     TableSum sum{.rows = lines_ == 0 ? 0 : lines_ - 1, .crc32 = file_.checksum()};
-    const std::string beginning = types.empty() ? "" : read_part(file_.path(), longest_header);
-    std::istringstream names{beginning.substr(0, beginning.find('\n'))};
-    for (std::string name; std::getline(names, name, ',');)
-      sum.columns.emplace_back(name, types[std::min(sum.columns.size(), types.size() - 1)]);
+    if (!types.empty()) sum.add_columns(read_part(file_.path(), TableSum::longest_header), types);
     return sum;
   }
 
