@@ -13,7 +13,7 @@ import tempfile
 FULL = sys.argv[-1] == "--full"
 SOURCES, COMPILER, EIGEN, RANDOM123, PREDATOR_PREY, LIBRARY = sys.argv[1:7]
 RUN = ["--backend", "kinematic", "--seed", "42", "--duration", "3000", "--out"]  # as contraction.cpp has it
-FAST, DEBUG, ALIGNED, EXCEPTIONS = "trophic cannot be compiled with -ffast-math", "compiled libraries without _GLIBCXX_DEBUG", "-DEIGEN_MAX_ALIGN_BYTES=16 and no other", "trophic needs exceptions"
+FAST, DEBUG, ALIGNED, EXCEPTIONS = "trophic cannot be compiled with -ffast-math", "compiled libraries without _GLIBCXX_DEBUG", "-DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_MALLOC_ALREADY_ALIGNED=1 and no other", "trophic needs exceptions"
 # Flags, the sentence of their refusal by the compiled library and by the headers; none: the run has the same bytes.
 SETS = [("-O0 -march=native -std=gnu++20 -D_GLIBCXX_ASSERTIONS", "", ""), ("-Ofast", FAST, FAST), ("-O2 -D_GLIBCXX_DEBUG", DEBUG, ""),
         ("-O2 -fno-exceptions", EXCEPTIONS, EXCEPTIONS), ("-O2 -mavx2 -UEIGEN_MAX_ALIGN_BYTES -DEIGEN_MAX_ALIGN_BYTES=32", ALIGNED, "")]
