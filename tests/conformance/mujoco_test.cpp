@@ -9,12 +9,12 @@ namespace {
 
 using trophic::backend::Mujoco;
 
-template <Mujoco::Stepping stepping>
+template <Mujoco::Stepping chosen>
 struct Stepped : Mujoco {
   using Mujoco::Mujoco;
   struct Params : Mujoco::Params {
     using Backend = Stepped;
-    Params() : Mujoco::Params{.stepping = stepping} {}
+    Params() : Mujoco::Params{.stepping = chosen} {}
   };
 };
 

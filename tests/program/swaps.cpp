@@ -20,8 +20,8 @@ int main(int argc, char** argv) {
       with_community<Paper, initialization::community::FoodChain>, with_visibility<Paper, perception::visibility::AllActive>,
       with_visibility<Paper, perception::visibility::WithinRange>, with_tag_switch<Paper, perception::tag_switch::FreeTags>,
       with_brain<Paper, brain::FeedForwardBrain>, with_brain<Paper, brain::GrowingBrain>,
-      with_brain<Paper, brain::Hebbian<brain::FeedForwardBrain>>, with_brain<Paper, brain::HebbianBrain>,
-      with_brain<Paper, brain::RecurrentBrain>, with_initial_genome<Paper, birth::initial_genome::NormalWeights>,
+      with_brain<Paper, brain::Hebbian<brain::FeedForwardBrain>>, with_brain<Paper, brain::RecurrentBrain>,
+      with_initial_genome<Paper, birth::initial_genome::NormalWeights>,
       with_genome_source<Paper, birth::genome_source::AlwaysInherited>,
       WithStarvedParent<birth::parent::AnySurvivor<birth::parent::NearestActiveVictim>>,
       WithStarvedParent<birth::parent::FastestEscape>, WithStarvedParent<birth::parent::LastEscapee>,
@@ -34,6 +34,6 @@ int main(int argc, char** argv) {
       with_starvation_choice<Paper, death::starvation::choice::HungriestShare>,
       with_starvation_exemption<Paper, death::starvation::exemption::NoExemption>,
       with_starvation_interval<Paper, death::starvation::interval::NeverDue>,
-      with_minimum_predators<Paper, death::minimum_predators::NoMinimum>, with_senescence<Paper, death::senescence::EnergyStore>,
-      with_senescence<Paper, death::senescence::OldAge>>(argc, argv);
+      with_minimum_predators<Paper, death::minimum_predators::NoMinimum>, with_senescence<Paper, death::senescence::OldAge>>(
+      argc, argv);
 }

@@ -17,10 +17,10 @@ struct SlotGroup {
 };
 
 inline constexpr std::array slot_groups{
-    SlotGroup{"perception",
-              rules::slots({"heading", "visibility", "sensors", "newborn_tag", "tag_switch", "brain", "steering", "gait"})},
-    SlotGroup{"reproduction", rules::slots({"initial_genome", "genome_source", "parent", "heredity", "mutation", "body_plan",
-                                            "viability", "recruitment"})},
+    SlotGroup{"perception", rules::slots({"heading", "visibility", "sensors", "newborn_tag", "tag_switch", "acts", "brain",
+                                          "pace", "steering", "gait"})},
+    SlotGroup{"reproduction", rules::slots({"initial_genome", "genome_source", "parent", "heredity", "mutation", "traits",
+                                            "body_plan", "viability", "recruitment"})},
     SlotGroup{"death", rules::slots({"activation", "capture", "floor", "starvation", "minimum_predators", "senescence"})},
     SlotGroup{"ecology", rules::slots({"community", "placement", "embodiment", "metabolism", "resource"})}};
 inline constexpr std::size_t perception_group = 0;

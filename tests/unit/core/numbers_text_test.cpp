@@ -18,10 +18,11 @@ namespace {
 
 template <class... Models>
 constexpr bool all_listed = ((trophic::detail::members_of<Models> == trophic::detail::fields_of<Models>)&&...);
-static_assert(all_listed<Box, Link, Servo, Hinge, MeasuredWalk, RobotModel, HeightField, Arena, Gait>,
+static_assert(all_listed<Box, Link, Servo, Hinge, MeasuredWalk, RobotModel, HeightField, Obstacle, Zone, Gait>,
               "a model's struct has a member that its fields() lack");
-static_assert(trophic::detail::members_of<Habitat> == trophic::detail::fields_of<Habitat> + 3,
-              "numbers_text of a habitat adds design, robots and gaits to its fields");
+static_assert(trophic::detail::members_of<Habitat> == trophic::detail::fields_of<Habitat> + 3 &&
+                  trophic::detail::members_of<Arena> == trophic::detail::fields_of<Arena> + 2,
+              "numbers_text of a habitat adds design, robots, gaits, and the arena's obstacles and zones to its fields");
 
 /// A copy in which the number at a place is another one; none behind the last. Counts of elements are constant: no places.
 std::optional<Habitat> with_other_number(const Habitat& habitat, std::size_t place) {

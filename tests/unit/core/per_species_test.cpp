@@ -37,7 +37,7 @@ struct Three {
   static constexpr std::array<std::string_view, 3> species_names{"prey", "fox", "owl"};
 };
 
-struct Watch {
+struct WatchesSpecies {
   bool wants_decisions() { return true; }
   void on_decision(const observe::DecisionRecord& one, const View& view) {
     const Individual& self = view.robots[one.body];
@@ -69,7 +69,7 @@ TEST_CASE("per species: lists of sensors, neurons and reach by species -> genome
   Ecology<Differ> ecology{experiment(), backend::Kinematic::Params{}};
   CHECK(ecology.describe(1.0).inputs == std::vector<std::string>{"side_of_adversary / distance_over_terrain", "odometer / -",
                                                                  "tag_ratio_of_all / -", "distance_over_terrain / -"});
-  Watch watch;
+  WatchesSpecies watch;
   ecology.run_until(600.0, watch);
   CHECK(watch.decisions > 3000);
   CHECK(watch.births > 10);

@@ -67,7 +67,7 @@ TEST_CASE("rays: wall between two robots -> each sees the wall, not the other, u
   HandPopulation robots{{{.species = predator, .x_m = -2.0}, {.species = prey, .x_m = 2.0, .heading_rad = std::numbers::pi}}};
   robots.arena.obstacles = {{.x_m = 0.0, .y_m = -1.0, .to_x_m = 0.0, .to_y_m = 1.0, .radius_m = 0.1}};
   const Rays<1, Sees::victims, Sees::hunters, Sees::walls> ahead{{.range_m = 5.0, .field_rad = 0.1}};
-  for (const BodyIndex self : {0, 1}) {
+  for (const BodyIndex self : {BodyIndex{0}, BodyIndex{1}}) {
     const auto values = sensed(ahead, seen(robots), self);
     CHECK(values[0] == 0.0);
     CHECK(values[1] == 0.0);
@@ -79,7 +79,7 @@ TEST_CASE("rays: wall between two robots -> each sees the wall, not the other, u
 }
 
 TEST_CASE("rays: any population -> as a walk along each ray in steps of a millimetre") {
-  for (const std::uint64_t seed : {1, 2, 3}) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     Rng rng{seed, Stream::user};
     std::vector<Robot> all;
     for (int i = 0; i < 60; ++i)

@@ -271,7 +271,7 @@ TEST_CASE("dealt: values of a random robot of the species, each as often") {
   for (int i = 0; i < 3000; ++i)
     ++drawn.at(static_cast<std::size_t>(std::lround(10.0 * dealt.sense(0, std::nullopt, robots.view(), rng)[0])));
   CHECK(drawn[1] == 0);
-  for (const std::size_t body : {0, 2, 3}) CHECK(std::abs(drawn[body] - 1000) < 100);
+  for (const BodyIndex body : {BodyIndex{0}, BodyIndex{2}, BodyIndex{3}}) CHECK(std::abs(drawn[body] - 1000) < 100);
 }
 
 TEST_CASE("random turn: many -> within 1 of 0, without bias, variance of a difference of uniform numbers") {

@@ -30,7 +30,7 @@ TEST_CASE("by mating: both willing, rich and near -> one birth of two parents, t
   };
   using Pairs = std::vector<std::vector<IndividualId>>;
   CHECK(parents_of(robots.view()) == Pairs{{0, 2}, {1, 4}});
-  const char* const mate = &detail::act_key<control::acts::Mate>;
+  const char* const mate = &trophic::detail::act_key<control::acts::Mate>;
   const std::vector<double> unwilling{1.0, 1.0, 0.0, 1.0, 1.0};
   View view = robots.view();
   view.acts = {.acts = {&mate, 1}, .values = unwilling};
