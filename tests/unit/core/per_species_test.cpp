@@ -42,8 +42,8 @@ struct WatchesSpecies {
   void on_decision(const observe::DecisionRecord& one, const View& view) {
     const Individual& self = view.robots[one.body];
     const bool is_prey = self.species == 0;
-    REQUIRE(one.inputs.size() == (is_prey ? 4 : 1));
-    CHECK(self.genome->weights.size() == (is_prey ? 2 * (4 + 2) : 5 * (1 + 2)));
+    REQUIRE(one.inputs.size() == std::size_t{is_prey ? 4U : 1U});
+    CHECK(self.genome->weights.size() == std::size_t{is_prey ? 12U : 15U});
     CHECK(std::abs(one.target_angle_rad) == (is_prey ? 0.7 : 0.3));
     if (is_prey) walked_m = std::max(walked_m, one.inputs[1]);
     ++decisions;
