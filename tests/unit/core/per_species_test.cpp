@@ -49,7 +49,7 @@ struct WatchesSpecies {
     ++decisions;
   }
   void on_event(const observe::Event& event, const View& view) {
-    births += event.kind == observe::EventKind::birth && !event.individual.parents.empty() ? 1 : 0;
+    births += event.kind == observe::EventKind::birth && !event.individual.parents.empty() ? 1U : 0U;
     if (event.kind != observe::EventKind::capture) return;
     CHECK(view.distance_m(event.body, *view.robots[event.body].adversary) >= 0.0);
     ++catches;
