@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""meadow_test.py MEADOW: a living world of a project of one's own has replicates, shadows and runs that resume."""
+"""meadow_test.py MEADOW TROPHIC: living worlds of a project of one's own have replicates, shadows, runs that resume, and pages."""
 
 import pathlib
 import subprocess
@@ -9,8 +9,8 @@ import tempfile
 import time
 import unittest
 
-MEADOW = sys.argv.pop(1)
-SOURCE = pathlib.Path(__file__).with_name("project") / "meadow.cpp"
+MEADOW, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
+PROJECT = pathlib.Path(__file__).with_name("project")
 
 
 class Meadow(unittest.TestCase):
@@ -22,12 +22,13 @@ class Meadow(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         return done.stdout
 
-    def test_its_source_has_25_lines(self):
-        lines = [line for line in SOURCE.read_text().splitlines() if line and not line.startswith(("//", "#include", "using namespace"))]
-        self.assertLessEqual(len(lines), 25)
+    def test_the_worlds_have_25_and_40_lines(self):
+        for source, most in (("meadow.cpp", 25), ("hide_and_seek.hpp", 40)):
+            world = (PROJECT / source).read_text().split("int main")[0].splitlines()
+            self.assertLessEqual(len([line for line in world if line and not line.startswith(("//", "#", "using namespace"))]), most)
 
     def test_killed_set_with_shadows_that_resumes_to_the_same_bytes(self):
-        set_of = [MEADOW, "--backend", "torus", "--replicates", 2, "--shadow", "--duration", 200, "--replay-hz", 0, "--checkpoint-s", 20]
+        set_of = [MEADOW, "--rules", "meadow", "--backend", "torus", "--replicates", 2, "--shadow", "--duration", 200, "--replay-hz", 0, "--checkpoint-s", 20]
         self.call(*set_of, "--out", "whole")
         with subprocess.Popen([*map(str, set_of), "--out", "parts"], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as killed:
             while killed.poll() is None and not (self.folder / "parts/replicate-00/checkpoint.bin").exists():
@@ -38,8 +39,12 @@ class Meadow(unittest.TestCase):
             self.assertEqual(table.read_bytes(), (self.folder / "parts" / table.relative_to(self.folder / "whole")).read_bytes(), table)
         self.assertTrue((self.folder / "whole/shadow/replicate-01/energy.csv").exists())
 
-    def test_a_run(self):
-        self.assertRegex(self.call(MEADOW, "--backend", "torus", "--duration", 30, "--out", "run"), r"alive\s+\d+ prey \d+ predator")
+    def test_pages_of_runs(self):
+        for world, backend in (("meadow", "torus"), ("hide_and_seek", "kinematic")):
+            out = self.call(MEADOW, "--rules", world, "--backend", backend, "--duration", 30, "--out", world)
+            self.assertRegex(out, r"alive\s+\d+ prey \d+ predator")
+            self.call(TROPHIC, "show", world, "--out", f"{world}.html")
+            self.assertIn("</html>", (self.folder / f"{world}.html").read_text())
 
 
 if __name__ == "__main__":

@@ -3,6 +3,8 @@
 #include <trophic/experiment.hpp>
 #include <trophic/trophic.hpp>
 
+#include "hide_and_seek.hpp"
+
 using namespace trophic;
 
 struct Meadow final {
@@ -31,5 +33,5 @@ struct Meadow final {
 };
 
 int main(int argc, char** argv) {
-  return experiment<Meadow>(argc, argv);
+  return experiment<Meadow, hide_and_seek::Table>(argc, argv);
 }
