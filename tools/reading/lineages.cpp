@@ -84,7 +84,8 @@ Forest read_lineages(const RunManifest& run) {
   for (const io::TaxonRow& row : rows) {
     Taxon taxon{.id = row.id, .parent = {}, .birth_s = row.origin_time, .species = row.species};
     if (row.destruction_time) taxon.death_s = *row.destruction_time;
-    for (const IndividualId one : parents_in(row.ancestor_list).value()) {
+    const std::vector<IndividualId> parents = parents_in(row.ancestor_list).value();
+    for (const IndividualId one : parents) {
       const auto parent = places.find(one);
       if (parent == places.end()) {
         throw std::invalid_argument{(run.folder / lineage_tables[0]).string() + ": id " + std::to_string(row.id) +
