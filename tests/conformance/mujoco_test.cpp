@@ -12,6 +12,7 @@ using trophic::backend::Mujoco;
 template <Mujoco::Stepping chosen>
 struct Stepped : Mujoco {
   using Mujoco::Mujoco;
+  static constexpr bool rounds_with_others = chosen == Mujoco::Stepping::one_model;  ///< one system of equations for all robots
   struct Params : Mujoco::Params {
     using Backend = Stepped;
     Params() : Mujoco::Params{.stepping = chosen} {}

@@ -95,8 +95,9 @@ template <class Ask>
 auto in_world(const test::HandPopulation& robots, const Ask& ask) {
   ResourceField field{robots.arena, 20};
   for (std::size_t cell = 0; cell < field.cells(); ++cell) {
-    const auto [least_m, most_m] = std::minmax(std::abs(field.centre(cell).x_m), std::abs(field.centre(cell).y_m));
-    field.food_J(cell) = std::fmod(7.3 * most_m + 1.7 * least_m, 3.0);
+    const double x_m = std::abs(field.centre(cell).x_m);
+    const double y_m = std::abs(field.centre(cell).y_m);
+    field.food_J(cell) = std::fmod(7.3 * std::max(x_m, y_m) + 1.7 * std::min(x_m, y_m), 3.0);
   }
   const char* const call = &trophic::detail::act_key<control::acts::Signal<0>>;
   std::vector<double> calls;

@@ -600,7 +600,7 @@ class Foreign(Hostile):
                 f'name = "field"\nhalf_extent_m = 30\nheight_m = [{edge}, [5, 0, 0, 5], [5, 0, 0, 5], {edge}]\n')
             words = (PREDATOR_PREY, *KINEMATIC, "--set", "ecology.arena=./field.toml", "--duration", 4, "--out", "run")
             if refused:
-                self.assertIn("height_m: is 0 somewhere at its edge", self.refused(2, *words))
+                self.assertIn("height_m: must be higher at its edge than anywhere inside", self.refused(2, *words))
             else:
                 self.done(*words)
 

@@ -31,6 +31,8 @@ REASONS = {
     "TROPHIC_POLICY": NAMES,
     "TROPHIC_STATES": NAMES,
     "TROPHIC_NOTIFY_SENSORS": NAMES,
+    "TROPHIC_NOTIFY_LISTS": NAMES,
+    "TROPHIC_PROBE_NAME": NAMES + ": whether a class has any member of a name",
     "TROPHIC_PROBE_HOOK": NAMES + ": whether a class has any member of a name",
     "TROPHIC_PROBE": NAMES + ": whether a class has any member of a name",
     "TROPHIC_ANY_HOOK": "joins concepts that TROPHIC_PROBE names",

@@ -131,7 +131,7 @@ TEST_CASE("acts: value out of its bounds -> RuleError with act, value and bounds
                        RuleError);
 }
 
-TEST_CASE("acts: effort -> that share of the speed; none stands still") {
+TEST_CASE("acts: effort -> that share of the speed, none stands still") {
   using Rules = with_acts<with_brain<rules::Paper, Straight>, acts::List<acts::Turn, acts::Tag, acts::Effort>>;
   const double full_m = load_robot("spider").walk.speed_m_s * 2.0;
   double least = 1.0;

@@ -105,7 +105,7 @@ double eaten_J() {
 
 }  // namespace
 
-TEST_CASE("foragers: rays -> as much food as by an exact computation, within 5 %; another robot's rays -> much less") {
+TEST_CASE("foragers: rays -> as much food as by an exact computation, within 5 %, by another robot's rays -> much less") {
   const double exact_J = eaten_J<Exact>();
   const double with_rays_J = eaten_J<Eyes>();
   const double blinded_J = eaten_J<sensors::Dealt<Eyes>>();

@@ -77,7 +77,7 @@ TEST_CASE("per species: lists of sensors, neurons and reach by species -> genome
   CHECK(watch.walked_m > 1.0);
 }
 
-TEST_CASE("per species: interrupted run -> same bytes; senses with empty cells beyond a species' inputs") {
+TEST_CASE("per species: interrupted run -> same bytes, senses with empty cells beyond a species' inputs") {
   const test::TemporaryFolder folder;
   const auto ignored = [](std::size_t, auto&) {};
   test::check_resumed(experiment(), backend::Kinematic::Params{}, folder.path(), {100, 250}, 200.0, ignored);

@@ -113,7 +113,7 @@ TEST_CASE("rays: any population -> as a walk along each ray in steps of a millim
   }
 }
 
-TEST_CASE("rays: food -> the first cell with enough, unless a body hides it; around a torus too") {
+TEST_CASE("rays: food -> the first cell with enough, unless a body hides it, around a torus too") {
   HandPopulation robots{{{.species = prey}, {.species = prey, .x_m = 5.0, .y_m = 5.0}}};
   ResourceField field{robots.arena, 20};
   field.food_J(field.cell_at(2.5, 0.5)) = 1.0;

@@ -22,7 +22,7 @@ TEST_CASE("tilt: angle to the vertical -> over pi, 0 without joints") {
   CHECK(Tilt{}.sense(1, {}, view, rng)[0] == doctest::Approx(0.5).epsilon(1e-9));
 }
 
-TEST_CASE("touch: wall or obstacle, robot -> 1 each; a body without an individual is not touched") {
+TEST_CASE("touch: wall or obstacle, robot -> 1 each, and a body without an individual is not touched") {
   test::HandPopulation robots{{{}, {.x_m = 0.2}, {.x_m = 5.0}, {.x_m = 9.9}}};
   const test::StandingSpiders spiders{robots.poses};
   Rng rng{1, Stream::user};
