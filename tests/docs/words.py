@@ -79,7 +79,7 @@ EXCEPTIONS = [
 assert len(EXCEPTIONS) <= 10
 
 # Of codespell: a name, and words that tests misspell on purpose.
-SPELLED = "savable,upto,flor,gird,childen,relased,nd,ontop,nown"
+SPELLED = "savable,upto,flor,gird,childen,relased,nd,ontop,nown,trough"
 UNREAD = "*.png,*.svg,*.bib,*.csv,*.trp,*package-lock.json,*/viewer/page/*,*/corpus/*,*/golden/*,*/node_modules/*,*/build/*,*/runs/*,*/.git/*"
 SKIPPED = 77
 

@@ -39,7 +39,7 @@ class GenomeLog {
     if (!file_) throw std::runtime_error{path_.string() + ": no individual was born, so there is no file to continue"};
     archive(*file_);
   }
-  [[nodiscard]] TableSum sum() const { return file_ ? file_->sum() : TableSum{}; }
+  [[nodiscard]] TableSum sum() const { return file_ ? file_->sum(column_types<GenomeRow>()) : TableSum{}; }
 
  private:
   /// A line with more cells.

@@ -32,7 +32,6 @@ inline void describe(observe::RunDescription run, const Provenance& origin, Json
     run.branch =
         observe::Branch{.run = text("run"), .at_s = text("at_s"), .seed = text("seed"), .fingerprint = text("fingerprint")};
   }
-  json["remarks"] = run.remarks;
   json["identity"] = observe::identity(run);
   Json said{{"name", observe::short_name(run)},
             {"sentence", observe::sentence(run)},
@@ -115,7 +114,10 @@ TROPHIC_INLINE void Manifest::on_change(const observe::RunDescription& run, cons
   changed_ = run;
   if (run.changes.size() < 2 * described_) return;  // else a file as long as all changes would be written at each of them
   described_ = run.changes.size();
-  content_->change([&](Json& json) { detail::describe(run, origin_, json); });
+  content_->change([&](Json& json) {
+    detail::describe(run, origin_, json);
+    json["remarks"] = run.remarks;
+  });
   content_->write();
 }
 
@@ -131,6 +133,7 @@ TROPHIC_INLINE void Manifest::on_start(const observe::RunDescription& run, const
     json["seed"] = run.seed;
     json["rule_table"] = run.rules;
     json["backend"] = run.backend;
+    json["remarks"] = run.remarks;
     json["compiler"] = compiler();
     json["architecture"] = architecture();
     json["c_library"] = c_library();
@@ -175,7 +178,10 @@ TROPHIC_INLINE void Manifest::add(const Provenance& provenance) {
 
 TROPHIC_INLINE void Manifest::finish(std::string_view status) {
   content_->change([&](Json& json) {
-    if (changed_) detail::describe(*changed_, origin_, json);
+    if (changed_) {
+      detail::describe(*changed_, origin_, json);
+      json["remarks"] = changed_->remarks;
+    }
     json["status"] = status;
     auto& result = json["result"];
     result["reached_s"] = reached_s_;

@@ -2,7 +2,8 @@
 // Events as a list to read, search and click.
 import { colourOf } from "./colours";
 import { make } from "./element";
-import { firstAfter, type Event, type Run } from "./run";
+import { firstAfter } from "./moments";
+import type { Event, Run } from "./run";
 import { sentence } from "./sentences";
 
 /** A list of more is cut; the search finds the rest. */

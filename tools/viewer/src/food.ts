@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The food in the cells of the floor over time, and its colour: the lightness changes evenly from the floor's to that of the most.
 import { Color } from "three";
-import { firstAfter } from "./run";
+import { firstAfter } from "./moments";
 import { theme } from "./theme";
 
 export class Food {

@@ -423,15 +423,3 @@ export class Run {
 function bornOf({ id, species, parent, time, origin, body }: Event): Individual {
   return { id, species, parent, birth: time, death: Infinity, cause: "", killer: NaN, origin, body, genome: "", mutation: NaN, children: [], row: 0 };
 }
-
-/** The first event later than a moment. */
-export function firstAfter(events: readonly { time: number }[], time: number): number {
-  let low = 0;
-  let high = events.length;
-  while (low < high) {
-    const middle = (low + high) >> 1;
-    if (events[middle].time <= time) low = middle + 1;
-    else high = middle;
-  }
-  return low;
-}

@@ -2,7 +2,8 @@
 // The run's time as a bar with events: births, catches and deaths by cause, and marks where parameters changed. A click jumps, the wheel zooms, a drag moves.
 // A lane with too many events shows their number instead.
 import { colourOf, faded } from "./colours";
-import { firstAfter, type Change, type Event, type Run } from "./run";
+import { firstAfter } from "./moments";
+import type { Change, Event, Run } from "./run";
 import { changesAt, changeWords, shortSentence } from "./sentences";
 import { theme } from "./theme";
 

@@ -8,7 +8,8 @@ import { Ground } from "./ground";
 import { Labels } from "./labels";
 import { Lines, type Mark, Marks } from "./marks";
 import { RobotShape } from "./robot";
-import { firstAfter, type Run, type Scene as Catch, type Shot } from "./run";
+import { firstAfter } from "./moments";
+import type { Run, Scene as Catch, Shot } from "./run";
 import { theme } from "./theme";
 
 export type View = "orbit" | "top" | "follow";

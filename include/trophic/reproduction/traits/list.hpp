@@ -50,14 +50,14 @@ struct List {
   static constexpr const auto& trait_names = Names::names;
   static constexpr std::string_view name = JoinedText<Names>::view;
   static constexpr std::string_view source = "not in the paper";
-  static_assert(((Traits::least <= Traits::first && Traits::first <= Traits::most && Traits::sd >= 0.0) && ...),
-                "a trait's first must be >= its least and <= its most, and its sd >= 0");
   static_assert(((std::ranges::count(Names::names, Traits::name) == 1) && ...), "two traits of a list have one name");
 
   using Params = GroupOf<Names, TraitParams<Traits>...>;
   Params params;
 
   explicit List(const Params& given = {}) : params{given} {
+    static_assert(((Traits::least <= Traits::first && Traits::first <= Traits::most && Traits::sd >= 0.0) && ...),
+                  "a trait's first must be >= its least and <= its most, and its sd >= 0");
     each([](std::size_t place, const auto& trait) {
       if (trait.least <= trait.first && trait.first <= trait.most) return;
       throw std::invalid_argument{"rules.traits." + std::string{trait_names[place]} + ".first = " + number_text(trait.first) +
