@@ -2,17 +2,10 @@
 // Population, energy, tags and speed over time, with the current moment and the moments at which parameters changed.
 import uPlot from "uplot";
 import { colourOf, faded } from "./colours";
+import type { Curves } from "./moments";
 import type { Change, Run } from "./run";
 import { changesAt, changeWords } from "./sentences";
 import { isDark, theme } from "./theme";
-
-/** Curves by species, one value a point of time. */
-export interface Curves {
-  time: number[];
-  bySpecies: (number | null)[][]; // null: nothing is known
-  /** The bounds of each species' band, if there is one. */
-  bands?: { low: (number | null)[]; high: (number | null)[] }[];
-}
 
 export interface Series {
   population: Curves;

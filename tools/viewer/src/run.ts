@@ -3,7 +3,7 @@
 import { fromBase64, inflate } from "./bytes";
 import { Table } from "./csv";
 import { Food } from "./food";
-import type { Curves } from "./plots";
+import type { Curves } from "./moments";
 import { type Head, Recording } from "./recording";
 
 /** A parameter that another value replaced during the run. */
