@@ -8,6 +8,7 @@ export interface Curves {
   /** The bounds of each species' band, if there is one. */
   bands?: { low: (number | null)[]; high: (number | null)[] }[];
 }
+
 /** The first event later than a moment. */
 export function firstAfter(events: readonly { time: number }[], time: number): number {
   let low = 0;
