@@ -72,7 +72,7 @@ def read_made_of_parts(path: pathlib.Path, include: pathlib.Path) -> Card | None
 def read(path: pathlib.Path, include: pathlib.Path) -> Card | None:
     text = path.read_text()
     header = str(path.relative_to(include))
-    struct = re.search(r"((?:^///.*\n)+)(?:template <[^\n]*>\n)?^struct (\w+) (?:final )?(?::[^{]*)?\{\n(?:  static_assert.*\n)*  static constexpr std::string_view name\b", text, re.M)
+    struct = re.search(r"((?:^///.*\n)+)(?:template <[^\n]*>\n)?^struct (\w+) (?:final )?(?::[^{]*)?\{\n(?:  static_assert.*;\n|  static_assert[^;]*;\n|  static constexpr std::array<char[^;]*;\n)*  static constexpr std::string_view name\b", text, re.M)
     if not struct:
         return read_made_of_parts(path, include) or read_alias(path, include)
     doc = doc_lines(struct[1])

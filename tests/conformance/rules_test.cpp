@@ -98,7 +98,7 @@ namespace {
 
 struct Sight {
   static constexpr std::string_view name = "sight_m";
-  static constexpr double first = 8.0, least = 7.5, most = 8.5, sd = 0.5;
+  static constexpr double first = 8.0, least = 1.0, most = 12.0, sd = 3.0;
 };
 
 }  // namespace

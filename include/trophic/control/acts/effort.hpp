@@ -6,8 +6,8 @@
 
 namespace trophic::control::acts {
 
-/// Factor of the gait's frequency, on a backend of points of speed and turning rate: 0 stands, 1 walks as without this act. For
-/// an output in (-1, 1) it is (1 + output) / 2.   Random draws: 0.
+/// Rule: factor of the gait's frequency, on a backend of points of speed and turning rate: 0 stands, 1 walks as without this act.
+/// For an output in (-1, 1) it is (1 + output) / 2.   Reads: its output.   Random draws: 0.
 struct Effort {
   static constexpr std::string_view name = "effort";
   static constexpr std::string_view source = "not in the paper";

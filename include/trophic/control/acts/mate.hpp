@@ -6,7 +6,8 @@
 
 namespace trophic::control::acts {
 
-/// Whether the robot wants to mate: recruitment::ByMating needs it of both, as in Polyworld [yaeger1994].   Random draws: 0.
+/// Rule: whether the robot wants to mate: recruitment::ByMating needs it of both, as in Polyworld [yaeger1994].   Reads: its
+/// output.   Random draws: 0.
 struct Mate : YesOrNo {
   static constexpr std::string_view name = "mate";
   static constexpr std::string_view source = "not in the paper; [yaeger1994]";

@@ -6,8 +6,8 @@
 
 namespace trophic::control::acts {
 
-/// The loudness of a call on a channel: the output in [0, 1], silence if it is negative. sensors::Hearing perceives it at the
-/// next tick.   Random draws: 0.
+/// Rule: the loudness of a call on a channel: the output in [0, 1], silence if it is negative. sensors::Hearing perceives it at
+/// the next tick.   Reads: its output.   Random draws: 0.
 template <std::size_t channel>
 struct Signal {
   static_assert(channel < 10, "acts::Signal has the channels 0 to 9");

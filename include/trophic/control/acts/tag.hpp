@@ -7,9 +7,9 @@
 
 namespace trophic::control::acts {
 
-/// The tag that the brain chooses (Sec. "Outputs"): +1 if the output is positive, else -1, unless the brain has its own `int
-/// tag(double output) const`. The rule TagSwitch decides whether the robot shows it; rules read the tag that it shows.   Random
-/// draws: 0.
+/// Rule: the tag that the brain chooses (Sec. "Outputs"): +1 if the output is positive, else -1, unless the brain has its own
+/// `int tag(double output) const`. The rule TagSwitch decides whether the robot shows it; rules read the tag that it shows.
+/// Reads: its output.   Random draws: 0.
 struct Tag {
   static constexpr std::string_view name = "tag";
   static constexpr std::string_view source = "paper, Sec. \"Outputs\"";
