@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies that come and go on MuJoCo, in runs that are killed.
+// Runs of the pond on MuJoCo that are killed and resumed.
 #include <doctest/doctest.h>
 
 #include <examples/worlds/pond.hpp>

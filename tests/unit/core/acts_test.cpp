@@ -151,7 +151,7 @@ TEST_CASE("pace: by species -> predators 1.3 times as fast, prey stand") {
   experiment.rules.pace.get<1>().factor = 1.3;
   for (const auto& one : walked<Paced>(experiment).shares)
     CHECK(one.walked_m == doctest::Approx(one.species == 0 ? 0.0 : 1.3 * full_m));
-  // a factor of 1 is no pace at all, bit by bit
+  // a factor of 1 gives the same bits as no pace
   Ecology<Paced> ones{{.seed = 3}, backend::Kinematic::Params{}};
   Ecology<Straightened> none{{.seed = 3}, backend::Kinematic::Params{}};
   ones.run_until(300.0);

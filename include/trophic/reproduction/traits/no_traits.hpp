@@ -6,7 +6,7 @@
 
 namespace trophic::reproduction::traits {
 
-/// Rule: there are no traits (the paper).   Reads: nothing.   Random draws: 0.
+/// Rule: no traits, as in the paper.   Reads: nothing.   Random draws: 0.
 struct NoTraits {
   static constexpr std::string_view name = "no_traits";
   static constexpr std::string_view source = "paper: no such rule";
