@@ -213,9 +213,9 @@ class Renderer::Scene {
     add(mjGEOM_CYLINDER, {one.radius_m, one.radius_m, half_m}, {one.x_m, one.y_m, half_m}, upright, wall_colour, 1.0F);
     if (one.is_pillar()) return;
     add(mjGEOM_CYLINDER, {one.radius_m, one.radius_m, half_m}, {one.to_x_m, one.to_y_m, half_m}, upright, wall_colour, 1.0F);
-    const Eigen::AngleAxisd along{std::atan2(one.to_y_m - one.y_m, one.to_x_m - one.x_m), Eigen::Vector3d::UnitZ()};
-    add(mjGEOM_BOX, {0.5 * one.length_m(), one.radius_m, half_m},
-        {0.5 * (one.x_m + one.to_x_m), 0.5 * (one.y_m + one.to_y_m), half_m}, along.toRotationMatrix(), wall_colour, 1.0F);
+    const Eigen::AngleAxisd along{one.turn_rad(), Eigen::Vector3d::UnitZ()};
+    add(mjGEOM_BOX, {0.5 * one.length_m(), one.radius_m, half_m}, {one.middle_x_m(), one.middle_y_m(), half_m},
+        along.toRotationMatrix(), wall_colour, 1.0F);
   }
 
   /// A net of lines on the slopes, which lie a little lower than the floor: marks of robots at their foot stay visible.

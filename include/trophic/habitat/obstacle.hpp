@@ -23,6 +23,11 @@ struct Obstacle {
   [[nodiscard]] bool is_pillar() const { return x_m == to_x_m && y_m == to_y_m; }
   [[nodiscard]] double length_m() const { return std::sqrt((to_x_m - x_m) * (to_x_m - x_m) + (to_y_m - y_m) * (to_y_m - y_m)); }
 
+  [[nodiscard]] double middle_x_m() const { return 0.5 * (x_m + to_x_m); }
+  [[nodiscard]] double middle_y_m() const { return 0.5 * (y_m + to_y_m); }
+  /// Counter-clockwise from world x to a wall's length.
+  [[nodiscard]] double turn_rad() const { return std::atan2(to_y_m - y_m, to_x_m - x_m); }
+
   static constexpr auto fields() {
     return std::tuple{field("x_m", &Obstacle::x_m),
                       field("y_m", &Obstacle::y_m),
@@ -64,11 +69,9 @@ namespace detail {
 
 }  // namespace detail
 
-/// The distance from a point along a heading to an obstacle; 0 from inside, none if the ray misses it.
-[[nodiscard]] inline std::optional<double> ray_m(const Obstacle& obstacle, const GroundPose& from) {
+/// The distance from a point along a direction of length 1 to an obstacle; 0 from inside, none if the ray misses it.
+[[nodiscard]] inline std::optional<double> ray_m(const Obstacle& obstacle, const GroundPose& from, double cos, double sin) {
   if (distance_m(obstacle, from.x_m, from.y_m) <= 0.0) return 0.0;
-  const double cos = std::cos(from.heading_rad);
-  const double sin = std::sin(from.heading_rad);
   double nearest_m = std::numeric_limits<double>::infinity();
   const auto take = [&](std::optional<double> hit_m) { nearest_m = std::min(nearest_m, hit_m.value_or(nearest_m)); };
   take(detail::ray_to_circle_m(obstacle.x_m - from.x_m, obstacle.y_m - from.y_m, cos, sin, obstacle.radius_m));

@@ -39,7 +39,7 @@ TEST_CASE("obstacle: ray -> where small steps along it first arrive") {
       least_m = std::min(least_m, gap_m);
       if (gap_m <= 0.0) walked = at_m;
     }
-    const std::optional<double> hit = ray_m(one, from);
+    const std::optional<double> hit = ray_m(one, from, std::cos(from.heading_rad), std::sin(from.heading_rad));
     CAPTURE(trial);
     if (walked) {
       ++hits;

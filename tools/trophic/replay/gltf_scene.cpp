@@ -105,8 +105,8 @@ void GltfScene::add_obstacle(std::size_t parent, std::size_t material, const Obs
   file_.add_shape(parent, prism, {one.x_m, one.y_m, 0.0}, Eigen::Quaterniond::Identity(), size_m);
   if (one.is_pillar()) return;
   file_.add_shape(parent, prism, {one.to_x_m, one.to_y_m, 0.0}, Eigen::Quaterniond::Identity(), size_m);
-  const Eigen::AngleAxisd along{std::atan2(one.to_y_m - one.y_m, one.to_x_m - one.x_m), Eigen::Vector3d::UnitZ()};
-  const Eigen::Vector3d middle_m{0.5 * (one.x_m + one.to_x_m), 0.5 * (one.y_m + one.to_y_m), 0.5 * one.height_m};
+  const Eigen::AngleAxisd along{one.turn_rad(), Eigen::Vector3d::UnitZ()};
+  const Eigen::Vector3d middle_m{one.middle_x_m(), one.middle_y_m(), 0.5 * one.height_m};
   file_.add_shape(parent, file_.add_box("side", material), middle_m, Eigen::Quaterniond{along},
                   {0.5 * one.length_m(), one.radius_m, 0.5 * one.height_m});
 }

@@ -112,7 +112,7 @@ struct Rays {
       if (ray.sin != 0.0) end(std::max(0.0, (std::copysign(half_m, ray.sin) - from.y_m) / ray.sin));
     }
     for (const Obstacle& obstacle : view.arena.obstacles) {
-      const auto hit_m = ray_m(obstacle, {.x_m = from.x_m, .y_m = from.y_m, .heading_rad = std::atan2(ray.sin, ray.cos)});
+      const auto hit_m = ray_m(obstacle, from, ray.cos, ray.sin);
       if (hit_m) end(*hit_m);
     }
   }

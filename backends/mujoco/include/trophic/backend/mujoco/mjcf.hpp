@@ -161,8 +161,8 @@ class MjcfWriter {
     end(name + ".end", one.to_x_m, one.to_y_m);
     auto geom = ground_geom(world, (name + ".side").c_str(), "box");
     set(geom, "size", {0.5 * one.length_m(), one.radius_m, half_m});
-    set(geom, "pos", {0.5 * (one.x_m + one.to_x_m), 0.5 * (one.y_m + one.to_y_m), half_m});
-    set(geom, "euler", {0.0, 0.0, std::atan2(one.to_y_m - one.y_m, one.to_x_m - one.x_m)});
+    set(geom, "pos", {one.middle_x_m(), one.middle_y_m(), half_m});
+    set(geom, "euler", {0.0, 0.0, one.turn_rad()});
   }
 
   void write_ground(pugi::xml_node world) {

@@ -63,9 +63,9 @@ class Ground {
     if (!one.is_pillar()) {
       end(one.to_x_m, one.to_y_m);
       standing.parts.emplace_back(dCreateBox(nullptr, one.length_m(), 2.0 * one.radius_m, one.height_m));
-      dGeomSetPosition(standing.parts.back().get(), 0.5 * (one.x_m + one.to_x_m), 0.5 * (one.y_m + one.to_y_m), half_m);
+      dGeomSetPosition(standing.parts.back().get(), one.middle_x_m(), one.middle_y_m(), half_m);
       dMatrix3 turn;
-      dRFromAxisAndAngle(turn, 0.0, 0.0, 1.0, std::atan2(one.to_y_m - one.y_m, one.to_x_m - one.x_m));
+      dRFromAxisAndAngle(turn, 0.0, 0.0, 1.0, one.turn_rad());
       dGeomSetRotation(standing.parts.back().get(), turn);
     }
     obstacles_.push_back(std::move(standing));
