@@ -208,7 +208,7 @@ export class Run {
   /** In a world with energy. */
   energy: Curves | null = null;
   food: Food | null = null;
-  /** x, y of every body at every tick of the agents; NaN until the recording has been read. */
+  /** x, y of every body at every tick of the agents; NaN until the recording has been read, but for newborns. */
   track: Float32Array;
   tracked = false;
 
@@ -381,15 +381,21 @@ export class Run {
         if (tick < 0 || tick >= this.agents.ticks) continue;
         for (let robot = 0; robot < robots; ++robot) {
           const at = 2 * (tick * robots + robot);
+          if (!Number.isNaN(this.track[at])) continue;
           this.track[at] = values[robot * frames + frame - first] * head.units.position_m;
           this.track[at + 1] = values[(robots + robot) * frames + frame - first] * head.units.position_m;
         }
       }
     }, pause);
-    for (const { kind, time, body, x, y } of this.events) {
-      if (kind === "birth" && time >= this.agents.firstTick * head.tick_s) this.track.set([x, y], 2 * (this.rowAt(time) + body));
-    }
     this.tracked = true;
+  }
+
+  /** The recording's frame of a birth's tick shows who lived in the body before. */
+  private placeNewborns(): void {
+    for (const { kind, time, id, body, x, y } of this.events) {
+      const at = this.rowAt(time) + body;
+      if (kind === "birth" && this.isNew(at) && this.agents.id[at] === id) this.track.set([x, y], 2 * at);
+    }
   }
 
   /** Reads run number `number` from the page. */
@@ -413,6 +419,7 @@ export class Run {
     await recording.prepare(recording.firstFrame);
     const run = new Run(index, recording, Agents.read(agents, recording.head.robots, index.species), senses);
     run.readTables(events, phylogeny, JSON.parse(await text("scenes")) as Scene[]);
+    run.placeNewborns();
     for (const [time, stock] of isIn("energy") ? Run.moments(await table("energy"), "stock_J") : []) run.addEnergy(time, stock);
     for (const [time, cells] of isIn("food") ? Run.moments(await table("food"), "food_J") : []) (run.food ??= new Food()).add(time, cells);
     return run;
