@@ -69,6 +69,16 @@ class Contest(InFolder):
                 self.assertTrue((self.folder / f"one/figures/contests_predator_prey_{against}.png").stat().st_size > 10000)
         self.assertEqual(self.contest("study", *short, "--out", "two", "--jobs", 2).returncode, 0)
         self.assertEqual((self.folder / "one/contests.csv").read_bytes(), (self.folder / "two/contests.csv").read_bytes())
+        on_panel = self.contest("study", "--panel", "again", *short[:4], "--team-size", 5, "--epochs", "0,120", "--out", "panel")
+        self.assertEqual(on_panel.returncode, 0, on_panel.stderr)
+        rows, met = self.rows("panel/contests.csv"), {}
+        self.assertEqual(len(rows), 2 * 2 * 3 * 6 * 2)  # shadow, role, replicates, teams, epochs
+        for row in rows:
+            theirs, ours = ("victim", "hunter") if row["against"] == "panel_victims" else ("hunter", "victim")
+            self.assertEqual((row[f"{theirs}s_run"].split("/")[0], row[f"{ours}s_run"].split("/")[0]), ("again", "study"))
+            met.setdefault((row[f"{ours}s_run"][-2:], row["team"], ours), set()).add((row[f"{theirs}s_run"], row[f"{theirs}_epoch_s"]))
+        self.assertEqual({len(opponents) for opponents in met.values()}, {1})  # the same in all epochs, and in the shadow
+        self.assertEqual([(row["against"], row["species"]) for row in self.rows("panel/progress.csv")], [("panel", "predator"), ("panel", "prey")])
         other = self.contest("study", *short, "--out", "other", "--seed", 2)
         self.assertEqual(other.returncode, 0, other.stderr)
         self.assertNotEqual((self.folder / "one/contests.csv").read_bytes(), (self.folder / "other/contests.csv").read_bytes())
@@ -160,6 +170,7 @@ class Contest(InFolder):
         self.runs("other", "--set", "rules.mutation.sd=0.1")
         self.refused("study", "other", says="runs of different rules or parameters are not pooled")
         self.refused("study", "--shadow", "other", says="other")
+        self.refused("study", "--panel", self.runs("released", "--rules", "released"), says="--panel released: has runs of released: must be of paper")
         shutil.move(first / "genomes.csv", self.folder / "genomes.csv")
         self.refused("study", says="genomes.csv")
         shutil.copy(self.folder / "genomes.csv", first / "genomes.csv")

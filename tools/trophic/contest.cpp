@@ -43,6 +43,7 @@ namespace detail::contest_command {
 struct Options {
   std::vector<std::string> runs;
   std::optional<std::string> shadow;
+  std::optional<std::string> panel;
   std::string epochs;
   std::string against = "others";
   std::uint64_t teams = 6;
@@ -73,8 +74,10 @@ struct Options {
   return epochs_s;
 }
 
-[[nodiscard]] std::vector<contest::Against> against_of(const std::string& text) {
+[[nodiscard]] std::vector<contest::Against> against_of(const Options& options) {
   using contest::Against;
+  const std::string& text = options.against;
+  if (options.panel) return {};
   if (text == "own") return {Against::own};
   if (text == "others") return {Against::others};
   return {Against::own, Against::others};
@@ -200,10 +203,11 @@ void check_split(double split_s, std::span<const contest::ContestRow> rows) {
 [[nodiscard]] int run(const Options& options) {
   check(options);
   const std::vector<std::filesystem::path> runs{options.runs.begin(), options.runs.end()};
-  const auto sets = contests::read_sets(runs, options.shadow, options.accept_other_build);
+  auto sets = contests::read_sets(runs, options.shadow, options.accept_other_build);
+  if (options.panel) contests::add_panel(sets, *options.panel, options.accept_other_build);
   for (const std::string& remark : sets.remarks) std::cerr << "trophic contest: " << remark << "\n";
   contests::Planned planned = contests::planned_contests(sets, {.epochs_s = epochs_of(options.epochs),
-                                                                .against = against_of(options.against),
+                                                                .against = against_of(options),
                                                                 .teams = options.teams,
                                                                 .team_size = options.team_size.value_or(0),
                                                                 .duration_s = options.duration_s,
@@ -275,6 +279,7 @@ Command contest_command() {
                    &options->against,
                    "opponents: others, of another replicate; own; or both (others)",
                    {"others", "own", "both"}},
+                  {"--panel", &options->panel, "folder of runs whose last living are the opponents of all, instead of --against"},
                   {"--split", &options->split_s, "the epoch at which the late period begins (that in the middle)"},
                   {"--teams", &options->teams, "teams drawn for each epoch and species, at least 2 (6)"},
                   {"--team-size", &options->team_size, "robots in a team (half of the runs' robots)"},

@@ -59,6 +59,14 @@ def test_runs_of_hunters_and_of_victims_are_each_counted_by_their_own():
     assert hunters.conclusion() == "no shadow" and hunters.over_shadow.value is None and hunters.shadow.runs == 0
 
 
+def test_on_a_panel_each_role_counts_the_contests_of_the_runs_own_teams():
+    rows = [(0, f"panel_{theirs}s", *(("a", "x") if theirs == "victim" else ("x", "a")), 0, "predator", "prey",
+             *((own_s, 9) if theirs == "victim" else (9, own_s)), contact_s) for theirs in ("victim", "hunter") for own_s, contact_s in ((0, 50), (7, 20))]
+    hunters, victims = progress_of(contests(rows))
+    assert (hunters.against, hunters.from_s, hunters.to_s, hunters.ours.mean, victims.ours.mean) == ("panel", 0, 7, 30, -30)
+    assert "the panel's prey" in text([hunters])
+
+
 def test_fewer_than_six_replicates_have_numbers_and_no_conclusion():
     few = progress_of(study(5))
     for one in few:

@@ -15,8 +15,9 @@ from .statistics import MIN_RUNS_FOR_TEST, Difference, Estimate, adjust_together
 from .values import Metric
 from .words import Reading, columns, number_text, p_text
 
-AGAINST = ("own", "others")
-"""The origin of the opponents: the same run, or another replicate, which they never met."""
+AGAINST = ("own", "others", "panel")
+"""The origin of the opponents: the same run, another replicate, which they never met, or a panel that all runs meet."""
+_OPPONENTS = {"own": "own", "others": "others'", "panel": "the panel's"}
 _SECONDS = Reading(Metric("progress", "", "", "ticks"))
 
 
@@ -49,8 +50,9 @@ class Progress:
 
 
 def epochs_of(contests: pandas.DataFrame) -> list[float]:
-    """The epochs of contests, s, ascending."""
-    return sorted({*contests["hunter_epoch_s"], *contests["victim_epoch_s"]})
+    """The epochs of the runs, s, ascending; not that of a panel."""
+    return sorted({*contests["hunter_epoch_s"][contests["against"] != "panel_hunters"],
+                   *contests["victim_epoch_s"][contests["against"] != "panel_victims"]})
 
 
 def progress_of(contests: pandas.DataFrame, split_s: float | None = None) -> list[Progress]:
@@ -66,14 +68,15 @@ def progress_of(contests: pandas.DataFrame, split_s: float | None = None) -> lis
     periods = [("early", epochs[0], split_s), ("late", split_s, epochs[-1])]
     found = []
     for against in AGAINST:
-        for (hunter, victim), link in contests[contests["against"] == against].groupby(["hunter", "victim"]):
+        for (hunter, victim), link in contests[contests["against"].str.split("_").str[0] == against].groupby(["hunter", "victim"]):
             sets = [link[link["shadow"] == of_shadow] for of_shadow in (0, 1)]
             for period, from_s, to_s in periods:
                 if from_s == to_s:
                     continue
                 both = []
                 for role, names in (("hunter", (hunter, victim)), ("victim", (victim, hunter))):
-                    ours, shadow = (progress_of_runs(of_set, role, epochs, from_s, to_s) for of_set in sets)
+                    own = [of[of["against"] != f"panel_{role}s"] for of in sets]  # where the role is the panel's, the other one is ours
+                    ours, shadow = (progress_of_runs(of_set, role, epochs, from_s, to_s) for of_set in own)
                     value = ours.mean() - shadow.mean() if len(ours) and len(shadow) else None
                     over = difference_of(value, contrast((1.0, ours), (-1.0, shadow)))
                     both.append(Progress(against, names[0], role, names[1], period, from_s, to_s, estimate(ours), estimate(shadow), over))
@@ -86,8 +89,9 @@ def progress_of_runs(contests: pandas.DataFrame, role: str, epochs: Sequence[flo
     """For each run of the species in a role, the mean over opponents of all epochs of how much sooner (hunter) or later (victim) contact is at `to_s`
     than at `from_s`, s. The contact time of a pair of epochs is the mean over teams. A run that lacks a contest is left out."""
     runs, names = pandas.factorize(contests[f"{role}s_run"], sort=True)
-    own, other = (numpy.searchsorted(epochs, contests[f"{of}_epoch_s"]) for of in (role, "victim" if role == "hunter" else "hunter"))
-    shape = (len(names), len(epochs), len(epochs))
+    own = numpy.searchsorted(epochs, contests[f"{role}_epoch_s"])
+    other, others = pandas.factorize(contests["victim_epoch_s" if role == "hunter" else "hunter_epoch_s"])
+    shape = (len(names), len(epochs), max(1, len(others)))
     cells = numpy.ravel_multi_index((runs, own, other), shape)
     number, sum_s = (numpy.bincount(cells, weights, numpy.prod(shape)).reshape(shape) for weights in (None, contests["contact_s"]))
     with numpy.errstate(invalid="ignore"):
@@ -112,7 +116,7 @@ def text(progress: Sequence[Progress]) -> str:
     rows: list[tuple[str, ...]] = [("progress of", "against", "from", "to", "mean, s", "shadow", "over the shadow [95 %]", "p (Holm)", "conclusion")]
     for one in progress:
         over = one.over_shadow
-        rows.append((one.species, ("own " if one.against == "own" else "others' ") + one.opponent, *(number_text(round(epoch_s, 1)) for epoch_s in (one.from_s, one.to_s)),
+        rows.append((one.species, f"{_OPPONENTS[one.against]} {one.opponent}", *(number_text(round(epoch_s, 1)) for epoch_s in (one.from_s, one.to_s)),
                      _SECONDS.of(one.ours), _SECONDS.of(one.shadow), _SECONDS.with_interval(over.value, over.interval, True), p_text(over.adjusted),
                      one.conclusion()))
     fewest = min((runs for one in progress for runs in (one.ours.runs, one.shadow.runs or one.ours.runs)), default=MIN_RUNS_FOR_TEST)

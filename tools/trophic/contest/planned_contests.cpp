@@ -64,9 +64,51 @@ class Teams {
   std::map<std::tuple<std::size_t, std::size_t, Species, std::size_t>, std::size_t> places_;
 };
 
-void add_matches(std::span<const RunManifest> runs, const Size& size, bool is_shadow, const contest::ContestDesign& design,
-                 Planned& planned) {
+/// The shadow's teams meet in the arena of the table that it is the shadow of.
+std::string table_of(const RunManifest& run) {
+  return run.rules.substr(0, run.rules.find(" with heredity = nothing_inherited"));
+}
+
+/// Each team meets the last living of one run of the panel, the same in all epochs, sets and studies.
+void add_panel_matches(std::span<const RunManifest> runs, const Size& size, std::span<const RunManifest> panel, Teams& teams,
+                       const contest::ContestDesign& design, bool is_shadow, Planned& planned) {
+  const Size last{.epochs_s = {panel.front().reached_s.value_or(0.0)}, .against = {}, .team_size = size.team_size};
+  const contest::ContestDesign of_panel{size.seed, panel.size(), size.teams};
+  Teams opponents{panel, last, false, of_panel, planned.plan};
+  const FoodWeb& web = runs.front().web;
+  for (const Feeding& link : web.links()) {
+    for (std::size_t cell = 0; cell < runs.size() * size.teams * size.epochs_s.size() * 2; ++cell) {
+      const bool hunts = cell % 2 == 0;
+      const std::size_t epoch = cell / 2 % size.epochs_s.size();
+      const std::size_t team = cell / 2 / size.epochs_s.size() % size.teams;
+      const std::size_t replicate = cell / 2 / size.epochs_s.size() / size.teams;
+      const std::size_t other = (replicate + team) % panel.size();
+      const std::size_t own =
+          teams({.replicate = replicate, .epoch = epoch, .species = hunts ? link.hunter : link.victim, .team = team});
+      const std::size_t theirs = opponents({.replicate = other, .species = hunts ? link.victim : link.hunter, .team = team});
+      planned.plan.matches.push_back(
+          {.hunters = hunts ? own : theirs, .victims = hunts ? theirs : own, .places = design.places(replicate, team)});
+      const auto folder = [&](bool ours) { return (ours ? runs[replicate] : panel[other]).folder.string(); };
+      const auto epoch_s = [&](bool ours) { return ours ? size.epochs_s[epoch] : last.epochs_s.front(); };
+      planned.rows.push_back({.shadow = is_shadow,
+                              .against = hunts ? Against::panel_victims : Against::panel_hunters,
+                              .hunters_run = folder(hunts),
+                              .victims_run = folder(!hunts),
+                              .team = team,
+                              .hunter = web.name(link.hunter),
+                              .victim = web.name(link.victim),
+                              .hunter_epoch_s = epoch_s(hunts),
+                              .victim_epoch_s = epoch_s(!hunts)});
+    }
+  }
+}
+
+void add_matches(const Sets& sets, const Size& size, bool is_shadow, Planned& planned) {
+  const std::span<const RunManifest> runs = is_shadow ? sets.shadow : sets.ours;
+  if (runs.empty()) return;
+  const contest::ContestDesign design{size.seed, runs.size(), size.teams};
   Teams teams{runs, size, is_shadow, design, planned.plan};
+  if (!sets.panel.empty()) return add_panel_matches(runs, size, sets.panel, teams, design, is_shadow, planned);
   const FoodWeb& web = runs.front().web;
   const std::size_t epochs = size.epochs_s.size();
   for (const Feeding& link : web.links()) {
@@ -126,7 +168,7 @@ Sets read_sets(std::span<const std::filesystem::path> runs, const std::optional<
     if (analysis::is_sweep(path)) throw std::invalid_argument{path.string() + ": is a sweep: name one of its cells"};
   }
   auto pooled = analysis::pooled_runs(runs, false, any_build);
-  Sets sets{.ours = std::move(pooled.manifests), .shadow = {}, .remarks = std::move(pooled.remarks)};
+  Sets sets{.ours = std::move(pooled.manifests), .shadow = {}, .panel = {}, .remarks = std::move(pooled.remarks)};
   const RunManifest& first = sets.ours.front();
   if (first.web.links().empty()) {
     throw std::invalid_argument{first.folder.string() +
@@ -137,6 +179,17 @@ Sets read_sets(std::span<const std::filesystem::path> runs, const std::optional<
   sets.shadow = analysis::pooled_runs(folders, false, any_build).manifests;
   analysis::check_shadow(first, sets.shadow.front(), true);
   return sets;
+}
+
+void add_panel(Sets& sets, const std::filesystem::path& panel, bool any_build) {
+  const std::vector<std::filesystem::path> folders{panel};
+  sets.panel = analysis::pooled_runs(folders, false, any_build).manifests;
+  const RunManifest& first = sets.panel.front();
+  const std::string ours = table_of(sets.ours.front());
+  if (table_of(first) != ours) {
+    throw std::invalid_argument{"--panel " + panel.string() + ": has runs of " + table_of(first) + ": must be of " + ours};
+  }
+  for (const RunManifest& run : sets.panel) analysis::check_epoch(run, first.reached_s.value_or(0.0));
 }
 
 Planned planned_contests(const Sets& sets, Size size) {
@@ -150,16 +203,15 @@ Planned planned_contests(const Sets& sets, Size size) {
   if (sets.ours.size() < 2 && std::ranges::find(size.against, Against::others) != size.against.end()) {
     throw std::invalid_argument{"--against others: needs at least two replicates; " + first.folder.string() + " is one"};
   }
-  // A shadow's teams meet in the arena of the table that it is the shadow of.
-  Planned planned{.plan = {.rule_table = first.rules.substr(0, first.rules.find(" with heredity = nothing_inherited")),
+  Planned planned{.plan = {.rule_table = table_of(first),
                            .engine = first.backend.substr(0, first.backend.find(' ')),
                            .fingerprint = first.fingerprint,
                            .params = first.params,
                            .duration_s = size.duration_s,
                            .reach_m = size.reach_m},
                   .rows = {}};
-  add_matches(sets.ours, size, false, {size.seed, sets.ours.size(), size.teams}, planned);
-  if (!sets.shadow.empty()) add_matches(sets.shadow, size, true, {size.seed, sets.shadow.size(), size.teams}, planned);
+  add_matches(sets, size, false, planned);
+  add_matches(sets, size, true, planned);
   return planned;
 }
 

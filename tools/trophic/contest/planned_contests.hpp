@@ -19,6 +19,7 @@ namespace trophic::command::contests {
 struct Sets {
   std::vector<analysis::RunManifest> ours;
   std::vector<analysis::RunManifest> shadow;  ///< empty without one
+  std::vector<analysis::RunManifest> panel;   ///< opponents of all runs; empty without them
   std::vector<std::string> remarks;
 };
 
@@ -28,9 +29,13 @@ struct Sets {
 [[nodiscard]] Sets read_sets(std::span<const std::filesystem::path> runs, const std::optional<std::filesystem::path>& shadow,
                              bool any_build);
 
+/// Adds a panel of opponents. Throws std::invalid_argument, a sentence, for runs that may not be pooled, of another table, or
+/// without an end.
+void add_panel(Sets& sets, const std::filesystem::path& panel, bool any_build);
+
 struct Size {
-  std::vector<double> epochs_s;  ///< empty: four, evenly over the run
-  std::vector<contest::Against> against;
+  std::vector<double> epochs_s;           ///< empty: four, evenly over the run
+  std::vector<contest::Against> against;  ///< none of own and others if there is a panel
   std::size_t teams = 2;
   std::size_t team_size = 0;  ///< 0: half of the run's robots
   double duration_s = 300.0;

@@ -11,7 +11,8 @@ import pandas as pd
 
 from .style import Missing, caption, width_in
 
-OPPONENTS = {"own": "opponents from the same run", "others": "opponents of other replicates"}
+OPPONENTS = {"own": "opponents from the same run", "others": "opponents of other replicates", "panel_victims": "victims of a panel",
+             "panel_hunters": "hunters of a panel"}
 
 
 def matrix(rows):
