@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The study of docs/results/arms-race.md: does a criterion for the reproduction of prey, or prey that age, start an arms race?
+// The studies of docs/results/arms-race.md and red-queen.md: does a criterion for the reproduction of prey, or prey that age,
+// start an arms race?
 #include <trophic/experiment.hpp>
 
 #include "studies/arms_race/ecologies.hpp"
@@ -8,5 +9,6 @@ int main(int argc, char** argv) {
   using namespace trophic::arms_race;
   return trophic::experiment<Paper, PaperLastEscapee, PaperMostEscapes, PaperFastestEscape, PaperAgeing, PaperLastEscapeeAgeing,
                              PaperMostEscapesAgeing, PaperFastestEscapeAgeing, PaperAfterEscapes, Released, ReleasedMostEscapes,
-                             ReleasedAgeing, ReleasedMostEscapesAgeing, PaperRoom, PaperMostEscapesRoom>(argc, argv);
+                             ReleasedAgeing, ReleasedMostEscapesAgeing, PaperRoom, PaperMostEscapesRoom, PaperBySide,
+                             ReleasedBySide, PondBySide>(argc, argv);
 }

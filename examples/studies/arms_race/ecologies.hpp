@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ecologies of the study, each compiled in one of two files.
+// The ecologies of the study, each compiled in one of three files.
 #pragma once
 
 #include <trophic/ecology/shipped.hpp>
@@ -24,5 +24,10 @@ extern template class Ecology<arms_race::ReleasedAgeing>;
 extern template class Ecology<arms_race::ReleasedMostEscapesAgeing>;
 extern template class Ecology<arms_race::PaperRoom>;
 extern template class Ecology<arms_race::PaperMostEscapesRoom>;
+
+// In sides.cpp.
+extern template class Ecology<arms_race::PaperBySide>;
+extern template class Ecology<arms_race::ReleasedBySide>;
+extern template class Ecology<arms_race::PondBySide>;
 
 }  // namespace trophic

@@ -2,15 +2,18 @@
 // The rule tables of the study: a criterion for the reproduction of prey, with and without prey that age, and with more room.
 #pragma once
 
+#include <trophic/reproduction/heredity/switched.hpp>
 #include <trophic/reproduction/parent/fastest_escape.hpp>
 #include <trophic/reproduction/parent/last_escapee.hpp>
 #include <trophic/reproduction/parent/most_escapes.hpp>
 #include <trophic/reproduction/recruitment/after_escapes.hpp>
+#include <trophic/rules/by_species.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/rules/with_ageing_victims.hpp>
 
 #include "studies/arms_race/room.hpp"
+#include "worlds/pond.hpp"
 
 namespace trophic::arms_race {
 
@@ -50,5 +53,13 @@ using PaperAfterEscapes = named<with_recruitment<Paper, reproduction::recruitmen
 
 using PaperRoom = named<WithRoom<Paper>, "paper_room">;
 using PaperMostEscapesRoom = named<WithRoom<PaperMostEscapes>, "paper_most_escapes_room">;
+
+/// One side may evolve against another that does not: `rules.heredity.prey.inherited=false`.
+template <class Base>
+using BySide = with_heredity<Base, rules::by_species<reproduction::heredity::Switched<typename Base::Heredity>>>;
+
+using PaperBySide = named<BySide<Paper>, "paper_by_side">;
+using ReleasedBySide = named<BySide<Released>, "released_by_side">;
+using PondBySide = named<BySide<worlds::Pond>, "pond_by_side">;
 
 }  // namespace trophic::arms_race
