@@ -270,6 +270,29 @@ def lineage_rows(cell, summary):
     return rows
 
 
+LIVING = {"persists", "velocity", "birth_rate", "generation_time", "lineage_depth", "pyramid_numbers", "cycles", "period", "search_rate_holling", "handling_time",
+          "trophic_efficiency"}
+
+
+def living_rows(name, summary):
+    """Measures of a world whose numbers change, with those of its nulls; p of the two velocities is corrected for them alone (Holm)."""
+    rows = []
+    for metric in summary["sets"][0]["metrics"]:
+        if metric["metric"] not in LIVING or metric["metric"] == "velocity" and metric["group"] != "inherited":
+            continue
+        nulls = {null["name"]: null for null in metric["baselines"]}
+        shadow = nulls.get("shadow", {})
+        rows.append({"set": name, "metric": metric["metric"], "species": metric["species"], "unit": metric["unit"], "runs": metric["runs"],
+                     **{key: number(metric[key]) for key in ("mean", "lower", "upper")},
+                     **{null: number(nulls.get(null, {}).get("value")) for null in ("shadow", "clones", "mean_field")},
+                     **{key: number(shadow.get(key)) for key in ("difference", "p")},
+                     **{f"difference_{key}": number(shadow.get(key)) for key in ("lower", "upper")}, "p_holm": ""})
+    tested = [row for row in rows if row["metric"] == "velocity" and row["p"]]
+    for row, p in zip(tested, holm([float(row["p"]) for row in tested])):
+        row["p_holm"] = number(p)
+    return rows
+
+
 def compared_raw(differences):
     """The rows of raw differences that have both means."""
     with open(differences, newline="") as file:

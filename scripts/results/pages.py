@@ -357,6 +357,75 @@ def evolved_lives(rows):
                  [[row["study"], f"`{row['table']}`", *(f"{float(row[key]):.{places}f}" for key, places in (("births", 0), ("mean_depth", 1), ("greatest_depth", 0), ("diverged", 1)))] for row in rows])
 
 
+QUEEN = {"gene_change": "gene_change", "turn_change": "turn_change", "progress_late": "progress, late, s", "progress_early": "progress, early, s"}
+
+
+def queen(rows, table_name, primary):
+    """Differences of a side between worlds in which the other one inherits and does not; * after Holm's correction for the family."""
+    lines = []
+    for row in rows:
+        if row["table"] != table_name or (row["family"] == "primary") != primary or row["measure"].startswith("mutation"):
+            continue
+        star = "*" if row["p_holm"] and float(row["p_holm"]) <= 0.05 else ""
+        words = QUEEN.get(row["measure"], row["measure"].replace("_all", "").replace("_late", ", last third").replace("_", " ") + " of `turns_to`")
+        lines.append([words, {"predator": "predators"}.get(row["side"], row["side"]), *(f"{float(row[key]):+.3g}" for key in ("both", row["side"], "none")),
+                      signed(row, ("difference", "lower", "upper")) + star, p_text(row["p_holm"]), row["detectable"] and f"{float(row['detectable']):.2g}", row["runs"]])
+    return table(["measure", "side", "both inherit", "this side alone", "none", "both less alone", "p (Holm)", "found in 80 %", "runs"], lines)
+
+
+def meetings(rows, table_name):
+    """Contact times of the last living hunters and victims of different worlds."""
+    worlds, cells = ("both", "predator", "prey", "none"), {(row["hunters"], row["victims"]): row for row in rows if row["table"] == table_name}
+    lines = []
+    for hunters in worlds:
+        met = [cells.get((hunters, victims)) for victims in worlds]
+        lines.append([hunters, *(f"{float(row['contact_s']):.0f} [{float(row['lower']):.0f}, {float(row['upper']):.0f}]" if row else "" for row in met)])
+    return table(["predators of", *(f"prey of {world}" for world in worlds)], lines)
+
+
+def living(rows):
+    """Measures of the pond and of its nulls."""
+    lines = []
+    for row in rows:
+        if row["set"] != "pond" or not row["mean"]:
+            continue
+        scale, unit = (100.0, "cm/s") if row["unit"] == "m/s" else (1.0, "" if row["unit"] == "1" else row["unit"])
+
+        def shown(keys, sign=""):
+            middle, lower, upper = (row[key] and f"{scale * float(row[key]):{sign}.3g}" for key in keys)
+            return middle + (f" [{lower}, {upper}]" if lower else "")
+
+        name = ", ".join(filter(None, [row["metric"] + (" (inherited)" if unit == "cm/s" else ""), unit]))
+        lines.append([name, row["species"], shown(("mean", "lower", "upper")), *(row[null] and f"{scale * float(row[null]):.3g}" for null in ("shadow", "clones", "mean_field")),
+                      shown(("difference", "difference_lower", "difference_upper"), "+"), p_text(row["p_holm"])])
+    return table(["measure", "of", "pond", "shadow", "clones", "mean field", "over the shadow", "p (Holm)"], lines)
+
+
+def settings(rows):
+    """Persistence and velocity in each setting of the pond."""
+    lines = []
+    for name in dict.fromkeys(row["set"] for row in rows):
+        of = {(row["metric"], row["species"]): row for row in rows if row["set"] == name}
+        shares = [of["persists", species] for species in ("all", "prey", "predator")]
+        lines.append([name, *(f"{float(row['mean']):.2f} [{float(row['lower']):.2f}, {float(row['upper']):.2f}]" for row in shares),
+                      *("{:+.2f} [{:+.2f}, {:+.2f}]".format(*(100.0 * float(of["velocity", species][key]) for key in
+                                                              ("difference", "difference_lower", "difference_upper"))) for species in ("prey", "predator")), shares[0]["runs"]])
+    return table(["setting", "both persist", "prey", "predators", "prey over the shadow, cm/s", "predators over the shadow, cm/s", "runs"], lines)
+
+
+def selected(rows):
+    """Price's terms of `turns_to` over the neutral null."""
+    return table(["species", "term", "pond", "neutral null", "difference", "p (Holm)"],
+                 [[row["species"], row["term"], f"{float(row['runs_mean']):+.3g}", f"{float(row['neutral_mean']):+.3g}",
+                   signed(row, ("difference", "difference_lower", "difference_upper")), p_text(row["p_holm"])] for row in rows])
+
+
+def raced(rows):
+    """Progress in contests, over the shadow."""
+    return table(["progress", "species", "over the shadow, s", "p (Holm)", "runs"],
+                 [[row["measure"], row["species"], seconds(row), p_text(row["p_holm"]), row["runs"]] for row in rows])
+
+
 def open_choices(choices):
     """The list of open choices."""
     lines = [[f"`{choice['name']}`", choice["question"], choice["text"], choice["first"], choice["other"]] for choice in choices]
@@ -379,6 +448,12 @@ def tables(data, choices):
     made["evolved lives"] = lambda: evolved_lives(data("evolution_lives"))
     for name in EVOLVED:
         made[f"evolved {name}"] = lambda name=name: evolved(data("evolution"), name)
+    for name in ("paper", "pond"):
+        for words, primary in (("primary", True), ("other", False)):
+            made[f"queen {name} {words}"] = lambda name=name, primary=primary: queen(data("red_queen"), f"{name}_by_side", primary)
+        made[f"queen {name} meetings"] = lambda name=name: meetings(data("red_queen_meetings"), f"{name}_by_side")
+    made |= {"living": lambda: living(data("no_criterion")), "living settings": lambda: settings(data("no_criterion")),
+             "living selection": lambda: selected(data("no_criterion_selection")), "living progress": lambda: raced(data("no_criterion_progress"))}
     for name in ("arms_race", "ranges", "room", "mujoco", "mujoco_brains"):
         made[f"race {name}"] = lambda name=name: race(data(f"race_{name}"))
     for backend in ("kinematic", "mujoco"):

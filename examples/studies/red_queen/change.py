@@ -38,7 +38,7 @@ def gene_change(run):
 
 @trophic.metric(inherited=True)
 def turn_change(run):
-    """Of the share that turns right at each input."""
+    """The change of the share that turns right, over inputs."""
     weights = weights_of(run)
     biases = 3 if weights.shape[1] == 20 else 0
     hidden = numpy.tanh(INPUTS @ weights[:, :9].reshape(-1, 3, 3).transpose(0, 2, 1) + (weights[:, None, 9:12] if biases else 0.0))
