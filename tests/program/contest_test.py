@@ -110,6 +110,11 @@ class Contest(InFolder):
         for name in ("genomes.csv", "agents.csv"):
             own, other = (self.rows(f"{table}/shadow/replicate-01/{name}") for table in ("paper", "paper_most_escapes"))
             self.assertEqual(*([{key: row[key] for key in row if key != "origin"} for row in rows] for rows in (own, other)))
+        off = [part for species in ("prey", "predator") for part in ("--set", f"rules.heredity.{species}.inherited=false")]
+        none = self.call(ARMS_RACE, "--backend", "kinematic", "--duration", 900, "--replicates", 2, "--replay-hz", 0, "--rules", "paper_by_side", *off, "--out", "none")
+        self.assertEqual(none.returncode, 0, none.stderr)
+        for name in ("genomes.csv", "agents.csv", "events.csv"):  # where neither side inherits, the runs are the shadow
+            self.assertEqual(*((self.folder / folder / "replicate-01" / name).read_bytes() for folder in ("none", "paper/shadow")))
         short = ["--shadow", "paper/shadow", "--program", ARMS_RACE, "--duration", 20, "--team-size", 3, "--epochs", "0,900"]
         done = self.contest("paper_most_escapes", *short, "--out", "contests")
         self.assertEqual(done.returncode, 0, done.stderr)
