@@ -10,7 +10,6 @@
 #include <trophic/backend/torus.hpp>
 #include <trophic/backend/with_engine.hpp>
 #include <trophic/control/brain/cognitive_brain_with_biases.hpp>
-#include <trophic/control/brain/feed_forward_brain.hpp>
 #include <trophic/control/brain/growing_brain.hpp>
 #include <trophic/control/brain/hebbian.hpp>
 #include <trophic/control/brain/recurrent_brain.hpp>
@@ -25,7 +24,6 @@
 #include <trophic/death/capture/catch_outside_refuges.hpp>
 #include <trophic/death/capture/one_within_reach.hpp>
 #include <trophic/death/floor/active_victim_floor.hpp>
-#include <trophic/death/senescence/old_age.hpp>
 #include <trophic/death/starvation/choice/hungriest_else_oldest.hpp>
 #include <trophic/death/starvation/choice/hungriest_share.hpp>
 #include <trophic/ecology/simulations_of.hpp>

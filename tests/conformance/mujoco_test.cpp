@@ -3,6 +3,7 @@
 #include <conformance/embodying_suite.hpp>
 #include <conformance/ground_suite.hpp>
 #include <conformance/placing_suite.hpp>
+#include <conformance/species_suite.hpp>
 #include <trophic/backend/mujoco.hpp>
 
 namespace {
@@ -26,3 +27,4 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_embodying_suite, trophic::backend::Mujoco);
 TEST_CASE_TEMPLATE_INVOKE(trophic_placing_suite, Mujoco, Stepped<Mujoco::Stepping::islands>,
                           Stepped<Mujoco::Stepping::one_model>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_ground_suite, trophic::backend::Mujoco);
+TEST_CASE_TEMPLATE_INVOKE(trophic_species_suite, trophic::backend::Mujoco);

@@ -3,9 +3,11 @@
 #include <conformance/embodying_suite.hpp>
 #include <conformance/ground_suite.hpp>
 #include <conformance/placing_suite.hpp>
+#include <conformance/species_suite.hpp>
 #include <trophic/backend/ode.hpp>
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_backend_suite, trophic::backend::Ode);
 TEST_CASE_TEMPLATE_INVOKE(trophic_embodying_suite, trophic::backend::Ode);
 TEST_CASE_TEMPLATE_INVOKE(trophic_placing_suite, trophic::backend::Ode);
 TEST_CASE_TEMPLATE_INVOKE(trophic_ground_suite, trophic::backend::Ode);
+TEST_CASE_TEMPLATE_INVOKE(trophic_species_suite, trophic::backend::Ode);

@@ -284,7 +284,8 @@ class Ecology final : public Simulation {
       if (population_[victim].id >= first_newborn) continue;
       replace_occupant(audience, {.body = victim, .cause = Cause::starved, .killer = {}, .successor = {}});
     }
-    if (starving.restarts_clock) starvation_clock_ = death::ask::start(rules_.starvation, view());
+    if (starving.restarts_clock)
+      starvation_clock_ = death::ask::start(rules_.starvation, view(), starvation_clock_, starving.due);
   }
 
   void minimum_predators(observe::Audience& audience) {

@@ -15,6 +15,7 @@ namespace trophic {
 
 /// Index of a species in its FoodWeb.
 using Species = std::size_t;
+using OneSpecies = std::optional<Species>;  ///< none: all
 
 /// A link of the food web: `hunter` catches and eats `victim`.
 struct Feeding {

@@ -59,8 +59,9 @@ struct View {
     if (!members.empty()) return species < members.size() ? members[species] : 0;
     return static_cast<std::size_t>(std::ranges::count(robots, species, &Individual::species));
   }
-  /// Number of individuals whose species hunts (the paper's p, the number of predators).
-  [[nodiscard]] std::size_t count_hunters() const {
+  /// Number of individuals whose species hunts (the paper's p, the number of predators), or of one species.
+  [[nodiscard]] std::size_t count_hunters(OneSpecies only = {}) const {
+    if (only) return count(*only);
     std::size_t hunters = 0;
     for (Species species = 0; species < web.size(); ++species) hunters += web.hunts(species) ? count(species) : 0;
     return hunters;

@@ -4,6 +4,7 @@
 #include <support/hand_population.hpp>
 #include <tools/command/read_parameters.hpp>
 #include <trophic/backend/kinematic.hpp>
+#include <trophic/death/starvation/exemption/no_exemption.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/initialization/community/food_chain.hpp>
@@ -146,4 +147,30 @@ TEST_CASE("by species: rule with a State as a part -> numbers of the dying indiv
   const auto& starved = policies.parent.part<static_cast<std::size_t>(Cause::starved)>();
   CHECK(starved.of(PredatorPrey::predator).params.near_m == 2.0);
   CHECK(starved.of(PredatorPrey::prey).params.near_m == 3.0);
+}
+
+TEST_CASE("by species: sweep of an interval between starvation procedures by its name -> this species starves less often") {
+  using Chain = with_community<rules::Paper, initialization::community::FoodChain>;
+  using Interval = by_species<death::starvation::interval::DelayedCrowdingInterval>;
+  using Rules = with_starvation_exemption<with_starvation_interval<Chain, Interval>, death::starvation::exemption::NoExemption>;
+  struct Starved {
+    void on_event(const observe::Event& event, const View&) {
+      if (event.kind == observe::EventKind::death && event.cause == Cause::starved) ++by.at(event.individual.species);
+    }
+    std::array<int, 3> by{};
+  };
+  int before = 1000;
+  for (const std::string base_ticks : {"12", "40", "1000"}) {
+    Ecology<Rules>::Params params{.seed = 8};
+    command::read_parameters(params, command::read_assignment("rules.starvation.interval.hunter.base_ticks=1000"));
+    command::read_parameters(params, command::read_assignment("rules.starvation.interval.apex.base_ticks=" + base_ticks));
+    Ecology<Rules> ecology{params, backend::Kinematic::Params{}};
+    Starved starved;
+    ecology.run_until(400.0, starved);
+    CHECK(starved.by[0] == 0);
+    CHECK(starved.by[1] == 0);
+    CHECK(starved.by[2] < before);
+    before = starved.by[2];
+  }
+  CHECK(before == 0);
 }

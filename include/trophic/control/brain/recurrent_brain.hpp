@@ -2,9 +2,7 @@
 // A network whose hidden neurons remember the last tick.
 #pragma once
 
-#include <trophic/control/brain/contract.hpp>
-#include <trophic/control/brain/detail/network.hpp>
-#include <trophic/control/tanh_network.hpp>
+#include <trophic/control/brain/feed_forward_brain.hpp>
 
 namespace trophic::control::brain {
 
@@ -16,15 +14,7 @@ struct RecurrentBrain {
   static constexpr std::string_view name = "recurrent_brain";
   static constexpr std::string_view source = "not in the paper; recurrent links by [elman1990]";
 
-  struct Params {
-    std::size_t hidden = 3;
-    double turn_angle_rad = 0.7;
-    static constexpr auto fields() {
-      return std::tuple{
-          field("hidden", &Params::hidden, between(1.0, 100.0), "hidden neurons"),
-          field("turn_angle_rad", &Params::turn_angle_rad, between(0.0, 3.141592653589793), "size of the target angle")};
-    }
-  };
+  using Params = FeedForwardBrain::Params;
   Params params;
 
   struct State {

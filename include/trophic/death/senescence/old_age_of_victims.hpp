@@ -2,7 +2,7 @@
 // Death at a fixed age, of species that are hunted.
 #pragma once
 
-#include <trophic/death/senescence/contract.hpp>
+#include <trophic/death/senescence/old_age.hpp>
 
 namespace trophic::death::senescence {
 
@@ -13,10 +13,7 @@ struct OldAgeOfVictims {
   static constexpr std::string_view name = "old_age_of_victims";
   static constexpr std::string_view source = "paper, Sec. \"Conclusion\": future work";
 
-  struct Params {
-    double max_age_s = 600.0;
-    static constexpr auto fields() { return std::tuple{field("max_age_s", &Params::max_age_s, above(0.0), "age at death")}; }
-  };
+  using Params = OldAge::Params;
   Params params;
 
   [[nodiscard]] bool dies(const Individual& individual, const View& view, Rng&) const {

@@ -15,11 +15,13 @@ struct Starving {
   std::vector<BodyIndex> victims;  ///< in the order in which they die, each once
   std::vector<BodyIndex> exempt;   ///< hunters that would starve but for an exemption, for observers
   bool restarts_clock = false;     ///< whether the rule's clock restarts after these deaths
+  std::vector<Species> due = {};   ///< whose clocks restart, of a rule with a clock for each
   friend bool operator==(const Starving&, const Starving&) = default;
 };
 
 /// A starvation rule with a clock: a nested `struct Clock` of plain numbers that lists its members by `fields()`; checkpoints
-/// hold it. `start(view)` returns a clock that starts now: at the start of a run, and after deaths that restart it.
+/// hold it. `start(view)` returns a clock that starts now: at the start of a run, and after deaths that restart it. With a clock
+/// for each species: `start(view, clock, due)`, which restarts those of the species that were due.
 template <class P>
 concept KeepsClock = requires {
   typename P::Clock;
@@ -88,8 +90,11 @@ template <class P>
 }
 
 template <class P>
-[[nodiscard]] ClockOf<P> start(const P& policy, [[maybe_unused]] const View& view) {
-  if constexpr (KeepsClock<P>) {
+[[nodiscard]] ClockOf<P> start(const P& policy, [[maybe_unused]] const View& view, [[maybe_unused]] const ClockOf<P>& clock = {},
+                               [[maybe_unused]] std::span<const Species> due = {}) {
+  if constexpr (requires { policy.start(view, clock, due); }) {
+    return policy.start(view, clock, due);
+  } else if constexpr (KeepsClock<P>) {
     return policy.start(view);
   } else {
     return {};

@@ -10,10 +10,11 @@ namespace trophic::death::starvation {
 /// Returns whether a hunter is exempt. Observers get each hunter for which a choice calls it and that is exempt.
 using IsExempt = std::function<bool(BodyIndex hunter)>;
 
-/// `victims(view, is_exempt)`: returns the hunters that starve in a procedure, in order, each once.
-template <class P>
-concept Choice = requires(const P policy, const View& view, const IsExempt& is_exempt) {
-  { policy.victims(view, is_exempt) } -> std::same_as<std::vector<BodyIndex>>;
+/// `victims(view, is_exempt)`: returns the hunters that starve in a procedure, in order, each once. Optional, for by_species: a
+/// last argument `OneSpecies only`, whose hunters starve.
+template <class P, class... Only>
+concept Choice = requires(const P policy, const View& view, const IsExempt& is_exempt, Only... only) {
+  { policy.victims(view, is_exempt, only...) } -> std::same_as<std::vector<BodyIndex>>;
 };
 
 }  // namespace trophic::death::starvation

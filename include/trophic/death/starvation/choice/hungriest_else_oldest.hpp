@@ -15,8 +15,8 @@ struct HungriestElseOldest {
   static constexpr std::string_view name = "hungriest_else_oldest";
   static constexpr std::string_view source = "paper: silent; a reading of Sec. \"Predator Death\"";
 
-  [[nodiscard]] std::vector<BodyIndex> victims(const View& view, const IsExempt& is_exempt) const {
-    auto hunters = detail::by_hunger(view);
+  [[nodiscard]] std::vector<BodyIndex> victims(const View& view, const IsExempt& is_exempt, OneSpecies only = {}) const {
+    auto hunters = detail::by_hunger(view, only);
     if (hunters.empty()) return {};
     std::ranges::sort(hunters.begin() + 1, hunters.end(), {}, [&](BodyIndex body) { return view.robots[body].id; });
     const auto dying = std::ranges::find_if_not(hunters, is_exempt);

@@ -15,8 +15,8 @@ struct HungriestNonexempt {
   static constexpr std::string_view name = "hungriest_nonexempt";
   static constexpr std::string_view source = "paper, Sec. \"Predator Death\"; silent on the measure of age: released code's";
 
-  [[nodiscard]] std::vector<BodyIndex> victims(const View& view, const IsExempt& is_exempt) const {
-    const auto hunters = detail::by_hunger(view);
+  [[nodiscard]] std::vector<BodyIndex> victims(const View& view, const IsExempt& is_exempt, OneSpecies only = {}) const {
+    const auto hunters = detail::by_hunger(view, only);
     const auto dying = std::ranges::find_if_not(hunters, is_exempt);
     return dying != hunters.end() ? std::vector{*dying} : std::vector<BodyIndex>{};
   }

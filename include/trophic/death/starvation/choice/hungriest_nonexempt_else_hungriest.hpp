@@ -13,8 +13,8 @@ struct HungriestNonexemptElseHungriest {
   static constexpr std::string_view name = "hungriest_nonexempt_else_hungriest";
   static constexpr std::string_view source = "released code";
 
-  [[nodiscard]] std::vector<BodyIndex> victims(const View& view, const IsExempt& is_exempt) const {
-    const auto hunters = detail::by_hunger(view);
+  [[nodiscard]] std::vector<BodyIndex> victims(const View& view, const IsExempt& is_exempt, OneSpecies only = {}) const {
+    const auto hunters = detail::by_hunger(view, only);
     if (hunters.empty()) return {};
     const auto dying = std::ranges::find_if_not(hunters, is_exempt);
     return {dying != hunters.end() ? *dying : hunters.front()};

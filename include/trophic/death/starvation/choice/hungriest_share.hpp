@@ -24,8 +24,8 @@ struct HungriestShare {
   };
   Params params;
 
-  [[nodiscard]] std::vector<BodyIndex> victims(const View& view, const IsExempt& is_exempt) const {
-    const auto hunters = detail::by_hunger(view);
+  [[nodiscard]] std::vector<BodyIndex> victims(const View& view, const IsExempt& is_exempt, OneSpecies only = {}) const {
+    const auto hunters = detail::by_hunger(view, only);
     const auto most = static_cast<std::size_t>(std::ceil(params.share * static_cast<double>(hunters.size())));
     std::vector<BodyIndex> dying;
     for (auto hunter = hunters.begin(); hunter != hunters.end() && dying.size() < most; ++hunter) {

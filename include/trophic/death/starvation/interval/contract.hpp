@@ -17,11 +17,11 @@ struct StarvationClock {
 };
 
 /// `interval_ticks(view)`: returns the ticks between two starvation procedures as of now; `due(clock, view)`: returns whether
-/// one takes place at this tick.
-template <class P>
-concept Interval = requires(const P policy, const StarvationClock& clock, const View& view) {
-  { policy.interval_ticks(view) } -> std::same_as<std::int64_t>;
-  { policy.due(clock, view) } -> std::same_as<bool>;
+/// one takes place at this tick. Optional, for by_species: a last argument `OneSpecies only`, whose hunters count.
+template <class P, class... Only>
+concept Interval = requires(const P policy, const StarvationClock& clock, const View& view, Only... only) {
+  { policy.interval_ticks(view, only...) } -> std::same_as<std::int64_t>;
+  { policy.due(clock, view, only...) } -> std::same_as<bool>;
 };
 
 }  // namespace trophic::death::starvation

@@ -19,9 +19,11 @@ struct DirectCrowdingInterval {
   using Params = detail::Crowding;
   Params params;
 
-  [[nodiscard]] std::int64_t interval_ticks(const View& view) const { return detail::interval_ticks(params, view); }
-  [[nodiscard]] bool due(const StarvationClock& clock, const View& view) const {
-    return detail::is_due(params, interval_ticks(view), clock.last_tick, view);
+  [[nodiscard]] std::int64_t interval_ticks(const View& view, OneSpecies only = {}) const {
+    return detail::interval_ticks(params, view, only);
+  }
+  [[nodiscard]] bool due(const StarvationClock& clock, const View& view, OneSpecies only = {}) const {
+    return detail::is_due(params, interval_ticks(view, only), clock.last_tick, view, only);
   }
 };
 static_assert(Interval<DirectCrowdingInterval>);

@@ -10,8 +10,10 @@ namespace trophic::death::starvation::interval {
 struct NeverDue {
   static constexpr std::string_view name = "never_due";
   static constexpr std::string_view source = "control";
-  [[nodiscard]] std::int64_t interval_ticks(const View&) const { return std::numeric_limits<std::int64_t>::max(); }
-  [[nodiscard]] bool due(const StarvationClock&, const View&) const { return false; }
+  [[nodiscard]] std::int64_t interval_ticks(const View&, OneSpecies = {}) const {
+    return std::numeric_limits<std::int64_t>::max();
+  }
+  [[nodiscard]] bool due(const StarvationClock&, const View&, OneSpecies = {}) const { return false; }
 };
 static_assert(Interval<NeverDue>);
 

@@ -6,11 +6,13 @@
 
 namespace trophic::death::starvation::choice::detail {
 
-/// The bodies of all hunters, the hungriest (most ticks since birth or the last catch) first. Ties: the earlier born first.
-[[nodiscard]] inline std::vector<BodyIndex> by_hunger(const View& view) {
+/// The bodies of all hunters, or of one species, the hungriest (most ticks since birth or the last catch) first. Ties: the
+/// earlier born first.
+[[nodiscard]] inline std::vector<BodyIndex> by_hunger(const View& view, OneSpecies only) {
   std::vector<BodyIndex> hunters;
   for (BodyIndex body = 0; body < view.robots.size(); ++body) {
-    if (view.web.hunts(view.robots[body].species)) hunters.push_back(body);
+    const Species species = view.robots[body].species;
+    if (only ? species == *only : view.web.hunts(species)) hunters.push_back(body);
   }
   std::ranges::sort(hunters, [&](BodyIndex a, BodyIndex b) {
     const Individual& first = view.robots[a];

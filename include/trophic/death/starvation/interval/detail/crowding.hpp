@@ -20,13 +20,14 @@ struct Crowding {
 };
 
 /// Delta = base - p, p the number of hunters; never below min_interval.
-[[nodiscard]] inline std::int64_t interval_ticks(const Crowding& crowding, const View& view) {
-  return std::max(crowding.min_interval_ticks, crowding.base_ticks - static_cast<std::int64_t>(view.count_hunters()));
+[[nodiscard]] inline std::int64_t interval_ticks(const Crowding& crowding, const View& view, OneSpecies only) {
+  return std::max(crowding.min_interval_ticks, crowding.base_ticks - static_cast<std::int64_t>(view.count_hunters(only)));
 }
 
 /// Whether `interval` ticks have passed since the last procedure and there are enough hunters for another one.
-[[nodiscard]] inline bool is_due(const Crowding& crowding, std::int64_t interval, std::int64_t last_tick, const View& view) {
-  return view.tick - last_tick >= interval && view.count_hunters() > crowding.only_above;
+[[nodiscard]] inline bool is_due(const Crowding& crowding, std::int64_t interval, std::int64_t last_tick, const View& view,
+                                 OneSpecies only) {
+  return view.tick - last_tick >= interval && view.count_hunters(only) > crowding.only_above;
 }
 
 }  // namespace trophic::death::starvation::interval::detail
