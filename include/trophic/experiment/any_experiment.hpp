@@ -13,10 +13,12 @@
 
 namespace trophic {
 
-/// Returns the decision of a species' brain with these weights for these inputs. A brain with a State has its initial one. Throws
-/// std::invalid_argument for inputs or weights that the brain does not take.
+/// Returns what a species' brain with these weights does for these inputs, a whole number for each act of its table: the tag, and
+/// of another act whether its value is below (-1), at (0) or above (1) the middle of its bounds, as the side of a turn; of an act
+/// without bounds its default. A brain with a State has its initial one. Throws std::invalid_argument for inputs or weights that
+/// the brain does not take.
 using AskBrain =
-    std::function<control::Decision(Species species, std::span<const double> inputs, std::span<const double> weights)>;
+    std::function<std::vector<int>(Species species, std::span<const double> inputs, std::span<const double> weights)>;
 
 /// Starts with the parameters of its rule table and backend.
 class AnyExperiment {

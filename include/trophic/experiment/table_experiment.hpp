@@ -63,7 +63,20 @@ class TableExperiment final : public AnyExperiment {
       check(control::ask::fits(brain, weights, shape), "weights", weights.size(), control::ask::demand(brain, shape));
       StateOf<Brain> own{};
       std::array<double, Acts::outputs> outputs{};
-      return control::ask::decide<Acts>(brain, own, inputs, weights, std::span{outputs});
+      const control::Decision decision = control::ask::decide<Acts>(brain, own, inputs, weights, std::span{outputs});
+      std::vector<int> choices;
+      Acts::each(outputs, [&]<class One>(std::size_t, std::span<const double, One::outputs> out) {
+        if constexpr (std::same_as<One, control::acts::Tag>) {
+          choices.push_back(decision.tag);
+        } else {
+          auto value = static_cast<double>(One::value(out));
+          if constexpr (std::same_as<One, control::acts::Turn>) value = decision.target_angle_rad;
+          constexpr bool has_bounds = One::most - One::least < std::numeric_limits<double>::infinity();
+          constexpr double middle = has_bounds ? 0.5 * (One::least + One::most) : static_cast<double>(One::by_default);
+          choices.push_back((value > middle ? 1 : 0) - (value < middle ? 1 : 0));
+        }
+      });
+      return choices;
     };
   }
 
