@@ -127,7 +127,7 @@ Json column_of(const TickSight& sight, Cell&& cell) {
   return column;
 }
 
-Json robots_of(const TickSight& sight) {
+Json robots_of(const TickSight& sight, const RunFacts& facts) {
   const auto or_none = [&](auto value, const io::AgentRow& row) { return sight.are_spare[row.body] ? Json(-1) : Json(value); };
   const auto rounded = [](double value) { return std::round(value * 1e4) / 1e4; };
   Json tick{{"kind", "tick"},
@@ -144,6 +144,14 @@ Json robots_of(const TickSight& sight) {
             {"hunger", column_of(sight, [](const io::AgentRow& row) { return or_null(row.hunger_ticks); })}};
   for (const auto& [name, values_J] : {std::pair{"stock", &sight.stock_J}, {"food", &sight.food_J}}) {
     for (const double value_J : *values_J) tick[name].push_back(rounded(value_J));
+  }
+  const std::vector<std::string> acts =
+      facts.description.outputs.empty() ? std::vector<std::string>{"turn", "tag"} : facts.description.outputs;
+  for (const io::AgentRow& row : sight.rows) {
+    const bool is_known = row.body < sight.outputs.size() && sight.outputs[row.body].size() == acts.size();
+    for (std::size_t i = 0; i < acts.size(); ++i) {
+      tick["outputs"][acts[i]].push_back(is_known ? Json(rounded(sight.outputs[row.body][i])) : Json(nullptr));
+    }
   }
   return tick;
 }
@@ -189,7 +197,7 @@ std::vector<SharedMessage> tick_messages(const TickSight& sight, const RunFacts&
   }
   if (sight.rows.empty()) return messages;
   messages.push_back(std::make_shared<Message>(
-      Message{.kind = Message::Kind::tick, .text = json_text(robots_of(sight)), .is_last = sight.is_last}));
+      Message{.kind = Message::Kind::tick, .text = json_text(robots_of(sight, facts)), .is_last = sight.is_last}));
   return messages;
 }
 

@@ -106,6 +106,11 @@ command::replay::Track Sight::track_of(std::size_t body, double from_s, const Vi
   return track;
 }
 
+void Sight::on_decision(const observe::DecisionRecord& record, const View& view) {
+  sight_->outputs.resize(view.robots.size());
+  sight_->outputs[record.body].assign(record.outputs.begin(), record.outputs.end());
+}
+
 void Sight::on_tick(const View& view) {
   sight_->time_s = view.time_s;
   sight_->tick = view.tick;

@@ -32,6 +32,8 @@ class Sight {
   void on_change(const observe::RunDescription& run, const View& view);
   void on_frame(const observe::Frame& frame);
   void on_event(const observe::Event& event, const View& view);
+  [[nodiscard]] bool wants_decisions() const { return is_full_; }
+  void on_decision(const observe::DecisionRecord& record, const View& view);
   void on_tick(const View& view);
 
  private:

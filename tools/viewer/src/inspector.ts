@@ -54,6 +54,9 @@ export class Inspector {
       const angle = (agents.targetAngle[at] * 180) / Math.PI;
       const turn = Math.abs(angle) < 0.5 ? "walks straight ahead" : `turns ${fixed(Math.abs(angle), 0)}° to the ${angle >= 0 ? "right" : "left"}`;
       rows.push(["brain", `${turn}, shows tag ${agents.tag[at] > 0 ? "+" : ""}${agents.tag[at]}`]);
+      const told = run.senses ? run.senses.outputs(agents.line[at]) : [...agents.outputs].map(([act, values]): [string, number] => [act, values[at]]);
+      const outputs = told.filter(([, value]) => !Number.isNaN(value));
+      if (outputs.length > 0) rows.push(["outputs", outputs.map(([act, value]) => `${plain(act.replaceAll("_", " "))} ${fixed(value, 2)}`).join(", ")]);
       if (run.senses) rows.push(...sensed(run.senses, agents.line[at]));
       for (const [name, column] of agents.extra) rows.push([plain(name), column[agents.line[at]] === "" ? "–" : plain(column[agents.line[at]])]);
       if (places) rows.push(["place", `${fixed(places.drawn[3 * body], 2)}, ${fixed(places.drawn[3 * body + 1], 2)} m`]);
@@ -84,7 +87,7 @@ function wayTo({ drawn, headings }: Drawn, from: number, to: number): string {
   return `${fixed(Math.hypot(dx, dy), 1)} m ${directionWords(Math.atan2(dy, dx) - headings[from])}`;
 }
 
-/** Contacts of a robot, inputs and outputs of its brain, and the outcome of its choice. */
+/** Contacts of a robot, inputs of its brain, and the outcome of its choice. */
 function sensed(senses: Senses, row: number): [string, string][] {
   const rows: [string, string][] = [];
   const cell = (name: string): string => senses.cell(name, row);
@@ -92,7 +95,6 @@ function sensed(senses: Senses, row: number): [string, string][] {
   const told = senses.told(row);
   if (told.length > 0) {
     rows.push(["brain's inputs", told.map(([name, value]) => `${plain(name.replaceAll("_", " "))} ${number(value)}`).join(", ")]);
-    if (cell("angle_output") !== "") rows.push(["outputs", `angle ${number(cell("angle_output"))}, tag ${number(cell("tag_output"))}`]);
     const became: Record<string, string> = { kept: "as before", switched: "switched now", denied: "denied" };
     const tag = Number(cell("chosen_tag"));
     rows.push(["wants tag", `${tag > 0 ? "+" : ""}${tag}, ${became[cell("tag_outcome")] ?? plain(cell("tag_outcome"))}`]);

@@ -43,6 +43,8 @@ export interface LiveTick {
   angle: number[];
   adversary: (number | null)[];
   hunger: (number | null)[];
+  /** Outputs of brains, by act; null if a brain was not evaluated. */
+  outputs?: Record<string, (number | null)[]>;
   /** In a world with energy: of each species, and in each cell of the floor, J. */
   stock?: number[];
   food?: number[];
@@ -116,6 +118,7 @@ export class Agents {
   hunger = new Float32Array(0); // NaN: has no prey
   line = new Int32Array(0); // rows of the file
   readonly extra = new Map<string, string[]>(); // by row of the file
+  readonly outputs = new Map<string, Float32Array>(); // of brains in a live run, by act; NaN: not evaluated
   firstTick = 0;
   ticks = 0;
 
@@ -155,7 +158,7 @@ export class Agents {
     this.reserve(wanted * robots);
     for (; this.ticks > 0 && this.ticks < wanted - 1; ++this.ticks) {
       const to = this.ticks * robots;
-      for (const name of columns) this[name].copyWithin(to, to - robots, to);
+      for (const column of [...columns.map((name) => this[name]), ...this.outputs.values()]) column.copyWithin(to, to - robots, to);
     }
     const at = (wanted - 1) * robots;
     this.id.set(tick.id, at);
@@ -165,6 +168,12 @@ export class Agents {
     this.targetAngle.set(tick.angle, at);
     this.adversary.set(tick.adversary.map((id) => id ?? -1), at);
     this.hunger.set(tick.hunger.map((ticks) => ticks ?? NaN), at);
+    for (const [act, values] of Object.entries(tick.outputs ?? {})) {
+      const known = this.outputs.get(act) ?? new Float32Array(0);
+      const column = known.length < this.id.length ? grown(known, this.id.length) : known;
+      column.set(values.map((value) => value ?? NaN), at);
+      this.outputs.set(act, column);
+    }
     this.ticks = wanted;
   }
 
@@ -193,6 +202,12 @@ export class Senses {
   /** Inputs of the brain in a row: (sensor, value); empty if it was not evaluated. */
   told(row: number): [string, string][] {
     return this.inputs.map((name, i): [string, string] => [name, this.cell(`input${i}`, row)]).filter(([, value]) => value !== "");
+  }
+
+  /** Outputs of the brain in a row: (act, value), NaN if it was not evaluated. The column of the act turn is angle_output. */
+  outputs(row: number): [string, number][] {
+    const columns = this.table.names.filter((name) => name.endsWith("_output"));
+    return columns.map((name) => [name === "angle_output" ? "turn" : name.slice(0, -"_output".length), parseFloat(this.cell(name, row))]);
   }
 
   /** A cell, or an empty text behind the table's end. */

@@ -566,7 +566,7 @@ test("inspector: run with senses.csv -> a brain's inputs, outputs and wanted tag
     await opened.seek(Number(row.time_s), Number(row.id));
     const said = await opened.inspected();
     assert.equal(said["brain's inputs"], inputs.map((name, i) => `${name.replaceAll("_", " ")} ${fixed(row[`input${i}`])}`).join(", "));
-    assert.equal(said.outputs, `angle ${fixed(row.angle_output)}, tag ${fixed(row.tag_output)}`);
+    assert.equal(said.outputs, `turn ${fixed(row.angle_output)}, tag ${fixed(row.tag_output)}`);
     assert.equal(said["wants tag"], `${Number(row.chosen_tag) > 0 ? "+" : ""}${row.chosen_tag}, ${{ denied: "denied", kept: "as before", switched: "switched now" }[wish]}`);
     assert.equal(said.touches, undefined); // points have no bodies
   }

@@ -179,7 +179,7 @@ test("live: individuals with bodies of their own -> each is drawn in its own", a
   assert.deepEqual(settled, settled.map(([id]) => [id, Number(born.get(id)[header.indexOf("hinges")])]));
 });
 
-test("live: numbers that change -> the living are drawn and no others, on their food", async () => {
+test("live: numbers that change -> the living are drawn and no others, on their food, with the outputs of brains", async () => {
   const run = await start("pond", process.env.WORLDS, ["--rules", "pond", "--backend", "kinematic", "--duration", "200", "--out", at("pond")]);
   const opened = await open(run.address);
   await opened.page.locator(".controls select").selectOption("0");
@@ -187,6 +187,8 @@ test("live: numbers that change -> the living are drawn and no others, on their 
   await opened.until(() => window.trophic.live.state.over && window.trophic.time === 200 && window.trophic.settled);
   const [drawn, curves] = await opened.evaluate(() => [[...window.trophic.worlds[0].drawn], window.trophic.run.energy.bySpecies.map((curve) => curve.length)]);
   await opened.untilPixels("#9cc47f", (count) => count > 3000);
+  await opened.seek(200, await opened.evaluate(() => [...window.trophic.run.individuals.values()].find(({ birth, death }) => birth < 190 && death === Infinity).id));
+  assert.match((await opened.inspected()).outputs, /^turn -?\d\.\d\d, tag -?\d\.\d\d$/);
   assert.deepEqual(opened.complaints, []);
   await opened.page.close();
   const last = readFileSync(join(at("pond"), "agents.csv"), "utf8").trim().split("\n").map((line) => line.split(",")).filter((cells) => cells[0] === "200");
