@@ -27,12 +27,20 @@ using Table = named<with_ecology<with_params<Dying,
                                              [](auto& params) {
                                                params.pace.template get<1>().factor = 1.3;
                                                params.sensors.template get<1>().template get<0>().field_rad = 1.6;
-                                               params.recruitment = {.spare_bodies = 40, .birth_J = 80.0, .share = 0.5};
-                                               params.metabolism.template get<1>().bite_W = 0.0;
-                                               params.community.predators = 8;
+                                               params.recruitment = {.spare_bodies = 90, .birth_J = 80.0, .share = 0.5};
+                                               params.resource = {
+                                                   .capacity_J_m2 = 15.0, .growth_1_s = 0.006, .seed_1_s = 0.002, .season = 0.0};
+                                               params.metabolism.template get<0>() = {
+                                                   .first_J = 30.0, .resting_W = 0.05, .walking_J_per_m = 1.0, .bite_W = 0.4};
+                                               params.metabolism.template get<1>() = {.first_J = 30.0,
+                                                                                      .capacity_J = 300.0,
+                                                                                      .resting_W = 0.05,
+                                                                                      .walking_J_per_m = 1.0,
+                                                                                      .efficiency = 0.3};
+                                               params.community.predators = 12;
                                              }>,
                                  [](EcologyParams& ecology) {
-                                   ecology.robots = 80;
+                                   ecology.robots = 150;
                                    ecology.arena = "refuges";
                                  }>,
                     "hide_and_seek">;
