@@ -17,11 +17,10 @@ namespace {
 
 kernel::PlacedBox box_of(const Reference& reference, int geom) {
   kernel::PlacedBox box;
-  for (int i = 0; i < 3; ++i) {
-    box.centre_m[i] = reference.data.geom_xpos[3 * geom + i];
-    box.half_m[i] = reference.model.geom_size[3 * geom + i];
-    for (int k = 0; k < 3; ++k) box.axis[k][i] = reference.data.geom_xmat[9 * geom + 3 * i + k];
-  }
+  const mjtNum* const turn = reference.data.geom_xmat + 9 * geom;
+  std::copy_n(reference.data.geom_xpos + 3 * geom, 3, box.centre_m.begin());
+  std::copy_n(reference.model.geom_size + 3 * geom, 3, box.half_m.begin());
+  for (std::size_t k = 0; k < 3; ++k) box.axis[k] = {turn[k], turn[3 + k], turn[6 + k]};
   return box;
 }
 

@@ -47,6 +47,19 @@ struct LaneIndex {
   [[nodiscard]] std::size_t slot() const { return pack * lane_count + lane; }
 };
 
+/// Box `box` of a link of the robot in one lane.
+struct BoxOf {
+  std::size_t box;
+  std::size_t link;
+  LaneIndex at;
+};
+
+/// Two boxes whose spheres overlap, the second's robot `apart_m` from the first's.
+struct NearBoxes {
+  std::array<BoxOf, 2> of;
+  Point3 apart_m;
+};
+
 /// One contact of two links, of one robot or of two.
 struct LinkContact {
   std::array<LaneIndex, 2> at;
@@ -129,6 +142,7 @@ struct Batch {
   std::size_t pack_count = 0;                        ///< packs in use; the others only keep their memory
   std::vector<std::array<LaneIndex, 2>> neighbours;  ///< robots that may touch, the earlier one of each pair first
   std::vector<LaneIndex> order;                      ///< all robots; a robot's motion depends on this order, not on its lane
+  std::vector<NearBoxes> near_boxes;
   std::vector<LinkContact> link_contacts;
   UnionFind step_sets;                 ///< robots that MuJoCo must step together, if it must step one of them
   UnionFind island_sets;               ///< robots coupled by contacts in this stage
@@ -136,13 +150,10 @@ struct Batch {
   std::vector<std::size_t> rank_of;    ///< of each slot among the lanes of its island
   std::vector<IslandWork> islands;
   std::size_t island_count = 0;
-  std::vector<std::uint8_t> last_gap;  ///< which axis last separated two boxes of two robots; a guess, as many share an entry
-  BoxCollider collider;
+  bool whole_depth;  ///< of faces of boxes in boxes
   std::optional<FieldCollider> field_collider;
 
-  explicit Batch(mujoco::BoxDepth box_depth) : last_gap(gaps), collider{box_depth} {}
-
-  static constexpr std::size_t gaps = 1u << 13;
+  explicit Batch(mujoco::BoxDepth box_depth) : whole_depth{box_depth == mujoco::BoxDepth::whole || !mujoco::halves_box_depth} {}
 
   [[nodiscard]] Pack& pack(const LaneIndex& at) { return *packs[at.pack]; }
   [[nodiscard]] const Pack& pack(const LaneIndex& at) const { return *packs[at.pack]; }

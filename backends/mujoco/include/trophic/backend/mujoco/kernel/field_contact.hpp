@@ -123,7 +123,7 @@ class FieldCollider {
  private:
   /// Fills `found_` by MuJoCo's function and returns the number of contacts.
   std::size_t find_by_engine(const PlacedBox& box, const std::array<double, 3>& origin_m) {
-    std::copy_n(box.half_m, 3, model_.geom_size + 3 * box_);
+    std::copy_n(box.half_m.data(), 3, model_.geom_size + 3 * box_);
     const auto& [x, y, z] = box.half_m;
     model_.geom_rbound[box_] = std::sqrt(x * x + y * y + z * z);
     place_geom(*data_, box_, box, origin_m);

@@ -34,45 +34,13 @@ TROPHIC_LANES_INLINE void place_centres(const LaneModel& model, Workspace& work)
   if (work.box_placed[slot] != 0) return placed;
   work.box_placed[slot] = 1;
   const KernelBox& from = model.boxes[box];
+  placed.half_m = from.geom_half_extents_m;
   for (std::size_t k = 0; k < 3; ++k) {
     placed.centre_m[k] = work.box_centres[box][static_cast<int>(k)][lane];
-    placed.half_m[k] = from.geom_half_extents_m[k];
-    for (int i = 0; i < 3; ++i) placed.axis[k][i] = rotated(link.rotation, from.geom_axes.data() + 3 * k, i, lane);
+    for (int i = 0; i < 3; ++i)
+      placed.axis[k][static_cast<std::size_t>(i)] = rotated(link.rotation, from.geom_axes.data() + 3 * k, i, lane);
   }
   return placed;
-}
-
-/// Whether the k-th of the 15 axes that can separate two boxes (their face normals and the products of their edges) does, with
-/// `between_m` from the first's centre to the second's.
-[[nodiscard]] TROPHIC_LANES_INLINE bool gap_along(const PlacedBox& a, const PlacedBox& b, const double (&between_m)[3],
-                                                  unsigned k) {
-  constexpr double gap_m = 1e-7;  // far above rounding, far below anything that matters
-  double axis[3];
-  if (k < 6) {
-    std::copy_n(k < 3 ? a.axis[k] : b.axis[k - 3], 3, axis);
-  } else {
-    const double* const u = a.axis[(k - 6) / 3];
-    const double* const v = b.axis[(k - 6) % 3];
-    for (int i = 0; i < 3; ++i) axis[i] = u[(i + 1) % 3] * v[(i + 2) % 3] - u[(i + 2) % 3] * v[(i + 1) % 3];
-  }
-  const auto along = [&](const double* vector) {
-    return std::abs(vector[0] * axis[0] + vector[1] * axis[1] + vector[2] * axis[2]);
-  };
-  double reach_m = gap_m;
-  for (int i = 0; i < 3; ++i) reach_m += a.half_m[i] * along(a.axis[i]) + b.half_m[i] * along(b.axis[i]);
-  return along(between_m) > reach_m;
-}
-
-/// Whether any of the 15 axes shows a gap; the one that did is kept in `last` and tried first.
-[[nodiscard]] TROPHIC_LANES_INLINE bool separated(const PlacedBox& a, const PlacedBox& b, const double (&between_m)[3],
-                                                  std::uint8_t& last) {
-  if (gap_along(a, b, between_m, last)) return true;
-  for (unsigned k = 0; k < 15; ++k) {
-    if (!gap_along(a, b, between_m, k)) continue;
-    last = static_cast<std::uint8_t>(k);
-    return true;
-  }
-  return false;
 }
 
 /// Lanes in which spheres around two centres overlap.
@@ -81,59 +49,65 @@ TROPHIC_LANES_INLINE void place_centres(const LaneModel& model, Workspace& work)
   return lane_bits(dot(between, between) <= radius_m * radius_m);
 }
 
-/// A link of the robot in one lane.
-struct LinkOf {
-  std::size_t link;
-  LaneIndex at;
-};
-
-/// Appends the contacts of two boxes, or marks both robots as doubtful.
-[[gnu::noinline]] inline void add_box_contacts(const PlacedBox& box_a, const PlacedBox& box_b, const LinkOf& a, const LinkOf& b,
-                                               const std::array<double, 3>& apart_m, Batch& batch) {
+/// Appends the contacts of two boxes, or marks both robots as doubtful: where edges are parallel to edges or faces, and where two
+/// points are the same but for rounding, that decides which points MuJoCo finds.
+TROPHIC_LANES_INLINE void add_box_contacts(const NearBoxes& near, const BoxOverlap& overlap, Batch& batch) {
+  constexpr double rounding_m2 = 1e-20;
+  const auto& [a, b] = near.of;
+  bool sure = !overlap.aligned;
+  for (std::size_t c = 0; c < overlap.count && sure; ++c) {
+    for (std::size_t other = 0; other < c; ++other) {
+      const Point3 between_m = minus(overlap.points_m[c], overlap.points_m[other]);
+      sure &= dot3(between_m, between_m) >= rounding_m2;
+    }
+  }
   const std::size_t known = batch.link_contacts.size();
-  const bool sure = batch.collider.collide(box_a, box_b, apart_m, [&](const BoxContact& contact) {
-    std::array<double, 3> from_b = contact.point_m;
-    for (std::size_t k = 0; k < 3; ++k) from_b[k] -= apart_m[k];
-    batch.link_contacts.push_back({{a.at, b.at}, {a.link, b.link}, {contact.point_m, from_b}, contact.frame, contact.depth_m});
-  });
+  const auto frame = contact_frame(overlap.normal.data());
+  const double scale = overlap.on_face && batch.whole_depth ? 2.0 : 1.0;
+  for (std::size_t c = 0; c < overlap.count && sure; ++c) {
+    if (!(overlap.depths_m[c] < 0.0)) continue;
+    const Point3& point = overlap.points_m[c];
+    batch.link_contacts.push_back(
+        {{a.at, b.at}, {a.link, b.link}, {point, minus(point, near.apart_m)}, frame, scale * overlap.depths_m[c]});
+  }
   if (!sure) batch.pack(a.at).work.doubtful[a.at.lane] = batch.pack(b.at).work.doubtful[b.at.lane] = -1;
   if (a.at == b.at || (sure && batch.link_contacts.size() == known)) return;
   batch.step_sets.unite(a.at, b.at);
   batch.island_sets.unite(a.at, b.at);
 }
 
-/// Appends the contacts of box `i` of a link and box `j` of another, whose spheres overlap: separating axes, then MuJoCo's test.
-/// `apart_m`: from the origin of a's robot to that of b's; `between_m`: from the first box's centre to the second's;
-/// `last_gap`: a guess at the axis that separates them.
-[[gnu::noinline]] inline void collide_boxes(const LinkOf& a, std::size_t i, const LinkOf& b, std::size_t j,
-                                            const std::array<double, 3>& apart_m, const double (&between_m)[3],
-                                            std::uint8_t& last_gap, Batch& batch) {
-  Pack& pack_a = batch.pack(a.at);
-  Pack& pack_b = batch.pack(b.at);
-  const PlacedBox& box_a = placed_box(pack_a.model.body(a.at.lane), pack_a.work.links[a.link], i, a.at.lane, pack_a.work);
-  const PlacedBox& box_b = placed_box(pack_b.model.body(b.at.lane), pack_b.work.links[b.link], j, b.at.lane, pack_b.work);
-  if (!separated(box_a, box_b, between_m, last_gap)) add_box_contacts(box_a, box_b, a, b, apart_m, batch);
+/// Appends the contacts of all boxes whose spheres overlap.
+TROPHIC_LANES_INLINE void collide_boxes(Batch& batch) {
+  constexpr double gap_m = 1e-7;  // far above rounding, far below anything that matters
+  const auto placed = [&](const BoxOf& of) -> const PlacedBox& {
+    Pack& pack = batch.pack(of.at);
+    return placed_box(pack.model.body(of.at.lane), pack.work.links[of.link], of.box, of.at.lane, pack.work);
+  };
+  for (const NearBoxes& near : batch.near_boxes) {
+    BoxOverlap overlap{placed(near.of[0]), placed(near.of[1]), near.apart_m};
+    if (overlap.separated(gap_m)) continue;
+    overlap.meet();
+    add_box_contacts(near, overlap, batch);
+  }
 }
 
-/// Contacts of the boxes of links of two robots.
-TROPHIC_LANES_INLINE void collide_links(const LinkOf& a, const LinkOf& b, const std::array<double, 3>& apart_m, Batch& batch) {
+/// Boxes of links of two robots whose spheres overlap.
+TROPHIC_LANES_INLINE void collide_links(const BoxOf& a, const BoxOf& b, const Point3& apart_m, Batch& batch) {
   const Pack& pack_a = batch.pack(a.at);
   const Pack& pack_b = batch.pack(b.at);
   const KernelLink& link_a = pack_a.model.body(a.at.lane).links[a.link];
   const KernelLink& link_b = pack_b.model.body(b.at.lane).links[b.link];
   for (std::size_t i = link_a.first_box; i < link_a.first_box + link_a.boxes; ++i) {
     for (std::size_t j = link_b.first_box; j < link_b.first_box + link_b.boxes; ++j) {
-      double between_m[3];
       double square_m2 = 0.0;
       for (std::size_t k = 0; k < 3; ++k) {
         const int axis = static_cast<int>(k);
-        between_m[k] = pack_b.work.box_centres[j][axis][b.at.lane] + apart_m[k] - pack_a.work.box_centres[i][axis][a.at.lane];
-        square_m2 += between_m[k] * between_m[k];
+        const double between_m =
+            pack_b.work.box_centres[j][axis][b.at.lane] + apart_m[k] - pack_a.work.box_centres[i][axis][a.at.lane];
+        square_m2 += between_m * between_m;
       }
       const double reach_m = pack_a.model.body(a.at.lane).boxes[i].radius_m + pack_b.model.body(b.at.lane).boxes[j].radius_m;
-      if (square_m2 > reach_m * reach_m) continue;
-      const std::size_t pair = ((a.at.slot() * 61 + i) * 31 + b.at.slot()) * 61 + j;
-      collide_boxes(a, i, b, j, apart_m, between_m, batch.last_gap[pair % Batch::gaps], batch);
+      if (square_m2 <= reach_m * reach_m) batch.near_boxes.push_back({{BoxOf{i, a.link, a.at}, BoxOf{j, b.link, b.at}}, apart_m});
     }
   }
 }
@@ -142,7 +116,6 @@ TROPHIC_LANES_INLINE void collide_links(const LinkOf& a, const LinkOf& b, const 
 TROPHIC_LANES_INLINE void collide_own_links(Batch& batch, std::size_t index, unsigned lanes) {
   const LaneModel& model = batch.packs[index]->model;
   Workspace& work = batch.packs[index]->work;
-  const std::size_t boxes = model.boxes.size();
   for (const LinkPair& pair : model.shape().pairs) {
     const LaneLink& first = model.links[pair.first];
     const LaneLink& second = model.links[pair.second];
@@ -156,11 +129,8 @@ TROPHIC_LANES_INLINE void collide_own_links(Batch& batch, std::size_t index, uns
         unsigned hits = overlapping(centre, work.box_centres[j], model.boxes[i].radius_m + model.boxes[j].radius_m) & near;
         for (; hits != 0; hits &= hits - 1) {
           const auto lane = static_cast<std::size_t>(std::countr_zero(hits));
-          double between_m[3];
-          for (int k = 0; k < 3; ++k) between_m[k] = work.box_centres[j][k][lane] - centre[k][lane];
           const LaneIndex at = {index, lane};
-          std::uint8_t& last_gap = work.last_gap[(lane * boxes + i) * boxes + j];
-          collide_boxes({pair.first, at}, i, {pair.second, at}, j, {}, between_m, last_gap, batch);
+          batch.near_boxes.push_back({{BoxOf{i, pair.first, at}, BoxOf{j, pair.second, at}}, {}});
         }
       }
     }
@@ -171,7 +141,7 @@ TROPHIC_LANES_INLINE void collide_own_links(Batch& batch, std::size_t index, uns
 TROPHIC_LANES_INLINE void collide_robots(Batch& batch, const LaneIndex& a, const LaneIndex& b) {
   const Pack& pack_a = batch.pack(a);
   const Pack& pack_b = batch.pack(b);
-  std::array<double, 3> apart_m;
+  Point3 apart_m;
   for (std::size_t k = 0; k < 3; ++k) apart_m[k] = pack_b.current().position[k][b.lane] - pack_a.current().position[k][a.lane];
   const double square_m2 = apart_m[0] * apart_m[0] + apart_m[1] * apart_m[1] + apart_m[2] * apart_m[2];
   const KernelModel& body_a = pack_a.model.body(a.lane);
@@ -187,13 +157,14 @@ TROPHIC_LANES_INLINE void collide_robots(Batch& batch, const LaneIndex& a, const
         between_m2 += between_m * between_m;
       }
       const double reach_m = body_a.links[i].sphere_radius_m + body_b.links[j].sphere_radius_m;
-      if (between_m2 <= reach_m * reach_m) collide_links({i, a}, {j, b}, apart_m, batch);
+      if (between_m2 <= reach_m * reach_m) collide_links({0, i, a}, {0, j, b}, apart_m, batch);
     }
   }
 }
 
 /// All contacts between links of the robots that are `valid`, of one robot or of two; these robots become `coupled`.
 TROPHIC_LANES_INLINE void find_link_contacts(Batch& batch) {
+  batch.near_boxes.clear();
   batch.link_contacts.clear();
   for (std::size_t t = 0; t < batch.pack_count; ++t) {
     std::ranges::fill(batch.packs[t]->work.box_placed, std::uint8_t{0});
@@ -202,6 +173,7 @@ TROPHIC_LANES_INLINE void find_link_contacts(Batch& batch) {
   for (const auto& [a, b] : batch.neighbours) {
     if (batch.pack(a).is_valid(a.lane) && batch.pack(b).is_valid(b.lane)) collide_robots(batch, a, b);
   }
+  collide_boxes(batch);
   for (std::size_t t = 0; t < batch.pack_count; ++t) batch.packs[t]->coupled = 0;
   for (const LinkContact& contact : batch.link_contacts) {
     for (const LaneIndex& at : contact.at) batch.pack(at).coupled |= 1u << at.lane;

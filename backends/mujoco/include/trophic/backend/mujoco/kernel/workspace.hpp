@@ -145,7 +145,6 @@ struct Workspace {
   std::vector<PlacedBox> placed_boxes;   ///< lane by lane, from the origin of each robot's root
   std::vector<std::uint8_t> box_placed;  ///< whether it is computed in this stage
   std::vector<Vec3> box_centres;         ///< of all robots, from the origins of their roots
-  std::vector<std::uint8_t> last_gap;    ///< which axis last separated two boxes of a robot, by lane and boxes
   std::vector<FieldContact> field_contacts;
   std::vector<IslandLink> island_links;
   Mask doubtful{};  ///< lanes in which rounding decides what touches
@@ -169,7 +168,6 @@ struct Workspace {
     placed_boxes.resize(lane_count * boxes);
     box_placed.resize(placed_boxes.size());
     box_centres.resize(boxes);
-    last_gap.resize(lane_count * boxes * boxes);
     island_links.resize(links.size());
     stage.fit(model);
     sum.fit(model);
