@@ -35,8 +35,8 @@ def rows_of(path):
 
 
 def changed(page, number=1):
-    """Waits for a change; returns it."""
-    return page.until(lambda message: message["kind"] == "state" and len(message["changes"]) == number)["changes"][-1]
+    """Waits for a change, which comes alone; returns it."""
+    return page.until(lambda message: message["kind"] == "state" and message["changes"] and message["changes_from"] == number - 1)["changes"][0]
 
 
 class Live(InFolder):

@@ -132,6 +132,8 @@ class Server::Page : public std::enable_shared_from_this<Page> {
     beast::get_lowest_layer(socket_).socket().close(ignored);
   }
 
+  std::size_t told_changes = 0;  ///< of the run
+
  private:
   void write() {
     const Message& message = *waiting_.front();
@@ -287,7 +289,8 @@ void Server::Hub::send(const SharedMessage& message) {
 
 void Server::Hub::tell_state() {
   for (const auto& page : pages_) {
-    Json state = callbacks_.state();
+    Json state = callbacks_.state(page->told_changes);
+    page->told_changes = state["changes_from"].get<std::size_t>() + state["changes"].size();
     state["kind"] = "state";
     state["steers"] = steers(*page);
     state["pages"] = pages_.size();
@@ -299,6 +302,7 @@ void Server::Hub::begin(SharedMessage facts) {
   history_.clear();
   history_bytes_ = 0;
   facts_ = std::move(facts);
+  for (const auto& page : pages_) page->told_changes = 0;
   send(facts_);
 }
 

@@ -27,8 +27,8 @@ struct Callbacks {
   std::function<void(std::size_t pages)> pages;
   /// A message of the page that steers. Returns the sentence of its refusal, empty if it was taken.
   std::function<std::string(const std::string& message)> wish;
-  /// The state that a page is shown.
-  std::function<Json()> state;
+  /// The state that a page is shown, with the run's changes after those that it was `told`.
+  std::function<Json(std::size_t told)> state;
 };
 
 /// Serves in a thread of its own from construction to destruction. The members may be called from any thread.

@@ -51,7 +51,7 @@ class Session final : public command::LiveServer, private Listener {
                 live_page(),
                 {.pages = [this](std::size_t pages) { count(pages); },
                  .wish = [this](const std::string& message) { return follow(message); },
-                 .state = [this] { return state(); }}},
+                 .state = [this](std::size_t told) { return state(told); }}},
         sight_{server_, steering_} {
     std::cout << "live    " << server_.address()
               << "\n        open it in a browser of this machine; the run begins then. From another machine first: ssh -L "
@@ -99,16 +99,18 @@ class Session final : public command::LiveServer, private Listener {
     if (!failure_.empty()) refused(failure_);
   }
 
-  [[nodiscard]] Json state() {
+  [[nodiscard]] Json state(std::size_t told) {
     const Pace pace = steering_.pace();
     Json changes = Json::array();
     const auto [name, made] = steering_.rules();
-    for (const observe::ParameterChange& one : made) {
+    const std::size_t from = told <= made.size() ? told : 0;
+    for (std::size_t i = from; i < made.size(); ++i) {
+      const observe::ParameterChange& one = made[i];
       changes.push_back({{"time_s", one.time_s}, {"number", one.number}, {"value", one.value}, {"before", one.before}});
     }
     const std::lock_guard lock{mutex_};
-    return {
-        {"paused", pace.is_paused}, {"speed", pace.speed}, {"over", is_over_}, {"name", name}, {"changes", std::move(changes)}};
+    return {{"paused", pace.is_paused}, {"speed", pace.speed},          {"over", is_over_}, {"name", name},
+            {"changes_from", from},     {"changes", std::move(changes)}};
   }
 
   /// Does what a page asks for. Returns the sentence of the refusal, empty if there is none.

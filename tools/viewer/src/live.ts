@@ -48,7 +48,7 @@ type Message =
   | { kind: "events"; events: LiveEvent[] }
   | { kind: "bodies"; frame: number; bodies: RobotModel[]; set_down: [number, number][] }
   | ({ kind: "tick" } & LiveTick)
-  | ({ kind: "state" } & LiveState)
+  | ({ kind: "state"; changes_from: number } & LiveState) // its changes from that one on
   | { kind: "refused"; text: string };
 
 export class Live {
@@ -67,6 +67,10 @@ export class Live {
   set state(state: LiveState) {
     this.known = state;
     Object.assign(this.run.index, { name: state.name, changes: state.changes });
+  }
+  /** A state has the run's changes from a number on: those that this page has not seen. */
+  hear(state: LiveState & { changes_from: number }): void {
+    this.state = { ...state, changes: [...this.changes.slice(0, state.changes_from), ...state.changes] };
   }
   get changes(): Change[] {
     return this.known.changes;
@@ -128,6 +132,7 @@ export function connect(listener: LiveListener): void {
       isShown = false;
       return;
     }
+    if (message.kind === "refused") return listener.said(message.text); // also before a run
     if (!live) return;
     switch (message.kind) {
       case "events":
@@ -140,10 +145,8 @@ export function connect(listener: LiveListener): void {
         live.run.addTick(message);
         return grow();
       case "state":
-        live.state = message;
+        live.hear(message);
         return listener.state();
-      case "refused":
-        return listener.said(message.text);
     }
   };
   socket.addEventListener("message", ({ data }: MessageEvent<string | ArrayBuffer>) => {
