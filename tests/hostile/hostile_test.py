@@ -180,29 +180,7 @@ class Damage(Hostile):
 
 
 class Killed(Hostile):
-    """What a killed command leaves does not block the same command."""
-
-    def test_a_killed_command_works_when_it_is_repeated(self):
-        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 400, "--replicates", 2, "--out", "set")
-        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 400, "--replicates", 2, "--seed", 2, "--out", "other")
-        self.done(TROPHIC, "analyze", "set", "--out", "tables")
-        for words in (("analyze", "set"), ("plot", "tables"), ("cross-check", "--seconds", 0, "--runs", "set", "other"), ("show", "set"),
-                      ("contest", "set", "--duration", 20, "--jobs", 1)):
-            with self.subTest(words):
-                out = self.folder / "out.html"
-                for seconds in (0.05, 0.3, 0.9, 1.5):
-                    program = subprocess.Popen([str(word) for word in (TROPHIC, *words, "--out", out)], cwd=self.folder, stdout=subprocess.DEVNULL)
-                    try:
-                        program.wait(seconds)
-                    except subprocess.TimeoutExpired:
-                        program.kill()
-                        program.wait()
-                    if out.exists():
-                        break
-                else:
-                    self.done(TROPHIC, *words, "--out", out)
-                self.assertFalse(pathlib.Path(f"{out}.part").exists())
-                out.unlink() if out.is_file() else shutil.rmtree(out)
+    """tests/program/interrupted_test.py kills the other commands."""
 
     def test_a_stopped_contest_continues(self):
         self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 400, "--replicates", 2, "--out", "set")

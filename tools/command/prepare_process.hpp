@@ -5,6 +5,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
@@ -52,6 +53,7 @@ inline std::terminate_handler die_otherwise = nullptr;  ///< the handler that ex
 
 inline void prepare_process() {
   occupy_closed_streams();
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes makes a write fail, as a full disk does
   if (die_otherwise == nullptr) die_otherwise = std::set_terminate(&exit_with_message);
   use_installed_models();
 }

@@ -18,6 +18,7 @@
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/observe/stop_on_signal.hpp>
+#include <trophic/support/whole_file.hpp>
 
 namespace trophic::command {
 
@@ -74,12 +75,14 @@ int run(BackendChoice backend, const Options& options, const Config& config) {
     return print_text(settings_text(parameters, backend));
   }
   gait_evolution::PreExperiment<Table> experiment{parameters, backend, load_robot(parameters.robot)};
-  const bool is_new = options.resume.empty();
-  if (is_new && options.out.empty()) throw std::invalid_argument{"--out: must name a new folder"};
-  const std::filesystem::path folder = is_new ? options.out : options.resume;
+  const std::filesystem::path folder = options.resume.empty() ? options.out : options.resume;
+  if (folder.empty()) throw std::invalid_argument{"--out: must name a new folder"};
+  const std::filesystem::path begun = folder / "settings.toml";
+  const std::string settings = settings_text(parameters, backend);
+  const bool is_new = options.resume.empty() && !(std::filesystem::exists(begun) && read_whole_file(begun) == settings);
   if (is_new) {
     ResultFolder made{folder};
-    replace_file(made.path() / "settings.toml", settings_text(parameters, backend));
+    replace_file(made.path() / "settings.toml", settings);
     made.publish();
   }
   const FolderLock alone{folder};
@@ -172,7 +175,8 @@ Command evolve_gait() {
                   {"--threads", &options->threads, "evaluations at a time; results do not depend on it (all cores)"},
                   {"--config", &options->config, "TOML file with parameters, as --print-config writes it"},
                   {"--set", &options->assignments, "PATH=VALUE, e.g. trial.duration_s=20; may be repeated; wins over --config"},
-                  {"--out", &options->out, "new folder for the files; a checkpoint is written there after every generation"},
+                  {"--out", &options->out,
+                   "folder for the files, with a checkpoint after every generation; the same command again continues"},
                   {"--resume", &options->resume, "folder of a run that was stopped or killed: continues it"},
                   {"--print-config", &options->print_config, "print every parameter as TOML and stop"}},
       .work = [options] { return detail::evolve_gait::run_program(*options); },

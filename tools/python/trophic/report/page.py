@@ -18,6 +18,7 @@ from .. import description, judge
 from ..runs import RunError
 from ..values import METRIC, MeasuredSet, Metric
 from ..words import NO_NEUTRAL, NULLS, Reading, metric_title, over_text, p_text
+from .tables import write_new
 from .text import answers_of
 
 
@@ -64,13 +65,7 @@ def write(path: str | os.PathLike, sets: Sequence[MeasuredSet], frames: Sequence
         rules=_told(sets, [one.runs[0].manifest.get("rules", {}) for one in sets]),
         commands=[*(one.runs[0].manifest[key] for one in sets for key in ("command_line",) if key in one.runs[0].manifest), command_of(request)],
         downloads=[(name, _base64(content.encode())) for name, content in files.items()])
-    try:
-        with open(path, "x", encoding="utf-8") as file:
-            file.write(page)
-    except FileExistsError:
-        raise RunError(f"--html {path}: exists already; nothing is overwritten") from None
-    except OSError as error:
-        raise RunError(f"--html {path}: {error.strerror}") from None
+    write_new(path, page)
     return f"page    {path}: {len(figures)} figures, {len(replays)} replays, {len(page.encode()) / 1e6:.1f} MB\n"
 
 

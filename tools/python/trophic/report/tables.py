@@ -70,15 +70,18 @@ def publish(part: pathlib.Path, path: pathlib.Path) -> None:
 
 
 def write_new(path: str | os.PathLike, content: str | bytes) -> None:
-    """Writes a new file, whole or not at all. Raises RunError, naming it, if it exists or cannot be written."""
+    """Writes a new file, whole or not at all. Raises RunError if it exists, and OSError if it cannot be written; both name it."""
     path = pathlib.Path(path)
     part = path.with_name(path.name + ".part")
     try:
-        part.write_bytes(content.encode() if isinstance(content, str) else content)
+        part.unlink(missing_ok=True)  # of a killed program, or a link
+        with open(part, "xb") as file:
+            file.write(content.encode() if isinstance(content, str) else content)
         os.link(part, path)  # unlike a renaming, it never replaces a file
+    except FileExistsError:
+        raise RunError(f"{path}: exists already; nothing is overwritten") from None
     except OSError as error:
-        why = "exists already; nothing is overwritten" if isinstance(error, FileExistsError) else f"cannot be written: {error.strerror}"
-        raise RunError(f"{path}: {why}") from None
+        raise OSError(error.errno, f"cannot be written: {error.strerror}", str(path)) from None
     finally:
         part.unlink(missing_ok=True)
 
