@@ -367,10 +367,10 @@ def queen(rows, table_name, primary):
         if row["table"] != table_name or (row["family"] == "primary") != primary or row["measure"].startswith("mutation"):
             continue
         star = "*" if row["p_holm"] and float(row["p_holm"]) <= 0.05 else ""
-        words = QUEEN.get(row["measure"], row["measure"].replace("_all", "").replace("_late", ", last third").replace("_", " ") + " of `turns_to`")
-        lines.append([words, {"predator": "predators"}.get(row["side"], row["side"]), *(f"{float(row[key]):+.3g}" for key in ("both", row["side"], "none")),
+        words = QUEEN.get(row["measure"], row["measure"].replace("_all", " of `turns_to`").replace("_late", " of `turns_to`, last third"))
+        lines.append([words, {"predator": "predators"}.get(row["side"], row["side"]), *(row[key] and f"{float(row[key]):+.3g}" for key in ("both", row["side"])),
                       signed(row, ("difference", "lower", "upper")) + star, p_text(row["p_holm"]), row["detectable"] and f"{float(row['detectable']):.2g}", row["runs"]])
-    return table(["measure", "side", "both inherit", "this side alone", "none", "both less alone", "p (Holm)", "found in 80 %", "runs"], lines)
+    return table(["measure", "side", "both inherit", "this side alone", "both less alone", "p (Holm)", "found in 80 %", "runs"], lines)
 
 
 def meetings(rows, table_name):

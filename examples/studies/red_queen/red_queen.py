@@ -120,8 +120,9 @@ def main():
     for world, inherited in WORLDS.items():
         make_runs(options, world, inherited, options.seed, options.replicates, *([] if options.no_neutral else ["--neutral"]))
     make_runs(options, "panel", (True, True), options.seed + 1000, options.replicates)
-    found = differences({world: measured(options, world) for world in WORLDS})
-    for name, frame in (("red_queen", found), ("meetings", meetings(options))):
+    results = {"red_queen": lambda: differences({world: measured(options, world) for world in WORLDS}), "meetings": lambda: meetings(options)}
+    for name, make in results.items():
+        frame = make()
         frame.to_csv(options.out / f"{name}.csv", index=False, float_format="%.6g", lineterminator="\n")
         print(frame.to_string(index=False, float_format="{:.3g}".format))
 
