@@ -7,6 +7,7 @@
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
+#include <trophic/reproduction/viability/survives_trial.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/with_part.hpp>
 
@@ -14,8 +15,8 @@ using namespace trophic;
 
 /// Rule: a body grows from the core, module by module. Each module has one of four symbols; a symbol's genes are its type, its
 /// quarter turns, and the symbols of the modules that grow at its front, left and right, or none. The core has a symbol for each
-/// face. So one gene can change every leg.   Reads: nothing.   Random draws: 24 of a first body; at a mutation 24, and 1 for each
-/// gene that changes.
+/// face. So one gene can change every leg. A hinge bears a brick, as hinges on hinges often diverge.   Reads: nothing.   Random
+/// draws: 24 of a first body; at a mutation 24, and 1 for each gene that changes.
 struct LSystem {
   static constexpr std::string_view name = "l_system";
   static constexpr std::string_view source = "not in the paper";
@@ -81,8 +82,8 @@ struct LSystem {
   [[nodiscard]] bool attach(body::ModuleTree& tree, std::size_t parent, body::Face face, std::span<const double> symbol) const {
     if (tree.modules().size() >= params.most_modules || !body::has_face(tree.modules()[parent].type, face)) return false;
     try {
-      tree.attach(parent, face, symbol[0] < 0.5 ? body::ModuleType::hinge : body::ModuleType::brick,
-                  static_cast<int>(4.0 * symbol[1]));
+      const bool bends = symbol[0] < 0.5 && tree.modules()[parent].type != body::ModuleType::hinge;
+      tree.attach(parent, face, bends ? body::ModuleType::hinge : body::ModuleType::brick, static_cast<int>(4.0 * symbol[1]));
       return true;
     } catch (const std::invalid_argument&) {  // the cell is taken
       return false;
@@ -96,7 +97,7 @@ using Inherits = with_parent_after<with_genome_source<rules::Paper, reproduction
 using Evolving = with_viability<
     with_body_plan<with_gait<with_embodiment<Inherits, initialization::embodiment::StandsUp>, control::gait::InheritedCppn>,
                    LSystem>,
-    reproduction::viability::ModuleLimits>;
+    reproduction::viability::SurvivesTrial<reproduction::viability::ModuleLimits>>;
 using Rules =
     named<with_params<Evolving, [](auto& params) { params.gait.first = control::gait::FirstGait::random; }>, "l_systems">;
 

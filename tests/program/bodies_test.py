@@ -60,7 +60,9 @@ class Bodies(unittest.TestCase):
         self.assertRegex(captions["plans"], rf"\(\d+ of {len({row['plan'] for row in bodies})} plans\)")
 
     def test_an_encoding_of_ones_own_has_command_line_tables_and_measures(self):
-        self.call(ENCODING, "--backend", "mujoco", *FEW, "--out", "run")
+        self.call(ENCODING, "--backend", "mujoco", *FEW[:-2], "--out", "run")
+        self.assertNotIn("diverged", {row["cause"] for row in self.rows("run/events.csv")})
+        self.assertNotRegex(" ".join(row["modules_text"] for row in self.rows("run/bodies.csv")), r"hinge\d\[front:hinge")
         self.assertGreater(len({row["plan"] for row in self.rows("run/bodies.csv")}), 4)
         self.assertGreater(float(self.measured("run")["body_plans", "predator", "early"]), 1.0)
 
