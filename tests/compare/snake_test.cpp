@@ -21,15 +21,18 @@
 
 using namespace trophic;
 
-TEST_CASE_TEMPLATE("snake: target angles to both sides -> other turns", Engine, backend::Mujoco, backend::Ode) {
+TEST_CASE_TEMPLATE("snake: walks ahead, and target angles to a side -> turns to that side", Engine, backend::Mujoco,
+                   backend::Ode) {
   const RobotModel robot = load_robot("snake");
   std::vector<Pose> starts;
   for (const double y_m : {-4.0, 0.0, 4.0}) starts.push_back({.position_m = {0.0, y_m, robot.rest_height_m}});
   Engine engine{robot, load_arena("walled_square"), starts, Physics{}, {}};
-  locomotion::Locomotion<control::steering::BendingSteering> walk{robot, load_gait("snake_paper"), {}, 3, {}};
+  locomotion::Locomotion<control::steering::BendingSteering> walk{robot, load_gait("snake_steered"), {}, 3, {}};
   std::array<double, 3> turned_rad{};
   std::array<double, 3> before_rad{};
-  for (int second = 0; second < 20; ++second) {
+  double ahead_m = 0.0;
+  for (int second = 0; second < 50; ++second) {
+    const Eigen::Vector3d from_m = engine.pose(1).position_m;
     walk.advance(engine, 60, std::array{0.7, 0.0, -0.7});
     for (std::size_t i = 0; i < 3; ++i) {
       const double heading_rad = ground_pose(engine.pose(i), robot.forward_rad).heading_rad;
@@ -37,8 +40,12 @@ TEST_CASE_TEMPLATE("snake: target angles to both sides -> other turns", Engine, 
       before_rad[i] = heading_rad;
       CHECK(std::isfinite(heading_rad));
     }
+    const Eigen::Vector3d way_m = engine.pose(1).position_m - from_m;
+    ahead_m += way_m.x() * std::cos(before_rad[1]) + way_m.y() * std::sin(before_rad[1]);
   }
-  CHECK(std::abs(turned_rad[0] - turned_rad[2]) > 0.3);
+  CHECK(turned_rad[0] < turned_rad[1] - 0.5);
+  CHECK(turned_rad[2] > turned_rad[1] + 0.5);
+  CHECK(ahead_m > 1.5);
 }
 
 namespace {
