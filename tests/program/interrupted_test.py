@@ -81,8 +81,8 @@ def check(name: str, folder: pathlib.Path, draw: random.Random) -> None:
             shutil.rmtree(out, ignore_errors=True) if out.is_dir() else out.unlink(missing_ok=True)
         happened = interrupt(command, folder, draw, wall_s, largest)
         counts[happened] = counts.get(happened, 0) + 1
-        if happened == "done" or draw.random() < 0.5:  # or it is interrupted once more
-            done = happened == "done" or out.exists() and "--resume" not in words and contents(out) == whole
+        done = happened == "done" or out.exists() and "--resume" not in words and contents(out) == whole
+        if done or draw.random() < 0.5:  # or it is interrupted once more
             again = None if done else subprocess.run(command, cwd=folder, capture_output=True, text=True)
             assert done or again.returncode == 0, f"{name} after {happened}: exit {again.returncode}: {again.stderr[-2000:]}"
             now = contents(out)

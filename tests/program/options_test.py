@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""options_test.py PREDATOR_PREY TROPHIC [--all]: every option of every command, with texts that no user would mean.
+"""options_test.py PREDATOR_PREY TROPHIC ABLATIONS [--all]: every option of every command, with texts that no user would mean.
 
 Each is refused in one line that leaves nothing behind, or does its work; nothing crashes, hangs or takes all memory. Options are
-those that --help lists. With --all many more texts."""
+those that --help lists. A command takes at most 1 GiB of memory and 20 s of processor time. With --all many more texts."""
 
 import os
 import re
@@ -15,20 +15,23 @@ import unittest
 
 from in_folder import InFolderWithSets
 
-PREDATOR_PREY, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
+PREDATOR_PREY, TROPHIC, ABLATIONS = (sys.argv.pop(1) for _ in range(3))
 ALL = "--all" in sys.argv
 if ALL:
     sys.argv.remove("--all")
-MEMORY = 4 << 30
+MOST_BYTES, MOST_S, STOPPED = 1 << 30, 20, 3
+AMOUNTS = {"--duration", "--generations", "--replicates", "--robots"}  # of work that is asked for: SIGXCPU stops it, and --resume continues
 TEXTS = ["", "-1", "nan", "18446744073709551616", "a\nb"]
 MORE_TEXTS = ["0", "-0", "010", "0x10", "+5", " 5", "5 ", "1,5", "1_000", "1.5", "1e3", "1e300", "1e999", "inf", "-inf", "4294967296"]
-MORE_TEXTS += ["99999999999", "99999999999999999999", "٣", "--", "\x01", "\x1b[2J", "a" * 100_000, "/", ".", "/dev/null", "/dev/full", "no/such/place"]
+MORE_TEXTS += ["99999999999", "99999999999999999999", "9223372036854775807", "1e-300", "1000000", "٣", "--", "\x01", "\x1b[2J", "a" * 100_000, "/", ".", "/dev/null", "/dev/full", "no/such/place"]
 
 WITHOUT_VALUES = ("cite", "help")  # they have flags and words alone
 
 COMMANDS = {
     "": [PREDATOR_PREY, "--backend", "kinematic", "--duration", "20", "--out", "new"],
     "replicates": [PREDATOR_PREY, "--backend", "kinematic", "--duration", "20", "--out", "new", "--replicates", "2"],
+    "branch": [PREDATOR_PREY, "--from", "run", "--at", "20", "--duration", "40", "--out", "new"],
+    "ablations": [ABLATIONS, "--from", "paper", "--only", "base", "--replicates", "1", "--duration", "20", "--out", "new"],
     "analyze": [TROPHIC, "analyze", "run"],
     "ablation-table": [TROPHIC, "ablation-table", "set"],
     "cross-check": [TROPHIC, "cross-check", "--seconds", "0.2"],
@@ -45,8 +48,9 @@ COMMANDS = {
 }
 
 
-def limit_memory():
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+def limits():
+    resource.setrlimit(resource.RLIMIT_AS, (4 * MOST_BYTES, 4 * MOST_BYTES))  # addresses; pages are counted at the end
+    resource.setrlimit(resource.RLIMIT_CPU, (MOST_S, MOST_S + 5))  # SIGXCPU, then SIGKILL
 
 
 def options_of(command):
@@ -81,13 +85,18 @@ class Options(InFolderWithSets):
 
     def try_out(self, command, option, text):
         before = self.files()
-        done = subprocess.run([*command, option, text], cwd=self.folder, capture_output=True, timeout=60, preexec_fn=limit_memory)
+        used = resource.getrusage(resource.RUSAGE_CHILDREN)
+        done = subprocess.run([*command, option, text], cwd=self.folder, capture_output=True, timeout=600, preexec_fn=limits)
+        now = resource.getrusage(resource.RUSAGE_CHILDREN)
+        self.ends[done.returncode] = self.ends.get(done.returncode, 0) + 1
+        self.longest_s = max(self.longest_s, now.ru_utime + now.ru_stime - used.ru_utime - used.ru_stime)
         new = self.files() - before
         errors = done.stderr.decode(errors="replace")
-        self.assertIn(done.returncode, (0, 1, 2), errors[-1000:])
+        self.assertIn(done.returncode, (0, 1, 2, *([STOPPED] if option in AMOUNTS else [])), errors[-1000:])
+        self.assertLess(now.ru_maxrss, max(used.ru_maxrss, MOST_BYTES // 1024) + 1, "pages of the largest command so far, KiB")
         if text == "":
             self.assertEqual(done.returncode, 2, "an empty text counts as one that is not given")
-        if done.returncode != 0:
+        if done.returncode in (1, 2):
             self.assertEqual(len(errors.splitlines()), 1, errors[:1000])
             self.assertEqual(new, set())
         for path in sorted(new, reverse=True):
@@ -102,7 +111,7 @@ class Options(InFolderWithSets):
                              "--changes changes.csv: must be left out, as the run in run has no changes.csv")):
             with self.subTest(words):
                 before = self.files()
-                done = subprocess.run(words, cwd=self.folder, capture_output=True, text=True, timeout=60, preexec_fn=limit_memory)
+                done = subprocess.run(words, cwd=self.folder, capture_output=True, text=True, timeout=60, preexec_fn=limits)
                 if "without pictures" in done.stderr:
                     continue
                 self.assertEqual((done.returncode, len(done.stderr.splitlines())), (2, 1), done.stderr)
@@ -111,7 +120,7 @@ class Options(InFolderWithSets):
 
     def test_every_option(self):
         there = subprocess.run([TROPHIC, "--help"], capture_output=True, text=True, check=True).stdout
-        tried = 0
+        self.ends, self.longest_s = {}, 0.0
         for name, command in COMMANDS.items():
             if command[0] == TROPHIC and f"\n  {name} " not in there:
                 continue
@@ -119,10 +128,10 @@ class Options(InFolderWithSets):
             self.assertGreater(len(options), -1 if name in WITHOUT_VALUES else 0, name)
             for option in options:
                 for text in TEXTS + (MORE_TEXTS if ALL else []):
-                    tried += 1
                     with self.subTest(name=name, option=option, text=text[:50]):
                         self.try_out(without(command, option), option, text)
-        print(f"{tried} commands", file=sys.stderr)
+        largest = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss // 1024
+        print(f"{self.ends.get(0, 0)} commands done, {self.ends.get(1, 0)} failed, {self.ends.get(2, 0)} refused, {self.ends.get(STOPPED, 0)} stopped; at most {self.longest_s:.1f} s and {largest} MiB", file=sys.stderr)
 
 
 if __name__ == "__main__":
