@@ -29,8 +29,11 @@ class TableReader {
       using Kind = std::remove_cvref_t<decltype(column)>;
       auto& value = row.*column.member;
       if constexpr (io::is_list_columns<Kind>) {
+        std::size_t size = list_size_;  // the last cells of a smaller brain are empty
+        while (size > 0 && csv_.text(place + size - 1).empty()) --size;
         value.clear();
-        for (std::size_t i = 0; i < list_size_; ++i) value.push_back(csv_.get<double>(place++));
+        for (std::size_t i = 0; i < size; ++i) value.push_back(csv_.get<double>(place + i));
+        place += list_size_;
       } else if constexpr (io::is_species_column<Kind>) {
         value = species(place++);
       } else if constexpr (requires { value.has_value(); }) {

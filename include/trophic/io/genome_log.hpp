@@ -10,22 +10,31 @@
 
 namespace trophic::io {
 
-/// Writes a GenomeRow per birth, with a column for each heritable trait. The file begins with the first one, which sets the
-/// number of weights.
+/// Writes a GenomeRow per birth, with a column for each heritable trait. The file has as many weights as the largest brain of
+/// the founders; smaller ones of other species leave the last cells empty.
 class GenomeLog {
  public:
   static constexpr std::string_view file_name = "genomes.csv";
 
   explicit GenomeLog(std::filesystem::path path, Opening opening = Opening::created) : path_{std::move(path)} {
-    if (opening == Opening::resumed) file_.emplace(path_, "", opening);
+    if (opening != Opening::resumed) return;
+    file_.emplace(path_, "", opening);
+    std::ifstream text{path_};
+    std::getline(text, header_);
   }
 
-  void on_start(const observe::RunDescription& run, const View&) { brains_grow_ = run.brains_grow; }
+  void on_start(const observe::RunDescription& run, const View& view) {
+    brains_grow_ = run.brains_grow;
+    while (header_.find(",w" + std::to_string(weights_)) != std::string::npos) ++weights_;
+    for (const Individual& one : view.robots) {
+      if (one.lives() && header_.empty() && !brains_grow_) weights_ = std::max(weights_, one.genome->weights.size());
+    }
+  }
   void on_event(const observe::Event& event, const View& view) {
     if (event.kind != observe::EventKind::birth) return;
     const Genome& genome = *event.individual.genome;
     GenomeRow row{.id = event.individual.id, .genome = genome.id, .time_s = view.time_s, .weights = genome.weights};
-    if (brains_grow_) row.weights.clear();
+    row.weights.resize(brains_grow_ ? 0 : std::max(weights_, row.weights.size()), std::numeric_limits<double>::quiet_NaN());
     if (!file_) file_.emplace(path_, with_cells(header_of(row), view.traits));
     std::string line;
     append_row(line, row, view.web);
@@ -52,6 +61,8 @@ class GenomeLog {
   std::filesystem::path path_;
   std::optional<LineFile> file_;
   bool brains_grow_ = false;
+  std::string header_;       ///< of the file that a run resumed
+  std::size_t weights_ = 0;  ///< of the largest brain
 };
 
 /// Writes a GeneRow per gene of a newborn: of its gait, its body and, if brains grow, its brain.

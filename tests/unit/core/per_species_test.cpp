@@ -95,6 +95,8 @@ TEST_CASE("per species: interrupted run -> same bytes, senses with empty cells b
     predators += is_predator ? 1 : 0;
   }
   CHECK(predators > 100);
+  std::istringstream births{test::content(folder.path() / "senses" / "genomes.csv")};
+  for (std::string row; std::getline(births, row);) CHECK(std::ranges::count(row, ',') == 17);  // 15 weights behind three cells
 }
 
 TEST_CASE("per species: a victim in reach of two species -> the closer hunter's, each by its own reach") {

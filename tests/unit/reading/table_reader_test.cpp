@@ -67,13 +67,16 @@ TEST_CASE("every table of a run reads back as it was written") {
 
 TEST_CASE("columns may stand in any order and among others, but none may be missing") {
   const TemporaryFolder folder;
-  const std::string path = folder.file("t.csv", "time_s,w0,note,genome_id,w1,id\n2,0.5,x,7,1,3\n");
+  const std::string path = folder.file("t.csv", "time_s,w0,note,genome_id,w1,id\n2,0.5,x,7,1,3\n2,0.5,x,8,,4\n2,,x,9,1,5\n");
   analysis::TableReader<io::GenomeRow> table{path, web};
   io::GenomeRow row;
   REQUIRE(table.next(row));
   CHECK(row.id == 3);
   CHECK(row.genome == 7);
   CHECK(row.weights == std::vector{0.5, 1.0});
+  REQUIRE(table.next(row));
+  CHECK(row.weights == std::vector{0.5});  // of a species with a smaller brain
+  CHECK(message_of<std::runtime_error>([&] { table.next(row); }) == path + ":4: w0 = \"\": must be a number");
   const std::string lacking = folder.file("u.csv", "time_s,id\n");
   CHECK(message_of<std::runtime_error>([&] {
           analysis::TableReader<io::GenomeRow>{lacking, web};
