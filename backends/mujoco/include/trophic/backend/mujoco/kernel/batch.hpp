@@ -2,6 +2,7 @@
 // Robots that are stepped together: packs of four robots of one shape, and contacts between robots of any of them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +14,7 @@
 #include <trophic/backend/mujoco/kernel/lane_model.hpp>
 #include <trophic/backend/mujoco/kernel/symmetric_system.hpp>
 #include <trophic/backend/mujoco/kernel/workspace.hpp>
+#include <utility>
 #include <vector>
 
 namespace trophic::backend::kernel {
@@ -64,23 +66,55 @@ struct NearBoxes {
 struct LinkContact {
   std::array<LaneIndex, 2> at;
   std::array<std::size_t, 2> link;
-  std::array<std::array<double, 3>, 2> point_m;  ///< from the origin of each robot's root
-  std::array<std::array<double, 3>, 3> frame;    ///< normal from the first link to the second, and two tangents
-  double depth_m;                                ///< signed distance, negative
+  Point3 point_m;               ///< from the origin of the first robot's root
+  Point3 apart_m;               ///< and to that of the second's
+  std::array<Point3, 3> frame;  ///< normal from the first link to the second, and two tangents
+  double depth_m;               ///< signed distance, negative
 };
 
-/// A contact between links, or with the height field: rows y_n +- mu y_t1, y_n +- mu y_t2 of y = J x + offset.
-struct IslandContact {
-  std::size_t first = 0;  ///< of the coordinates in x that move it, which ascend
-  std::size_t coordinates = 0;
-  std::size_t jacobian = 0;  ///< where its J begins
-  double weight = 0.0;       ///< D of each row
-  double mu = 0.0;
-  std::array<double, 3> offset{};
-  std::array<bool, 4> active{};
+/// The motion of a link in world axes, or a force; the fourth lane is 0.
+struct Motion {
+  Real angular;
+  Real linear;
 
-  [[nodiscard]] std::array<double, 4> active_weights() const {
-    return {active[0] ? weight : 0.0, active[1] ? weight : 0.0, active[2] ? weight : 0.0, active[3] ? weight : 0.0};
+  TROPHIC_LANES_INLINE friend Motion operator+(const Motion& a, const Motion& b) {
+    return {a.angular + b.angular, a.linear + b.linear};
+  }
+  TROPHIC_LANES_INLINE friend Motion operator*(const Motion& a, double scale) { return {a.angular * scale, a.linear * scale}; }
+};
+
+/// Two links that touch, or one that touches the height field: then it is the second.
+struct TouchingLinks {
+  static constexpr std::size_t none = static_cast<std::size_t>(-1);
+  std::array<LaneIndex, 2> at{};
+  std::array<std::size_t, 2> link{};
+  Real apart_m{};  ///< from the origin of the first robot's root to that of the second's
+  bool on_field = false;
+  double mu = 0.0;
+  double inverse_weight_per_kg = 0.0;
+  std::size_t contacts = 0;
+  std::size_t first = none;  ///< four of them, which know the next four
+  std::size_t last = none;
+
+  /// Whether both are links of one robot.
+  [[nodiscard]] bool loops() const { return at[0] == at[1] && !on_field; }
+};
+
+/// Four contacts of two links, a lane each: rows y_n +- mu y_t1, y_n +- mu y_t2 of y = B motion + offset.
+struct IslandContacts {
+  std::size_t next = TouchingLinks::none;  ///< further contacts of these links
+  std::size_t count = 0;                   ///< lanes in use; the others' weight means nothing, as their rows are never active
+  Real depth_m{};
+  Real rows[3][6]{};  ///< B: normal and tangents seen from the origin of the first link's root
+  Real weight{};      ///< D of each row
+  Vec3 offset{};
+  Mask active[4]{};
+
+  /// B motion of row `k`.
+  [[nodiscard]] TROPHIC_LANES_INLINE Real along(int k, const Motion& motion) const {
+    const Real(&b)[6] = rows[k];
+    return b[0] * motion.angular[0] + b[1] * motion.angular[1] + b[2] * motion.angular[2] + b[3] * motion.linear[0] +
+           b[4] * motion.linear[1] + b[5] * motion.linear[2];
   }
 };
 
@@ -111,12 +145,12 @@ class UnionFind {
 struct IslandWork {
   std::vector<LaneIndex> lanes;  ///< of its robots, in the order of the batch's `order`
   std::vector<const LinkContact*> link_contacts;
-  std::vector<IslandContact> contacts;
-  std::vector<std::size_t> coordinates;
-  std::vector<double> jacobians;           ///< J of each contact: normal and tangents, as long as columns of `system`
-  std::vector<std::size_t> hinge_indices;  ///< index in x of each link's hinge, robot by robot; none: `eliminated`
-  std::vector<std::size_t> first_hinges;   ///< where those of a robot begin
-  std::size_t first_root = 0;              ///< index in x of the first root's angular acceleration
+  std::vector<TouchingLinks> pairs;
+  std::vector<IslandContacts> contacts;
+  std::vector<std::pair<std::size_t, Motion>> columns;  ///< of one pair: index in x and the motion that it makes
+  std::vector<std::size_t> hinge_indices;               ///< index in x of each link's hinge, robot by robot; none: `eliminated`
+  std::vector<std::size_t> first_hinges;                ///< where those of a robot begin
+  std::size_t first_root = 0;                           ///< index in x of the first root's angular acceleration
   std::vector<double> x;
   SymmetricSystem system;
   SymmetricSystem trees;  ///< A and b before contacts add to them
@@ -125,14 +159,6 @@ struct IslandWork {
   bool settled = false;
 
   static constexpr std::size_t eliminated = static_cast<std::size_t>(-1);
-
-  [[nodiscard]] std::span<const std::size_t> coordinates_of(const IslandContact& contact) const {
-    return {coordinates.data() + contact.first, contact.coordinates};
-  }
-  [[nodiscard]] std::array<const double*, 3> rows(const IslandContact& contact) const {
-    const double* const first = jacobians.data() + contact.jacobian;
-    return {first, first + system.column_size(), first + 2 * system.column_size()};
-  }
 };
 
 /// Robots that one thread steps together, and its scratch memory. Any robots may be in it; those that may touch each other must

@@ -28,6 +28,15 @@ struct PlacedBox {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+/// A vector in three lanes.
+[[nodiscard]] TROPHIC_LANES_INLINE Real lanes3(const Point3& a) {
+  return Real{a[0], a[1], a[2], 0.0};
+}
+[[nodiscard]] TROPHIC_LANES_INLINE Real cross3(const Real& a, const Real& b) {
+  return __builtin_shufflevector(a, a, 1, 2, 0, 3) * __builtin_shufflevector(b, b, 2, 0, 1, 3) -
+         __builtin_shufflevector(a, a, 2, 0, 1, 3) * __builtin_shufflevector(b, b, 1, 2, 0, 3);
+}
+
 /// The axis that lets two boxes overlap least, then their contacts: the operations of MuJoCo's mjc_BoxBox up to version 3.5
 /// (S. Kolev, Apache License 2.0) in their order, at margin 0.
 ///

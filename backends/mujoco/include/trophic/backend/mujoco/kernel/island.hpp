@@ -2,9 +2,9 @@
 // Third stage of a step for robots whose links touch each other or a height field: MuJoCo's constraint problem of all of them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <trophic/backend/mujoco/kernel/batch.hpp>
-#include <trophic/backend/mujoco/kernel/contact.hpp>
 #include <trophic/backend/mujoco/kernel/solver.hpp>
 
 namespace trophic::backend::kernel {
@@ -13,25 +13,25 @@ namespace trophic::backend::kernel {
 // tree to recurse over. Its hinges are those between a touching link and its robot's root; all others are eliminated as in
 // solver.hpp, with the contacts of planes and the joint limits. In the unknowns x, accelerations of those hinges robot by robot
 // from the leaves inwards, then the roots' motions,
-//   (A + sum J_c' W_c J_c) x = b - sum J_c' W_c offset_c,
-// where A and b are what is left of the trees, J_c maps x to the acceleration of one side of contact c seen from the other along
-// its normal and tangents, and W_c is the sum of D e e' over its active rows e = (1, +-mu, 0), (1, 0, +-mu).
+//   (A + sum S_p' K_p S_p) x = b - sum S_p' g_p,
+// where A and b are what is left of the trees and S_p maps x to the motion of one link of pair p seen from the other, from the
+// origin of the first one's root. The contacts of the pair are summed before: K = sum B' W B and g = sum B' W offset, where B
+// maps that motion to a contact's normal and tangents, and W is the sum of D e e' over its active rows e = (1, +-mu, 0), (1, 0,
+// +-mu).
 
 /// One island of robots: its problem is written down once, then solved for one set of active rows after the other.
 class Island {
  public:
   Island(Batch& batch, IslandWork& work) : batch_{batch}, own_{work} {}
 
-  /// Writes the problem down, first with the rows active at the last acceleration. Marks the links that are kept.
+  /// Writes the problem down, first with the rows active at the trial point.
   void begin() {
     choose_hinges();
+    own_.pairs.clear();
     own_.contacts.clear();
-    own_.coordinates.clear();
-    own_.jacobians.clear();
-    own_.x.assign(own_.first_root + 6 * own_.lanes.size(), 0.0);
-    own_.system.reset(own_.x.size());
+    own_.x.resize(own_.first_root + 6 * own_.lanes.size());
     for_each_contact([&](const auto& contact) { add(contact); });
-    read_warm_start();
+    for (const TouchingLinks& pair : own_.pairs) make_rows(pair);
     evaluate_contacts();
     own_.trees_known = own_.settled = false;
   }
@@ -47,30 +47,30 @@ class Island {
       own_.trees = own_.system;
       own_.trees_x = own_.x;
     }
-    for (const IslandContact& contact : own_.contacts) add_rows(contact);
+    RootRows roots{};
+    for (std::size_t p = 0; p < own_.pairs.size(); ++p) {
+      const TouchingLinks& pair = own_.pairs[p];
+      add_rows(pair, roots);
+      if (p + 1 < own_.pairs.size() && own_.pairs[p + 1].at == pair.at && own_.pairs[p + 1].on_field == pair.on_field) continue;
+      if (!pair.loops()) add_to_roots(pair, roots);
+      roots = RootRows{};
+    }
     own_.system.solve(own_.x);
     spread();
   }
 
-  /// Finds the rows of contacts active at x; returns whether they differ from the last ones.
+  /// Finds the rows of contacts active at the trial point; returns whether they differ from the last ones.
   bool evaluate_contacts() {
-    bool changed = false;
-    const auto update = [&](bool& active, double residual) {
-      changed |= active != (residual < 0.0);
-      active = residual < 0.0;
-    };
-    for (IslandContact& contact : own_.contacts) {
-      const std::array<const double*, 3> row = own_.rows(contact);
-      std::array<double, 3> y = contact.offset;
-      for (const std::size_t index : own_.coordinates_of(contact)) {
-        for (std::size_t k = 0; k < 3; ++k) y[k] += row[k][index] * own_.x[index];
-      }
-      for (std::size_t k = 1; k < 3; ++k) {
-        update(contact.active[2 * k - 2], y[0] + contact.mu * y[k]);
-        update(contact.active[2 * k - 1], y[0] - contact.mu * y[k]);
-      }
+    Mask changed{};
+    for (const TouchingLinks& pair : own_.pairs) {
+      const Motion motion = relative(pair, [](const LinkWork& link) -> const Spatial& { return link.trial; });
+      for_each_block(pair, [&](IslandContacts& contacts) {
+        Vec3 residual;
+        for (int k = 0; k < 3; ++k) residual[k] = contacts.along(k, motion) + contacts.offset[k];
+        changed |= update_rows(residual, pair.mu, 1.0, contacts.active);
+      });
     }
-    return changed;
+    return lane_bits(changed) != 0;
   }
 
  private:
@@ -92,7 +92,7 @@ class Island {
   };
 
   /// Those between a link that touches and the root of its robot.
-  void choose_hinges() {
+  TROPHIC_LANES_INLINE void choose_hinges() {
     own_.first_hinges.clear();
     own_.hinge_indices.clear();
     for (const LaneIndex& at : own_.lanes) {
@@ -131,142 +131,114 @@ class Island {
   /// Index in x of a root's angular acceleration; the linear one follows.
   [[nodiscard]] std::size_t root_index(const LaneIndex& at) const { return own_.first_root + 6 * batch_.rank_of[at.slot()]; }
 
-  [[nodiscard]] static std::array<double, 3> pick(const Vec3& vector, std::size_t lane) {
-    return {vector[0][lane], vector[1][lane], vector[2][lane]};
-  }
-  [[nodiscard]] static std::array<double, 3> cross(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-    return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-  }
-  [[nodiscard]] static double dot(const std::array<double, 3>& a, const std::array<double, 3>& b) {
-    return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-  }
-  /// Velocity of the point of a body with motion `motion`.
-  [[nodiscard]] static std::array<double, 3> at_point(const Spatial& motion, std::size_t lane,
-                                                      const std::array<double, 3>& point) {
-    const std::array<double, 3> turning = cross(pick(motion.angular, lane), point);
-    std::array<double, 3> sum = pick(motion.linear, lane);
-    for (std::size_t i = 0; i < 3; ++i) sum[i] += turning[i];
-    return sum;
+  /// Calls `visit` with a pair's contacts, four at a time.
+  template <class Visit>
+  void for_each_block(const TouchingLinks& pair, const Visit& visit) {
+    for (std::size_t k = pair.first; k != TouchingLinks::none; k = own_.contacts[k].next) visit(own_.contacts[k]);
   }
 
-  using Frame = std::array<std::array<double, 3>, 3>;
+  [[nodiscard]] static Real pick(const Vec3& vector, std::size_t lane) {
+    return Real{vector[0][lane], vector[1][lane], vector[2][lane], 0.0};
+  }
+  /// Sums of lanes.
+  [[nodiscard]] static Real wholes(const Real& a, const Real& b, const Real& c) {
+    const Real ab = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
+    const Real cc = __builtin_shufflevector(c, Real{}, 0, 4, 2, 6) + __builtin_shufflevector(c, Real{}, 1, 5, 3, 7);
+    return __builtin_shufflevector(ab, cc, 0, 1, 4, 5) + __builtin_shufflevector(ab, cc, 2, 3, 6, 7);
+  }
+  [[nodiscard]] static double whole(const Real& a) { return (a[0] + a[1]) + (a[2] + a[3]); }
+  [[nodiscard]] static double dot(const Motion& a, const Motion& b) { return whole(a.angular * b.angular + a.linear * b.linear); }
 
-  /// A contact that no coordinate moves yet, with room for its J. The next is to be made when this one is complete.
-  [[nodiscard]] IslandContact new_contact() {
-    const std::size_t jacobian = own_.jacobians.size();
-    own_.jacobians.resize(jacobian + 3 * own_.system.column_size());
-    return {.first = own_.coordinates.size(), .jacobian = jacobian};
+  /// A motion at one side of a pair, given from its own root's origin: the second link's is positive.
+  [[nodiscard]] static Motion motion_of(const TouchingLinks& pair, std::size_t side, const Spatial& motion) {
+    const Real angular = pick(motion.angular, pair.at[side].lane);
+    const Real linear = pick(motion.linear, pair.at[side].lane);
+    if (side == 0) return {-angular, -linear};
+    return {angular, linear + cross3(pair.apart_m, angular)};
+  }
+  /// A force at the pair as one on the second's root, at that one's origin.
+  [[nodiscard]] static Motion on_second(const TouchingLinks& pair, const Motion& force) {
+    return {force.angular + cross3(force.linear, pair.apart_m), force.linear};
+  }
+  /// The second link's motion seen from the first.
+  template <class Of>
+  [[nodiscard]] Motion relative(const TouchingLinks& pair, const Of& of) const {
+    const auto side = [&](std::size_t k) { return motion_of(pair, k, of(batch_.pack(pair.at[k]).work.links[pair.link[k]])); };
+    return pair.on_field ? side(1) : side(1) + side(0);
   }
 
-  void add_coordinate(IslandContact& contact, std::size_t index, const std::array<double, 3>& motion) {
-    own_.coordinates.push_back(index);
-    ++contact.coordinates;
-    for (std::size_t k = 0; k < 3; ++k) own_.jacobians[contact.jacobian + k * own_.system.column_size() + index] = motion[k];
+  /// These links among those that touch; new ones have no contact yet.
+  [[nodiscard]] TROPHIC_LANES_INLINE TouchingLinks& pair_of(const std::array<LaneIndex, 2>& at,
+                                                            const std::array<std::size_t, 2>& link) {
+    for (std::size_t k = own_.pairs.size(); k-- > 0;) {
+      if (own_.pairs[k].at == at && own_.pairs[k].link == link) return own_.pairs[k];
+    }
+    TouchingLinks& pair = own_.pairs.emplace_back();
+    pair.at = at;
+    pair.link = link;
+    return pair;
   }
 
-  /// Appends what a link's hinges, inwards, add to the contact's acceleration.
-  void add_hinge(IslandContact& contact, const LaneIndex& at, std::size_t link, double sign, const std::array<double, 3>& point,
-                 const Frame& frame) {
-    const std::array<double, 3> motion = at_point(batch_.pack(at).work.links[link].axis, at.lane, point);
-    add_coordinate(contact, hinge_index(at, link),
-                   {sign * dot(frame[0], motion), sign * dot(frame[1], motion), sign * dot(frame[2], motion)});
-  }
-  void add_hinges(IslandContact& contact, const LaneIndex& at, std::size_t link, double sign, const std::array<double, 3>& point,
-                  const Frame& frame) {
-    const LaneModel& model = batch_.pack(at).model;
-    for (; link > 0; link = model.links[link].parent) add_hinge(contact, at, link, sign, point, frame);
-  }
-  /// And what the root's motion adds: f . (w x p) = w . (p x f).
-  void add_root(IslandContact& contact, const LaneIndex& at, double sign, const std::array<double, 3>& point,
-                const Frame& frame) {
-    const Frame arm = {cross(point, frame[0]), cross(point, frame[1]), cross(point, frame[2])};
-    std::size_t index = root_index(at);
-    for (const Frame* part : {&arm, &frame}) {
+  TROPHIC_LANES_INLINE void add_contact(TouchingLinks& pair, const Point3& point_m, const std::array<Point3, 3>& frame,
+                                        double depth_m) {
+    if (pair.contacts++ % lane_count == 0) {
+      (pair.first == TouchingLinks::none ? pair.first : own_.contacts[pair.last].next) = own_.contacts.size();
+      pair.last = own_.contacts.size();
+      own_.contacts.emplace_back();
+    }
+    IslandContacts& to = own_.contacts[pair.last];
+    const std::size_t lane = to.count++;
+    to.depth_m[lane] = depth_m;
+    for (std::size_t k = 0; k < 3; ++k) {
       for (std::size_t i = 0; i < 3; ++i) {
-        add_coordinate(contact, index++, {sign * (*part)[0][i], sign * (*part)[1][i], sign * (*part)[2][i]});
+        const std::size_t u = (i + 1) % 3;
+        const std::size_t v = (i + 2) % 3;
+        to.rows[k][i][lane] = point_m[u] * frame[k][v] - point_m[v] * frame[k][u];
+        to.rows[k][3 + i][lane] = frame[k][i];
       }
     }
-  }
-
-  /// As make_rows in contact.hpp, for a relative velocity at the contact and its inverse weight.
-  [[nodiscard]] IslandContact rows_of(const ContactLaw& law, double depth_m, const Frame& frame,
-                                      const std::array<double, 3>& velocity, double mu, double inverse_weight_per_kg) {
-    const double imp = impedance(law, broadcast(depth_m))[0];
-    IslandContact contact = new_contact();
-    contact.weight = imp / ((1.0 - imp) * 2.0 * mu * mu * (1.0 + mu * mu) * inverse_weight_per_kg);
-    contact.mu = mu;
-    for (std::size_t k = 0; k < 3; ++k) contact.offset[k] = law.damping_per_s * dot(frame[k], velocity);
-    contact.offset[0] += law.stiffness_per_s2 * imp * depth_m;
-    return contact;
   }
 
   void add(const ContactAt& from) {
-    const Pack& pack = batch_.pack(from.at);
-    const KernelModel& body = pack.model.body(from.at.lane);
     const std::size_t link = from.contact.link;
-    const auto& [point_m, frame, depth_m] = from.contact.contact;
-    const std::array<double, 3> velocity = at_point(pack.work.links[link].velocity, from.at.lane, point_m);
-    IslandContact contact = rows_of(body.law, depth_m, frame, velocity, body.friction, body.links[link].inverse_weight_per_kg);
-    add_hinges(contact, from.at, link, 1.0, point_m, frame);
-    add_root(contact, from.at, 1.0, point_m, frame);
-    own_.contacts.push_back(contact);
+    TouchingLinks& pair = pair_of({from.at, from.at}, {link, link});
+    if (pair.contacts == 0) {
+      const KernelModel& body = batch_.pack(from.at).model.body(from.at.lane);
+      pair.on_field = true;
+      pair.mu = body.friction;
+      pair.inverse_weight_per_kg = body.links[link].inverse_weight_per_kg;
+    }
+    add_contact(pair, from.contact.contact.point_m, from.contact.contact.frame, from.contact.contact.depth_m);
   }
 
-  /// The contact constrains the second link's motion seen from the first.
   void add(const LinkContact& from) {
-    const Pack& first = batch_.pack(from.at[0]);
-    const Pack& second = batch_.pack(from.at[1]);
-    const KernelModel& first_body = first.model.body(from.at[0].lane);
-    const KernelModel& second_body = second.model.body(from.at[1].lane);
-    const double inverse_weight_per_kg =
-        first_body.links[from.link[0]].own_inverse_weight_per_kg + second_body.links[from.link[1]].own_inverse_weight_per_kg;
-    const std::array<double, 3> before = at_point(first.work.links[from.link[0]].velocity, from.at[0].lane, from.point_m[0]);
-    std::array<double, 3> velocity = at_point(second.work.links[from.link[1]].velocity, from.at[1].lane, from.point_m[1]);
-    for (std::size_t i = 0; i < 3; ++i) velocity[i] -= before[i];
-    const double mu = std::max(first_body.link_friction, second_body.link_friction);
-    IslandContact contact = rows_of(first_body.law, from.depth_m, from.frame, velocity, mu, inverse_weight_per_kg);
-    if (from.at[0] != from.at[1]) {
-      add_hinges(contact, from.at[0], from.link[0], -1.0, from.point_m[0], from.frame);
-      add_hinges(contact, from.at[1], from.link[1], 1.0, from.point_m[1], from.frame);
-      add_root(contact, from.at[0], -1.0, from.point_m[0], from.frame);
-      add_root(contact, from.at[1], 1.0, from.point_m[1], from.frame);
-    } else {
-      add_loop(contact, from);
+    TouchingLinks& pair = pair_of(from.at, from.link);
+    if (pair.contacts == 0) {
+      const KernelModel& first = batch_.pack(from.at[0]).model.body(from.at[0].lane);
+      const KernelModel& second = batch_.pack(from.at[1]).model.body(from.at[1].lane);
+      pair.apart_m = lanes3(from.apart_m);
+      pair.mu = std::max(first.link_friction, second.link_friction);
+      pair.inverse_weight_per_kg =
+          first.links[from.link[0]].own_inverse_weight_per_kg + second.links[from.link[1]].own_inverse_weight_per_kg;
     }
-    own_.contacts.push_back(contact);
+    add_contact(pair, from.point_m, from.frame, from.depth_m);
   }
 
-  /// Two links of one robot: what moves both does not count.
-  void add_loop(IslandContact& contact, const LinkContact& from) {
-    const LaneModel& model = batch_.pack(from.at[0]).model;
-    auto [first, second] = from.link;
-    while (first != second) {
-      std::size_t& outer = first > second ? first : second;
-      add_hinge(contact, from.at[0], outer, first > second ? -1.0 : 1.0, from.point_m[0], from.frame);
-      outer = model.links[outer].parent;
-    }
-  }
-
-  void read_warm_start() {
-    for (const LaneIndex& at : own_.lanes) {
-      const Pack& pack = batch_.pack(at);
-      const LaneArray& warm = pack.current().acceleration;
-      const Mat3& rotation = pack.work.links[0].rotation;
-      const std::size_t root = root_index(at);
-      for (std::size_t i = 0; i < 3; ++i) {
-        for (std::size_t k = 0; k < 3; ++k) {
-          own_.x[root + i] += rotation.column[k][static_cast<int>(i)][at.lane] * warm[3 + k][at.lane];
-        }
-        own_.x[root + 3 + i] = warm[i][at.lane];
-      }
-      for (std::size_t link = 1; link < pack.work.links.size(); ++link) {
-        if (is_kept(at, link)) own_.x[hinge_index(at, link)] = warm[5 + link][at.lane];
-      }
-    }
+  /// As make_rows in contact.hpp, for all contacts of a pair of links.
+  TROPHIC_LANES_INLINE void make_rows(const TouchingLinks& pair) {
+    const ContactLaw& law = batch_.pack(pair.at[0]).model.body(pair.at[0].lane).law;
+    const Motion velocity = relative(pair, [](const LinkWork& link) -> const Spatial& { return link.velocity; });
+    const double scale = 2.0 * pair.mu * pair.mu * (1.0 + pair.mu * pair.mu) * pair.inverse_weight_per_kg;
+    for_each_block(pair, [&](IslandContacts& contacts) {
+      const Real imp = impedance(law, contacts.depth_m);
+      contacts.weight = imp / ((1.0 - imp) * scale);
+      for (int k = 0; k < 3; ++k) contacts.offset[k] = law.damping_per_s * contacts.along(k, velocity);
+      contacts.offset[0] += law.stiffness_per_s2 * imp * contacts.depth_m;
+    });
   }
 
   /// A and b: a hinge's inertia is U = inertia S of all links beyond it, with a hinge further in S_k' U, with the root U itself.
-  void write_down_trees() {
+  TROPHIC_LANES_INLINE void write_down_trees() {
     SymmetricSystem& system = own_.system;
     system.reset(own_.x.size());
     for (const LaneIndex& at : own_.lanes) {
@@ -301,37 +273,109 @@ class Island {
     }
   }
 
-  /// S' U in one lane, in the order of operations of `dot`.
+  /// S' U in one lane.
   [[nodiscard]] static double along(const Spatial& axis, const Spatial& reach, std::size_t lane) {
-    return dot(pick(axis.angular, lane), pick(reach.angular, lane)) + dot(pick(axis.linear, lane), pick(reach.linear, lane));
+    return whole(pick(axis.angular, lane) * pick(reach.angular, lane) + pick(axis.linear, lane) * pick(reach.linear, lane));
   }
 
-  /// A += J' W J, b -= J' W offset.
-  void add_rows(const IslandContact& contact) {
-    const std::array<double, 4> d = contact.active_weights();
-    const double first = d[0] + d[1];
-    const double second = d[2] + d[3];
-    if (first + second == 0.0) return;
-    const double mu = contact.mu;
-    const double to_first = mu * (d[0] - d[1]);
-    const double to_second = mu * (d[2] - d[3]);
-    const auto weigh = [&](const std::array<double, 3>& y) -> std::array<double, 3> {
-      return {(first + second) * y[0] + to_first * y[1] + to_second * y[2], to_first * y[0] + mu * mu * first * y[1],
-              to_second * y[0] + mu * mu * second * y[2]};
+  /// K and g of all links of two robots that touch.
+  struct RootRows {
+    Motion inertia[6];
+    Motion force;
+    [[nodiscard]] Motion times(const Motion& s) const {
+      Motion product{};
+      for (std::size_t i = 0; i < 3; ++i) product = product + inertia[i] * s.angular[i] + inertia[3 + i] * s.linear[i];
+      return product;
+    }
+  };
+
+  /// Number by number: blocks that overlap what was just stored would wait for it. Entries above the diagonal mean nothing.
+  static void add(double* to, const Motion& what) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      to[i] += what.angular[i];
+      to[3 + i] += what.linear[i];
+    }
+  }
+
+  /// A += S' K S, b -= S' g in all rows but those between roots, whose K and g are summed.
+  TROPHIC_LANES_INLINE void add_rows(const TouchingLinks& pair, RootRows& roots) {
+    Real sums[21] = {};
+    Real forces[6] = {};
+    Real pressed{};
+    for_each_block(pair, [&](const IslandContacts& contacts) { pressed += sum_contacts(contacts, pair.mu, sums, forces); });
+    if (lane_bits(pressed > 0.0) == 0) return;
+    const auto entry = [&](std::size_t i, std::size_t j) { return sums[i < j ? j * (j + 1) / 2 + i : i * (i + 1) / 2 + j]; };
+    RootRows own;
+    own.force = {wholes(forces[0], forces[1], forces[2]), wholes(forces[3], forces[4], forces[5])};
+    roots.force = roots.force + own.force;
+    for (std::size_t i = 0; i < 6; ++i) {
+      own.inertia[i] = {wholes(entry(i, 0), entry(i, 1), entry(i, 2)), wholes(entry(i, 3), entry(i, 4), entry(i, 5))};
+      roots.inertia[i] = roots.inertia[i] + own.inertia[i];
+    }
+    list_hinges(pair);
+    for (std::size_t i = 0; i < own_.columns.size(); ++i) {
+      const auto& [index, motion] = own_.columns[i];
+      const Motion pushed = own.times(motion);
+      own_.x[index] -= dot(motion, own.force);
+      for (std::size_t j = 0; j <= i; ++j) own_.system(index, own_.columns[j].first) += dot(own_.columns[j].second, pushed);
+      double* const column = own_.system.column(index);
+      if (!pair.loops()) add(column + root_index(pair.at[1]), on_second(pair, pushed));
+      if (pair.at[0] != pair.at[1]) add(column + root_index(pair.at[0]), pushed * -1.0);
+    }
+  }
+
+  /// The same between the roots of a pair's robots.
+  TROPHIC_LANES_INLINE void add_to_roots(const TouchingLinks& pair, const RootRows& roots) {
+    const std::size_t first = root_index(pair.at[0]);
+    const std::size_t second = root_index(pair.at[1]);
+    const bool two = first != second;
+    add(own_.x.data() + second, on_second(pair, roots.force) * -1.0);
+    if (two) add(own_.x.data() + first, roots.force);
+    for (std::size_t k = 0; k < 6; ++k) {
+      if (two) add(own_.system.column(first + k) + first, roots.inertia[k]);
+      if (two) add(own_.system.column(first + k) + second, on_second(pair, roots.inertia[k]) * -1.0);
+      Real unit{};
+      unit[k % 3] = 1.0;
+      const Motion moved = k < 3 ? roots.inertia[k] + roots.times({Real{}, cross3(pair.apart_m, unit)}) : roots.inertia[k];
+      add(own_.system.column(second + k) + second, on_second(pair, moved));
+    }
+  }
+
+  /// The hinges that move a pair's links, and how: of two links of one robot those that do not move both.
+  TROPHIC_LANES_INLINE void list_hinges(const TouchingLinks& pair) {
+    own_.columns.clear();
+    auto link = pair.link;
+    const auto add = [&](std::size_t side) {
+      const Pack& pack = batch_.pack(pair.at[side]);
+      const std::size_t index = hinge_index(pair.at[side], link[side]);
+      own_.columns.emplace_back(index, motion_of(pair, side, pack.work.links[link[side]].axis));
+      link[side] = pack.model.links[link[side]].parent;
     };
-    const std::array<const double*, 3> row = own_.rows(contact);
-    const std::array<double, 3> weighed_offset = weigh(contact.offset);
-    for (const std::size_t index : own_.coordinates_of(contact)) {
-      const std::array<double, 3> own = {row[0][index], row[1][index], row[2][index]};
-      const std::array<double, 3> weighed = weigh(own);
-      own_.x[index] -= dot(own, weighed_offset);
-      double* const __restrict column = own_.system.column(index);
-      for (std::size_t i = SymmetricSystem::block_start(index); i < own_.system.column_size(); i += SymmetricSystem::block) {
-        store_block(column + i,
-                    load_block(column + i) + (weighed[0] * load_block(row[0] + i) + weighed[1] * load_block(row[1] + i) +
-                                              weighed[2] * load_block(row[2] + i)));
+    if (pair.loops()) {
+      while (link[0] != link[1]) add(link[0] > link[1] ? 0 : 1);
+      return;
+    }
+    while (!pair.on_field && link[0] > 0) add(0);
+    while (link[1] > 0) add(1);
+  }
+
+  /// Adds B' W B, its lower half row by row, and B' W offset of four contacts; returns their active weights.
+  static Real sum_contacts(const IslandContacts& contacts, double mu, Real (&sums)[21], Real (&forces)[6]) {
+    const RowSum w = sum_rows(contacts, mu, 1.0);
+    const Vec3& o = contacts.offset;
+    const Real pushed[3] = {w.normal * o[0] + w.first_coupling * o[1] + w.second_coupling * o[2],
+                            w.first_coupling * o[0] + w.first * o[1], w.second_coupling * o[0] + w.second * o[2]};
+    for (std::size_t i = 0, k = 0; i < 6; ++i) {
+      const Real b0 = contacts.rows[0][i], b1 = contacts.rows[1][i], b2 = contacts.rows[2][i];
+      const Real w0 = w.normal * b0 + w.first_coupling * b1 + w.second_coupling * b2;
+      const Real w1 = w.first_coupling * b0 + w.first * b1;
+      const Real w2 = w.second_coupling * b0 + w.second * b2;
+      forces[i] += b0 * pushed[0] + b1 * pushed[1] + b2 * pushed[2];
+      for (std::size_t j = 0; j <= i; ++j) {
+        sums[k++] += w0 * contacts.rows[0][j] + w1 * contacts.rows[1][j] + w2 * contacts.rows[2][j];
       }
     }
+    return w.normal;
   }
 
   /// The motions of the roots and the accelerations of the kept hinges at x.
@@ -352,31 +396,5 @@ class Island {
   Batch& batch_;
   IslandWork& own_;
 };
-
-/// Eliminates the hinges of a pack that are not unknowns of islands.
-TROPHIC_LANES_INLINE void eliminate_trees(Pack& pack) {
-  const LaneModel& model = pack.model;
-  Workspace& work = pack.work;
-  gather_active(model, work);
-  for (std::size_t i = work.links.size() - 1; i > 0; --i) {
-    LinkWork& link = work.links[i];
-    link.reach = link.articulated * link.axis;
-    link.inverse = where(~work.island_links[i].kept, 1.0 / (dot(link.axis, link.reach) + link.load));
-    link.torque -= dot(link.axis, link.force);
-    pass_inwards(link, work.links[model.links[i].parent]);
-  }
-}
-
-/// The motions of all links of a pack, given those of the roots and the kept hinges.
-TROPHIC_LANES_INLINE void move_eliminated(Pack& pack) {
-  Workspace& work = pack.work;
-  for (std::size_t i = 1; i < work.links.size(); ++i) {
-    LinkWork& link = work.links[i];
-    const Spatial& parent = work.links[pack.model.links[i].parent].trial;
-    Real& acceleration = work.hinges[i - 1].trial;
-    acceleration = select(work.island_links[i].kept, acceleration, eliminated_acceleration(link, parent));
-    link.trial = parent + link.axis * acceleration;
-  }
-}
 
 }  // namespace trophic::backend::kernel

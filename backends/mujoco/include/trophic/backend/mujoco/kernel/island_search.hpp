@@ -63,11 +63,38 @@ TROPHIC_LANES_INLINE void take_kept_trial(Workspace& work) {
   return lanes;
 }
 
+/// Eliminates the hinges of a pack that are not unknowns of islands.
+TROPHIC_LANES_INLINE void eliminate_trees(Pack& pack) {
+  const LaneModel& model = pack.model;
+  Workspace& work = pack.work;
+  gather_active(model, work);
+  for (std::size_t i = work.links.size() - 1; i > 0; --i) {
+    LinkWork& link = work.links[i];
+    link.reach = link.articulated * link.axis;
+    link.inverse = where(~work.island_links[i].kept, 1.0 / (dot(link.axis, link.reach) + link.load));
+    link.torque -= dot(link.axis, link.force);
+    pass_inwards(link, work.links[model.links[i].parent]);
+  }
+}
+
+/// The motions of all links of a pack, given those of the roots and the kept hinges.
+TROPHIC_LANES_INLINE void move_eliminated(Pack& pack) {
+  Workspace& work = pack.work;
+  for (std::size_t i = 1; i < work.links.size(); ++i) {
+    LinkWork& link = work.links[i];
+    const Spatial& parent = work.links[pack.model.links[i].parent].trial;
+    Real& acceleration = work.hinges[i - 1].trial;
+    acceleration = select(work.island_links[i].kept, acceleration, eliminated_acceleration(link, parent));
+    link.trial = parent + link.axis * acceleration;
+  }
+}
+
 /// Minimises the cost of the robots that are `coupled`, as `trial` of links and hinges; that of the others stays. Robots that do
 /// not settle stop being `valid`.
 ///
 /// Full Newton steps until the active rows stay the same, at first with those of planes active last and those of links at
-/// the warm start. An island whose rows keep changing needs MuJoCo's line search.
+/// the last acceleration. An island whose rows keep changing
+/// needs MuJoCo's line search.
 TROPHIC_LANES_INLINE void minimise_islands(Batch& batch) {
   constexpr int most_steps = 12;
   find_islands(batch);
@@ -78,6 +105,7 @@ TROPHIC_LANES_INLINE void minimise_islands(Batch& batch) {
     keep_trial(pack.work, mask_of(all_lanes));
     for (IslandLink& link : pack.work.island_links) link.kept = Mask{};
     first_rows(pack.model, pack.current(), pack.work);
+    try_last(pack.model, pack.current(), pack.work);
   }
   std::size_t open = batch.island_count;
   for (std::size_t k = 0; k < batch.island_count; ++k) {

@@ -66,9 +66,13 @@ TROPHIC_LANES_INLINE void add_box_contacts(const NearBoxes& near, const BoxOverl
   const double scale = overlap.on_face && batch.whole_depth ? 2.0 : 1.0;
   for (std::size_t c = 0; c < overlap.count && sure; ++c) {
     if (!(overlap.depths_m[c] < 0.0)) continue;
-    const Point3& point = overlap.points_m[c];
-    batch.link_contacts.push_back(
-        {{a.at, b.at}, {a.link, b.link}, {point, minus(point, near.apart_m)}, frame, scale * overlap.depths_m[c]});
+    LinkContact& contact = batch.link_contacts.emplace_back();
+    contact.at = {a.at, b.at};
+    contact.link = {a.link, b.link};
+    contact.point_m = overlap.points_m[c];
+    contact.apart_m = near.apart_m;
+    contact.frame = frame;
+    contact.depth_m = scale * overlap.depths_m[c];
   }
   if (!sure) batch.pack(a.at).work.doubtful[a.at.lane] = batch.pack(b.at).work.doubtful[b.at.lane] = -1;
   if (a.at == b.at || (sure && batch.link_contacts.size() == known)) return;
@@ -91,6 +95,14 @@ TROPHIC_LANES_INLINE void collide_boxes(Batch& batch) {
   }
 }
 
+/// Appends two boxes, written where they stay: a copy would wait for what was just stored.
+TROPHIC_LANES_INLINE void add_near(const BoxOf& a, const BoxOf& b, const Point3& apart_m, Batch& batch) {
+  NearBoxes& near = batch.near_boxes.emplace_back();
+  near.of[0] = a;
+  near.of[1] = b;
+  near.apart_m = apart_m;
+}
+
 /// Boxes of links of two robots whose spheres overlap.
 TROPHIC_LANES_INLINE void collide_links(const BoxOf& a, const BoxOf& b, const Point3& apart_m, Batch& batch) {
   const Pack& pack_a = batch.pack(a.at);
@@ -107,7 +119,7 @@ TROPHIC_LANES_INLINE void collide_links(const BoxOf& a, const BoxOf& b, const Po
         square_m2 += between_m * between_m;
       }
       const double reach_m = pack_a.model.body(a.at.lane).boxes[i].radius_m + pack_b.model.body(b.at.lane).boxes[j].radius_m;
-      if (square_m2 <= reach_m * reach_m) batch.near_boxes.push_back({{BoxOf{i, a.link, a.at}, BoxOf{j, b.link, b.at}}, apart_m});
+      if (square_m2 <= reach_m * reach_m) add_near({i, a.link, a.at}, {j, b.link, b.at}, apart_m, batch);
     }
   }
 }
@@ -130,7 +142,7 @@ TROPHIC_LANES_INLINE void collide_own_links(Batch& batch, std::size_t index, uns
         for (; hits != 0; hits &= hits - 1) {
           const auto lane = static_cast<std::size_t>(std::countr_zero(hits));
           const LaneIndex at = {index, lane};
-          batch.near_boxes.push_back({{BoxOf{i, pair.first, at}, BoxOf{j, pair.second, at}}, {}});
+          add_near({i, pair.first, at}, {j, pair.second, at}, {}, batch);
         }
       }
     }

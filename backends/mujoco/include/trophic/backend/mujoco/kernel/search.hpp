@@ -121,8 +121,8 @@ TROPHIC_LANES_INLINE void recall_rows(Workspace& work) {
   for (HingeWork& hinge : work.hinges) hinge.limit_active = hinge.limit_weight > 0.0;
 }
 
-/// The rows active at the last acceleration, MuJoCo's guess.
-TROPHIC_LANES_INLINE void guess_rows(const LaneModel& model, const LaneState& state, Workspace& work) {
+/// Makes the last acceleration the trial point.
+TROPHIC_LANES_INLINE void try_last(const LaneModel& model, const LaneState& state, Workspace& work) {
   const LaneArray& warm = state.acceleration;
   LinkWork& root = work.links[0];
   root.trial = {root.rotation * Vec3{{warm[3], warm[4], warm[5]}}, {{warm[0], warm[1], warm[2]}}};
@@ -130,15 +130,16 @@ TROPHIC_LANES_INLINE void guess_rows(const LaneModel& model, const LaneState& st
     work.hinges[i - 1].trial = warm[5 + i];
     work.links[i].trial = work.links[model.links[i].parent].trial + work.links[i].axis * warm[5 + i];
   }
-  evaluate_trial(model, work);
 }
 
-/// The first guess of the active rows: those active last, which is more often right than MuJoCo's guess, or that where
-/// nothing is known of the last step. It changes nothing but the number of steps: the minimum is one and is computed from the
-/// rows that are active there.
+/// The first guess of the active rows: those active last, which is more often right than MuJoCo's guess, those at the last
+/// acceleration, or these where nothing is known of the last step. It changes nothing but the number of steps: the minimum is one
+/// and is computed from the rows that are active there.
 TROPHIC_LANES_INLINE void first_rows(const LaneModel& model, const LaneState& state, Workspace& work) {
   recall_rows(work);
-  if (!work.rows_known) guess_rows(model, state, work);
+  if (work.rows_known) return;
+  try_last(model, state, work);
+  evaluate_trial(model, work);
 }
 
 /// Keeps which rows are active in `lanes`.

@@ -21,7 +21,8 @@ struct RowSum {
   Real normal, first_coupling, second_coupling, first, second;
 };
 
-[[nodiscard]] TROPHIC_LANES_INLINE RowSum sum_rows(const ContactWork& contact, double mu, double sign) {
+template <class Contact>
+[[nodiscard]] TROPHIC_LANES_INLINE RowSum sum_rows(const Contact& contact, double mu, double sign) {
   const Real d0 = where(contact.active[0], contact.weight);
   const Real d1 = where(contact.active[1], contact.weight);
   const Real d2 = where(contact.active[2], contact.weight);

@@ -24,53 +24,63 @@ TROPHIC_LANES_INLINE void store_block(double* to, const Real& block) {
 /// no zero is lost.
 class SymmetricSystem {
  public:
-  /// Columns are worked on in blocks of this many entries: what a block holds above the diagonal, or after the end, means
-  /// nothing.
-  static constexpr std::size_t block = lane_count;
-  [[nodiscard]] static constexpr std::size_t block_start(std::size_t i) { return i / block * block; }
-
   /// All zero, of size n.
   void reset(std::size_t n) {
     n_ = n;
-    column_size_ = block_start(n + block - 1);
-    lower_.assign(n_ * column_size_, 0.0);
+    stride_ = block_start(n + block);
+    lower_.assign(n_ * stride_, 0.0);
   }
 
   /// A(i, j) = A(j, i).
   [[nodiscard]] double& operator()(std::size_t i, std::size_t j) { return i < j ? column(i)[j] : column(j)[i]; }
 
-  /// The entries A(i, j) of column j, to be used for i >= j only.
-  [[nodiscard]] double* column(std::size_t j) { return lower_.data() + j * column_size_; }
-  /// Entries of a column with those after the end.
-  [[nodiscard]] std::size_t column_size() const { return column_size_; }
+  /// The entries A(i, j) of column j, for i >= j only; before them and after the end any number may be written, up to a block.
+  [[nodiscard]] double* column(std::size_t j) { return lower_.data() + j * stride_; }
 
   /// Replaces `b` by x; A is used up.
   void solve(std::span<double> b) {
+    factor_.resize(n_ * stride_);
+    solution_.resize(stride_);
+    for (std::size_t p = 0; p < n_; ++p) {
+      column(p)[n_] = b[p];  // a row more, so that it is eliminated as well
+      store_block(factor(p) + block_start(p), Real{});
+    }
     for (std::size_t p = 0; p < n_; ++p) {
       const double* const pivot = column(p);
       const double inverse = 1.0 / pivot[p];
       for (std::size_t k = p + 1; k < n_; ++k) {
-        if (pivot[k] == 0.0) continue;
         const double scale = pivot[k] * inverse;
+        factor(k)[p] = scale;
+        if (scale == 0.0) continue;
         double* const __restrict target = column(k);
-        for (std::size_t i = block_start(k); i < column_size_; i += block) {
+        for (std::size_t i = block_start(k); i < stride_; i += block) {
           store_block(target + i, load_block(target + i) - scale * load_block(pivot + i));
         }
-        b[k] -= scale * b[p];
       }
+      solution_[p] = pivot[n_] * inverse;
     }
+    // Each unknown, once known, is taken out of all others: the next one waits for one operation only.
     for (std::size_t p = n_; p-- > 0;) {
-      const double* const pivot = column(p);
-      double sum = b[p];
-      for (std::size_t i = p + 1; i < n_; ++i) sum -= pivot[i] * b[i];
-      b[p] = sum / pivot[p];
+      b[p] = solution_[p];
+      for (std::size_t i = 0; i < p; i += block) {
+        store_block(solution_.data() + i, load_block(solution_.data() + i) - b[p] * load_block(factor(p) + i));
+      }
     }
   }
 
  private:
+  /// Columns are worked on in blocks of this many entries: what a block holds above the diagonal, or after the end, means
+  /// nothing.
+  static constexpr std::size_t block = lane_count;
+  [[nodiscard]] static constexpr std::size_t block_start(std::size_t i) { return i / block * block; }
+  /// Row k of L, left of the diagonal.
+  [[nodiscard]] double* factor(std::size_t k) { return factor_.data() + k * stride_; }
+
   std::size_t n_ = 0;
-  std::size_t column_size_ = 0;
+  std::size_t stride_ = 0;
   std::vector<double> lower_;
+  std::vector<double> factor_;
+  std::vector<double> solution_;
 };
 
 }  // namespace trophic::backend::kernel
