@@ -2,6 +2,7 @@
 // genomes.csv and genes.csv: the genome of every individual at birth.
 #pragma once
 
+#include <fstream>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/io/tables.hpp>
 #include <trophic/observe/event.hpp>
