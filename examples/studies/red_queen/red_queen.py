@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 # SPDX-License-Identifier: MIT
 """Does one species' evolution keep the other's going? Runs four worlds, in which both species inherit, one of them, or none, lets their last living and
 those of earlier times meet a panel, and writes what a species does more where the other one inherits.
