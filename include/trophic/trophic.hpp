@@ -33,7 +33,6 @@
 #include <trophic/energy/resource/logistic_field.hpp>
 #include <trophic/initialization/community/food_chain.hpp>
 #include <trophic/initialization/embodiment/stands_up.hpp>
-#include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/perception/heading/reversed_on_back.hpp>
 #include <trophic/perception/newborn_tag/random_tag.hpp>
 #include <trophic/perception/sensors/dealt.hpp>

@@ -9,13 +9,13 @@
 #include <soak/invariants.hpp>
 #include <soak/resting.hpp>
 #include <support/memory.hpp>
+#include <tools/replicates/stop_on_signal.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/progress.hpp>
-#include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
 

@@ -11,8 +11,8 @@
 #include <tools/command/provenance.hpp>
 #include <tools/command/run_command.hpp>
 #include <tools/command/words.hpp>
+#include <tools/replicates/stop_on_signal.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/rules/table.hpp>
 
 namespace trophic::command {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <tools/replicates/stop_on_signal.hpp>
 #include <trophic/ecology/lineup.hpp>
-#include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/population/food_web.hpp>
 #include <trophic/support/json.hpp>
 
@@ -13,7 +13,8 @@ namespace trophic::contest {
 /// Individuals of one species, by their genomes.
 struct Team {
   Species species = 0;
-  std::vector<std::vector<double>> genomes = {};
+  std::vector<std::vector<double>> genomes = {};  ///< the weights of each
+  std::vector<std::vector<double>> traits = {};   ///< of each; empty in a table without traits
 };
 
 /// Two teams in an arena, at places drawn from a seed.

@@ -10,7 +10,7 @@
 #include <tools/command/words.hpp>
 #include <tools/contest/play_contests.hpp>
 #include <tools/replicates/parallel.hpp>
-#include <trophic/observe/stop_on_signal.hpp>
+#include <tools/replicates/stop_on_signal.hpp>
 #include <trophic/support/new_file.hpp>
 
 namespace trophic::command {

@@ -11,9 +11,9 @@
 #include <tools/live/live_server.hpp>
 #include <tools/replicates/common_options.hpp>
 #include <tools/replicates/joint_progress.hpp>
+#include <tools/replicates/stop_on_signal.hpp>
 #include <trophic/experiment/any_experiment.hpp>
 #include <trophic/observe/run_description.hpp>
-#include <trophic/observe/stop_on_signal.hpp>
 
 namespace trophic::command {
 

@@ -14,10 +14,10 @@
 #include <tools/replicates/folder.hpp>
 #include <tools/replicates/joint_progress.hpp>
 #include <tools/replicates/parallel.hpp>
+#include <tools/replicates/stop_on_signal.hpp>
 #include <tools/sweep/folder.hpp>
 #include <tools/sweep/make_run.hpp>
 #include <trophic/backend/contract.hpp>
-#include <trophic/observe/stop_on_signal.hpp>
 
 namespace trophic::command {
 

@@ -16,10 +16,10 @@
 #include <tools/experiment/experiment_options.hpp>
 #include <tools/experiment/run_experiment.hpp>
 #include <tools/replicates/joint_progress.hpp>
+#include <tools/replicates/stop_on_signal.hpp>
 #include <tools/sweep/plan_file.hpp>
 #include <tools/sweep/sweep_file.hpp>
 #include <trophic/backend/contract.hpp>
-#include <trophic/observe/stop_on_signal.hpp>
 
 namespace trophic::command::detail::sweeps {
 

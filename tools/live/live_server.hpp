@@ -4,10 +4,10 @@
 
 #include <tools/changes/change.hpp>
 #include <tools/changes/changing_simulation.hpp>
+#include <tools/replicates/stop_on_signal.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/progress.hpp>
-#include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/named_params.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <tools/live/steering.hpp>
-#include <trophic/observe/stop_on_signal.hpp>
+#include <tools/replicates/stop_on_signal.hpp>
 #include <utility>
 
 namespace trophic::live {

@@ -7,10 +7,10 @@
 #include <tools/replicates/joint_progress.hpp>
 #include <tools/replicates/plan.hpp>
 #include <tools/replicates/run_in_folder.hpp>
+#include <tools/replicates/stop_on_signal.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/ecology/simulations_of.hpp>
 #include <trophic/io/manifest.hpp>
-#include <trophic/observe/stop_on_signal.hpp>
 
 namespace trophic::replicates {
 

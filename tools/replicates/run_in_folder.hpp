@@ -5,10 +5,10 @@
 #include <tools/replicates/common_options.hpp>
 #include <tools/replicates/joint_progress.hpp>
 #include <tools/replicates/rewind.hpp>
+#include <tools/replicates/stop_on_signal.hpp>
 #include <trophic/ecology/simulation.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/progress.hpp>
-#include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
 
 namespace trophic::replicates {

@@ -20,10 +20,10 @@
 #include <tools/command/result_folder.hpp>
 #include <tools/command/run_python.hpp>
 #include <tools/contest/play_contests.hpp>
+#include <tools/replicates/stop_on_signal.hpp>
 #include <tools/trophic/shipped_offer.hpp>
 #include <trophic/io/growing_file.hpp>
 #include <trophic/io/next_free_folder.hpp>
-#include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/checksum.hpp>
 #include <trophic/support/json.hpp>

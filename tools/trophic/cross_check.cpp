@@ -17,11 +17,11 @@
 #include <tools/command/run_python.hpp>
 #include <tools/reading/pooled_runs.hpp>
 #include <tools/replicates/parallel.hpp>
+#include <tools/replicates/stop_on_signal.hpp>
 #include <tools/trophic/cross_check/walk_tables.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/observe/stop_on_signal.hpp>
 
 namespace trophic::command {
 

@@ -14,10 +14,10 @@
 #include <tools/gait_evolution/archive.hpp>
 #include <tools/gait_evolution/pre_experiment.hpp>
 #include <tools/gait_evolution/tables.hpp>
+#include <tools/replicates/stop_on_signal.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/progress.hpp>
-#include <trophic/observe/stop_on_signal.hpp>
 #include <trophic/support/whole_file.hpp>
 
 namespace trophic::command {

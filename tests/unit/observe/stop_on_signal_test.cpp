@@ -2,8 +2,8 @@
 #include <doctest/doctest.h>
 
 #include <csignal>
+#include <tools/replicates/stop_on_signal.hpp>
 #include <trophic/observe/hooks.hpp>
-#include <trophic/observe/stop_on_signal.hpp>
 
 using namespace trophic;
 
