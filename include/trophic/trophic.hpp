@@ -53,7 +53,7 @@
 #include <trophic/reproduction/body_plan/inherited_modules.hpp>
 #include <trophic/reproduction/body_plan/named_body.hpp>
 #include <trophic/reproduction/heredity/all_but.hpp>
-#include <trophic/reproduction/heredity/crossover.hpp>
+#include <trophic/reproduction/heredity/crossover_by_neuron.hpp>
 #include <trophic/reproduction/heredity/switched.hpp>
 #include <trophic/reproduction/initial_genome/normal_weights.hpp>
 #include <trophic/reproduction/parent/any_survivor.hpp>

@@ -70,6 +70,7 @@
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
 #include <trophic/reproduction/heredity/all_but.hpp>
 #include <trophic/reproduction/heredity/crossover.hpp>
+#include <trophic/reproduction/heredity/crossover_by_neuron.hpp>
 #include <trophic/reproduction/heredity/nothing_inherited.hpp>
 #include <trophic/reproduction/heredity/switched.hpp>
 #include <trophic/reproduction/initial_genome/normal_weights.hpp>
@@ -178,10 +179,11 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_metabolism_suite, energy::metabolism::GrazingA
 TEST_CASE_TEMPLATE_INVOKE(trophic_resource_suite, energy::resource::LogisticField, energy::resource::DelayedPatches,
                           energy::resource::NoResource);
 
-TEST_CASE_TEMPLATE_INVOKE(trophic_heredity_suite, reproduction::heredity::Crossover, reproduction::heredity::OwnCopy,
-                          reproduction::heredity::SharedCopy, reproduction::heredity::NothingInherited,
-                          reproduction::heredity::AllButBrain, reproduction::heredity::AllButGait,
-                          reproduction::heredity::AllButBody, reproduction::heredity::Switched<reproduction::heredity::OwnCopy>);
+TEST_CASE_TEMPLATE_INVOKE(trophic_heredity_suite, reproduction::heredity::Crossover, reproduction::heredity::CrossoverByNeuron,
+                          reproduction::heredity::OwnCopy, reproduction::heredity::SharedCopy,
+                          reproduction::heredity::NothingInherited, reproduction::heredity::AllButBrain,
+                          reproduction::heredity::AllButGait, reproduction::heredity::AllButBody,
+                          reproduction::heredity::Switched<reproduction::heredity::OwnCopy>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_traits_suite, reproduction::traits::NoTraits, reproduction::traits::List<Sight>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_mutation_suite, reproduction::mutation::NormalMutation, reproduction::mutation::UniformMutation,
                           reproduction::mutation::NoMutation);

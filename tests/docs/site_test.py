@@ -46,8 +46,6 @@ def cards_say_what_the_sources_say() -> None:
     card = rule_cards.read(include / "trophic/reproduction/mutation/normal_mutation.hpp", include)
     assert (card.type, card.name, card.slot) == ("NormalMutation", "normal_mutation", "mutation"), card
     assert card.params == [("sd", "0.05", "at_least(0.0)", "standard deviation")], card.params
-    crossover = rule_cards.read(include / "trophic/reproduction/heredity/crossover.hpp", include)
-    assert [param[:3] for param in crossover.params] == [("unit", "CrossoverUnit::weight", ""), ("length", "3", "at_least(1)")], crossover.params
     crowding = rule_cards.read(include / "trophic/death/starvation/interval/delayed_crowding_interval.hpp", include)
     assert crowding.params[0][:2] == ("base_ticks", "25"), crowding.params
     used = rule_cards.tables(include)

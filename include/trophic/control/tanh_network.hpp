@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <span>
 #include <trophic/support/cpp20.hpp>
+#include <vector>
 
 namespace trophic::control {
 
@@ -21,6 +22,20 @@ void tanh_layer(std::span<const double> from, std::span<double> to, const double
     for (std::size_t column = 0; column < from.size(); ++column) sum += weight[row * from.size() + column] * from[column];
     to[row] = std::tanh(sum);
   }
+}
+
+/// The neuron that each weight of tanh_layers enters: of `hidden` neurons that each list in `from` feeds, then of the outputs.
+template <std::size_t bias>
+[[nodiscard]] std::vector<std::size_t> neurons_of(std::initializer_list<std::size_t> from, std::size_t hidden,
+                                                  std::size_t outputs) {
+  std::vector<std::size_t> neurons;
+  const auto add = [&](std::size_t first, std::size_t before, std::size_t count) {
+    for (std::size_t weight = 0; weight < count * before; ++weight) neurons.push_back(first + weight / before);
+    for (std::size_t row = 0; row < count * bias; ++row) neurons.push_back(first + row);
+  };
+  for (const std::size_t before : from) add(0, before, hidden);
+  add(hidden, hidden, outputs);
+  return neurons;
 }
 
 /// hidden = tanh(W1 in + b1), out = tanh(W2 hidden + b2); without biases b1 = b2 = 0 and the network is odd in its inputs. Any

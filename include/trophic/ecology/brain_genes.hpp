@@ -3,6 +3,7 @@
 #pragma once
 
 #include <trophic/control/brain/contract.hpp>
+#include <trophic/reproduction/heredity/contract.hpp>
 #include <trophic/reproduction/initial_genome/contract.hpp>
 #include <trophic/reproduction/mutation/contract.hpp>
 #include <trophic/rules/table.hpp>
@@ -16,6 +17,12 @@ class BrainGenes {
  public:
   using Brain = AnswersForSpecies<PolicyIn<Rules, RuleSlot::brain>>;
   static constexpr bool grow = control::GrowingBrain<Brain>;  ///< whether their number may change
+  static constexpr bool mix_neurons =
+      reproduction::HeredityByNeuron<AnswersForSpecies<PolicyIn<Rules, RuleSlot::heredity>>>;  ///< of several parents
+  static_assert(!mix_neurons || control::NamesNeurons<Brain>,
+                "the policy in Rules::Heredity mixes brains by neuron, so the policy in Rules::Brain needs "
+                "std::vector<std::size_t> neurons(std::size_t inputs, std::size_t outputs) const; see "
+                "trophic/control/brain/contract.hpp");
 
   BrainGenes(const Policies<Rules>& rules, std::uint64_t seed) : rules_{rules}, seed_{seed} {}
 
@@ -29,16 +36,10 @@ class BrainGenes {
     check_finite("initial_genome", "weights", genome.weights);
   }
 
-  /// Draws the weights of a newborn that has none, else mutates them.
+  /// Draws the weights of a newborn that has none, else mutates them; `own` is its state of the rule Mutation.
   template <class State>
   void draw_or_mutate(Genome& genome, State& own, const Individual& born) const {
     if (genome.weights.empty()) return draw(genome, born, born.id);
-    mutate(genome, own, born);
-  }
-
-  /// Mutates inherited weights; `own` is the offspring's state of the rule Mutation.
-  template <class State>
-  void mutate(Genome& genome, State& own, const Individual& born) const {
     Rng rng{seed_, Stream::mutation, born.id};
     Rng growth{seed_, Stream::brain_growth, born.id};
     const Brain& brain = brain_of(born.species);
@@ -53,6 +54,13 @@ class BrainGenes {
     const control::BrainShape shape = shape_of(species);
     if (genome != nullptr && control::ask::fits(brain, genome->weights, shape)) return std::nullopt;
     return control::ask::demand(brain, shape);
+  }
+
+  /// The neuron that each weight of a species' brain enters; empty unless the table mixes brains by neuron.
+  [[nodiscard]] std::vector<std::size_t> neurons(Species species) const {
+    if constexpr (mix_neurons && control::NamesNeurons<Brain>)
+      return brain_of(species).neurons(shape_of(species).inputs, shape_of(species).outputs);
+    return {};
   }
 
   /// The distance between the weights of a parent and of its offspring.

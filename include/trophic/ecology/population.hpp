@@ -129,8 +129,8 @@ class Population {
                                     *demand + ", as the table's brain takes it"};
       }
       const auto is_in_one = [&](auto part) { return (genome.*part).empty() != (given.*part).empty(); };
-      if (is_in_one(&Genome::gait_genes) || is_in_one(&Genome::body_genes) || is_in_one(&Genome::traits))
-        throw std::invalid_argument{"a contest of genomes without some parts: must have those that the table's have"};
+      if (is_in_one(&Genome::gait_genes) || is_in_one(&Genome::body_genes) || genome.traits.size() != given.traits.size())
+        throw std::invalid_argument{"a contest of genomes without some parts: must have the table's gaits, bodies and traits"};
       genome = {genome.id, given.weights, given.gait_genes, given.body_genes, given.traits};
       phenotypes_.express(body, individuals_[body], genome);
       individuals_[body].active = true;
@@ -251,9 +251,10 @@ class Population {
     Individual born = newborn(species, view.time_s, view.tick, &individuals_[body]);
     std::vector<std::vector<double>> before;  // a heredity may share a parent's genome and change it
     for (const Ancestor& parent : parents) before.push_back(parent.genome->weights);
-    Rng crossover{seed_, Stream::crossover, born.id};
-    const auto& heredity = for_species(rules_.heredity, species);
-    auto genome = parents.empty() || draws_anew() ? nullptr : reproduction::ask::inherit(heredity, parents, crossover);
+    Rng rng{seed_, Stream::crossover, born.id};
+    const auto& rule = for_species(rules_.heredity, species);
+    auto genome =
+        parents.empty() || draws_anew() ? nullptr : reproduction::ask::inherit(rule, parents, brains_.neurons(species), rng);
     if (const auto demand = genome && !genome->weights.empty() ? brains_.misfit(species, genome.get()) : std::nullopt) {
       throw RuleError{"heredity", "a genome of " + std::to_string(genome->weights.size()) + " weights: must have " + *demand};
     }
@@ -287,7 +288,6 @@ class Population {
     return bodies;
   }
 
-  /// Gives a newborn its energy.
   void endow(Individual& born, double endowment_J, std::span<const BodyIndex> living) {
     if (endowment_J == 0.0 || living.empty()) return economy_.endow_from_outside(born);
     economy_.endow(born, endowment_J, individuals_, living);

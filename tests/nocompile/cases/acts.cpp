@@ -3,6 +3,7 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
+#include <trophic/reproduction/heredity/crossover_by_neuron.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct GivesUp {

@@ -2,11 +2,16 @@
 // The policies of this slot, each by its name.
 #include <doctest/doctest.h>
 
+#include <array>
 #include <memory>
 #include <numeric>
 #include <set>
+#include <trophic/control/brain/cognitive_brain_with_biases.hpp>
+#include <trophic/control/brain/feed_forward_brain.hpp>
+#include <trophic/control/brain/hebbian.hpp>
+#include <trophic/control/brain/recurrent_brain.hpp>
 #include <trophic/reproduction/heredity/all_but.hpp>
-#include <trophic/reproduction/heredity/crossover.hpp>
+#include <trophic/reproduction/heredity/crossover_by_neuron.hpp>
 #include <trophic/reproduction/heredity/nothing_inherited.hpp>
 #include <trophic/reproduction/heredity/own_copy.hpp>
 #include <trophic/reproduction/heredity/shared_copy.hpp>
@@ -89,10 +94,47 @@ TEST_CASE("crossover: two parents -> each number is one parent's, about half of 
   double traits = 0.0;
   for (int birth = 0; birth < 400; ++birth) traits += Crossover{}.inherit(parents, rng)->traits.at(0);
   CHECK(traits == doctest::Approx(400.0).epsilon(0.1));
+}
 
-  const Crossover runs{{.unit = CrossoverUnit::run, .length = 3}};
-  const auto by_runs = runs.inherit(parents, rng);
-  for (std::size_t gene = 0; gene < 300; ++gene) CHECK(by_runs->weights[gene] == by_runs->weights[gene - gene % 3]);
+TEST_CASE("crossover by neuron: two parents -> all that enters a neuron is one parent's, each neuron's half of the time") {
+  using namespace control::brain;
+  const auto neurons_of = [](const auto& brain) {  // with two inputs and one output
+    const std::vector<std::size_t> neurons = brain.neurons(2, 1);
+    CHECK(neurons.size() == brain.genome_size(2, 1));
+    return neurons;
+  };
+  using Numbers = std::vector<std::size_t>;
+  CHECK(neurons_of(CognitiveBrain{}) == Numbers{0, 0, 1, 1, 2, 2, 3, 3, 3});
+  CHECK(neurons_of(FeedForwardBrain{{.hidden = 2}}) == Numbers{0, 0, 1, 1, 2, 2});
+  CHECK(neurons_of(RecurrentBrain{{.hidden = 2}}) == Numbers{0, 0, 1, 1, 0, 0, 1, 1, 2, 2});
+  CHECK(neurons_of(Hebbian<FeedForwardBrain>{}) == neurons_of(CognitiveBrain{}));
+  const Numbers neurons = neurons_of(CognitiveBrainWithBiases{});
+  CHECK(neurons == Numbers{0, 0, 1, 1, 2, 2, 0, 1, 2, 3, 3, 3, 3});
+
+  const auto genome = [](double value, std::size_t weights) {
+    return std::make_shared<Genome>(Genome{.weights = std::vector<double>(weights, value), .traits = {value}});
+  };
+  std::vector<Ancestor> parents{{.id = 1, .species = 0, .genome = genome(0.0, 13)},
+                                {.id = 2, .species = 0, .genome = genome(1.0, 13)}};
+  Rng rng{1, Stream::user};
+  std::array<double, 4> seconds{};
+  std::set<std::vector<double>> brains;
+  for (int birth = 0; birth < 400; ++birth) {
+    const std::vector<double> weights = CrossoverByNeuron{}.inherit(parents, neurons, rng)->weights;
+    const std::array first{weights[0], weights[2], weights[4], weights[9]};  // of each neuron
+    for (std::size_t weight = 0; weight < 13; ++weight) CHECK(weights[weight] == first.at(neurons[weight]));
+    for (std::size_t neuron = 0; neuron < 4; ++neuron) seconds.at(neuron) += first.at(neuron);
+    brains.insert(weights);
+  }
+  for (const double second : seconds) CHECK(second == doctest::Approx(200.0).epsilon(0.2));
+  CHECK(brains.size() == 16);  // every combination of four neurons
+
+  const auto copy = CrossoverByNeuron{}.inherit(std::span{parents}.first(1), neurons, rng);
+  CHECK(copy->weights == parents[0].genome->weights);
+  CHECK(copy != parents[0].genome);
+  parents[1].genome = genome(1.0, 4);
+  for (int birth = 0; birth < 20; ++birth)
+    CHECK(std::set<std::size_t>{4, 13}.contains(CrossoverByNeuron{}.inherit(parents, neurons, rng)->weights.size()));
 }
 
 TEST_CASE("crossover: one parent, or parts of other lengths or structure -> one parent's whole part") {

@@ -38,6 +38,9 @@ struct CognitiveNetwork {
   [[nodiscard]] std::size_t genome_size(std::size_t inputs, std::size_t outputs) const {
     return Network::weights_size(inputs, outputs);
   }
+  [[nodiscard]] std::vector<std::size_t> neurons(std::size_t inputs, std::size_t outputs) const {
+    return neurons_of<Network::bias>({inputs}, 3, outputs);
+  }
   [[nodiscard]] std::vector<int> tags() const { return {-1, 1}; }
   void evaluate(std::span<const double> inputs, std::span<const double> weights, std::span<double> outputs) const {
     Network::evaluate(inputs, weights, outputs);

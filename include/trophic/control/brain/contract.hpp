@@ -47,6 +47,12 @@ concept BrainOfOneSize = requires(const P policy, std::size_t size) {
   { policy.genome_size(size, size) } -> std::same_as<std::size_t>;
 };
 
+/// A brain that says for each of its weights the number, from 0, of the neuron that it enters or whose bias it is.
+template <class P>
+concept NamesNeurons = requires(const P policy, std::size_t size) {
+  { policy.neurons(size, size) } -> std::same_as<std::vector<std::size_t>>;
+};
+
 /// A brain with output neurons.
 template <class P>
 concept EvaluatesOutputs = requires(const P policy, std::span<const double> numbers, std::span<double> outputs) {

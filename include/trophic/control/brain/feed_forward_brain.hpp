@@ -30,11 +30,14 @@ struct FeedForwardBrain {
   [[nodiscard]] std::size_t genome_size(std::size_t inputs, std::size_t outputs) const {
     return params.hidden * (inputs + outputs);
   }
+  [[nodiscard]] std::vector<std::size_t> neurons(std::size_t inputs, std::size_t outputs) const {
+    return neurons_of<0>({inputs}, params.hidden, outputs);
+  }
   [[nodiscard]] std::vector<int> tags() const { return {-1, 1}; }
 
   /// Each output is in (-1, 1).
   void evaluate(std::span<const double> inputs, std::span<const double> weights, std::span<double> outputs) const {
-    neurons(inputs, weights, outputs);
+    propagate(inputs, weights, outputs);
   }
   [[nodiscard]] double target_angle_rad(double output) const { return detail::either_side(output, params.turn_angle_rad); }
 
@@ -42,7 +45,7 @@ struct FeedForwardBrain {
   template <class Visit>
   void for_each_link(std::span<const double> inputs, std::span<const double> weights, const Visit& visit) const {
     std::vector<double> outputs(weights.size() / params.hidden - inputs.size());
-    const std::vector<double> hidden = neurons(inputs, weights, outputs);
+    const std::vector<double> hidden = propagate(inputs, weights, outputs);
     std::size_t weight = 0;
     for (const double after : hidden) {
       for (const double before : inputs) visit(weight++, before, after);
@@ -54,7 +57,8 @@ struct FeedForwardBrain {
 
  private:
   /// Sets the outputs and returns the hidden neurons.
-  std::vector<double> neurons(std::span<const double> inputs, std::span<const double> weights, std::span<double> outputs) const {
+  std::vector<double> propagate(std::span<const double> inputs, std::span<const double> weights,
+                                std::span<double> outputs) const {
     std::vector<double> hidden(params.hidden);
     tanh_layer<0>(inputs, hidden, weights.data());
     tanh_layer<0>(hidden, outputs, weights.data() + params.hidden * inputs.size());

@@ -17,7 +17,7 @@ namespace trophic::control::brain {
 ///   remove_link    a link                                                                      1 draw
 ///   split_link     a neuron in a link: weight 1 before it, the link's weight after it          1 draw
 ///   remove_neuron  a hidden neuron with its links                                              1 draw
-/// after NEAT [stanley2002], without its crossover and innovation numbers: no individual here has two parents.
+/// after NEAT [stanley2002], without its crossover and innovation numbers.
 /// Genome: hidden neurons, then the two ends of each link, then the weight of each link; links ascend by end, then by start.
 /// Reads: the sensors.   Random draws: 4 at a birth, and those above.
 struct GrowingBrain {

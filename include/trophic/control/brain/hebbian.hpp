@@ -66,6 +66,9 @@ struct Hebbian {
     n.genome_size(1, 1);
   }
   { return network().genome_size(inputs, outputs); }
+  [[nodiscard]] std::vector<std::size_t> neurons(std::size_t inputs, std::size_t outputs) const requires NamesNeurons<Network> {
+    return network().neurons(inputs, outputs);
+  }
 
   [[nodiscard]] std::vector<double> first(std::size_t inputs, std::size_t outputs,
                                           Rng& rng) const requires control::GrowingBrain<Network> {

@@ -26,6 +26,9 @@ struct RecurrentBrain {
   [[nodiscard]] std::size_t genome_size(std::size_t inputs, std::size_t outputs) const {
     return params.hidden * (inputs + params.hidden + outputs);
   }
+  [[nodiscard]] std::vector<std::size_t> neurons(std::size_t inputs, std::size_t outputs) const {
+    return neurons_of<0>({inputs, params.hidden}, params.hidden, outputs);
+  }
   [[nodiscard]] std::vector<int> tags() const { return {-1, 1}; }
 
   /// Each output is in (-1, 1).

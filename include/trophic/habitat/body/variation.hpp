@@ -38,14 +38,9 @@ struct TreeMutation {
 
   /// The probabilities times a factor in [0, 1].
   [[nodiscard]] TreeMutation times(double factor) const {
-    return {.add = factor * add,
-            .remove = factor * remove,
-            .cut = factor * cut,
-            .copy = factor * copy,
-            .mirror = factor * mirror,
-            .swap = factor * swap,
-            .turn = factor * turn,
-            .change = factor * change};
+    TreeMutation result = *this;
+    for_each_field(result, [&](const auto&, double& probability) { probability *= factor; });
+    return result;
   }
 
   static constexpr auto fields() {

@@ -3,47 +3,27 @@
 #pragma once
 
 #include <trophic/habitat/body/plan.hpp>
-#include <trophic/params/params.hpp>
 #include <trophic/reproduction/heredity/contract.hpp>
 
 namespace trophic::reproduction::heredity {
 
-/// The genes that are inherited from one parent together.
-enum class CrossoverUnit { weight, run };
-[[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(CrossoverUnit) {
-  return {"weight", "run"};
-}
-
 /// Rule: one parent, at random, is the pattern of the offspring; parts are then mixed:
-/// - weights, gait and traits: each number is that of one of the parents, at random: every one alone (uniform crossover
-///   [syswerda1989]), or weights and gait in runs of `length`, such as the weights of one neuron. A part in which parents differ
-///   in length or in a whole number, as the structures of brains and networks that grow do, is the pattern's.
+/// - weights, gait and traits: each number is that of one of the parents, at random (uniform crossover [syswerda1989]). A part in
+///   which parents differ in length or in a whole number, as the structures of brains and networks that grow do, is the
+///   pattern's.
 /// - bodies: the subtree at a face that the pattern and another parent have is that parent's [sims1994]; the pattern's own body
 ///   if modules would overlap or genes are not those of InheritedModules.
 /// The offspring of one parent has a copy.   Reads: parents' genomes.   Random draws: with several parents one for the pattern,
-/// one for each number or run, two for bodies.
+/// one for each number, two for bodies.
 struct Crossover {
   static constexpr std::string_view name = "crossover";
   static constexpr std::string_view source = "not in the paper; [syswerda1989]";
-
-  struct Params {
-    CrossoverUnit unit = CrossoverUnit::weight;
-    std::size_t length = 3;
-    static constexpr auto fields() {
-      return std::tuple{field("unit", &Params::unit, "weight: every gene alone; run: `length` genes together"),
-                        field("length", &Params::length, at_least(1), "genes of a run")};
-    }
-  };
-  Params params;
 
   [[nodiscard]] std::shared_ptr<Genome> inherit(std::span<const Ancestor> parents, Rng& rng) const {
     const Genome& pattern = *parents[parents.size() == 1 ? 0 : rng.index(parents.size())].genome;
     auto child = std::make_shared<Genome>(pattern);
     if (parents.size() == 1) return child;
-    const std::size_t length = params.unit == CrossoverUnit::weight ? 1 : params.length;
-    cross(parents, &Genome::weights, length, *child, rng);
-    cross(parents, &Genome::gait_genes, length, *child, rng);
-    cross(parents, &Genome::traits, 1, *child, rng);
+    for (const auto part : {&Genome::weights, &Genome::gait_genes, &Genome::traits}) cross(parents, part, *child, rng);
     if (pattern.body_genes.empty()) return child;
     const Genome& other = *parents[rng.index(parents.size())].genome;
     try {
@@ -87,8 +67,7 @@ struct Crossover {
     copy(copy, tree, 0, 0);
     return result;
   }
-  static void cross(std::span<const Ancestor> parents, std::vector<double> Genome::*part, std::size_t length, Genome& child,
-                    Rng& rng) {
+  static void cross(std::span<const Ancestor> parents, std::vector<double> Genome::*part, Genome& child, Rng& rng) {
     std::vector<double>& genes = child.*part;
     for (const Ancestor& parent : parents) {
       const bool is_alike = std::ranges::equal((*parent.genome).*part, genes, [](double one, double other) {
@@ -96,10 +75,8 @@ struct Crossover {
       });
       if (!is_alike) return;
     }
-    const Ancestor* from = nullptr;
     for (std::size_t gene = 0; gene < genes.size(); ++gene) {
-      if (gene % length == 0) from = &parents[rng.index(parents.size())];
-      genes[gene] = ((*from->genome).*part)[gene];
+      genes[gene] = ((*parents[rng.index(parents.size())].genome).*part)[gene];
     }
   }
 };

@@ -23,8 +23,13 @@ struct Switched {
   };
   Params params;
 
-  [[nodiscard]] std::shared_ptr<Genome> inherit(std::span<const Ancestor> parents, Rng& rng) const {
-    return params.inherited ? ask::inherit(Rule{}, parents, rng) : nullptr;
+  [[nodiscard]] std::shared_ptr<Genome> inherit(std::span<const Ancestor> parents, Rng& rng) const
+      requires(!HeredityByNeuron<Rule>) {
+    return params.inherited ? ask::inherit(Rule{}, parents, {}, rng) : nullptr;
+  }
+  [[nodiscard]] std::shared_ptr<Genome> inherit(std::span<const Ancestor> parents, std::span<const std::size_t> neurons,
+                                                Rng& rng) const requires HeredityByNeuron<Rule> {
+    return params.inherited ? ask::inherit(Rule{}, parents, neurons, rng) : nullptr;
   }
 };
 

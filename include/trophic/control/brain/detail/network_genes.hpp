@@ -18,19 +18,26 @@ struct Link {
   [[nodiscard]] friend bool operator<(const Link& a, const Link& b) { return std::pair{a.to, a.from} < std::pair{b.to, b.from}; }
 };
 
+/// The links of a network after `added` neurons are inserted before neuron `place`.
+[[nodiscard]] inline std::vector<Link> widened_links(std::span<const double> genes, std::size_t place, std::size_t added) {
+  const std::size_t count = genes.size() / 3;
+  const auto end = [&](std::size_t gene) {
+    const auto neuron = static_cast<std::size_t>(genes[gene]);
+    return neuron < place ? neuron : neuron + added;
+  };
+  std::vector<Link> links;
+  for (std::size_t i = 0; i < count; ++i) {
+    links.push_back({.from = end(1 + 2 * i), .to = end(2 + 2 * i), .weight = genes[1 + 2 * count + i]});
+  }
+  return links;
+}
+
 /// A network taken apart, and its changes. No neuron is linked twice to another.
 class Network {
  public:
   /// `genes` satisfy `are_network`.
   Network(std::span<const double> genes, std::size_t inputs, std::size_t outputs)
-      : inputs_{inputs}, hidden_{static_cast<std::size_t>(genes[0])}, outputs_{outputs} {
-    const std::size_t links = genes.size() / 3;
-    for (std::size_t i = 0; i < links; ++i) {
-      links_.push_back({.from = static_cast<std::size_t>(genes[1 + 2 * i]),
-                        .to = static_cast<std::size_t>(genes[2 + 2 * i]),
-                        .weight = genes[1 + 2 * links + i]});
-    }
-  }
+      : inputs_{inputs}, hidden_{static_cast<std::size_t>(genes[0])}, outputs_{outputs}, links_{widened_links(genes, 0, 0)} {}
 
   [[nodiscard]] std::size_t hidden() const { return hidden_; }
 
@@ -114,20 +121,6 @@ class Network {
     last = link;
   }
   return std::ranges::all_of(genes.last(links), [](double weight) { return std::isfinite(weight); });
-}
-
-/// The links of a network after `added` neurons are inserted before neuron `place`.
-[[nodiscard]] inline std::vector<Link> widened_links(std::span<const double> genes, std::size_t place, std::size_t added) {
-  const std::size_t count = genes.size() / 3;
-  const auto end = [&](std::size_t gene) {
-    const auto neuron = static_cast<std::size_t>(genes[gene]);
-    return neuron < place ? neuron : neuron + added;
-  };
-  std::vector<Link> links;
-  for (std::size_t i = 0; i < count; ++i) {
-    links.push_back({.from = end(1 + 2 * i), .to = end(2 + 2 * i), .weight = genes[1 + 2 * count + i]});
-  }
-  return links;
 }
 
 /// The Euclidean distance between the weights of two networks with links that ascend. A link that one of them lacks has weight 0

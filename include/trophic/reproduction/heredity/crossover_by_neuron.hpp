@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Offspring of two parents whose brains are mixed neuron by neuron.
+#pragma once
+
+#include <trophic/reproduction/heredity/crossover.hpp>
+
+namespace trophic::reproduction::heredity {
+
+/// Rule: all weights that enter a neuron, and its bias, are those of one of the parents, at random for each neuron: the operator
+/// CROSSOVER-NODES [montana1989]. So a feature that a neuron detects is inherited whole. Gait, body and traits are mixed as by
+/// Crossover. For brains that name the neurons of their weights, as every network of a fixed shape does. The offspring of one
+/// parent has a copy.   Reads: parents' genomes.   Random draws: those of Crossover; with several parents also one for each
+/// neuron.
+struct CrossoverByNeuron {
+  static constexpr std::string_view name = "crossover_by_neuron";
+  static constexpr std::string_view source = "not in the paper; [montana1989]";
+
+  [[nodiscard]] std::shared_ptr<Genome> inherit(std::span<const Ancestor> parents, std::span<const std::size_t> neurons,
+                                                Rng& rng) const {
+    auto child = Crossover{}.inherit(parents, rng);
+    const auto has_all = [&](const Ancestor& parent) { return parent.genome->weights.size() == neurons.size(); };
+    if (parents.size() == 1 || neurons.empty() || !std::ranges::all_of(parents, has_all)) return child;
+    std::vector<const Genome*> from(std::ranges::max(neurons) + 1);
+    for (const Genome*& one : from) one = parents[rng.index(parents.size())].genome.get();
+    for (std::size_t weight = 0; weight < neurons.size(); ++weight)
+      child->weights[weight] = from[neurons[weight]]->weights[weight];
+    return child;
+  }
+};
+static_assert(Heredity<CrossoverByNeuron>);
+
+}  // namespace trophic::reproduction::heredity
