@@ -16,6 +16,7 @@ namespace well_mixed {
 /// A prey bears with probability r (1 - N / K) a tick, N of K prey being there; a predator with probability e after a catch.
 struct Births {
   static constexpr std::string_view name = "logistic_and_by_catches";
+  using NamesOneParent = Births;
   struct Params {
     std::size_t spare_bodies = 0;
     double r = 0.05;

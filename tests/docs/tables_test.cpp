@@ -22,7 +22,8 @@ using namespace trophic;
 template <class T>
 std::string cells(const io::Written& written) {
   if constexpr (requires(T value) { value.has_value(); }) {
-    return cells<typename T::value_type>(written) + (written.none.empty() ? ", or empty" : ", or " + std::string{written.none});
+    const std::string none{written.none.empty() ? std::string_view{"empty"} : written.none};
+    return cells<typename T::value_type>(written) + (written.if_any ? "" : ", or " + none);
   } else if constexpr (std::same_as<T, bool>) {
     return "0 or 1";
   } else if constexpr (NamedEnum<T>) {
@@ -103,13 +104,10 @@ std::string document() {
 Bodies are as at that moment, and contacts are those of their boxes' shapes.)");
   text += states;
   text += section<io::TaxonRow>(
-      "phylogeny.csv",
-      R"(Every individual in the ALife data standard, written when it dies. Individuals alive at the end follow. If bodies differ, a last
-column modules_text follows: the plan of its body, as in bodies.csv.)");
+      "phylogeny.csv", "Every individual in the ALife data standard, written when it dies; those alive at the end follow.");
   text += section<io::GenomeRow>(
       "genomes.csv",
-      R"(One row per birth. If genomes are shared, a later row with the same genome_id holds the weights of all who share it from then
-on. Each heritable trait of the table is one more column, with its name.)");
+      "One row per birth. A later row of a genome that several share has the weights of all of them from then on.");
   text += section<io::GeneRow>("genes.csv",
                                R"(One row per gene of every newborn. Written only if individuals inherit gaits or bodies, or if
 brains grow.)");

@@ -104,7 +104,7 @@ Json or_null(const std::optional<Number>& value) {
   return value ? Json(*value) : Json(nullptr);
 }
 
-/// time, kind, id, body, species, cause, other individual, x, y, parent, origin; a catch has its scene behind them.
+/// time, kind, id, body, species, cause, other individual, x, y, parents, origin; a catch has its scene behind them.
 Json json_of(const io::EventRow& event) {
   return {event.time_s,
           enum_name(event.kind),
@@ -115,7 +115,7 @@ Json json_of(const io::EventRow& event) {
           or_null(event.victim ? event.victim : event.killer),
           event.x_m,
           event.y_m,
-          or_null(event.parent),
+          event.ancestor_list.value(),
           enum_name(event.origin)};
 }
 

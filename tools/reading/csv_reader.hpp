@@ -20,6 +20,8 @@ class CsvReader {
 
   /// Asks for one more column. Throws std::runtime_error where the file lacks it.
   void want(std::string_view column);
+  [[nodiscard]] const std::vector<std::string>& header() const { return header_; }
+  [[nodiscard]] bool is_wanted(std::string_view column) const { return place_of(column) < wanted_.size(); }
 
   /// Goes to the next row; false after the last. Throws std::runtime_error "FILE:LINE: ..." for a wrong number of cells.
   bool next();

@@ -6,7 +6,7 @@
 
 namespace trophic::analysis {
 
-/// The rows of a file by their columns, which may stand anywhere; columns that the row does not list are passed over.
+/// The rows of a file by their columns, which may stand anywhere; other columns are the row's named ones or passed over.
 template <io::TableRow Row>
 class TableReader {
  public:
@@ -15,7 +15,13 @@ class TableReader {
     io::for_each_column<Row>([&](const auto& column) {
       if constexpr (io::is_list_columns<std::remove_cvref_t<decltype(column)>>) {
         for (; csv_.has(name_in_list(column.name, list_size_)); ++list_size_) csv_.want(name_in_list(column.name, list_size_));
-      } else {
+      } else if constexpr (io::is_named_columns<std::remove_cvref_t<decltype(column)>>) {
+        for (const std::string& name : csv_.header()) {
+          if (csv_.is_wanted(name)) continue;
+          csv_.want(name);
+          names_.push_back(name);
+        }
+      } else if (!lacks(column)) {
         csv_.want(column.name);
       }
     });
@@ -28,12 +34,16 @@ class TableReader {
     io::for_each_column<Row>([&](const auto& column) {
       using Kind = std::remove_cvref_t<decltype(column)>;
       auto& value = row.*column.member;
+      if (lacks(column)) return;
       if constexpr (io::is_list_columns<Kind>) {
         std::size_t size = list_size_;  // the last cells of a smaller brain are empty
         while (size > 0 && csv_.text(place + size - 1).empty()) --size;
         value.clear();
         for (std::size_t i = 0; i < size; ++i) value.push_back(csv_.get<double>(place + i));
         place += list_size_;
+      } else if constexpr (io::is_named_columns<Kind>) {
+        value = {.names = names_, .values = {}};
+        for (std::size_t i = 0; i < names_.size(); ++i) value.values.push_back(csv_.get<double>(place++));
       } else if constexpr (io::is_species_column<Kind>) {
         value = species(place++);
       } else if constexpr (requires { value.has_value(); }) {
@@ -51,6 +61,9 @@ class TableReader {
   [[noreturn]] void reject(std::string_view column, std::string_view must) const { csv_.reject(csv_.place_of(column), must); }
 
  private:
+  /// Whether the column is one of those that only some files have, and this one has not.
+  [[nodiscard]] bool lacks(const auto& column) const { return io::is_left_out(column, Row{}) && !csv_.has(column.name); }
+
   [[nodiscard]] static std::string name_in_list(std::string_view name, std::size_t i) {
     return std::string{name} + std::to_string(i);
   }
@@ -65,6 +78,7 @@ class TableReader {
   CsvReader csv_;
   const FoodWeb& web_;
   std::size_t list_size_ = 0;
+  std::vector<std::string> names_ = {};  ///< of the row's named columns
 };
 
 }  // namespace trophic::analysis

@@ -101,6 +101,7 @@ template <class Rules>
   run.traits.assign(TraitGenes<Rules>::names.begin(), TraitGenes<Rules>::names.end());
   run.brains_grow = BrainGenes<Rules>::grow;
   run.bodies_differ = BodyGenes<Rules>::differ;
+  run.several_parents = reproduction::names_several_parents<AnswersForSpecies<PolicyIn<Rules, RuleSlot::recruitment>>>;
   run.has_energy = Economy<Rules>::has_energy;
   run.has_resource = Economy<Rules>::has_field;
   run.inherits_bodies = BodyGenes<Rules>::are_inherited;

@@ -15,6 +15,7 @@ struct Written {
   int decimals = -1;
   std::string_view none = {};  ///< what stands for an optional that is none
   bool plain = false;          ///< never with an exponent: 100000, not 1e+05
+  bool if_any = false;         ///< of an optional: a file has the column only if its rows have values; stands at the end
 };
 
 /// Seconds of the ecology's clock.
@@ -97,6 +98,14 @@ template <class C>
 inline constexpr bool is_named_columns = false;
 template <class Row>
 inline constexpr bool is_named_columns<NamedColumns<Row>> = true;
+
+/// Whether a file whose rows have the same values as this one lacks a column.
+template <class C, class Row>
+[[nodiscard]] bool is_left_out(const C& column, const Row& row) {
+  if constexpr (requires { column.written.if_any && (row.*column.member).has_value(); })
+    return column.written.if_any && !(row.*column.member).has_value();
+  return false;
+}
 
 /// A struct that lists its columns: `static constexpr auto columns() { return std::tuple{column("time_s", &Row::time_s, "s",
 /// "the ecology's clock"), ...}; }`, one for each member.

@@ -67,11 +67,12 @@ void append_cell(std::string& text, const Cell& value, const Written& written = 
 
 }  // namespace detail
 
-/// The names of a table's columns as a line; `like` is a row whose lists are as long as those of every row.
+/// The names of a table's columns as a line; `like` is a row with the columns and the lengths of lists of every row.
 template <TableRow Row>
 [[nodiscard]] std::string header_of(const Row& like = {}) {
   std::string text;
   for_each_column<Row>([&](const auto& column) {
+    if (is_left_out(column, like)) return;
     if constexpr (is_list_columns<std::remove_cvref_t<decltype(column)>>) {
       for (std::size_t i = 0; i < (like.*column.member).size(); ++i) text.append(column.name).append(number_text(i) + ",");
     } else if constexpr (is_named_columns<std::remove_cvref_t<decltype(column)>>) {
@@ -88,6 +89,7 @@ template <TableRow Row>
 template <TableRow Row>
 void append_row(std::string& text, const Row& row, const FoodWeb& web) {
   for_each_column<Row>([&](const auto& column) {
+    if (is_left_out(column, row)) return;
     using Kind = std::remove_cvref_t<decltype(column)>;
     const auto& value = row.*column.member;
     const auto append_all = [&](const std::vector<double>& numbers) {

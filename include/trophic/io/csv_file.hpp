@@ -60,10 +60,14 @@ class LineFile {
 template <TableRow Row>
 class CsvFile {
  public:
-  /// Writes the header at once into a new file; `like`: as header_of.
-  explicit CsvFile(const std::filesystem::path& path, const Row& like = {}, Opening opening = Opening::created)
-      : file_{path, header_of(like), opening} {}
-  CsvFile(const std::filesystem::path& path, Opening opening) : CsvFile{path, {}, opening} {}
+  /// Writes the header at once into a new file; `like`: as header_of; none: `begin` writes the header.
+  explicit CsvFile(const std::filesystem::path& path, const std::optional<Row>& like = Row{}, Opening opening = Opening::created)
+      : file_{path, like ? header_of(*like) : "", opening}, lacks_header_{!like && opening == Opening::created} {}
+  CsvFile(const std::filesystem::path& path, Opening opening) : CsvFile{path, Row{}, opening} {}
+
+  void begin(const Row& like) {
+    if (std::exchange(lacks_header_, false)) file_.buffer() = header_of(like);
+  }
 
   void write(const Row& row, const FoodWeb& web) { append_row(file_.buffer(), row, web); }
   void write(const Row& row) { write(row, FoodWeb{{}, {}}); }
@@ -74,6 +78,7 @@ class CsvFile {
 
  private:
   LineFile file_;
+  bool lacks_header_;
 };
 
 }  // namespace trophic::io

@@ -19,7 +19,7 @@ class GenomeLog {
 
   explicit GenomeLog(std::filesystem::path path, Opening opening = Opening::created) : path_{std::move(path)} {
     if (opening != Opening::resumed) return;
-    file_.emplace(path_, "", opening);
+    file_.emplace(path_, opening);
     std::ifstream text{path_};
     std::getline(text, header_);
   }
@@ -36,10 +36,9 @@ class GenomeLog {
     const Genome& genome = *event.individual.genome;
     GenomeRow row{.id = event.individual.id, .genome = genome.id, .time_s = view.time_s, .weights = genome.weights};
     row.weights.resize(brains_grow_ ? 0 : std::max(weights_, row.weights.size()), std::numeric_limits<double>::quiet_NaN());
-    if (!file_) file_.emplace(path_, with_cells(header_of(row), view.traits));
-    std::string line;
-    append_row(line, row, view.web);
-    file_->buffer() += with_cells(std::move(line), genome.traits);
+    row.traits = {.names = {view.traits.begin(), view.traits.end()}, .values = genome.traits};
+    if (!file_) file_.emplace(path_, row);
+    file_->write(row, view.web);
   }
   void on_tick(const View&) {
     if (file_) file_->flush();
@@ -47,20 +46,13 @@ class GenomeLog {
 
   void persist(Archive& archive) {
     if (!file_) throw std::runtime_error{path_.string() + ": no individual was born, so there is no file to continue"};
-    archive(*file_);
+    file_->persist(archive);
   }
-  [[nodiscard]] TableSum sum() const { return file_ ? file_->sum(column_types<GenomeRow>()) : TableSum{}; }
+  [[nodiscard]] TableSum sum() const { return file_ ? file_->sum() : TableSum{}; }
 
  private:
-  /// A line with more cells.
-  [[nodiscard]] static std::string with_cells(std::string line, const auto& cells) {
-    line.pop_back();
-    for (const auto& cell : cells) detail::append_cell(line += ',', cell);
-    return line + '\n';
-  }
-
   std::filesystem::path path_;
-  std::optional<LineFile> file_;
+  std::optional<CsvFile<GenomeRow>> file_;
   bool brains_grow_ = false;
   std::string header_;       ///< of the file that a run resumed
   std::size_t weights_ = 0;  ///< of the largest brain

@@ -8,6 +8,14 @@
 
 namespace trophic::io {
 
+/// The parents of an individual as the ALife data standard writes them: "[none]", "[7]" or "[7,9]".
+[[nodiscard]] inline std::string ancestor_list_of(const Individual& individual) {
+  if (individual.parents.empty()) return "[none]";
+  std::string list;
+  for (const IndividualId parent : individual.parents) list += (list.empty() ? '[' : ',') + std::to_string(parent);
+  return list + ']';
+}
+
 /// events.csv: one row per event, in the order in which they happened.
 struct EventRow {
   double time_s = 0.0;
@@ -26,6 +34,7 @@ struct EventRow {
   std::optional<IndividualId> victim = {};
   double x_m = 0.0;
   double y_m = 0.0;
+  std::optional<std::string> ancestor_list = {};
 
   static constexpr auto columns() {
     return std::tuple{
@@ -44,7 +53,9 @@ struct EventRow {
         column("killer_id", &EventRow::killer, "", "of a death by being caught: the hunter"),
         column("victim_id", &EventRow::victim, "", "of a catch: who was caught"),
         column("x_m", &EventRow::x_m, "m", "where its body stands", micro),
-        column("y_m", &EventRow::y_m, "m", "where its body stands", micro)};
+        column("y_m", &EventRow::y_m, "m", "where its body stands", micro),
+        column("ancestor_list", &EventRow::ancestor_list, "",
+               "[none], or all of its parents: [7], [7,9]; only if the rule Recruitment may name several", {.if_any = true})};
   }
 };
 
@@ -159,6 +170,7 @@ struct TaxonRow {
   std::optional<int> tag_at_death = {};
   std::optional<Cause> cause_of_death = {};
   std::optional<IndividualId> killer = {};
+  std::optional<std::string> modules_text = {};
 
   static constexpr auto columns() {
     return std::tuple{
@@ -177,7 +189,9 @@ struct TaxonRow {
         column("tag_at_birth", &TaxonRow::tag_at_birth, "", "the tag that it showed first"),
         column("tag_at_death", &TaxonRow::tag_at_death, "", "the tag that it showed last; empty while it lives"),
         column("cause_of_death", &TaxonRow::cause_of_death, "", "empty while it lives"),
-        column("killer_id", &TaxonRow::killer, "", "of a death by being caught: the hunter")};
+        column("killer_id", &TaxonRow::killer, "", "of a death by being caught: the hunter"),
+        column("modules_text", &TaxonRow::modules_text, "", "the plan of its body, as in bodies.csv; only if bodies differ",
+               {.if_any = true})};
   }
 };
 
@@ -188,12 +202,14 @@ struct GenomeRow {
   std::uint64_t genome = 0;
   double time_s = 0.0;
   std::vector<double> weights = {};
+  NamedNumbers traits = {};
 
   static constexpr auto columns() {
     return std::tuple{column("id", &GenomeRow::id, "", "the newborn individual"),
                       column("genome_id", &GenomeRow::genome, "", "its genome"),
                       column("time_s", &GenomeRow::time_s, "s", "the ecology's clock", seconds),
-                      list_columns("w", &GenomeRow::weights, "", "the weights that it was born with; none if brains grow")};
+                      list_columns("w", &GenomeRow::weights, "", "the weights that it was born with; none if brains grow"),
+                      named_columns("", &GenomeRow::traits, "a heritable trait by its name, as sight_m")};
   }
 };
 

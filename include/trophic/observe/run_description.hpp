@@ -56,6 +56,7 @@ struct RunDescription {
   std::optional<Branch> branch = std::nullopt;  ///< none of a run from time 0
   std::size_t spare_bodies = 0;                 ///< bodies that start without an individual
   std::vector<std::string> traits = {};         ///< names of the rule Traits
+  bool several_parents = false;                 ///< whether the rule Recruitment may name several of a birth
   bool has_energy = false;                      ///< whether there is a rule Metabolism
   bool has_resource = false;                    ///< whether there is a rule Resource
   bool brains_grow = false;                     ///< whether the number of a brain's genes may change

@@ -49,7 +49,6 @@ def test_two_parents_count_half_each():
     assert {key: found[key] for key in PREY} == pytest.approx(PREY | changed, abs=1e-12)
     births = events[events["event"] == "birth"]
     assert selection.descent_of(births)["share"].tolist() == [0.5, 0.5, 1.0]
-    assert selection.descent_of(births.assign(parents=float("nan")))["parent"].tolist() == [0.0, 0.0]
 
 
 def test_who_lacks_the_trait_never_lived_and_a_trait_that_does_not_vary_is_exactly_zero():

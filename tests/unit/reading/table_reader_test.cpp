@@ -57,23 +57,27 @@ TEST_CASE("every table of a run reads back as it was written") {
         .parent = 7,
         .cause = Cause::caught,
         .killer = 3}});
+  check_round_trip<io::EventRow>({{.id = 3, .ancestor_list = "[none]"}, {.id = 4, .parent = 3, .ancestor_list = "[3,2]"}});
   check_round_trip<io::AgentRow>(
       {{.id = 9, .tag = -1, .adversary = 4, .adversary_distance_m = 1.5, .hunger_ticks = 3}, {.species = 1}});
   check_round_trip<io::TaxonRow>(
       {{.id = 1, .ancestor_list = "[none]", .destruction_time = 2.5, .tag_at_death = -1, .cause_of_death = Cause::starved},
        {.id = 2, .ancestor_list = "[1]", .ancestor = 1, .mutation_distance = 1.0 / 3.0}});
   check_round_trip<io::GenomeRow>({{.id = 1, .weights = {0.1, -1.0 / 3.0}}, {.id = 2, .weights = {1e-300, 2.0}}});
+  check_round_trip<io::GenomeRow>({{.id = 1, .weights = {0.5}, .traits = {{"sight_m", "w_m"}, {6.0, 1.0 / 3.0}}}});
 }
 
 TEST_CASE("columns may stand in any order and among others, but none may be missing") {
   const TemporaryFolder folder;
-  const std::string path = folder.file("t.csv", "time_s,w0,note,genome_id,w1,id\n2,0.5,x,7,1,3\n2,0.5,x,8,,4\n2,,x,9,1,5\n");
+  const std::string path = folder.file("t.csv", "time_s,w0,sight_m,genome_id,w1,id\n2,0.5,6,7,1,3\n2,0.5,6,8,,4\n2,,6,9,1,5\n");
   analysis::TableReader<io::GenomeRow> table{path, web};
   io::GenomeRow row;
   REQUIRE(table.next(row));
   CHECK(row.id == 3);
   CHECK(row.genome == 7);
   CHECK(row.weights == std::vector{0.5, 1.0});
+  CHECK(row.traits.names == std::vector<std::string>{"sight_m"});
+  CHECK(row.traits.values == std::vector{6.0});
   REQUIRE(table.next(row));
   CHECK(row.weights == std::vector{0.5});  // of a species with a smaller brain
   CHECK(message_of<std::runtime_error>([&] { table.next(row); }) == path + ":4: w0 = \"\": must be a number");

@@ -2,11 +2,20 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
+#include <trophic/reproduction/recruitment/at_energy.hpp>
 #include <trophic/reproduction/recruitment/by_mating.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
 using reproduction::recruitment::ByMating;
+
+namespace {
+
+struct OthersOfAtEnergy : reproduction::recruitment::AtEnergy {};
+static_assert(reproduction::names_several_parents<ByMating> && reproduction::names_several_parents<OthersOfAtEnergy>);
+static_assert(!reproduction::names_several_parents<reproduction::recruitment::AtEnergy>);
+
+}  // namespace
 
 TEST_CASE("by mating: both willing, rich and near -> one birth of two parents, the oldest chooses the nearest") {
   HandPopulation robots{{{.species = prey, .x_m = 0.0},

@@ -149,9 +149,9 @@ def events_of(run: PooledRun) -> pandas.DataFrame:
     for id in found["id"]:
         if id not in born:
             raise RunError(f"{run.path}/events.csv: individual {id} dies and has no birth: --selection needs runs from their beginning")
-    if "recruitment" in run.manifest.get("rules", {}):
-        lists = run.texts("phylogeny.csv", ["id", "ancestor_list"], (), [])
-        found["parents"] = found["id"].map(lists.set_index(numbers(run.path / "phylogeny.csv", lists["id"]).astype(int))["ancestor_list"])
+    births = run.texts("events.csv", ["event", "id"], ["ancestor_list"], []).query("event == 'birth'")
+    if "ancestor_list" in births:
+        found["parents"] = found["id"].map(births.set_index(numbers(run.path / "events.csv", births["id"]).astype(int))["ancestor_list"])
     return found
 
 
@@ -159,9 +159,8 @@ def descent_of(births: pandas.DataFrame) -> pandas.DataFrame:
     """A row for each parent of some births: `id`, `parent` and its `share`, one over the number of parents."""
     if "parents" not in births:
         return pandas.DataFrame({"id": births["id"], "parent": births["parent_id"], "share": 1.0}).dropna()
-    by_id = births.set_index("id")  # the table of a run that was killed lacks those who live
-    lists = by_id["parents"].fillna(by_id["parent_id"].map("[{:.0f}]".format)).str.strip("[]")
-    parents = lists[~lists.isin(["none", "nan"])].str.split(",").explode().astype(float)
+    lists = births.set_index("id")["parents"].str.strip("[]")
+    parents = lists[lists != "none"].str.split(",").explode().astype(float)
     each = pandas.DataFrame({"id": parents.index, "parent": parents.to_numpy()})
     return each.assign(share=1.0 / each.groupby("id")["parent"].transform("size"))
 
@@ -213,7 +212,7 @@ def measure(texts: Sequence[str], run: PooledRun) -> pandas.Series:
     """The terms of all traits and species of a run, by (trait, species, term, period), and the term missing: the individuals without the trait."""
     verify(run.path)
     events, found = events_of(run), dict[tuple, float]()
-    end_s = min(run.until_s, run.end_s or run.until_s)
+    end_s = run.lived_s
     for trait in map(trait_of, texts):
         z = trait.read(run)
         for species in run.web.species:

@@ -78,7 +78,7 @@ std::string table_without(const std::filesystem::path& path, std::initializer_li
     text += '\n';
     for (const std::size_t place : places) {
       if (place != places.front()) text += ',';
-      is_short ? append_short(text, csv.text(place)) : static_cast<void>(text += csv.text(place));
+      is_short ? append_short(text, csv.text(place)) : io::detail::append_cell(text, csv.text(place));
     }
   }
   return text += '\n';
@@ -147,9 +147,10 @@ std::vector<std::pair<std::string_view, std::string>> files_of(const RecordedRun
   files.emplace_back("agents", deflated(table_without(run.folder / "agents.csv",
                                                       {"time_s", "origin", "x_m", "y_m", "heading_rad", "adversary_distance_m"},
                                                       {"time_s"}, ticks)));
-  files.emplace_back("events", deflated(table_without(run.folder / "events.csv", {"tick", "tag", "active", "genome_id"},
-                                                      {"time_s"}, in_window)));
-  files.emplace_back("phylogeny", deflated(table_without(run.folder / "phylogeny.csv", {"ancestor_list"}, {}, always)));
+  files.emplace_back("events",
+                     deflated(table_without(run.folder / "events.csv", {"tick", "tag", "active", "genome_id", "ancestor_list"},
+                                            {"time_s"}, in_window)));
+  files.emplace_back("phylogeny", deflated(table_without(run.folder / "phylogeny.csv", {"ancestor_id"}, {}, always)));
   files.emplace_back("scenes", deflated(json_text(json_of_scenes(run, window))));
   if (std::filesystem::exists(run.folder / "senses.csv")) {
     files.emplace_back("senses",

@@ -35,9 +35,9 @@ export class Inspector {
     const rows: [string, string][] = [];
     const end = one.death === Infinity ? "lives at the end" : `${plain(deathWords(one.cause))} at ${fixed(one.death, 0)} s`;
     rows.push(["life", `${fixed(one.birth, 0)} s, ${end}${Number.isNaN(one.killer) ? "" : ` by ${link(one.killer)}`}`]);
-    rows.push(["parent", Number.isNaN(one.parent) ? `none, genome ${plain(one.origin) || "unknown"}` : `${link(one.parent)}, genome ${plain(one.origin)}`]);
-    if (one.children.length > 0) rows.push(["offspring", `${one.children.length}; ${living} of the branch live now`]);
-    else rows.push(["offspring", "0"]);
+    const parents = one.parents.map(link).join(" and ") || "none";
+    rows.push([one.parents.length > 1 ? "parents" : "parent", `${parents}, genome ${plain(one.origin) || "unknown"}`]);
+    rows.push(["offspring", one.children.length > 0 ? `${one.offspring}; ${living} of the branch live now` : `${one.offspring}`]);
     if (body >= 0) {
       const at = row + body;
       rows.push(["age", `${fixed(time - one.birth, 0)} s${agents.active[at] ? "" : ", not yet active"}`]);
@@ -64,7 +64,7 @@ export class Inspector {
     } else {
       rows.push(["now", time < one.birth ? "not yet born" : "dead"]);
     }
-    if (!Number.isNaN(one.mutation) && !Number.isNaN(one.parent)) rows.push(["mutation", `${fixed(one.mutation, 3)} from its parent's genome`]);
+    if (!Number.isNaN(one.mutation) && one.parents.length > 0) rows.push(["mutation", `${fixed(one.mutation, 3)} from ${one.parents.length > 1 ? "the nearer" : "its"} parent's genome`]);
     const name = run.index.species[one.species] ?? "?";
     this.element.innerHTML =
       `<h2><i style="background:${colourOf(one.species)}"></i>${plain(name)} ${id}</h2><dl>` +

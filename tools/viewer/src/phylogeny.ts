@@ -13,7 +13,7 @@ export function lasting(run: Run): Set<number> {
   const found = new Set<number>();
   for (const one of run.individuals.values()) {
     if (one.death !== Infinity && one.death < run.lastTime) continue;
-    for (let at: Individual | undefined = one; at && !found.has(at.id); at = run.individuals.get(at.parent)) found.add(at.id);
+    for (let at: Individual | undefined = one; at && !found.has(at.id); at = run.individuals.get(at.parents[0])) found.add(at.id);
   }
   return found;
 }
@@ -34,7 +34,7 @@ export function layOut(run: Run, kept: ReadonlySet<number>): number {
 /** An individual with its ancestors and all of its descendants. */
 export function branchOf(run: Run, id: number): { ancestors: Set<number>; descendants: Set<number> } {
   const ancestors = new Set<number>();
-  for (let one = run.individuals.get(id); one && !ancestors.has(one.id); one = run.individuals.get(one.parent)) ancestors.add(one.id);
+  for (let one = run.individuals.get(id); one && !ancestors.has(one.id); one = run.individuals.get(one.parents[0])) ancestors.add(one.id);
   const descendants = new Set<number>();
   const waiting = [run.individuals.get(id)];
   while (waiting.length > 0) {
@@ -244,7 +244,7 @@ export class PhylogenyView {
         g.fillStyle = faded(colourOf(one.species), opacity);
         const x0 = this.xOf(one.birth);
         g.fillRect(x0, y - (thick + extra) / 2, Math.max(0.8, this.xOf(one.death) - x0), thick + extra);
-        const parent = run.individuals.get(one.parent);
+        const parent = run.individuals.get(one.parents[0]);
         if (!parent) continue;
         g.fillStyle = faded(theme().muted, opacity * (extra > 0 ? 1 : 0.55));
         const py = this.yOf(parent.row);

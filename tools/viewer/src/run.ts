@@ -50,8 +50,8 @@ export interface LiveTick {
   food?: number[];
 }
 
-/** time, kind, id, body, species, cause, other, x, y, parent, origin; of a catch its scene. */
-export type LiveEvent = [number, string, number, number, number, string, number | null, number, number, number | null, string, Scene?];
+/** time, kind, id, body, species, cause, other, x, y, parents as an ancestor list, origin; of a catch its scene. */
+export type LiveEvent = [number, string, number, number, number, string, number | null, number, number, string, string, Scene?];
 
 /** The camera of a scene, as tools/trophic/replay/shot.hpp has it. */
 export interface Shot {
@@ -86,7 +86,7 @@ export interface Event {
   other: number;
   x: number;
   y: number;
-  parent: number; // of the event's individual; NaN: a founder or an orphan
+  parents: number[]; // of the event's individual; empty: a founder or an orphan
   origin: string;
   scene?: Scene; // of a catch
 }
@@ -94,7 +94,7 @@ export interface Event {
 export interface Individual {
   id: number;
   species: number;
-  parent: number; // NaN: a founder or an orphan
+  parents: number[]; // the first is the one whose branch it belongs to; empty: a founder or an orphan
   birth: number;
   death: number; // Infinity: alive at the end
   cause: string;
@@ -103,7 +103,8 @@ export interface Individual {
   body: number;
   genome: string;
   mutation: number;
-  children: Individual[];
+  children: Individual[]; // of whom it is the first parent
+  offspring: number; // of whom it is a parent
   row: number; // in the phylogeny's drawing
 }
 
@@ -274,16 +275,24 @@ export class Run {
   }
 
   addEvents(events: LiveEvent[]): void {
-    for (const [time, kind, id, body, species, cause, other, x, y, parent, origin, scene] of events) {
-      const event: Event = { time, kind, id, body, species, cause, other: other ?? NaN, x, y, parent: parent ?? NaN, origin, scene };
+    for (const [time, kind, id, body, species, cause, other, x, y, ancestors, origin, scene] of events) {
+      const event: Event = { time, kind, id, body, species, cause, other: other ?? NaN, x, y, parents: idsIn(ancestors), origin, scene };
       this.events.push(event);
       const one = this.individuals.get(id);
       if (kind === "birth" && !one) {
         const born = bornOf(event);
         this.individuals.set(id, born);
-        (this.individuals.get(born.parent)?.children ?? this.roots).push(born);
+        this.place(born);
       }
       if (kind === "death" && one) Object.assign(one, { death: time, cause, killer: event.other });
+    }
+  }
+
+  private place(born: Individual): void {
+    (this.individuals.get(born.parents[0])?.children ?? this.roots).push(born);
+    for (const id of born.parents) {
+      const parent = this.individuals.get(id);
+      if (parent) ++parent.offspring;
     }
   }
 
@@ -298,11 +307,11 @@ export class Run {
     const y = events.numbers("y_m");
     const species = events.text("species");
     const cause = events.text("cause");
-    const parent = events.numbers("parent_id");
+    const parent = events.text("parent_id");
     const origin = events.text("origin");
     events.text("event").forEach((kind, i) => {
       const other = kind === "catch" ? victim[i] : killer[i];
-      this.events.push({ time: time[i], kind, id: id[i], body: body[i], species: names.get(species[i]) ?? -1, cause: cause[i], other, x: x[i], y: y[i], parent: parent[i], origin: origin[i] });
+      this.events.push({ time: time[i], kind, id: id[i], body: body[i], species: names.get(species[i]) ?? -1, cause: cause[i], other, x: x[i], y: y[i], parents: idsIn(parent[i]), origin: origin[i] });
     });
     this.catches.forEach((event, i) => (event.scene = scenes[i]));
     this.readPhylogeny(phylogeny, names);
@@ -317,7 +326,7 @@ export class Run {
 
   private readPhylogeny(table: Table, names: Map<string, number>): void {
     const id = table.numbers("id");
-    const ancestor = table.numbers("ancestor_id");
+    const ancestors = table.text("ancestor_list");
     const birth = table.numbers("origin_time");
     const death = table.text("destruction_time");
     const species = table.text("species");
@@ -331,7 +340,7 @@ export class Run {
       this.individuals.set(id[i], {
         id: id[i],
         species: names.get(species[i]) ?? -1,
-        parent: ancestor[i] === id[i] ? NaN : ancestor[i],
+        parents: idsIn(ancestors[i]),
         birth: birth[i],
         death: death[i] === "inf" || death[i] === "" ? Infinity : Number(death[i]),
         cause: cause[i],
@@ -341,6 +350,7 @@ export class Run {
         genome: genome[i],
         mutation: mutation[i],
         children: [],
+        offspring: 0,
         row: 0,
       });
     }
@@ -349,10 +359,7 @@ export class Run {
       if (event.kind === "birth" && !this.individuals.has(event.id)) this.individuals.set(event.id, bornOf(event));
     }
     const inOrder = [...this.individuals.values()].sort((a, b) => a.birth - b.birth || a.id - b.id);
-    for (const one of inOrder) {
-      const parent = this.individuals.get(one.parent);
-      (parent ? parent.children : this.roots).push(one);
-    }
+    for (const one of inOrder) this.place(one);
   }
 
   get firstTime(): number {
@@ -442,6 +449,11 @@ export class Run {
 }
 
 /** An individual of which only the birth is known. */
-function bornOf({ id, species, parent, time, origin, body }: Event): Individual {
-  return { id, species, parent, birth: time, death: Infinity, cause: "", killer: NaN, origin, body, genome: "", mutation: NaN, children: [], row: 0 };
+function bornOf({ id, species, parents, time, origin, body }: Event): Individual {
+  return { id, species, parents, birth: time, death: Infinity, cause: "", killer: NaN, origin, body, genome: "", mutation: NaN, children: [], offspring: 0, row: 0 };
+}
+
+/** The ids in an ancestor list: "[none]", "[7]" or "[7,9]". */
+function idsIn(list: string): number[] {
+  return (list.match(/\d+/g) ?? []).map(Number);
 }

@@ -37,7 +37,7 @@ export function shortSentence(run: Run, event: Event): string {
     case "catch":
       return `${who} catches ${nameOf(run, event.other)}`;
     case "birth":
-      return `${who} is born${Number.isNaN(event.parent) ? `, genome ${event.origin}` : ` to ${event.parent}`}`;
+      return `${who} is born${event.parents.length === 0 ? `, genome ${event.origin}` : ` to ${(run.individuals.get(event.id) ?? event).parents.join(" and ")}`}`;
     case "death":
       return `${who} ${deathWords(event.cause)}${Number.isNaN(event.other) ? "" : ` by ${nameOf(run, event.other)}`}`;
     case "activation":

@@ -16,6 +16,7 @@ namespace trophic::reproduction::recruitment {
 struct AfterEscapes {
   static constexpr std::string_view name = "after_escapes";
   static constexpr std::string_view source = "not in the paper; its conclusion asks for an explicit criterion";
+  using NamesOneParent = AfterEscapes;
 
   struct Params {
     std::size_t spare_bodies = 6;

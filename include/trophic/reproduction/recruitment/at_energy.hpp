@@ -12,6 +12,7 @@ namespace trophic::reproduction::recruitment {
 struct AtEnergy {
   static constexpr std::string_view name = "at_energy";
   static constexpr std::string_view source = "not in the paper; as in Polyworld [yaeger1994]";
+  using NamesOneParent = AtEnergy;
 
   struct Params {
     std::size_t spare_bodies = 0;

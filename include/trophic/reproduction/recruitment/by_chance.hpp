@@ -13,6 +13,7 @@ namespace trophic::reproduction::recruitment {
 struct ByChance {
   static constexpr std::string_view name = "by_chance";
   static constexpr std::string_view source = "not in the paper; [wilensky1997]";
+  using NamesOneParent = ByChance;
 
   struct Params {
     std::size_t spare_bodies = 0;

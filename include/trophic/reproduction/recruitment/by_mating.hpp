@@ -47,16 +47,11 @@ struct ByMating {
       const BodyIndex self = willing.front();
       const Individual& one = view.robots[self];
       willing.erase(willing.begin());
-      auto mate = willing.end();
-      double nearest_m = params.range_m;
-      for (auto other = willing.begin(); other != willing.end(); ++other) {
-        const double distance_m = view.distance_m(self, *other);
-        if (view.robots[*other].species != one.species || distance_m > nearest_m) continue;
-        if (mate != willing.end() && distance_m == nearest_m) continue;
-        mate = other;
-        nearest_m = distance_m;
-      }
-      if (mate == willing.end()) continue;
+      const auto away_m = [&](BodyIndex other) {
+        return view.robots[other].species == one.species ? view.distance_m(self, other) : 2.0 * params.range_m + 1.0;
+      };
+      const auto mate = std::ranges::min_element(willing, {}, away_m);
+      if (mate == willing.end() || !(away_m(*mate) <= params.range_m)) continue;
       const Individual& other = view.robots[*mate];
       births.push_back({.species = one.species,
                         .parents = {one.as_ancestor(), other.as_ancestor()},

@@ -43,6 +43,14 @@ concept Recruitment = requires(const P policy, const Vacancy& vacancy, const Vie
       { policy.recruits(view, rng, states) } -> std::same_as<std::vector<Recruit>>;
     });
 
+/// Whether a rule may name several parents of a birth, so that events.csv lists them. A rule P that names one at most declares
+/// `using NamesOneParent = P;`; a rule derived from it does not.
+template <class P>
+inline constexpr bool names_several_parents = true;
+template <class P>
+requires std::same_as<typename P::NamesOneParent, P>
+inline constexpr bool names_several_parents<P> = false;
+
 namespace ask {
 
 template <class P>

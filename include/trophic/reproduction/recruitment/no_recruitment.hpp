@@ -10,6 +10,7 @@ namespace trophic::reproduction::recruitment {
 struct NoRecruitment {
   static constexpr std::string_view name = "no_recruitment";
   static constexpr std::string_view source = "paper, Sec. \"Birth\"";
+  using NamesOneParent = NoRecruitment;
   [[nodiscard]] std::size_t spare_bodies() const { return 0; }
   [[nodiscard]] bool leaves_spare(const Vacancy&, const View&) const { return false; }
   [[nodiscard]] std::vector<Recruit> recruits(const View&, Rng&) const { return {}; }
