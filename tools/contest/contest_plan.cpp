@@ -63,8 +63,10 @@ Lineup lineup_of(const Plan& plan, const Match& match) {
   Lineup lineup;
   for (const std::size_t number : {match.hunters, match.victims}) {
     const Team& team = plan.teams.at(number);
-    for (const std::vector<double>& weights : team.genomes)
-      lineup.push_back({.species = team.species, .genome = {.weights = weights}});
+    for (std::size_t i = 0; i < team.genomes.size(); ++i) {
+      lineup.push_back({.species = team.species, .genome = {.weights = team.genomes[i]}});
+      if (!team.traits.empty()) lineup.back().genome.traits = team.traits[i];
+    }
   }
   return lineup;
 }
@@ -86,7 +88,8 @@ std::string text_of(const Plan& plan) {
             {"fingerprint", plan.fingerprint}, {"params", plan.params},
             {"duration_s", plan.duration_s},   {"reach_m", plan.reach_m},
             {"teams", Json::array()},          {"matches", Json::array()}};
-  for (const Team& team : plan.teams) json["teams"].push_back({{"species", team.species}, {"genomes", team.genomes}});
+  for (const Team& team : plan.teams)
+    json["teams"].push_back({{"species", team.species}, {"genomes", team.genomes}, {"traits", team.traits}});
   for (const Match& match : plan.matches) json["matches"].push_back({match.hunters, match.victims, match.places});
   return json_text(json) + "\n";
 }
@@ -105,8 +108,10 @@ Plan read_plan(const std::filesystem::path& path) {
               .duration_s = json.at("duration_s").get<double>(),
               .reach_m = json.at("reach_m").get<double>()};
     for (const Json& team : json.at("teams")) {
+      using Genes = std::vector<std::vector<double>>;
       read.teams.push_back({.species = whole_number<Species>(team, "species"),
-                            .genomes = team.at("genomes").get<std::vector<std::vector<double>>>()});
+                            .genomes = team.at("genomes").get<Genes>(),
+                            .traits = team.value("traits", Genes{})});
     }
     for (const Json& match : json.at("matches")) {
       read.matches.push_back({.hunters = match.at(0).get<std::size_t>(),
@@ -123,6 +128,7 @@ Plan read_plan(const std::filesystem::path& path) {
   }
   for (const Team& team : plan.teams) {
     if (team.genomes.empty()) refuse("teams: one without individuals");
+    if (!team.traits.empty() && team.traits.size() != team.genomes.size()) refuse("teams: traits: must be of each individual");
   }
   return plan;
 }

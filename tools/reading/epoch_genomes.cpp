@@ -11,16 +11,6 @@
 
 namespace trophic::analysis {
 
-namespace {
-
-/// The place for the weights of a genome.
-struct Wanted {
-  std::size_t epoch;
-  std::size_t place;
-};
-
-}  // namespace
-
 void check_epoch(const RunManifest& run, double epoch_s) {
   const std::string path = (run.folder / "manifest.json").string();
   if (!run.reached_s) {
@@ -35,13 +25,13 @@ void check_epoch(const RunManifest& run, double epoch_s) {
 std::vector<std::vector<LivingGenome>> living_genomes(const RunManifest& run, std::span<const double> epochs_s) {
   for (const double epoch_s : epochs_s) check_epoch(run, epoch_s);
   std::vector<std::vector<LivingGenome>> living(epochs_s.size());
-  std::unordered_map<std::uint64_t, std::vector<Wanted>> wanted;
+  std::unordered_map<std::uint64_t, std::vector<std::pair<std::size_t, std::size_t>>> wanted;  // epoch and place
   for_each_row<io::TaxonRow>(run, "phylogeny.csv", [&](const io::TaxonRow& row) {
     check_taxon(row, run);
     for (std::size_t epoch = 0; epoch < epochs_s.size(); ++epoch) {
       const double t = epochs_s[epoch];
       if (row.origin_time > t || row.destruction_time.value_or(t + 1.0) <= t) continue;
-      wanted[row.genome].push_back({epoch, living[epoch].size()});
+      wanted[row.genome].emplace_back(epoch, living[epoch].size());
       living[epoch].push_back({.id = row.id, .species = row.species});
     }
   });
@@ -49,7 +39,9 @@ std::vector<std::vector<LivingGenome>> living_genomes(const RunManifest& run, st
     const auto found = wanted.find(row.genome);
     if (found == wanted.end()) return;
     for (const auto& [epoch, place] : found->second) {
-      if (row.time_s <= epochs_s[epoch]) living[epoch][place].weights = row.weights;
+      if (row.time_s > epochs_s[epoch]) continue;
+      living[epoch][place].weights = row.weights;
+      living[epoch][place].traits = row.traits.values;
     }
   });
   for (std::vector<LivingGenome>& at_epoch : living) {

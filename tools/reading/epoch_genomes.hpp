@@ -14,6 +14,7 @@ struct LivingGenome {
   IndividualId id = 0;
   Species species = 0;
   std::vector<double> weights = {};
+  std::vector<double> traits = {};  ///< in the order of genomes.csv
 };
 
 /// The individuals that were alive after the rules of each epoch's tick, by id. Throws std::invalid_argument, a sentence that

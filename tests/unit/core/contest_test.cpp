@@ -7,6 +7,7 @@
 #include <tools/contest/contest_plan.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/experiment/table_experiment.hpp>
+#include <trophic/reproduction/traits/list.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/support/new_file.hpp>
 
@@ -18,6 +19,11 @@ using test::prey;
 namespace {
 
 using Weights = std::vector<double>;
+
+struct Sight {
+  static constexpr std::string_view name = "sight_m";
+  static constexpr double first = 6.0, least = 1.0, most = 12.0, sd = 0.5;
+};
 
 /// Ten predators and ten prey with the weight of their number.
 contest::Plan small_plan() {
@@ -58,6 +64,21 @@ TEST_CASE("contest: given individuals -> in their bodies, active, and no births,
   }
 }
 
+TEST_CASE("contest: table with traits -> individuals have those of their teams, and none or another number are refused") {
+  using Rules = with_traits<rules::Paper, reproduction::traits::List<Sight>>;
+  const auto make = TableExperiment<Rules>{backend::Kinematic::Params{}}.contests();
+  contest::Plan plan = small_plan();
+  for (contest::Team& team : plan.teams) team.traits.assign(10, {5.0 + static_cast<double>(team.species)});
+  const auto arena = make(7, contest::lineup_of(plan, plan.matches[0]));
+  arena->run_until(2.0);
+  for (const Individual& one : arena->view().robots) CHECK(one.genome->traits == Weights{5.0 + static_cast<double>(one.species)});
+  for (const Weights& wrong : {Weights{}, Weights{1.0, 2.0}}) {
+    plan.teams[1].traits[3] = wrong;
+    CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(contest::play(make, plan, plan.matches[0])); }) ==
+          "a contest of genomes without some parts: must have the table's gaits, bodies and traits");
+  }
+}
+
 TEST_CASE("contest: genomes of another size -> error that names both sizes") {
   contest::Plan plan = small_plan();
   plan.teams[0].genomes[3].push_back(0.0);
@@ -89,11 +110,13 @@ TEST_CASE("contest: plan and outcomes -> the same after writing and reading, err
   contest::Plan plan = small_plan();
   plan.params = {{"rules", {{"floor", {{"floor", 7}}}}}};
   plan.teams[1].genomes[0][0] = 0.1 + 0.2;
+  plan.teams[1].traits.assign(10, {0.1, 7.0});
   plan.matches[0].places = (std::uint64_t{1} << 48U) - 1;
   write_new_file(path, contest::text_of(plan));
   const contest::Plan read = contest::read_plan(path);
   CHECK(contest::text_of(read) == contest::text_of(plan));
   CHECK(read.teams[1].genomes == plan.teams[1].genomes);
+  CHECK((read.teams[0].traits.empty() && read.teams[1].traits == plan.teams[1].traits));
   CHECK(read.matches[0].places == plan.matches[0].places);
 
   const auto outcomes = folder.path() / "outcomes";

@@ -20,7 +20,7 @@ RunManifest written(const std::filesystem::path& folder) {
   std::ofstream{folder / "phylogeny.csv"} << phylogeny_header << "0,[none],0,0,20,prey,random,0,0,0,1,1,caught,1\n"
                                           << "1,[none],1,0,inf,predator,random,1,1,0,1,,,\n"
                                           << "2,[1],1,10,inf,predator,inherited,2,1,0.5,1,,,\n";
-  std::ofstream{folder / "genomes.csv"} << "id,genome_id,time_s,w0,w1\n0,0,0,0.25,0.5\n1,1,0,1,2\n2,1,10,3,4\n";
+  std::ofstream{folder / "genomes.csv"} << "id,genome_id,time_s,w0,w1,sight_m\n0,0,0,0.25,0.5,6\n1,1,0,1,2,7\n2,1,10,3,4,8\n";
   RunManifest run;
   run.folder = folder;
   run.status = "complete";
@@ -44,6 +44,7 @@ TEST_CASE("epoch genomes: living after the epoch's tick, with the weights that a
   REQUIRE(living[1].size() == 3);
   CHECK(living[1][1].weights == Weights{3.0, 4.0});
   CHECK(living[1][2].weights == Weights{3.0, 4.0});
+  CHECK((living[0][0].traits == Weights{6.0} && living[0][1].traits == Weights{7.0} && living[1][1].traits == Weights{8.0}));
   CHECK(living[2].size() == 2);
   CHECK(living[3].size() == 2);
 }
