@@ -21,6 +21,10 @@ constexpr std::array lineage_tables{"phylogeny.csv", "genomes.csv"};
                               "after birth"};
 }
 
+[[noreturn]] void refuse(const RunManifest& run, IndividualId id, const std::string& what) {
+  throw std::invalid_argument{(run.folder / lineage_tables[0]).string() + ": id " + std::to_string(id) + ": " + what};
+}
+
 }  // namespace
 
 void check_lineages(const RunManifest& run) {
@@ -36,24 +40,23 @@ void check_lineages(const RunManifest& run) {
 }
 
 void check_taxon(const io::TaxonRow& row, const RunManifest& run) {
-  const auto fail = [&](const std::string& what) {
-    throw std::invalid_argument{(run.folder / lineage_tables[0]).string() + ": id " + std::to_string(row.id) + ": " + what};
-  };
   const double end_s = run.reached_s.value_or(longest_run_s);
   constexpr double rounding_s = 1e-6;
   if (!(row.origin_time >= 0.0 && row.origin_time <= end_s + rounding_s)) {
-    fail("origin_time = " + number_text(row.origin_time) + ": must be >= 0 and <= " + number_text(end_s) + ", the run's end");
+    refuse(run, row.id,
+           "origin_time = " + number_text(row.origin_time) + ": must be >= 0 and <= " + number_text(end_s) + ", the run's end");
   }
   const double death_s = row.destruction_time.value_or(std::max(end_s, row.origin_time));
   if (!(death_s >= row.origin_time && death_s <= end_s + rounding_s)) {
-    fail("destruction_time = " + number_text(death_s) + ": must be >= its origin_time, " + number_text(row.origin_time) +
-         ", and <= " + number_text(end_s) + ", the run's end");
+    refuse(run, row.id,
+           "destruction_time = " + number_text(death_s) + ": must be >= its origin_time, " + number_text(row.origin_time) +
+               ", and <= " + number_text(end_s) + ", the run's end");
   }
   const std::string parent = row.ancestor == row.id ? "[none" : "[" + std::to_string(row.ancestor);
   const std::string more = row.ancestor_list.substr(std::min(parent.size(), row.ancestor_list.size()));
   const bool fits = row.ancestor_list.starts_with(parent) && (more == "]" || (row.ancestor != row.id && more.starts_with(',')));
   if (!fits || !parents_in(row.ancestor_list))
-    fail("ancestor_list = " + row.ancestor_list + ": must be " + parent + "], as its ancestor_id");
+    refuse(run, row.id, "ancestor_list = " + row.ancestor_list + ": must be " + parent + "], as its ancestor_id");
 }
 
 std::optional<std::vector<IndividualId>> parents_in(std::string_view ancestor_list) {
@@ -87,17 +90,11 @@ Forest read_lineages(const RunManifest& run) {
     const std::vector<IndividualId> parents = parents_in(row.ancestor_list).value();
     for (const IndividualId one : parents) {
       const auto parent = places.find(one);
-      if (parent == places.end()) {
-        throw std::invalid_argument{(run.folder / lineage_tables[0]).string() + ": id " + std::to_string(row.id) +
-                                    ": its parent " + std::to_string(one) + " is not among those born before it"};
-      }
+      if (parent == places.end()) refuse(run, row.id, "its parent " + std::to_string(one) + " is not among those born before it");
       if (taxon.parent) taxon.others.push_back(parent->second);
       taxon.parent = taxon.parent.value_or(parent->second);
     }
-    if (!places.emplace(row.id, forest.size()).second) {
-      throw std::invalid_argument{(run.folder / lineage_tables[0]).string() + ": id " + std::to_string(row.id) +
-                                  ": has two rows"};
-    }
+    if (!places.emplace(row.id, forest.size()).second) refuse(run, row.id, "has two rows");
     forest.push_back(std::move(taxon));
   }
   std::unordered_map<std::uint64_t, IndividualId> owners;

@@ -57,11 +57,16 @@ constexpr std::size_t signature_inputs = 24;
   std::string rows;
   for (std::size_t number = 0; number < forests.size(); ++number) {
     for (const analysis::Taxon& taxon : forests[number]) {
+      std::string others;
+      for (const std::size_t other : taxon.others) {
+        others += (others.empty() ? "" : " ") + std::to_string(forests[number][other].id);
+      }
       io::append_row(rows,
                      SignatureRow{.run = run.folder.string(),
                                   .forest = number,
                                   .id = taxon.id,
                                   .parent = taxon.parent ? forests[number][*taxon.parent].id : taxon.id,
+                                  .others = others,
                                   .type = signatures.type_of(taxon.species, taxon.weights),
                                   .complexity = signatures.complexity(taxon.species, taxon.weights)},
                      run.web);

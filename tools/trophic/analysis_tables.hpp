@@ -15,6 +15,7 @@ struct SignatureRow {
   std::size_t forest = 0;
   IndividualId id = 0;
   IndividualId parent = 0;
+  std::string others = {};
   std::uint32_t type = 0;
   std::size_t complexity = 0;
 
@@ -24,7 +25,8 @@ struct SignatureRow {
     return std::tuple{column("run", &Row::run, "", "folder of the run"),
                       column("forest", &Row::forest, "", "0: the run; 1 to 4: parents and genomes by chance, see drift_of"),
                       column("id", &Row::id, "", "the individual"),
-                      column("parent", &Row::parent, "", "its parent in this forest; a root's is its own id"),
+                      column("parent", &Row::parent, "", "its first parent in this forest; a root's is its own id"),
+                      column("other_parents", &Row::others, "", "the ids of further parents, separated by spaces"),
                       column("type", &Row::type, "", "equal for genomes of a run whose brains decide alike"),
                       column("complexity", &Row::complexity, "", "pairs of an input and an output that depend on each other")};
   }

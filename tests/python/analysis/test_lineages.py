@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Lineage measures of forests by hand."""
+import dataclasses
+import itertools
 import json
 import math
 
@@ -79,6 +81,38 @@ def test_descent_of_two_trees_by_hand(time_s, expected):
     assert descent(two_trees(), "prey", time_s) == approx(expected)
 
 
+def pedigree():
+    """2 is of 0 and 1, 4 of 2 and 3, 5 of 2 alone. 0 and 1 die."""
+    one = forest((-1, 0, 50), (-1, 0, 60), (0, 10, ALIVE), (-1, 20, ALIVE), (2, 30, ALIVE), (2, 40, ALIVE))
+    return dataclasses.replace(one, others={2: [1], 4: [3]})
+
+
+def test_lines_of_both_parents_count():
+    # 2, 3, 4 and 5 live, of depths 1, 0, 1.5 and 2; the common ancestor of 2-4, 2-5 and 4-5 is 2, that of 3-4 is 3
+    found = descent(pedigree(), "prey", 100)
+    assert found == approx([3, 3 / 4, (1 + 0 + 1.5 + 2) / 4, 2, 4 / 6, (3 * 90 + 80) / 4, (10 + 10 + 90 + 80 + 70 + 60) / 4])
+    assert pedigree().mean_depths == [0, 0, 1, 0, 1.5, 2] and pedigree().greatest_depths == [0, 0, 1, 0, 2, 2]
+    assert [persistent(pedigree(), "prey", *window) for window in ((25, 100), (5, 100), (5, 15))] == [[2, 3], [0, 1], [0, 1]]
+
+
+def test_common_ancestors_in_random_pedigrees_are_those_that_a_search_of_all_pairs_finds():
+    rng = numpy.random.default_rng(5)
+    for size in (12, 40):
+        parents = [rng.choice(place, min(place, int(rng.integers(0, 3))), replace=False).tolist() if place > 3 else [] for place in range(size)]
+        births = numpy.arange(size)
+        one = forest(*((its[0] if its else -1, time_s, rng.choice([time_s + 5, ALIVE])) for its, time_s in zip(parents, births)))
+        one = dataclasses.replace(one, others={place: its[1:] for place, its in enumerate(parents)})
+        lines = []
+        for place, its in enumerate(parents):
+            lines.append({place}.union(*(lines[parent] for parent in its)))
+        living = numpy.flatnonzero(one.living(size)).tolist()
+        shared = [lines[a] & lines[b] for a, b in itertools.combinations(living, 2)]
+        roots = [sum(root in lines[a] for a in living) for root in range(size) if not parents[root]]
+        expected = [sum(count > 0 for count in roots), max(roots) / len(living), numpy.mean([bool(both) for both in shared]),
+                    size - numpy.mean([max(both) for both in shared if both])]
+        assert descent(one, "prey", size)[[0, 1, 4, 5]].tolist() == approx(expected)
+
+
 def test_descent_of_a_single_individual_and_of_none():
     numpy.testing.assert_allclose(descent(forest((-1, 0, ALIVE)), "prey", 10), [1, 1, 0, 0, math.nan, math.nan, 10])
     assert numpy.isnan(descent(two_trees(), "predator", 100)).all()
@@ -130,11 +164,11 @@ def test_forests_of_a_run_are_read_from_its_phylogeny_and_the_signatures(tmp_pat
     (run / "manifest.json").write_text(json.dumps({"status": "complete", "seed": 1, "fingerprint": "f", "rule_table": "paper",
                                                    "species": ["prey", "predator"], "result": {"reached_s": 40.0}}))
     (run / "phylogeny.csv").write_text("id,ancestor_list,ancestor_id,origin_time,destruction_time,species\n9,[2],2,10,inf,prey\n2,[none],2,0,20,prey\n")
-    rows = [f"{run},{number},{row}" for number in range(5) for row in ("2,2,0,3", "9,2,1,4" if number == 0 else "9,9,1,4")]
-    (tmp_path / "signatures.csv").write_text("\n".join(["run,forest,id,parent,type,complexity", *rows]) + "\n")
+    rows = [f"{run},{number},{row}" for number in range(5) for row in ("2,2,,0,3", "9,2,,1,4" if number == 0 else "9,9,,1,4")]
+    (tmp_path / "signatures.csv").write_text("\n".join(["run,forest,id,parent,other_parents,type,complexity", *rows]) + "\n")
     values = measure_run(read_run(run), tmp_path / "signatures.csv", 10).values
     depth = values[(values.metric == "descent_greatest_depth") & (values.species == "prey")]
     assert depth.value.tolist() == [1, 0]
-    (tmp_path / "other.csv").write_text("run,forest,id,parent,type,complexity\n" + f"{run},0,2,2,0,3\n")
+    (tmp_path / "other.csv").write_text("run,forest,id,parent,other_parents,type,complexity\n" + f"{run},0,2,2,,0,3\n")
     with pytest.raises(RunError, match="other.csv: has not the individuals of"):
         measure_run(read_run(run), tmp_path / "other.csv", 10)

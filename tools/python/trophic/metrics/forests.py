@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-from collections.abc import Sequence
+import statistics
+from collections.abc import Callable, Mapping, Sequence
 
 import numpy
 
@@ -13,7 +14,7 @@ import numpy
 class Forest:
     """Individuals in the order of their births, so that each parent is before its offspring. All arrays have one element an individual."""
     parent: numpy.ndarray
-    """the parent's place in the forest; -1 for a root"""
+    """the first parent's place in the forest; -1 for a root"""
     birth_s: numpy.ndarray
     death_s: numpy.ndarray
     """s; inf while it lives"""
@@ -22,17 +23,29 @@ class Forest:
     """whole numbers from 0; equal for genomes whose brains decide alike"""
     complexity: numpy.ndarray
     """pairs of an input and an output of its brain that depend on each other"""
+    others: Mapping[int, Sequence[int]] = dataclasses.field(default_factory=dict)
+    """by place, the places of further parents"""
 
     @functools.cached_property
-    def parents(self) -> list[int]:
-        return self.parent.tolist()
+    def parents(self) -> list[tuple[int, ...]]:
+        """The places of all parents of each individual; none of a root."""
+        return [(first, *self.others.get(place, ())) if first >= 0 else () for place, first in enumerate(self.parent.tolist())]
 
     @functools.cached_property
-    def depths(self) -> list[int]:
-        """The number of births between each individual and its root."""
-        depths: list[int] = []
-        for parent in self.parents:
-            depths.append(depths[parent] + 1 if parent >= 0 else 0)
+    def mean_depths(self) -> list[float]:
+        """The generation coefficient of each individual [pattie1965]: 0 of a root, else one more than the mean of its parents'. It is the expected
+        number of births from a root to it, along parents drawn at random."""
+        return self._depths(statistics.fmean)
+
+    @functools.cached_property
+    def greatest_depths(self) -> list[float]:
+        """The number of births between each individual and its furthest root."""
+        return self._depths(max)
+
+    def _depths(self, of: Callable[[list[float]], float]) -> list[float]:
+        depths: list[float] = []
+        for its in self.parents:
+            depths.append(of([depths[one] for one in its]) + 1 if its else 0)
         return depths
 
     def living(self, time_s: float, species=None) -> numpy.ndarray:
@@ -43,15 +56,15 @@ class Forest:
 
 def persistent(forest: Forest, species, start_s: float, end_s: float) -> list[int]:
     """The places of the individuals that lived at `start_s` and are the most recent ancestors, at that time, of the members of the species that
-    live at `end_s`; ascending."""
+    live at `end_s`, along each line of parents; ascending."""
     lived = forest.living(start_s).tolist()
-    kept = set()
-    for place in numpy.flatnonzero(forest.living(end_s, species)).tolist():
-        while place >= 0 and not lived[place]:
-            place = forest.parents[place]
-        if place >= 0:
-            kept.add(place)
-    return sorted(kept)
+    waiting = numpy.flatnonzero(forest.living(end_s, species)).tolist()
+    met: set[int] = set()
+    while waiting:
+        if (place := waiting.pop()) not in met:
+            met.add(place)
+            waiting += () if lived[place] else forest.parents[place]
+    return sorted(place for place in met if lived[place])
 
 
 def modes(forest: Forest, species, times_s: Sequence[float] | numpy.ndarray) -> numpy.ndarray:
@@ -104,38 +117,45 @@ def activity(present: numpy.ndarray, nulls: Sequence[numpy.ndarray]) -> numpy.nd
 
 
 def descent(forest: Forest, species, time_s: float) -> numpy.ndarray:
-    """The shape of the descent of the members of a species that live at a time. Random newcomers make it a forest, so nothing needs one tree.
+    """The shape of the descent of the members of a species that live at a time. Random newcomers make it a forest, so nothing needs one tree. With
+    two parents an individual descends from the roots of both, as in genealogies [chang1999].
 
-    Returns roots with a living descendant; the share of the living that descend from the root with the most of them; the mean and the greatest
-    number of births between a living individual and its root; the share of pairs with a common ancestor; the mean age of their most recent one, s;
-    the length of all branches that lead to the living, per living individual, s. nan: all without living members, pairs of one individual, ages
+    Returns roots with a living descendant; the share of the living that descend from the root with the most of them; of the living, the mean of
+    Forest.mean_depths and the greatest of Forest.greatest_depths; the share of pairs with a common ancestor; the mean age of their most recent one,
+    s; the length of all branches that lead to the living, per living individual, s. nan: all without living members, pairs of one individual, ages
     without a related pair. An individual that lives is its own descendant: with its offspring it is a pair whose common ancestor is itself. A
     branch is an individual's life from its birth to that of its last offspring with living descendants, or to `time_s` if it lives itself."""
     living = numpy.flatnonzero(forest.living(time_s, species)).tolist()
     if not living:
         return numpy.full(7, numpy.nan)
-    clade = dict.fromkeys(living, 1)  # living descendants
-    for place in living:
-        while (place := forest.parents[place]) >= 0 and place not in clade:
-            clade[place] = 0
+    clade = {place: 1 << bit for bit, place in enumerate(living)}  # the living descendants of each ancestor, as bits
+    waiting = living.copy()
+    while waiting:
+        for parent in forest.parents[waiting.pop()]:
+            if parent not in clade:
+                clade[parent] = 0
+                waiting.append(parent)
     ends_s = dict.fromkeys(living, time_s)  # of branches
-    below = dict.fromkeys(clade, 0)  # pairs of which both are in the clade of one offspring
-    roots = largest = related = 0
-    ages_s = length_s = 0.0
-    for place in sorted(clade, reverse=True):
-        birth_s, parent, size = float(forest.birth_s[place]), forest.parents[place], clade[place]
-        pairs = size * (size - 1) // 2
+    relatives = [1 << bit for bit in range(len(living))]  # of each of the living, those with a common ancestor
+    roots, largest, related, ages_s, length_s = 0, 0, 0, 0.0, 0.0
+    for place in sorted(clade, reverse=True):  # the most recent first
+        birth_s, members = float(forest.birth_s[place]), clade[place]
         length_s += ends_s[place] - birth_s
-        related += pairs - below[place]
-        ages_s += (pairs - below[place]) * (time_s - birth_s)
-        if parent >= 0:
-            clade[parent] += size
-            below[parent] += pairs
+        pairs = 0
+        rest = members if related < len(living) * (len(living) - 1) // 2 and members & (members - 1) else 0
+        while rest:
+            bit = (rest & -rest).bit_length() - 1
+            rest &= rest - 1
+            pairs += (members & ~relatives[bit]).bit_count()
+            relatives[bit] |= members
+        related += pairs // 2
+        ages_s += pairs // 2 * (time_s - birth_s)
+        for parent in forest.parents[place]:
+            clade[parent] |= members
             ends_s[parent] = max(ends_s.get(parent, 0.0), birth_s)
-        else:
+        if not forest.parents[place]:
             roots += 1
-            largest = max(largest, size)
+            largest = max(largest, members.bit_count())
     n = len(living)
-    depths = [forest.depths[place] for place in living]
-    return numpy.array([roots, largest / n, sum(depths) / n, max(depths), related / (n * (n - 1) / 2) if n > 1 else numpy.nan,
-                        ages_s / related if related else numpy.nan, length_s / n])
+    return numpy.array([roots, largest / n, sum(forest.mean_depths[place] for place in living) / n, max(forest.greatest_depths[place] for place in living),
+                        related / (n * (n - 1) / 2) if n > 1 else numpy.nan, ages_s / related if related else numpy.nan, length_s / n])

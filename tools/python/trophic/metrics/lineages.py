@@ -61,13 +61,18 @@ def read_forests(run: Run, signatures: str | os.PathLike) -> list[Forest]:
     rows = _signatures(os.fspath(signatures)).get(run.path.resolve())
     if rows is None or not all(numpy.array_equal(forest["id"], ids) for _, forest in rows.groupby("forest")):
         raise RunError(f"{os.fspath(signatures)}: has not the individuals of {run.path}")
-    return [Forest(numpy.where(forest["parent"] == forest["id"], -1, numpy.searchsorted(ids, forest["parent"])), birth_s, death_s, species,
-                   forest["type"].to_numpy(), forest["complexity"].to_numpy()) for _, forest in rows.groupby("forest")]
+    forests = []
+    for _, forest in rows.groupby("forest"):
+        others = {place: numpy.searchsorted(ids, [int(one) for one in text.split()]).tolist()
+                  for place, text in forest["other_parents"].reset_index(drop=True).dropna().items()}
+        first = numpy.where(forest["parent"] == forest["id"], -1, numpy.searchsorted(ids, forest["parent"]))
+        forests.append(Forest(first, birth_s, death_s, species, forest["type"].to_numpy(), forest["complexity"].to_numpy(), others))
+    return forests
 
 
 @functools.lru_cache(maxsize=1)
 def _signatures(path: str) -> dict[pathlib.Path, pandas.DataFrame]:
-    return {pathlib.Path(run).resolve(): rows for run, rows in pandas.read_csv(path, dtype={"run": str}).groupby("run", sort=False)}
+    return {pathlib.Path(run).resolve(): rows for run, rows in pandas.read_csv(path, dtype={"run": str, "other_parents": str}).groupby("run", sort=False)}
 
 
 def lineage_values(forests: Sequence[Forest], species: Sequence, window_s: float, end_s: float) -> RunValues:
