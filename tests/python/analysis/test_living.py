@@ -8,7 +8,7 @@ import subprocess
 import numpy
 import pandas
 import pytest
-from hand_written import WEB, event, events, write_set
+from hand_written import WEB, event, events, robot, write_run, write_set
 from scipy import signal, stats
 from sets import metric, quick_set, set_of
 from trophic import judge, pool, statistics
@@ -117,11 +117,43 @@ def test_the_mean_field_of_a_world_that_is_well_mixed_is_that_world():
     rates = [mean_field.rates_of(world) for world in worlds]
     assert numpy.mean([rate.births[0] for rate in rates], axis=0) == pytest.approx([0.05, -0.05 / 600.0], rel=0.1)
     assert numpy.mean([[rate.births[1, 0], rate.deaths[1, 0], *rate.waits[0]] for rate in rates], axis=0) == pytest.approx([0.5, 0.02, 1 / 3e-4, 12.0], rel=0.1)
-    series, step_s = mean_field.simulate(rates[0], worlds[0], 10_000, 20, rng)
+    series, step_s = mean_field.simulate(rates[0], worlds[0], 10_000, 20, rng, 1500.0)
     assert step_s == 1.0 and series[..., 500:].mean(axis=(1, 2)) == pytest.approx(numpy.mean([world.numbers[:, 500:].mean(axis=1) for world in worlds], axis=0), rel=0.1)
-    assert mean_field.means_of(worlds[0], 10_000, 1)["persists", "all"] == 1.0
+    assert mean_field.means_of(worlds[0], 10_000, 1, 1500.0)["persists", "all"] == 1.0
     extinct = well_mixed(rng, capacity=1600.0, prey=500)  # cycles grow until one dies out
-    assert mean_field.means_of(extinct, 10_000, 1)["persists", "all"] <= 0.5
+    assert mean_field.means_of(extinct, 10_000, 1, 1500.0)["persists", "all"] <= 0.5
+
+
+def early_set(folder):
+    """Four runs of 1000 s in which a prey and a predator live; in the last two the predator dies at 300 s, which ends them by ecology.ends_when."""
+    lives = (event("birth", 0, 0, "prey"), event("birth", 0, 1, "predator"))
+    table = "id,ancestor_list,origin_time,destruction_time,species\n0,[none],0,inf,prey\n1,[none],0,inf,predator\n"
+    for seed in (1, 2, 3, 4):
+        end_s, more = (1000.0, {}) if seed < 3 else (300.0, {"ended": "gone: predator"})
+        write_run(folder / str(seed), seed, until_s=1000.0, of_events=(*lives, *[event("death", 300, 1, "predator", cause="starved")] * (seed > 2)),
+                  of_agents=[robot(tick, 0, "prey") for tick in range(0, int(end_s / 2) + 1, 10)], files={"phylogeny.csv": table},
+                  rules={"heredity": "own_copy", "recruitment": "at_energy"}, result={"reached_s": end_s, **more},
+                  clock={"until_s": 1000.0, "tick_s": 2.0}, params={"seed": seed})
+    return [folder / str(seed) for seed in (1, 2, 3, 4)]
+
+
+def test_runs_that_end_early_count_for_what_they_lived(tmp_path):
+    measured = pool.read_set(early_set(tmp_path), how=Measuring(jobs=1))
+    assert [run.lived_s for run in measured.runs] == [1000.0, 1000.0, 300.0, 300.0]
+    assert [remark for remark in measured.remarks if "early" in remark] == [
+        "2 of 4 runs ended early, by ecology.ends_when, after 300 s: metrics, their windows and halves are of the time that each lived; persists leaves "
+        "out the species that it left alive"]
+    each = {one: measured.table[metric("persists", one)._replace(unit="1"), ""].tolist() for one in ("all", "prey", "predator")}
+    numpy.testing.assert_equal(each, {"all": [1, 1, 0, 0], "prey": [1, 1, NAN, NAN], "predator": [1, 1, 0, 0]})
+    curves = [of.curves[of.curves.metric == "persists"] for of in measured.values]
+    assert [len(curve[curve.species == "prey"]) for curve in curves] == [5, 5, 2, 2]
+    gone = curves[3][curves[3].species == "predator"]
+    assert gone.time_s.tolist() == [200, 400, 600, 800, 1000] and gone.value.tolist() == [1, 0, 0, 0, 0]
+    deaths = measured.values[3].curves
+    assert deaths[(deaths.metric == "deaths") & (deaths.group == "all") & (deaths.species == "prey")].time_s.tolist() == [200, 400]
+    assert pool.read_set(early_set(tmp_path / "cut"), how=Measuring(until_s=600.0, jobs=1)).until_s == 600.0  # those that ended earlier are not refused
+    rows = tables.survivals(measured)
+    assert rows[["species", "time_s"]].values.tolist() == [["predator", 300.0]]
 
 
 def halving(rng, runs, endows, first_J=6.0):

@@ -77,6 +77,12 @@ class PooledRun(Run):
         return self.reached_s
 
     @property
+    def lived_s(self) -> float:
+        """How much of `until_s` the run lived: less if it ended early, by ecology.ends_when or a signal. No rate, window or half of a metric goes
+        beyond it."""
+        return self.until_s if self.end_s is None else min(self.until_s, self.end_s)
+
+    @property
     def begins(self) -> str:
         """ "at 700 s of runs/a (seed 7)" for a run that begins at a moment of another one, else empty."""
         origin = self.manifest.get("origin")
@@ -229,7 +235,12 @@ def pooled_runs(paths: Iterable[pathlib.Path], how: Measuring) -> tuple[list[Poo
                        "names")
     if len(found) > 1 and found[0].begins:
         remarks.append(f"all runs begin {found[0].begins}: they share that past, so that intervals are over its futures, not over runs")
-    return [run if how.until_s is None else _cut(run, how.until_s) for run in found], remarks
+    found = [run if how.until_s is None else _cut(run, how.until_s) for run in found]
+    if early := sorted(run.lived_s for run in found if run.lived_s < run.until_s and "ended" in run.manifest["result"]):
+        between = number_text(early[0]) + (f" to {number_text(early[-1])}" if early[-1] > early[0] else "")
+        remarks.append(f"{len(early)} of {len(found)} runs ended early, by ecology.ends_when, after {between} s: metrics, their windows and "
+                       "halves are of the time that each lived; persists leaves out the species that it left alive")
+    return found, remarks
 
 
 def run_folders(path: pathlib.Path, remarks: list[str]) -> list[pathlib.Path]:
@@ -409,7 +420,7 @@ def first_difference(a: dict, b: dict) -> str:
 
 
 def _cut(run: PooledRun, until_s: float) -> PooledRun:
-    reached_s = run.reached_s
+    reached_s = run.until_s if "ended" in run.manifest.get("result", {}) else run.reached_s
     if reached_s is None:
         times = run.load("agents.csv", metrics.AGENTS, [])["time_s"]
         reached_s = float(times.iloc[-1]) if len(times) else 0.0

@@ -114,7 +114,7 @@ def measure_run(run: PooledRun, how: Measuring) -> RunValues:
         results = bodies.measure_run(run, how.bodies, events, agents)
     else:
         is_constant = not living.changes_numbers(run)
-        results = shipped(run.web, events, agents, until_s=run.until_s, floor=run.floor, every_ticks=run.every_ticks, tag_values=run.tags,
+        results = shipped(run.web, events, agents, until_s=run.lived_s, floor=run.floor, every_ticks=run.every_ticks, tag_values=run.tags,
                           simulated_s_per_s=run.manifest["clock"].get("simulated_s_per_clock_s", 1.0), is_constant=is_constant)
         if not is_constant:
             living.measure(run, events, results)

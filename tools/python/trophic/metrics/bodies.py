@@ -48,7 +48,7 @@ def names(web: Web) -> list[Metric]:
 def measure_run(run: PooledRun, distances: str | os.PathLike, events: pandas.DataFrame, agents: pandas.DataFrame) -> Results:
     """Measures a run. `distances`: the program's file plan_distances.csv. Raises RunError for a table that is cut or was changed after the run."""
     check(run)
-    end_s = run.until_s
+    end_s = run.lived_s
     window_s = min(_WINDOW_S, end_s / _WINDOWS_OF_A_SHORT_RUN)
     times_s = numpy.minimum(numpy.arange(1, int(end_s / window_s * (1 + 1e-12)) + 1) * window_s if window_s > 0 else numpy.empty(0), end_s)
     robots = Agents(agents, run.web)

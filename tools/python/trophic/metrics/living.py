@@ -26,11 +26,11 @@ MEAN_FIELD = "mean_field"
 
 def measure(run: PooledRun, events: pandas.DataFrame, results: Results) -> None:
     """Adds the metrics of a run; energy only of one with energy.csv."""
-    last_s = run.reached_s if run.reached_s is not None else float(events.time_s.max()) if len(events) else 0.0
-    reached_s = min(run.until_s, last_s)
-    census = Census(events, run.web, run.manifest["clock"]["tick_s"], reached_s)
+    lived_s = run.lived_s if run.end_s is not None else min(run.until_s, float(events.time_s.max()) if len(events) else 0.0)
+    census = Census(events, run.web, run.manifest["clock"]["tick_s"], lived_s)
+    until_s = run.until_s if run.complete else lived_s
     most = int(run.manifest.get("params", {}).get("ecology", {}).get("robots", 1_000_000))
-    _measure_numbers(census, mean_field.means_of(census, most, run.seed), run.seed, results)
+    _measure_numbers(census, mean_field.means_of(census, most, run.seed, until_s), run.seed, until_s, results)
     has_newcomers = _measure_descent(census, run, results)
     area_m2 = (2.0 * run.floor.half_side_m) ** 2
     for (hunter, prey), met in zip(run.web.links, census.meetings()):
@@ -62,7 +62,8 @@ def names(web: Web, has_energy: bool) -> list[Metric]:
     return [Metric(name, one, "all", unit) for name, unit, its in of for one in its]
 
 
-def _measure_numbers(census: Census, field: dict[tuple[str, str], float], seed: int, results: Results) -> None:
+def _measure_numbers(census: Census, field: dict[tuple[str, str], float], seed: int, until_s: float, results: Results) -> None:
+    """`until_s`: the planned end. After an early end a species that was gone stays so; nothing is known of one that lived."""
     def add(name: str, species: str, unit: str, value: float) -> None:
         null = field.get((name, species), math.nan)
         results.add(name, species, "all", unit, value, ((MEAN_FIELD, "reference", null),) if name in mean_field.METRICS else ())
@@ -70,10 +71,13 @@ def _measure_numbers(census: Census, field: dict[tuple[str, str], float], seed: 
     window = window_of(census.time_s)
     alive = {one: census.time_s < gone * census.tick_s for one, (gone, _) in zip(census.web.species, found)}
     never = {one for one, series in zip(census.web.species, census.numbers) if not series.any()}
+    last = numpy.flatnonzero(numpy.diff(window, append=-1))
+    later = WINDOW_S * numpy.arange(window[-1] + 2, math.ceil(until_s / WINDOW_S) + 1)
+    is_early = census.time_s[-1] + census.tick_s < until_s
     for one, lives in {"all": numpy.logical_and.reduce([*alive.values()]), **alive}.items():
-        add("persists", one, "1", math.nan if one in never else float(lives[-1]))
-        last = numpy.flatnonzero(numpy.diff(window, append=-1))
-        results.add_curve("persists", one, "all", "1", (window[last] + 1) * WINDOW_S, lives[last].astype(float))
+        add("persists", one, "1", math.nan if one in never or is_early and lives[-1] else float(lives[-1]))
+        rest = later[:0] if lives[-1] else later
+        results.add_curve("persists", one, "all", "1", numpy.append((window[last] + 1) * WINDOW_S, rest), numpy.append(lives[last], 0.0 * rest))
     for name, unit, values in (("extinct_at", "s", [gone * census.tick_s if math.isfinite(gone) else math.nan for gone, _ in found]),
                                ("cycles", "1", [cycle.is_there for _, cycle in found]),
                                ("period", "s", [cycle.period * census.tick_s for _, cycle in found]),

@@ -54,10 +54,10 @@ def linear(alive: numpy.ndarray, events: numpy.ndarray, is_dense: bool = True) -
     return numpy.linalg.lstsq(numpy.column_stack([alive**0.5, alive**1.5]), events / alive**0.5, rcond=None)[0]
 
 
-def simulate(rates: Rates, census: Census, most: int, runs: int, rng: numpy.random.Generator) -> tuple[numpy.ndarray, float]:
-    """Numbers of each species in simulated runs that begin and last as the run: shape (species, runs, steps), and the length of a step, s. A step is
-    so short that few die or are born in it."""
-    ticks = census.numbers.shape[1]
+def simulate(rates: Rates, census: Census, most: int, runs: int, rng: numpy.random.Generator, until_s: float) -> tuple[numpy.ndarray, float]:
+    """Numbers of each species in simulated runs that begin as the run and last until its planned end: shape (species, runs, steps), and the length
+    of a step, s. A step is so short that few die or are born in it."""
+    ticks = int(until_s / census.tick_s * (1.0 + 1e-12)) + 1
     every = max(1, -(-ticks // _MOST_STEPS))
     step_s = every * census.tick_s
     numbers = numpy.repeat(census.numbers[:, :1], runs, axis=1)
@@ -82,11 +82,11 @@ def simulate(rates: Rates, census: Census, most: int, runs: int, rng: numpy.rand
     return numpy.stack(series, axis=2), step_s
 
 
-def means_of(census: Census, most: int, seed: int) -> dict[tuple[str, str], float]:
+def means_of(census: Census, most: int, seed: int, until_s: float) -> dict[tuple[str, str], float]:
     """The means of METRICS over simulated runs, by metric and species; empty without links or ticks."""
     if not census.links or census.numbers.shape[1] < 2:
         return {}
-    series, step_s = simulate(rates_of(census), census, most, RUNS, numpy.random.default_rng(seed))
+    series, step_s = simulate(rates_of(census), census, most, RUNS, numpy.random.default_rng(seed), until_s)
     persists = extinctions(series) == series.shape[2]
     found: dict[tuple[str, str], float] = {("persists", "all"): persists.all(axis=0).mean()}
     for species, runs, lives in zip(census.web.species, series, persists):

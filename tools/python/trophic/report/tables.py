@@ -136,7 +136,7 @@ def survivals(of: MeasuredSet) -> pandas.DataFrame:
     for null, one in (("", of), *of.nulls.items()):
         for (metric, baseline), values in one.table.items():
             if (metric.metric, baseline) == ("extinct_at", "") and (metric._replace(metric="persists", unit="1"), "") in one.table:
-                ends = [min(one.until_s, run.manifest.get("result", {}).get("reached_s", one.until_s)) for run in one.runs]
+                ends = [getattr(run, "lived_s", one.until_s) for run in one.runs]
                 died = ~numpy.isnan(values)
                 rows += [(of.label, null, metric.species, *row) for row in survival(numpy.where(died, values, ends), died)]
     return pandas.DataFrame(rows, columns=names("survival.csv"))
