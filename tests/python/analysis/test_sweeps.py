@@ -399,6 +399,41 @@ def test_seeds_that_are_alike_are_worth_more_in_pairs_those_that_are_not_cost_th
     assert simulate(2000, 22, **apart)["significant"] < simulate(2000, 22, paired=False, **apart)["significant"]
 
 
+PERSISTS = Metric("persists", "prey", "all", "1")
+
+
+def simulated_shares(trials, seed, shares, replicates=10, alike=0.0):
+    """Sweeps of a metric of 0 and 1, true in a cell with its of `shares`; with probability `alike` the replicates of one seed have the same luck."""
+    rng, plan = numpy.random.default_rng(seed), plan_of(len(shares), replicates)
+    luck = rng.random((replicates, trials))
+    values = numpy.array([numpy.where(rng.random(trials) < alike, luck[run.replicate], rng.random(trials)) < shares[run.cell] for run in plan], float)
+    grid = grid_of(plan)
+    return cells.judged(cells.as_family(pandas.concat([cells._compared(grid.cells[0], values[:replicates], cell, values[replicates * cell.number:][:replicates],
+                                                                       [PERSISTS] * trials) for cell in grid.cells[1:]], ignore_index=True), "raw", ["raw"]))
+
+
+@pytest.mark.parametrize("shares", [(0.9, 0.9, 0.9), (0.5, 0.5, 0.5), (0.9, 0.4, 0.9)])
+@pytest.mark.parametrize("alike", [0.0, 0.6])
+def test_shares_of_runs_have_exact_tests_that_err_in_at_most_5_percent_and_intervals_that_hold(shares, alike):
+    frame = simulated_shares(150, 3, shares, alike=alike)
+    truth = numpy.repeat(numpy.subtract(shares[1:], shares[0]), 150)
+    assert ((frame["lower"] <= truth) & (truth <= frame["upper"])).mean() >= 0.94
+    assert (frame["lower_corrected"] <= frame["lower"]).all() and (frame["p"].dropna()[truth[frame["p"].notna()] == 0.0] <= 0.05).mean() <= 0.05
+    assert set(frame["design"]) == {"exact"} and (shares[1] > 0.4 or (frame["p"] <= 0.05)[truth != 0.0].mean() >= 0.4)
+
+
+def test_shares_are_answers_without_shadows_and_once_and_effects_of_axes_pool_their_runs():
+    plan = plan_of_two_axes(with_shadow=True)
+    values = SweepValues([PERSISTS, HUNGER], numpy.array([[float(run.cell < 2 or run.shadow), run.replicate + 2 * run.cell * (not run.shadow)] for run in plan]), [True] * len(plan))
+    frame = compare_cells(grid_of(plan), values, 0)
+    its = frame[frame["metric"] == "persists"]
+    assert set(its["compared"]) == {"raw"} and set(its["role"]) == {"null"} and len(its) == 5 and list(frame["compared"][:3]) == ["raw", "over_shadow", "raw"]
+    assert its["p"].tolist() == approx([math.nan, *[statistics.share_difference([0] * 6, [1] * 6).p] * 4], nan_ok=True)
+    effects = axis_effects(grid_of(plan), values, 0)
+    ours = effects[effects["metric"] == "persists"]
+    assert ours["p"].tolist() == approx([statistics.share_difference([0] * 12, [1] * 12).p] * 2 + [1.0]) and set(ours["compared"]) == {"raw"}
+
+
 @pytest.mark.parametrize("paired", [True, False])
 @pytest.mark.parametrize("own", [0.5, 1.0])
 def test_as_many_runs_as_are_asked_for_find_the_difference_in_80_percent_of_comparisons(paired, own):

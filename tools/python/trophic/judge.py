@@ -148,6 +148,7 @@ def compare(a: MeasuredSet, b: MeasuredSet, choices: Sequence[str] = ()) -> pand
         row = {"set_a": a.label, "set_b": b.label, **metric._asdict(), **_estimated(metric, of_a, "_a"), **_estimated(metric, of_b, "_b"),
                "same_as": str(repeats.get(metric, ""))}
         null = a.null_of(metric) if a.null_of(metric) == b.null_of(metric) else SHADOW if a.shadow and b.shadow else ""
+        null = "" if metric.metric in living.SHARES else null  # there is no exact test of a difference of differences
         if null:
             over = _difference(metric, [*_over(a, metric, null, -1.0), *_over(b, metric, null)])
             if over.value is not None:
@@ -173,7 +174,7 @@ def _over(of: MeasuredSet, metric: Metric, null: str, sign: float = 1.0) -> list
 
 def _difference(metric: Metric, terms: list[tuple[float, numpy.ndarray]]) -> Difference:
     if metric.metric in living.SHARES and [sign for sign, _ in terms] == [1.0, -1.0]:
-        return share_difference(*(values for _, values in terms))
+        return share_difference(terms[0][1], terms[1][1])
     return difference_of(_sum(*terms), contrast(*terms), scatter_of(*(values for _, values in terms)))
 
 
@@ -351,24 +352,23 @@ _NOUNS = {"velocity": "the velocity of {who} towards their adversaries", "veloci
           "attribution_catches": "the share of catches that inherited {who} make",
           "attribution_catchers": "the share of the inherited among {who} that caught",
           "attribution_caught": "the share of the inherited among {who} that are caught",
-          "attribution_died": "the share of the inherited among {who} that die",
-          "wall_sticking": "the share of {who} within 1 m of a wall", "wall_sticking_gap": "the excess of {first} over {second} within 1 m of a wall",
-          "tag_symmetry": "the tag symmetry of {who}", "population": "the number of {who}", "hunger": "the hunger of {who}",
-          "ticks_at": "the share of time with {group} {who}", "deaths": "the number of {who} that die in a run",
-          "stuck": "the share of {who} that are stuck", "locked": "the share of {who} that are locked into another one",
-          "near_pairs": "the number of pairs of {who} within 0.3 m", "near_longest": "the longest time that a pair of {who} stays within 0.3 m",
-          "walked": "the speed of {who}", "open_speed": "the speed of {who} away from walls",
-          "upright_speed": "the speed of upright {who} away from walls", "overturned": "the share of {who} that lie on their backs",
-          "wall_contact": "the share of {who} that touch a wall",
+          "attribution_died": "the share of the inherited among {who} that die", "wall_sticking": "the share of {who} within 1 m of a wall",
+          "wall_sticking_gap": "the excess of {first} over {second} within 1 m of a wall", "tag_symmetry": "the tag symmetry of {who}",
+          "population": "the number of {who}", "hunger": "the hunger of {who}", "ticks_at": "the share of time with {group} {who}",
+          "deaths": "the number of {who} that die in a run", "stuck": "the share of {who} that are stuck",
+          "locked": "the share of {who} that are locked into another one", "near_pairs": "the number of pairs of {who} within 0.3 m",
+          "near_longest": "the longest time that a pair of {who} stays within 0.3 m", "walked": "the speed of {who}",
+          "open_speed": "the speed of {who} away from walls", "upright_speed": "the speed of upright {who} away from walls",
+          "overturned": "the share of {who} that lie on their backs", "wall_contact": "the share of {who} that touch a wall",
           "persists": "the share of runs that {who} survive", "cycles": "the share of runs in which {who} cycle",
-          "period": "the period of the cycle of {who}",
-          "amplitude": "the relative amplitude of the cycle of {who}", "phase": "the phase between {who}", "birth_rate": "the birth rate of {who}",
-          "generation_time": "the generation time of {who}", "parents": "the number of parents of {who}",
-          "lineage_depth": "the depth of the lineages of {who}", "search_rate": "the search rate between {who}",
-          "search_rate_holling": "the search rate between {who} of type II", "handling_time": "the handling time between {who}",
-          "stock": "the stock of energy of {who}", "trophic_efficiency": "the trophic efficiency of {who}",
-          "pyramid_numbers": "the pyramid of numbers of {who}", "pyramid_energy": "the pyramid of energy of {who}",
-          "extinct": "the share of runs in which {who} die out", "extinct_at": "the time at which {who} die out"}
+          "period": "the period of the cycle of {who}", "amplitude": "the relative amplitude of the cycle of {who}",
+          "phase": "the phase between {who}", "birth_rate": "the birth rate of {who}", "generation_time": "the generation time of {who}",
+          "parents": "the number of parents of {who}", "lineage_depth": "the depth of the lineages of {who}",
+          "search_rate": "the search rate between {who}", "search_rate_holling": "the search rate between {who} of type II",
+          "handling_time": "the handling time between {who}", "stock": "the stock of energy of {who}",
+          "trophic_efficiency": "the trophic efficiency of {who}", "pyramid_numbers": "the pyramid of numbers of {who}",
+          "pyramid_energy": "the pyramid of energy of {who}", "extinct": "the share of runs in which {who} die out",
+          "extinct_at": "the time at which {who} die out"}
 _CAUSES = {"caught": "are caught", "starved": "starve", "sacrificed": "are sacrificed", "senescence": "die of senescence"}
 
 

@@ -162,11 +162,11 @@ def share_interval(values: Values, level: float = 0.95) -> Interval | None:
                     float(special.betaincinv(k + 1, n - k, 1.0 - tail)) if k < n else 1.0)
 
 
-def share_difference(a: Values, b: Values) -> Difference:
+def share_difference(a: Values, b: Values, level: float = 0.95) -> Difference:
     """The difference of two shares of runs, a - b: Fisher's exact test, and Newcombe's interval [newcombe1998] of both exact ones. Without p and
     interval if a set has fewer than MIN_RUNS_FOR_TEST values, without p where all values are the same."""
     a, b = known(a), known(b)
-    its, others = share_interval(a), share_interval(b)
+    its, others = share_interval(a, level), share_interval(b, level)
     value = float(a.mean() - b.mean()) if len(a) and len(b) else None
     if value is None or its is None or others is None:
         return Difference(value, None, None, None, scatter_of(a, b))

@@ -148,7 +148,7 @@ species
 group
 unit
 compared text: over_shadow: each run over its shadow first, the answer; raw: the answer without shadows, else next to it
-design text: paired: seed by seed, Student's t; independent: other seeds in each cell, Welch's t
+design text: paired: seed by seed, Student's t; independent: other seeds in each cell, Welch's t; exact: shares of runs, Fisher's test
 runs whole: of the cell that were compared; of a paired sweep the pairs
 runs_reference whole: of the reference cell that were compared
 mean: over the cell's runs

@@ -10,7 +10,8 @@ import numpy
 import pandas
 
 from ..judge import Count, conclusions
-from ..statistics import SIGNIFICANCE, holm
+from ..metrics.living import SHARES
+from ..statistics import SIGNIFICANCE, holm, share_difference
 from ..values import METRIC, Metric
 from . import arrays
 from .arrays import Array, Contrast, Scatter
@@ -37,9 +38,13 @@ class SweepValues:
         return both[:, 0], both[:, 1]
 
     def compared(self, cell: Cell, over_shadow: bool) -> Array:
-        """Values of a cell's runs, or by how much they exceed those of their shadows."""
+        """Values of a cell's runs, or by how much they exceed those of their shadows, but for shares of runs."""
         raw, shadow = self.of(cell)
-        return raw - shadow if over_shadow else raw
+        return raw - numpy.where(self.are_shares, 0.0, shadow) if over_shadow else raw
+
+    @property
+    def are_shares(self) -> Array:
+        return numpy.array([metric.metric in SHARES for metric in self.metrics])
 
     def have_shadows(self, grid: Grid) -> bool:
         """Whether every cell has a run and its shadow, so that the difference over the shadows is the answer."""
@@ -60,6 +65,7 @@ def compare_cells(grid: Grid, values: SweepValues, reference: int) -> pandas.Dat
 
     The answer is over the shadows, each run less its shadow first, if every cell has shadows; raw differences stand behind it then, a family of
     their own. Cells are compared seed by seed if they share seeds (mean of the pairs' differences, Student's t), else as independent sets (Welch).
+    Shares of runs, which are 0 or 1 in each, are compared without their shadows, by Fisher's exact test: seeds that are alike make it err less often.
 
     Columns: those of sweep_differences.csv (docs/tables.md), and as in judge.compare `role` ("null" of an answer, else ""), `level` and
     `conclusion`; `set_a`, `set_b`, `n_a`, `n_b`; and `scatter`, the deviation of a difference of one run. nan is what could not be computed.
@@ -73,8 +79,7 @@ def compare_cells(grid: Grid, values: SweepValues, reference: int) -> pandas.Dat
         if not blocks:
             continue
         frame = pandas.concat(blocks, ignore_index=True)
-        frame["compared"], frame["role"] = family, "null" if family == families[0] else ""
-        parts.append(judged(frame))
+        parts.append(judged(as_family(frame, family, families)))
     if not parts:
         return pandas.DataFrame(columns=["cell", *METRIC, "compared", "role", "conclusion", "p_holm", "is_comparison"])
     found = pandas.concat(parts)
@@ -83,6 +88,23 @@ def compare_cells(grid: Grid, values: SweepValues, reference: int) -> pandas.Dat
     found["set_b"] = found["cell"].map({cell.number: grid.cell_name(cell.number) for cell in grid.cells})
     found["n_a"], found["n_b"] = found["runs_reference"], found["runs"]
     return found
+
+
+def as_family(frame: pandas.DataFrame, family: str, families: Sequence[str]) -> pandas.DataFrame:
+    """The rows of a family, with `compared` and `role`: shares of runs are answers without shadows, once."""
+    is_share = frame["metric"].isin(SHARES)
+    frame = frame.assign(compared=numpy.where(is_share, RAW, family), role="null" if family == families[0] else "")
+    return frame if family == families[0] else frame[~is_share]
+
+
+def exact(frame: pandas.DataFrame, names: Sequence[str] = ("lower", "upper", "p"), level: float = 0.95) -> pandas.DataFrame:
+    """The frame with exact intervals and p values of the differences of shares of runs, by share_difference."""
+    frame = frame.copy()
+    for row in frame[frame["metric"].isin(SHARES)].itertuples():
+        its, others = (numpy.arange(n) < numpy.rint(n * mean) for n, mean in ((row.runs, row.mean), (row.runs_reference, row.mean_reference)))
+        of = share_difference(its, others, level)
+        frame.loc[row.Index, list(names)] = [*(of.interval or (numpy.nan, numpy.nan)), numpy.nan if of.p is None else of.p][:len(names)]
+    return frame
 
 
 def _compared(base: Cell, of_base: Array, cell: Cell, of_cell: Array, metrics: Sequence[Metric]) -> pandas.DataFrame:
@@ -108,7 +130,8 @@ def _compared(base: Cell, of_base: Array, cell: Cell, of_cell: Array, metrics: S
                "runs_reference": a.runs, "mean": b.mean, "mean_reference": a.mean, "difference": difference, "lower": interval.lower,
                "upper": interval.upper, "p": numpy.where(is_comparison, arrays.p_value(of), numpy.nan), "hedges_g": arrays.hedges_g(a, b),
                "is_comparison": is_comparison, "scatter": numpy.sqrt(scatter.variance)}
-    return pandas.DataFrame({**columns, **dict(zip(_STATISTICS, (*of, *scatter)))}, index=range(len(metrics)))
+    frame = pandas.DataFrame({**columns, **dict(zip(_STATISTICS, (*of, *scatter)))}, index=range(len(metrics)))
+    return exact(frame.assign(design=frame["design"].where(~frame["metric"].isin(SHARES), "exact")))
 
 
 def judged(frame: pandas.DataFrame) -> pandas.DataFrame:
@@ -122,7 +145,8 @@ def judged(frame: pandas.DataFrame) -> pandas.DataFrame:
     interval = arrays.interval_of(of, 1.0 - level)
     new = {"lower_corrected": interval.lower, "upper_corrected": interval.upper, "runs_needed": arrays.runs_for_power(tested["difference"].to_numpy(), scatter, level),
            "smallest_detectable": arrays.detectable_difference(of, level)}
-    return frame.assign(**{column: pandas.Series(values, tested.index) for column, values in new.items()})
+    frame = frame.assign(**{column: pandas.Series(values, tested.index) for column, values in new.items()})
+    return exact(frame, ("lower_corrected", "upper_corrected"), 1.0 - level)
 
 
 def corrected(frame: pandas.DataFrame) -> pandas.DataFrame:

@@ -7,15 +7,15 @@ import pandas
 
 from ..values import METRIC
 from . import arrays
-from .cells import ANSWER, RAW, SweepValues, by_seed, corrected
+from .cells import ANSWER, RAW, SweepValues, as_family, by_seed, corrected, exact
 from .grid import Axis, Grid, is_paired
 
 
 def axis_effects(grid: Grid, values: SweepValues, reference: int) -> pandas.DataFrame:
     """Every metric with an axis at each of its values, compared with the axis at the reference cell's value, by metrics, axes and values.
 
-    The mean over all settings of the other axes at which both values were run, one number a seed, and Student's t over seeds. Over the shadows and
-    raw, two families, as compare_cells. Columns: those of sweep_effects.csv (docs/tables.md), `role`, `level` and `conclusion`. Empty if the cells
+    The mean over all settings of the other axes at which both values were run, one number a seed, and Student's t over seeds; of shares of runs
+    Fisher's exact test over settings and seeds. Over the shadows and raw, two families, as compare_cells. Columns: those of sweep_effects.csv (docs/tables.md), `role`, `level` and `conclusion`. Empty if the cells
     do not share their seeds, as then no seed is in all of them."""
     columns = ["axis", "value", "reference", *METRIC, "compared", "settings", "seeds", "mean", "mean_reference", "difference", "lower", "upper", "p"]
     place = grid.place(reference)
@@ -26,7 +26,7 @@ def axis_effects(grid: Grid, values: SweepValues, reference: int) -> pandas.Data
             blocks = _effects(grid, values, place, family == ANSWER)
             if blocks:
                 frame = pandas.concat(blocks).sort_index(kind="stable").reset_index(drop=True)  # by metrics first
-                frame["compared"], frame["role"] = family, "null" if family == families[0] else ""
+                frame = as_family(exact(frame), family, families)
                 parts.append(corrected(frame.assign(is_comparison=frame["p"].notna())))
     if not parts:
         return pandas.DataFrame(columns=[*columns, "p_holm", "role", "level", "conclusion", "is_comparison"])
@@ -53,7 +53,7 @@ def _effects(grid: Grid, values: SweepValues, place: int, over_shadow: bool) -> 
             interval = arrays.interval_of(contrast)
             means = [arrays.moments(numpy.where(missing, numpy.nan, each)).mean for each in (after, before)]
             blocks.append(pandas.DataFrame({"axis": axis.name, "value": value, "reference": reference, **dict(zip(METRIC, zip(*values.metrics))), "compared": "",
-                                            "settings": len(pairs), "seeds": of.runs, "mean": means[0], "mean_reference": means[1], "difference": of.mean,
+                                            "settings": len(pairs), "seeds": of.runs, "runs": len(pairs) * of.runs, "runs_reference": len(pairs) * of.runs, "mean": means[0], "mean_reference": means[1], "difference": of.mean,
                                             "lower": interval.lower, "upper": interval.upper, "p": arrays.p_value(contrast)}, index=range(len(values.metrics))))
     return blocks
 

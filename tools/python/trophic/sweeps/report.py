@@ -219,7 +219,7 @@ def header_text(analysis: SweepAnalysis) -> str:
     lines.append(f"reference: {grid.cell_name(analysis.reference)}, {analysis.label}")
     if not len(differences):
         return "\n".join([*lines, "one cell alone: there is nothing to compare\n"])
-    designs = set(differences["design"])
+    designs = set(differences["design"]) - {"exact"}
     design = ("seed by seed where cells share seeds, else as independent sets" if len(designs) > 1 else "seed by seed" if designs == {"paired"}
               else "as independent sets (other seeds in each cell)")
     over = ", each run over its shadow" if (differences["compared"] == ANSWER).any() else ""
