@@ -7,6 +7,7 @@
 #include <support/energy_auditor.hpp>
 #include <support/hand_population.hpp>
 #include <support/temporary_folder.hpp>
+#include <tools/reading/read_history.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/torus.hpp>
 #include <trophic/rules/with_ageing_victims.hpp>
@@ -203,7 +204,7 @@ TEST_CASE("living: what parents hand over -> in the shadow too, where nothing is
     double received_J = 0.0;
     std::int64_t births = 0;
   };
-  for (const Null null : {Null::none, Null::shadow}) {
+  for (const Null null : {Null::none, Null::shadow, Null::neutral, Null::clones}) {
     Ecology<Rules> ecology{under(null, short_pond<Rules>()), backend::Kinematic::Params{}};
     Count count{ecology};
     ecology.run_until(800.0, count);
@@ -246,6 +247,10 @@ TEST_CASE("living: species that is gone -> ends the run where ecology.ends_when 
     experiment.ecology.duration_s = 300.0;
     experiment.rules.metabolism.get<predator>().resting_W = 1.0;  // who eats nothing lives for half a minute
     experiment.rules.metabolism.get<predator>().efficiency = 0.0;
+    if (null == Null::neutral) {
+      run_part(under(Null::none, experiment), backend::Kinematic::Params{}, folder.path() / "repeated", never, 5.0);
+      experiment.history = replicates::read_history(folder.path() / "repeated");
+    }
     run_part(experiment, backend::Kinematic::Params{}, folder.path() / "run", 10, 5.0);
     run_part(experiment, backend::Kinematic::Params{}, folder.path() / "run", never, 5.0);
     const Ecology<Pond> again{experiment, backend::Kinematic::Params{}};
