@@ -54,25 +54,40 @@ void GltfScene::add_arena(const Arena& arena) {
   const auto put = [&](std::size_t mesh, const Eigen::Vector3d& at_m, const Eigen::Vector3d& half_m) {
     file_.add_shape(node, mesh, at_m, Eigen::Quaterniond::Identity(), half_m);
   };
-  const std::vector<film::FoodTile> food = food_.at(recording_.time_s(first_));
-  constexpr float shades = 16.0F;
-  std::map<long, std::size_t> tiles;  // a material of each shade
-  for (const auto& [x, y, side, share] : food) {
-    const long shade = std::lround(share * shades);
-    const auto [tile, is_new] = tiles.try_emplace(shade, 0);
-    const Colour colour = mixed({0.93F, 0.94F, 0.95F}, food_colour, static_cast<float>(shade) / shades);
-    const std::string name = "food " + std::to_string(shade);
-    if (is_new) tile->second = file_.add_box(name, file_.add_material(name, colour));
-    put(tile->second, {x, y, -0.008}, {side, side, 0.01});
-  }
+  add_food(node);
   if (arena.height_field) return add_slopes(node, floor, *arena.height_field);
-  if (food.empty()) put(file_.add_box("floor", floor), {0.0, 0.0, -0.01}, {half, half, 0.01});
+  put(file_.add_box("floor", floor), {0.0, 0.0, -0.01}, {half, half, 0.01});
   const std::size_t box = file_.add_box("wall", wall);
   const double thick_m = 0.006 * half;
   const double high_m = 0.0175 * half;
   for (const double side : {-1.0, 1.0}) {
     put(box, {side * (half + thick_m), 0.0, high_m}, {thick_m, half + 2.0 * thick_m, high_m});
     put(box, {0.0, side * (half + thick_m), high_m}, {half + 2.0 * thick_m, thick_m, high_m});
+  }
+}
+
+/// A plate in each cell, whose area follows the food in it.
+void GltfScene::add_food(std::size_t parent) {
+  constexpr std::size_t moments = 64;
+  std::vector<float> times_s;
+  std::vector<std::vector<film::FoodTile>> food;
+  for (std::size_t frame = first_; frame <= last_; frame += 1 + (last_ - first_) / moments) {
+    times_s.push_back(since_first(frame));
+    food.push_back(food_.at(recording_.time_s(frame)));
+  }
+  if (food.front().empty()) return;
+  const std::size_t plate = file_.add_box("food", file_.add_material("food", food_colour));
+  const std::size_t times = file_.add_times(times_s);
+  for (std::size_t tile = 0; tile < food.front().size(); ++tile) {
+    std::vector<float> scales;
+    for (const auto& tiles : food) {
+      const auto half_m = static_cast<float>(tiles[tile].half_side_m * std::sqrt(std::max(tiles[tile].food, 1e-4F)));
+      scales.insert(scales.end(), {half_m, half_m, 0.01F});
+    }
+    const film::FoodTile& at = food.front()[tile];
+    const std::size_t node = file_.add_shape(parent, plate, {at.x_m, at.y_m, -0.008}, Eigen::Quaterniond::Identity(),
+                                             {scales[0], scales[1], scales[2]});
+    if (times_s.size() > 1) file_.move(node, "scale", times, scales);
   }
 }
 
@@ -197,15 +212,26 @@ Eigen::Quaterniond GltfScene::turned(std::size_t link, std::size_t frame, std::s
 void GltfScene::add_motion(const io::AgentRow& row, const std::vector<std::size_t>& links, std::size_t from, std::size_t to) {
   const std::size_t times = times_between(from, to);
   const std::size_t body = row.body;
+  std::vector<float> times_s;  // of places: over the edge of a torus a robot goes on, then enters on the other side
   std::vector<float> places;
   std::vector<float> turns;
   Eigen::Quaterniond before = recording_.root(from, body).orientation;
+  const double side_m = 2.0 * recording_.head().arena.half_side_m;
+  const auto add_place = [&](float time_s, const Eigen::Vector3d& at_m) {
+    times_s.push_back(time_s);
+    for (int i = 0; i < 3; ++i) places.push_back(static_cast<float>(at_m[i]));
+  };
+  Eigen::Vector3d last_m = agents_.root(recording_, from, row).position_m;
   for (std::size_t frame = from; frame <= to; ++frame) {
     const Pose pose = agents_.root(recording_, frame, row);
-    for (int i = 0; i < 3; ++i) places.push_back(static_cast<float>(pose.position_m[i]));
+    const Eigen::Vector3d step_m = pose.position_m - last_m;
+    const Eigen::Vector3d over_m{side_m * std::round(step_m.x() / side_m), side_m * std::round(step_m.y() / side_m), 0.0};
+    if (!over_m.isZero()) add_place(std::nextafter(since_first(frame), 0.0F), pose.position_m - over_m);
+    add_place(since_first(frame), pose.position_m);
+    last_m = pose.position_m;
     add_turn(turns, pose.orientation, before);
   }
-  file_.move(links[0], "translation", times, places);
+  file_.move(links[0], "translation", times_s.size() == to - from + 1 ? times : file_.add_times(times_s), places);
   file_.move(links[0], "rotation", times, turns);
   if (recording_.head().joints == 0) return;
   for (std::size_t link = 1; link < links.size(); ++link) {

@@ -37,6 +37,7 @@ class GltfScene {
 
   void add_arena(const Arena& arena);
 
+  void add_food(std::size_t parent);
   void add_obstacle(std::size_t parent, std::size_t material, const Obstacle& one);
   void add_slopes(std::size_t parent, std::size_t material, const HeightField& field);
 
