@@ -212,7 +212,7 @@ Eigen::Quaterniond GltfScene::turned(std::size_t link, std::size_t frame, std::s
 void GltfScene::add_motion(const io::AgentRow& row, const std::vector<std::size_t>& links, std::size_t from, std::size_t to) {
   const std::size_t times = times_between(from, to);
   const std::size_t body = row.body;
-  std::vector<float> times_s;  // of places: over the edge of a torus a robot goes on, then enters on the other side
+  std::vector<float> times_s;  // of places: a robot leaves over the edge of a torus, then enters on the other side
   std::vector<float> places;
   std::vector<float> turns;
   Eigen::Quaterniond before = recording_.root(from, body).orientation;
