@@ -36,13 +36,6 @@ struct TreeMutation {
   double turn = 0.10;
   double change = 0.10;
 
-  /// The probabilities times a factor in [0, 1].
-  [[nodiscard]] TreeMutation times(double factor) const {
-    TreeMutation result = *this;
-    for_each_field(result, [&](const auto&, double& probability) { probability *= factor; });
-    return result;
-  }
-
   static constexpr auto fields() {
     return std::tuple{field("add", &TreeMutation::add, between(0.0, 1.0), "probability of a new leaf"),
                       field("remove", &TreeMutation::remove, between(0.0, 1.0), "probability that a leaf is lost"),
@@ -52,6 +45,13 @@ struct TreeMutation {
                       field("swap", &TreeMutation::swap, between(0.0, 1.0), "probability that two subtrees change places"),
                       field("turn", &TreeMutation::turn, between(0.0, 1.0), "probability that a subtree is turned"),
                       field("change", &TreeMutation::change, between(0.0, 1.0), "probability that a module changes type")};
+  }
+
+  /// The probabilities times a factor in [0, 1].
+  [[nodiscard]] TreeMutation times(double factor) const {
+    TreeMutation result = *this;
+    for_each_field(result, [&](const auto&, double& probability) { probability *= factor; });
+    return result;
   }
 };
 
