@@ -226,7 +226,12 @@ void GltfScene::add_motion(const io::AgentRow& row, const std::vector<std::size_
     const Pose pose = agents_.root(recording_, frame, row);
     const Eigen::Vector3d step_m = pose.position_m - last_m;
     const Eigen::Vector3d over_m{side_m * std::round(step_m.x() / side_m), side_m * std::round(step_m.y() / side_m), 0.0};
-    if (!over_m.isZero()) add_place(std::nextafter(since_first(frame), 0.0F), pose.position_m - over_m);
+    if (!over_m.isZero()) {  // between frames, so that no moment of a frame falls into the jump
+      const float time_s = std::lerp(since_first(frame - 1), since_first(frame), 0.63F);
+      const Eigen::Vector3d beyond_m = last_m + 0.63 * (step_m - over_m);
+      add_place(time_s, beyond_m);
+      add_place(std::nextafter(time_s, since_first(frame)), beyond_m + over_m);
+    }
     add_place(since_first(frame), pose.position_m);
     last_m = pose.position_m;
     add_turn(turns, pose.orientation, before);
