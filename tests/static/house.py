@@ -235,7 +235,7 @@ def small_library():
     lines, includes = (sum(len(re.findall(pattern, text, re.M)) for text in texts) for pattern in (r"^", r"^\s*#\s*include"))
     apart = sum(path.read_text().count("TROPHIC_INLINE") for path in sources("include", "backends"))
     read = sum(path.read_text().count("\n") for path in reached_from("trophic/run.hpp", "trophic/rules/paper.hpp", "trophic/backend/kinematic.hpp"))
-    bars = {"% of include/ are #include lines": (100 * includes / lines, 9), "times TROPHIC_INLINE": (apart, 150), "lines of the library in the smallest program": (read, 18650)}
+    bars = {"% of include/ are #include lines": (100 * includes / lines, 9), "times TROPHIC_INLINE": (apart, 150), "lines of the library in the smallest program": (read, 18660)}
     print(*(f"{value:.0f} {what}, at most {most}" for what, (value, most) in bars.items()), sep="\n")
     return [f"{value:.1f} {what}: must be <= {most}" for what, (value, most) in bars.items() if value > most]
 

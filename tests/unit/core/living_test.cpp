@@ -204,7 +204,7 @@ TEST_CASE("living: what parents hand over -> in the shadow too, where nothing is
     double received_J = 0.0;
     std::int64_t births = 0;
   };
-  for (const Null null : {Null::none, Null::shadow, Null::neutral, Null::clones}) {
+  for (const Null null : {Null::none, Null::shadow}) {
     Ecology<Rules> ecology{under(null, short_pond<Rules>()), backend::Kinematic::Params{}};
     Count count{ecology};
     ecology.run_until(800.0, count);
@@ -257,7 +257,7 @@ TEST_CASE("living: species that is gone -> ends the run where ecology.ends_when 
     CHECK(checkpoint::run_state_in(folder.path() / "run", again.describe(300.0)).complete);
     return parse_json(content(folder.path() / "run" / "manifest.json"));
   };
-  for (const Null null : {Null::none, Null::shadow}) {
+  for (const Null null : {Null::none, Null::shadow, Null::neutral, Null::clones}) {
     for (const EndsWhen early : {a_species_is_gone, one_species_is_left}) {
       const auto manifest = manifest_of(early, null);
       CHECK(manifest["status"] == "complete");
