@@ -270,7 +270,7 @@ def lineage_rows(cell, summary):
     return rows
 
 
-LIVING = {"persists", "velocity", "birth_rate", "generation_time", "lineage_depth", "pyramid_numbers", "cycles", "period", "search_rate_holling", "handling_time",
+LIVING = {"persists", "velocity", "generation_time", "lineage_depth", "pyramid_numbers", "cycles", "period", "search_rate_holling", "handling_time",
           "trophic_efficiency"}
 
 

@@ -385,9 +385,9 @@ def meetings(rows, table_name):
 
 def living(rows):
     """Measures of the pond and of its nulls."""
-    lines = []
+    lines, nulls = [], [null for null in ("shadow", "clones", "mean_field") if any(row[null] for row in rows)]
     for row in rows:
-        if row["set"] != "pond" or not row["mean"]:
+        if row["set"] != "pond" or not row["mean"] or row["species"] == "prey" and row["metric"] in ("persists", "trophic_efficiency"):
             continue
         scale, unit = (100.0, "cm/s") if row["unit"] == "m/s" else (1.0, "" if row["unit"] == "1" else row["unit"])
 
@@ -396,9 +396,9 @@ def living(rows):
             return middle + (f" [{lower}, {upper}]" if lower else "")
 
         name = ", ".join(filter(None, [row["metric"] + (" (inherited)" if unit == "cm/s" else ""), unit]))
-        lines.append([name, row["species"], shown(("mean", "lower", "upper")), *(row[null] and f"{scale * float(row[null]):.3g}" for null in ("shadow", "clones", "mean_field")),
+        lines.append([name, row["species"], shown(("mean", "lower", "upper")), *(row[null] and f"{scale * float(row[null]):.3g}" for null in nulls),
                       shown(("difference", "difference_lower", "difference_upper"), "+"), p_text(row["p_holm"])])
-    return table(["measure", "of", "pond", "shadow", "clones", "mean field", "over the shadow", "p (Holm)"], lines)
+    return table(["measure", "of", "pond", *(null.replace("_", " ") for null in nulls), "over the shadow", "p (Holm)"], lines)
 
 
 def settings(rows):
