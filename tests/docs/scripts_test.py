@@ -53,6 +53,8 @@ def tests_include_their_headers(tests: dict[str, str]) -> None:
 def main() -> int:
     named = {name for document in all_documents(ROOT) for name in re.findall(r"\bscripts/([a-z-]+)", document.path.read_text()) if (ROOT / "scripts" / name).is_file()}
     assert named == set(SHORT) | ELSEWHERE, f"named by a page and not run here, or the reverse: {named ^ (set(SHORT) | ELSEWHERE)}"
+    executable = re.findall(r"^100755 .*\t(.+)$", subprocess.run(["git", "ls-files", "-s"], cwd=ROOT, capture_output=True, text=True).stdout, re.MULTILINE)
+    assert not [path for path in executable if not (ROOT / path).read_bytes().startswith(b"#!")], "an executable file does not begin with #!"
     for name in SHORT if (ROOT / ".git").exists() else set(SHORT) - {"build-deb"}:
         with tempfile.TemporaryDirectory() as folder:
             commands = commands_of(pathlib.Path(folder), name)
