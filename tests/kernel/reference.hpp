@@ -168,6 +168,18 @@ struct OnePack {
   return state;
 }
 
+/// Whether boxes of two links touch that have edges parallel to edges or faces, so that rounding decides which contacts they
+/// have.
+[[nodiscard]] inline bool has_ties(const mjModel& model, const mjData& data) {
+  const auto is_tied = [&](const mjContact& contact) {
+    if (model.geom_bodyid[contact.geom1] == 0) return false;
+    mjtNum cosines[9];
+    mju_mulMatTMat(cosines, data.geom_xmat + 9 * contact.geom1, data.geom_xmat + 9 * contact.geom2, 3, 3, 3);
+    return std::ranges::any_of(cosines, [](mjtNum cosine) { return std::abs(std::abs(cosine) - 0.5) > 0.5 - 1e-11; });
+  };
+  return std::any_of(data.contact, data.contact + data.ncon, is_tied);
+}
+
 /// Largest |a_i - b_i|, divided by the largest |b_i| (at least 1).
 template <class Left, class Right>
 [[nodiscard]] double relative_difference(const Left& a, const Right& b, std::size_t n) {

@@ -50,7 +50,6 @@ class BoxOverlap {
   std::array<double, most> depths_m;  ///< signed distances, negative where the boxes overlap; half of them if `on_face`
   Point3 normal;                      ///< from the first to the second, of about unit length
   bool on_face = false;               ///< a face of one box meets the other
-  bool aligned = false;               ///< an edge of one is, but for rounding, parallel to an edge or face of the other
 
   /// `apart_m` is added to the second box's centre.
   TROPHIC_LANES_INLINE BoxOverlap(const PlacedBox& first, const PlacedBox& second, const Point3& apart_m)
@@ -58,8 +57,8 @@ class BoxOverlap {
     for (std::size_t i = 0; i < 3; ++i) at_b_[i] = second.centre_m[i] + apart_m[i];
   }
 
-  /// Whether an axis shows a gap of more than `gap_m`; else finds the least overlap.
-  [[nodiscard]] TROPHIC_LANES_INLINE bool separated(double gap_m) {
+  /// Whether the boxes overlap by less than `least_m` along an axis; else finds the least overlap.
+  [[nodiscard]] TROPHIC_LANES_INLINE bool separated(double least_m) {
     const Real ax[3] = {lanes_of(a_.axis, 0), lanes_of(a_.axis, 1), lanes_of(a_.axis, 2)};
     const Real bx[3] = {lanes_of(b_.axis, 0), lanes_of(b_.axis, 1), lanes_of(b_.axis, 2)};
     Real row[3];     // cosines of one axis of the first with those of the second
@@ -77,26 +76,22 @@ class BoxOverlap {
     const Real over_a = Real{a_.half_m[0], a_.half_m[1], a_.half_m[2]} - abs(b_from_a) + reach_b;
     const Real over_b = Real{b_.half_m[0], b_.half_m[1], b_.half_m[2]} - abs(a_from_b) + reach_a;
     const Real least_face = select(over_a < over_b, over_a, over_b);
-    if ((lane_bits(least_face < -gap_m) & 7u) != 0) return true;
-    apart_ = lane_bits(least_face < 0.0) & 7u;
+    if ((lane_bits(least_face < least_m) & 7u) != 0) return true;
     for (std::size_t i = 0; i < 3; ++i) {
       least_ += a_.half_m[i] * 3 + b_.half_m[i] * 3;
       b_from_a_[i] = b_from_a[i];
       a_from_b_[i] = a_from_b[i];
       for (std::size_t k = 0; k < 3; ++k) cosine_[k][i] = row[k][i];
-      const Real size = abs(row[i]);
-      aligned |= (lane_bits((size < rounding) | (size > 1.0 - rounding)) & 7u) != 0;
     }
     for (std::size_t i = 0; i < 3; ++i) {
       if (over_a[i] < least_) std::tie(least_, axis_) = std::pair{over_a[i], i};
       if (over_b[i] < least_) std::tie(least_, axis_) = std::pair{over_b[i], 3 + i};
     }
-    return cross_edges(row, gap_m);
+    return cross_edges(row, least_m);
   }
 
   /// Finds the contacts.
   TROPHIC_LANES_INLINE void meet() {
-    if (apart_ != 0) return;
     if (axis_ < 6) {
       meet_face();
     } else {
@@ -113,7 +108,7 @@ class BoxOverlap {
   }
 
   /// The nine products of edges; those of one edge of the first box are worked on at once.
-  [[nodiscard]] TROPHIC_LANES_INLINE bool cross_edges(const Real (&row)[3], double gap_m) {
+  [[nodiscard]] TROPHIC_LANES_INLINE bool cross_edges(const Real (&row)[3], double least_m) {
     const Real size_low = {b_.half_m[1], b_.half_m[0], b_.half_m[0], 0.0};
     const Real size_high = {b_.half_m[2], b_.half_m[2], b_.half_m[1], 0.0};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -132,8 +127,7 @@ class BoxOverlap {
       const Real over = a_.half_m[u] * abs(tu) + a_.half_m[v] * abs(tv) +
                         size_low * __builtin_shufflevector(cosines, cosines, 2, 2, 1, 3) / length +
                         size_high * __builtin_shufflevector(cosines, cosines, 1, 0, 0, 3) / length - abs(between);
-      if ((lane_bits(known & (over < -gap_m)) & 7u) != 0) return true;
-      apart_ |= lane_bits(known & (over < 0.0)) & 7u;
+      if ((lane_bits(known & (over < least_m)) & 7u) != 0) return true;
       for (std::size_t j = 0; j < 3; ++j) {
         if (known[j] == 0 || !(over[j] < least_ * (1 - rounding))) continue;
         std::tie(least_, axis_, inwards_) = std::tuple{over[j], 6 + 3 * i + j, between[j] < 0.0};
@@ -378,7 +372,6 @@ class BoxOverlap {
   std::array<Point3, 3> cosine_;  ///< of axes of the first with those of the second
   double least_ = 0.0;
   std::size_t axis_ = 0;
-  unsigned apart_ = 0;
   Point3 edge_normal_;
   bool inwards_ = false;
 };

@@ -49,23 +49,20 @@ TROPHIC_LANES_INLINE void place_centres(const LaneModel& model, Workspace& work)
   return lane_bits(dot(between, between) <= radius_m * radius_m);
 }
 
-/// Appends the contacts of two boxes, or marks both robots as doubtful: where edges are parallel to edges or faces, and where two
-/// points are the same but for rounding, that decides which points MuJoCo finds.
+/// Appends the contacts of two boxes; of points that are one but for rounding the last, as MuJoCo does of equal points.
 TROPHIC_LANES_INLINE void add_box_contacts(const NearBoxes& near, const BoxOverlap& overlap, Batch& batch) {
   constexpr double rounding_m2 = 1e-20;
   const auto& [a, b] = near.of;
-  bool sure = !overlap.aligned;
-  for (std::size_t c = 0; c < overlap.count && sure; ++c) {
-    for (std::size_t other = 0; other < c; ++other) {
-      const Point3 between_m = minus(overlap.points_m[c], overlap.points_m[other]);
-      sure &= dot3(between_m, between_m) >= rounding_m2;
-    }
-  }
   const std::size_t known = batch.link_contacts.size();
   const auto frame = contact_frame(overlap.normal.data());
   const double scale = overlap.on_face && batch.whole_depth ? 2.0 : 1.0;
-  for (std::size_t c = 0; c < overlap.count && sure; ++c) {
-    if (!(overlap.depths_m[c] < 0.0)) continue;
+  for (std::size_t c = 0; c < overlap.count; ++c) {
+    bool taken = overlap.depths_m[c] < 0.0;
+    for (std::size_t later = c + 1; later < overlap.count; ++later) {
+      const Point3 between_m = minus(overlap.points_m[c], overlap.points_m[later]);
+      taken &= dot3(between_m, between_m) >= rounding_m2;
+    }
+    if (!taken) continue;
     LinkContact& contact = batch.link_contacts.emplace_back();
     contact.at = {a.at, b.at};
     contact.link = {a.link, b.link};
@@ -74,22 +71,21 @@ TROPHIC_LANES_INLINE void add_box_contacts(const NearBoxes& near, const BoxOverl
     contact.frame = frame;
     contact.depth_m = scale * overlap.depths_m[c];
   }
-  if (!sure) batch.pack(a.at).work.doubtful[a.at.lane] = batch.pack(b.at).work.doubtful[b.at.lane] = -1;
-  if (a.at == b.at || (sure && batch.link_contacts.size() == known)) return;
+  if (a.at == b.at || batch.link_contacts.size() == known) return;
   batch.step_sets.unite(a.at, b.at);
   batch.island_sets.unite(a.at, b.at);
 }
 
-/// Appends the contacts of all boxes whose spheres overlap.
+/// Appends the contacts of all boxes whose spheres overlap. Boxes that overlap by rounding only, side by side, do not touch.
 TROPHIC_LANES_INLINE void collide_boxes(Batch& batch) {
-  constexpr double gap_m = 1e-7;  // far above rounding, far below anything that matters
+  constexpr double rounding_m = 1e-12;  // far above that of places, far below depths that matter
   const auto placed = [&](const BoxOf& of) -> const PlacedBox& {
     Pack& pack = batch.pack(of.at);
     return placed_box(pack.model.body(of.at.lane), pack.work.links[of.link], of.box, of.at.lane, pack.work);
   };
   for (const NearBoxes& near : batch.near_boxes) {
     BoxOverlap overlap{placed(near.of[0]), placed(near.of[1]), near.apart_m};
-    if (overlap.separated(gap_m)) continue;
+    if (overlap.separated(rounding_m)) continue;
     overlap.meet();
     add_box_contacts(near, overlap, batch);
   }
