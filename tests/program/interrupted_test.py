@@ -51,7 +51,7 @@ def contents(out: pathlib.Path) -> dict[str, bytes]:
 
 def interrupt(command: list[str], folder: pathlib.Path, draw: random.Random, wall_s: float, largest: int) -> str:
     """Runs a command that is killed, stopped, or may write so many bytes to a file; what happened to it."""
-    how = draw.choice(("SIGKILL", "SIGTERM") if command[-1].endswith(".gif") else ("SIGKILL", "SIGTERM", "refused"))  # ffmpeg reports no end that it cannot write
+    how = draw.choice(("SIGKILL", "SIGTERM", "refused"))
     most = draw.randrange(largest)
     limit = (lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))) if how == "refused" else None
     program = subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, preexec_fn=limit)

@@ -5,6 +5,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -47,7 +48,10 @@ Encoder::Encoder(const std::filesystem::path& path, std::size_t width, std::size
   const auto coding = codings().find(path.extension().string());
   if (coding == codings().end()) throw std::invalid_argument{path.string() + ": must end in .mp4, .webm or .gif"};
   std::array<int, 2> ends{};
-  if (!open_pipe(ends)) throw std::runtime_error{std::string{"no pipe to ffmpeg: "} + std::strerror(errno)};
+  std::array<int, 2> errors{};
+  if (!open_pipe(ends) || !open_pipe(errors)) throw std::runtime_error{std::string{"no pipe to ffmpeg: "} + std::strerror(errno)};
+  ::fcntl(errors[1], F_SETFL, O_NONBLOCK);  // more than a pipe takes is lost
+  errors_ = errors[0];
   const std::string size = std::to_string(width) + "x" + std::to_string(height);
   std::vector<std::string> words{
       "ffmpeg", "-v", "error", "-f", "rawvideo", "-pix_fmt", "rgb24", "-s", size, "-r", std::to_string(pictures_per_s),
@@ -60,9 +64,11 @@ Encoder::Encoder(const std::filesystem::path& path, std::size_t width, std::size
   posix_spawn_file_actions_t actions;
   posix_spawn_file_actions_init(&actions);
   posix_spawn_file_actions_adddup2(&actions, ends[0], STDIN_FILENO);
+  posix_spawn_file_actions_adddup2(&actions, errors[1], STDERR_FILENO);
   const int failed = ::posix_spawnp(&process_, "ffmpeg", &actions, nullptr, arguments.data(), environ);
   posix_spawn_file_actions_destroy(&actions);
   ::close(ends[0]);
+  ::close(errors[1]);
   pipe_ = ends[1];
   if (failed != 0) {
     ::close(pipe_);
@@ -76,6 +82,7 @@ Encoder::Encoder(const std::filesystem::path& path, std::size_t width, std::size
 
 Encoder::~Encoder() {
   if (process_ >= 0) static_cast<void>(wait());
+  ::close(errors_);
 }
 
 int Encoder::wait() {
@@ -103,7 +110,11 @@ void Encoder::finish() {
     throw std::runtime_error{"ffmpeg, which makes " + file_.path().string() + ", ended by signal " +
                              std::to_string(WTERMSIG(status))};
   }
-  if (WEXITSTATUS(status) != 0) throw std::runtime_error{"ffmpeg cannot make " + file_.path().string()};
+  std::string said(500, '\0');
+  said.resize(static_cast<std::size_t>(std::max<ssize_t>(::read(errors_, said.data(), said.size()), 0)));
+  said.resize(std::min(said.find('\n'), said.size()));
+  if (WEXITSTATUS(status) != 0 || !said.empty())
+    throw std::runtime_error{"ffmpeg cannot make " + file_.path().string() + (said.empty() ? "" : ": " + said)};
   file_.finish();
 }
 

@@ -36,6 +36,7 @@ class Encoder {
   NewFile file_;
   pid_t process_ = -1;
   int pipe_ = -1;
+  int errors_ = -1;  ///< what ffmpeg reports, before it may exit with 0
 };
 
 }  // namespace trophic::film
