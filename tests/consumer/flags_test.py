@@ -16,7 +16,7 @@ RUN = ["--backend", "kinematic", "--seed", "42", "--duration", "3000", "--out"] 
 FAST, DEBUG, ALIGNED, EXCEPTIONS = "trophic cannot be compiled with -ffast-math", "compiled libraries without _GLIBCXX_DEBUG", "-DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_MALLOC_ALREADY_ALIGNED=1 and no other", "trophic needs exceptions"
 # Flags, the sentence of their refusal by the compiled library and by the headers; none: the run has the same bytes.
 SETS = [("-O0 -march=native -std=gnu++20 -D_GLIBCXX_ASSERTIONS", "", ""), ("-Ofast", FAST, FAST), ("-O2 -D_GLIBCXX_DEBUG", DEBUG, ""),
-        ("-O2 -fno-exceptions", EXCEPTIONS, EXCEPTIONS), ("-O2 -mavx2 -UEIGEN_MAX_ALIGN_BYTES -DEIGEN_MAX_ALIGN_BYTES=32", ALIGNED, "")]
+        ("-O2 -fno-exceptions", EXCEPTIONS, EXCEPTIONS), ("-O2 -mavx2 -UEIGEN_MAX_ALIGN_BYTES -DEIGEN_MAX_ALIGN_BYTES=32", ALIGNED, ALIGNED)]
 MORE = [("-O3 -march=native", "", ""), ("-O2 -mavx2 -mfma", "", ""), ("-O3 -ffast-math", FAST, FAST), ("-O2 -funsafe-math-optimizations", FAST, FAST),
         ("-O2 -ffinite-math-only", FAST, FAST), ("-O0 -g -D_GLIBCXX_ASSERTIONS", "", ""), ("-O2 -flto", "", ""), ("-O2 -std=c++23", "", ""),
         ("-O2 -DEIGEN_DONT_VECTORIZE", ALIGNED, ""), ("-O2 -funroll-loops -fomit-frame-pointer -fvisibility=hidden", "", ""), ("-Os -DNDEBUG", "", ""),

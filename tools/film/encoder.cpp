@@ -5,7 +5,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -47,8 +46,7 @@ bool is_film(const std::filesystem::path& path) {
 Encoder::Encoder(const std::filesystem::path& path, std::size_t width, std::size_t height, double pictures_per_s) : file_{path} {
   const auto coding = codings().find(path.extension().string());
   if (coding == codings().end()) throw std::invalid_argument{path.string() + ": must end in .mp4, .webm or .gif"};
-  std::array<int, 2> ends{};
-  std::array<int, 2> errors{};
+  std::array<int, 2> ends{}, errors{};
   if (!open_pipe(ends) || !open_pipe(errors)) throw std::runtime_error{std::string{"no pipe to ffmpeg: "} + std::strerror(errno)};
   ::fcntl(errors[1], F_SETFL, O_NONBLOCK);  // more than a pipe takes is lost
   errors_ = errors[0];
@@ -72,8 +70,7 @@ Encoder::Encoder(const std::filesystem::path& path, std::size_t width, std::size
   pipe_ = ends[1];
   if (failed != 0) {
     ::close(pipe_);
-    pipe_ = -1;
-    process_ = -1;
+    ::close(errors_);
     throw std::runtime_error{std::string{"ffmpeg cannot be started: "} + std::strerror(failed) +
                              "; apt-get install ffmpeg, or name a .png"};
   }
@@ -106,15 +103,13 @@ void Encoder::add(const Image& image) {
 
 void Encoder::finish() {
   const int status = wait();
-  if (WIFSIGNALED(status)) {
+  if (WIFSIGNALED(status))
     throw std::runtime_error{"ffmpeg, which makes " + file_.path().string() + ", ended by signal " +
                              std::to_string(WTERMSIG(status))};
-  }
-  std::string said(500, '\0');
-  said.resize(static_cast<std::size_t>(std::max<ssize_t>(::read(errors_, said.data(), said.size()), 0)));
-  said.resize(std::min(said.find('\n'), said.size()));
-  if (WEXITSTATUS(status) != 0 || !said.empty())
-    throw std::runtime_error{"ffmpeg cannot make " + file_.path().string() + (said.empty() ? "" : ": " + said)};
+  std::array<char, 500> said{};
+  if (::read(errors_, said.data(), said.size() - 1) > 0 || WEXITSTATUS(status) != 0)
+    throw std::runtime_error{"ffmpeg cannot make " + file_.path().string() + ": " +
+                             std::string{said.data(), std::strcspn(said.data(), "\n")}};
   file_.finish();
 }
 
