@@ -4,6 +4,7 @@
 #include <support/hand_population.hpp>
 #include <tools/command/read_parameters.hpp>
 #include <trophic/backend/kinematic.hpp>
+#include <trophic/death/capture/catch_within_reach.hpp>
 #include <trophic/death/starvation/exemption/no_exemption.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
@@ -61,6 +62,24 @@ TEST_CASE("by species: perception, death and floor -> numbers of the species con
   floors.get<PredatorPrey::prey>().floor = 0;
   CHECK(death::ask::may_die(Floor{floors}, PredatorPrey::prey, robots.view()));
   CHECK_FALSE(death::ask::may_die(Floor{floors}, PredatorPrey::predator, robots.view()));
+}
+
+TEST_CASE("by species: reach of catches -> each hunter's own, by distance, and a victim of two falls to the closest") {
+  using death::Capture;
+  using Reach = by_species<death::capture::CatchWithinReach, initialization::community::FoodChain>;
+  const test::HandPopulation robots{{{.species = 0}, {.species = 1, .x_m = 0.9}, {.species = 2, .x_m = -0.5}},
+                                    FoodWeb{{"grazer", "hunter", "apex"}, {{1, 0}, {2, 0}, {2, 1}}}};
+  const auto captures = [&](double hunter_m, double apex_m) {
+    Reach::Params reach;
+    reach.get<1>().reach_m = hunter_m;
+    reach.get<2>().reach_m = apex_m;
+    Rng rng{1, Stream::captures};
+    return death::ask::captures(Reach{reach}, std::span<const NoState>{}, robots.view(), rng);
+  };
+  CHECK(captures(0.8, 0.4).empty());
+  CHECK(captures(1.0, 0.4) == std::vector<Capture>{{1, 0}});
+  CHECK(captures(1.0, 0.6) == std::vector<Capture>{{2, 0}});
+  CHECK(captures(0.8, 2.0) == std::vector<Capture>{{2, 0}, {2, 1}});
 }
 
 /// Shoes wear out by walking.
