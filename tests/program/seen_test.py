@@ -108,6 +108,12 @@ class Seen(InFolderWithSets):
         self.assertGreater(blue[1], 2 * max(blue[0], blue[2]))
         self.assertGreater(green[0], 1.5 * green[1])
         self.assertGreater(green[1], 1.5 * green[2])
+        strip = numpy.array(Image.open(self.make("film", "strip.png", "--sheet", "2x1", "--from", 0, "--to", 1000, "--lines", "off", "--size", "800x600")))
+        corner = strip[-130:-25, -215:-5].astype(int)  # the curves are 192 pixels wide and end at the last moment
+        is_prey = numpy.abs(corner - (0, 114, 178)).sum(axis=-1) < 30
+        tops = numpy.array([column.argmax() if column.any() else 105 for column in is_prey.T])
+        highest_s = max(self.alive, key=lambda time_s: len(self.alive[time_s]))
+        self.assertLess(abs((tops.argmin() - numpy.flatnonzero(tops < 105)[0]) / 192 * 1000 - highest_s), 60)
 
     def test_a_live_page_gets_empty_bodies_energy_and_food(self):
         with LiveRun([*RUN, "--duration", "40", "--out", "run"], self.folder) as run, run.page() as page:

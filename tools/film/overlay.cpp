@@ -80,6 +80,25 @@ void draw_scale(const Overlay& overlay, const Camera& camera) {
   overlay.text(0.5 * (left + right - overlay.width_of(text)), y + 0.3 * line, text, ink);
 }
 
+/// Above the scale.
+void draw_curves(const Overlay& overlay, const Picture& picture) {
+  const double line = overlay.line_height();
+  const double width = 0.24 * overlay.width();
+  const double height = 0.14 * overlay.height();
+  const double left = overlay.width() - width - 0.8 * line;
+  const double bottom = 2.6 * line;
+  overlay.bar(left, bottom, width, height, paper);
+  overlay.bar(left, bottom, width, 1.0, ink);
+  for (const Curve& curve : picture.curves) {
+    for (std::size_t i = 1; i < curve.points.size(); ++i) {
+      const auto& [x0, y0] = curve.points[i - 1];
+      const auto& [x1, y1] = curve.points[i];
+      overlay.line(left + x0 * width, bottom + y0 * height, left + x1 * width, bottom + y1 * height, 2.0, curve.colour);
+    }
+  }
+  overlay.text(left + 0.3 * line, bottom + height - 0.9 * line, picture.most, ink);
+}
+
 /// Text on a plate.
 void write_plate(const Overlay& overlay, double x, double y, const std::string& text, const Colour& colour, bool is_large) {
   const double line = overlay.line_height(is_large);
@@ -165,6 +184,7 @@ void write_over(const Overlay& overlay, const Picture& picture, const Camera& ca
   if (!picture.legend.empty()) top = draw_legend(overlay, picture.legend, top);
   for (const Name& name : picture.names) write_name(overlay, name, camera, top, picture.is_small);
   if (picture.has_scale) draw_scale(overlay, camera);
+  if (!picture.curves.empty()) draw_curves(overlay, picture);
   if (picture.caption.empty()) return;
   if (picture.is_small) return write_plate(overlay, 0.5 * line, 0.5 * line, picture.caption, ink, true);
   overlay.text(0.012 * overlay.width(), 0.018 * overlay.height(), picture.caption, ink);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <tools/recording/species_colour.hpp>
 #include <trophic/habitat/arena.hpp>
@@ -65,6 +66,12 @@ struct FoodTile {
   float food = 0.0F;
 };
 
+/// Numbers over time; both from 0 to 1, of the stretch that is shown and of the most.
+struct Curve {
+  Colour colour{};
+  std::vector<std::array<double, 2>> points;
+};
+
 struct Picture {
   std::vector<FoodTile> food;  ///< they are all of the floor; none in a world without food
   std::vector<RobotLook> robots;
@@ -72,6 +79,8 @@ struct Picture {
   std::vector<Flash> flashes;
   std::vector<Name> names;
   std::vector<LegendEntry> legend;
+  std::vector<Curve> curves;
+  std::string most;  ///< what the top of the curves is
   std::string title;
   std::string caption;
   bool has_scale = false;  ///< a bar of metres, as long as it is where the camera looks

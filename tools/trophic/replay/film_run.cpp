@@ -165,6 +165,7 @@ class Artist {
     if (is_wide_ && plan_.has_legend) {
       picture.legend = footage_.legend(moment.time_s, sights);
       picture.has_scale = true;
+      footage_.add_curves(picture, moment.time_s);
     }
     return renderer_.draw(picture, camera(moment.time_s));
   }

@@ -108,6 +108,27 @@ void Footage::add_trail(film::Picture& picture, double time_s, const io::AgentRo
   }
 }
 
+void Footage::add_curves(film::Picture& picture, double time_s) const {
+  constexpr double most_points = 200.0;
+  const double step_s = std::max(head().times.tick_s, (to_s_ - from_s_) / most_points);
+  const auto living = [&](Species species, double then_s) {
+    return static_cast<double>(std::ranges::count(agents_.at(then_s), species, &io::AgentRow::species));
+  };
+  double most = 0.0;
+  bool changes = false;
+  for (double then_s = from_s_; then_s <= to_s_; then_s += step_s) {
+    changes |= agents_.at(then_s).size() != agents_.at(from_s_).size();
+    for (Species i = 0; i < species_.size(); ++i) most = std::max(most, living(i, then_s));
+  }
+  if (!changes) return;
+  for (Species i = 0; i < species_.size(); ++i) {
+    film::Curve& curve = picture.curves.emplace_back(film::Curve{species_colour(i), {}});
+    for (double then_s = from_s_; then_s <= time_s; then_s += step_s)
+      curve.points.push_back({(then_s - from_s_) / (to_s_ - from_s_), living(i, then_s) / most});
+  }
+  picture.most = number_text(most);
+}
+
 std::vector<film::LegendEntry> Footage::legend(double time_s, const Sights& sights) const {
   using Mark = film::LegendEntry::Mark;
   const std::span<const io::AgentRow> rows = agents_.at(sights.rows_s.value_or(time_s));

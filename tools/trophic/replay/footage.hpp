@@ -42,6 +42,8 @@ class Footage {
   [[nodiscard]] film::Picture picture(double time_s, const Sights& sights) const;
   /// Names every mark of that picture, and counts who lives at its moment.
   [[nodiscard]] std::vector<film::LegendEntry> legend(double time_s, const Sights& sights) const;
+  /// How many of each species lived in the stretch until a moment; none where numbers do not change.
+  void add_curves(film::Picture& picture, double time_s) const;
 
   [[nodiscard]] Pose root(double time_s, std::size_t body) const { return root(time_s, body, agents_.find(time_s, body)); }
   [[nodiscard]] const io::RecordingHead& head() const { return recording_.head(); }
