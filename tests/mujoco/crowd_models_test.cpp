@@ -22,13 +22,14 @@ namespace engine = backend::mujoco;
 
 namespace {
 
-constexpr std::size_t robots = 6;
+constexpr std::size_t robots = 33;  ///< too many in one island for the kernel
 
 /// Robots in a row, as far from each other as this.
 engine::RobotStates in_a_row(engine::Islands& islands, double distance_m, std::size_t count = robots) {
   engine::RobotStates states{islands.layout(), count};
   for (std::size_t i = 0; i < count; ++i)
-    states.set_root(i, test::standing(spider, distance_m * static_cast<double>(i) - 5.0, 0.0, 0.0));
+    states.set_root(i, test::standing(spider, distance_m * static_cast<double>(i % 8) - 5.0,
+                                      distance_m * static_cast<double>(i / 8) - 5.0, 0.0));
   return states;
 }
 
@@ -161,8 +162,6 @@ TEST_CASE("crowd models: kernel's remainder -> one working memory a model, no ke
     REQUIRE(islands.memories() > before);
     return islands.memories() - before;
   };
-  CHECK(memories(true, 2) == 1);
-  CHECK(memories(true, 4) == 1);
-  CHECK(memories(true, 5) == 1);
+  CHECK(memories(true, robots) == 1);
   CHECK(memories(false, 2) == threads);
 }

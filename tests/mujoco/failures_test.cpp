@@ -148,7 +148,7 @@ TEST_CASE("failures: heap of robots -> capacity for all contacts") {
 
 // MuJoCo 3 counts its memory in 64 bits and stores them.
 TEST_CASE("failures: more contacts than MuJoCo can store -> error, none lost" * doctest::skip(backend::mujoco::is_mujoco_3)) {
-  Mujoco backend{spider, square, test::crowd(spider, 12, 0.1, 3), {}, {}};
+  Mujoco backend{spider, square, test::crowd(spider, 12, 0.1, 3), {}, {.stepping = Mujoco::Stepping::islands}};
   CHECK_THROWS_AS(backend.advance_to(0.1), Diverged);
   CHECK(backend.time_s() == 0.0);
 }

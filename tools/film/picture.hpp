@@ -4,7 +4,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <tools/recording/species_colour.hpp>
 #include <trophic/habitat/arena.hpp>

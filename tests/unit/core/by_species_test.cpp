@@ -4,7 +4,6 @@
 #include <support/hand_population.hpp>
 #include <tools/command/read_parameters.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/death/capture/catch_within_reach.hpp>
 #include <trophic/death/starvation/exemption/no_exemption.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>

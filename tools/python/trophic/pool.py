@@ -13,6 +13,7 @@ import pathlib
 import re
 import signal
 import sys
+import threading
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
@@ -209,6 +210,7 @@ def _share(*what: Any) -> None:
     global _shared
     _shared = what  # type: ignore[assignment]
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that waits for them ends them
+    threading.Thread(target=lambda: (multiprocessing.parent_process().join(), os._exit(1)), daemon=True).start()  # type: ignore[union-attr]
 
 
 def _measure_shared(place: int) -> Any:

@@ -15,7 +15,7 @@ GltfFile::GltfFile() {
 
 std::size_t GltfFile::add_node(std::size_t parent, std::string name, const Eigen::Vector3d& at_m, const Eigen::Quaterniond& turn,
                                const Eigen::Vector3d& scale) {
-  Json node;
+  Json node(Json::value_t::object);  // a null value that becomes one crashes without memory
   if (!name.empty()) node["name"] = std::move(name);
   node["translation"] = {at_m.x(), at_m.y(), at_m.z()};
   node["rotation"] = {turn.x(), turn.y(), turn.z(), turn.w()};

@@ -35,31 +35,26 @@ struct Crossover {
   }
 
  private:
-  /// The modules at one path of two trees.
-  struct Pair {
-    std::size_t here = 0;
-    std::size_t there = 0;
-  };
   /// `tree` with the subtree of another one at a path that both have, at random.
   [[nodiscard]] static body::ModuleTree crossed(const body::ModuleTree& tree, const body::ModuleTree& other, Rng& rng) {
-    std::vector<Pair> shared{{}};
+    std::vector<std::pair<std::size_t, std::size_t>> shared{{0, 0}};  // the modules at one path of both
     for (std::size_t at = 0; at < shared.size(); ++at) {
       for (const body::Face face : body::all_faces) {
-        const auto here = tree.child(shared[at].here, face);
-        const auto there = other.child(shared[at].there, face);
-        if (here && there) shared.push_back({*here, *there});
+        const auto here = tree.child(shared[at].first, face);
+        const auto there = other.child(shared[at].second, face);
+        if (here && there) shared.emplace_back(*here, *there);
       }
     }
     if (shared.size() == 1) return tree;
-    const Pair graft = shared[1 + rng.index(shared.size() - 1)];
+    const auto graft = shared[1 + rng.index(shared.size() - 1)];
     body::ModuleTree result;
     const auto copy = [&](const auto& self, const body::ModuleTree& from, std::size_t module, std::size_t to) -> void {
       for (const body::Face face : body::all_faces) {
         auto child = from.child(module, face);
         if (!child) continue;
-        const bool is_graft = &from == &tree && *child == graft.here;
+        const bool is_graft = &from == &tree && *child == graft.first;
         const body::ModuleTree& source = is_graft ? other : from;
-        if (is_graft) child = graft.there;
+        if (is_graft) child = graft.second;
         const body::Module& made = source.modules()[*child];
         self(self, source, *child, result.attach(to, face, made.type, made.quarter_turns));
       }
