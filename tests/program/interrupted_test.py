@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """interrupted_test.py PREDATOR_PREY TROPHIC [ABLATIONS [BODIES]] [--times N] [--only NAME]: each command that writes is killed, stopped or refused space
-at N random moments (1). What has its name then is whole, and the same command ends with the bytes of one that was left alone.
+at N random moments (1). A file that then has its final name is complete, and the same command makes the same bytes as without an interruption.
 scripts/kill-and-resume has 20 of each."""
 
 import argparse

@@ -84,19 +84,19 @@ void draw_scale(const Overlay& overlay, const Camera& camera) {
 void draw_curves(const Overlay& overlay, const Picture& picture) {
   const double line = overlay.line_height();
   const double width = 0.24 * overlay.width();
-  const double height = 0.14 * overlay.height();
+  const double one = 0.14 * overlay.height() / picture.most;  // height of one individual
   const double left = overlay.width() - width - 0.8 * line;
   const double bottom = 2.6 * line;
-  overlay.bar(left, bottom, width, height, paper);
+  overlay.bar(left, bottom, width, picture.most * one, paper);
   overlay.bar(left, bottom, width, 1.0, ink);
   for (const Curve& curve : picture.curves) {
     for (std::size_t i = 1; i < curve.points.size(); ++i) {
       const auto& [x0, y0] = curve.points[i - 1];
       const auto& [x1, y1] = curve.points[i];
-      overlay.line(left + x0 * width, bottom + y0 * height, left + x1 * width, bottom + y1 * height, 2.0, curve.colour);
+      overlay.line(left + x0 * width, bottom + y0 * one, left + x1 * width, bottom + y1 * one, 2.0, curve.colour);
     }
   }
-  overlay.text(left + 0.3 * line, bottom + height - 0.9 * line, picture.most, ink);
+  overlay.text(left + 0.3 * line, bottom + picture.most * one - 0.9 * line, number_text(picture.most), ink);
 }
 
 /// Text on a plate.

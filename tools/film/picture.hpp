@@ -65,7 +65,7 @@ struct FoodTile {
   float food = 0.0F;
 };
 
-/// Numbers over time; both from 0 to 1, of the stretch that is shown and of the most.
+/// Numbers over time, which goes from 0 to 1 in the stretch that is shown.
 struct Curve {
   Colour colour{};
   std::vector<std::array<double, 2>> points;
@@ -79,7 +79,7 @@ struct Picture {
   std::vector<Name> names;
   std::vector<LegendEntry> legend;
   std::vector<Curve> curves;
-  std::string most;  ///< what the top of the curves is
+  double most = 0.0;  ///< the number at the top of the curves
   std::string title;
   std::string caption;
   bool has_scale = false;  ///< a bar of metres, as long as it is where the camera looks

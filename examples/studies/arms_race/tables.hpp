@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rule tables of the study: a criterion for the reproduction of prey, with and without prey that age, and with more room.
+// The rule tables of the study: a criterion for the reproduction of prey, with and without prey that age, with more room, and
+// with one side that evolves alone.
 #pragma once
 
 #include <trophic/reproduction/heredity/switched.hpp>

@@ -148,7 +148,7 @@ def compare(a: MeasuredSet, b: MeasuredSet, choices: Sequence[str] = ()) -> pand
         row = {"set_a": a.label, "set_b": b.label, **metric._asdict(), **_estimated(metric, of_a, "_a"), **_estimated(metric, of_b, "_b"),
                "same_as": str(repeats.get(metric, ""))}
         null = a.null_of(metric) if a.null_of(metric) == b.null_of(metric) else SHADOW if a.shadow and b.shadow else ""
-        null = "" if metric.metric in living.SHARES else null  # there is no exact test of a difference of differences
+        null = "" if metric.metric in living.SHARES else null  # no exact test compares two differences
         if null:
             over = _difference(metric, [*_over(a, metric, null, -1.0), *_over(b, metric, null)])
             if over.value is not None:

@@ -50,6 +50,19 @@ Footage::Footage(const RecordedRun& run, double from_s, double to_s, double flas
     deaths_.push_back(
         {time_s, events.get<double>(2), events.get<double>(3), events.text(4) == "caught", events.get<IndividualId>(5)});
   }
+  const double step_s = std::max(head().times.tick_s, (to_s - from_s) / 200.0);  // as many points as one sees
+  bool changes = false;
+  for (Species i = 0; i < species_.size(); ++i) curves_.push_back({species_colour(i), {}});
+  for (double then_s = from_s; then_s <= to_s; then_s += step_s) {
+    const std::span<const io::AgentRow> rows = agents_.at(then_s);
+    changes |= rows.size() != agents_.at(from_s).size();
+    for (Species i = 0; i < species_.size(); ++i) {
+      const auto living = std::ranges::count(rows, i, &io::AgentRow::species);
+      curves_[i].points.push_back({(then_s - from_s) / (to_s - from_s), static_cast<double>(living)});
+      most_ = std::max(most_, curves_[i].points.back()[1]);
+    }
+  }
+  if (!changes) curves_.clear();
 }
 
 film::Picture Footage::picture(double time_s, const Sights& sights) const {
@@ -109,24 +122,10 @@ void Footage::add_trail(film::Picture& picture, double time_s, const io::AgentRo
 }
 
 void Footage::add_curves(film::Picture& picture, double time_s) const {
-  constexpr double most_points = 200.0;
-  const double step_s = std::max(head().times.tick_s, (to_s_ - from_s_) / most_points);
-  const auto living = [&](Species species, double then_s) {
-    return static_cast<double>(std::ranges::count(agents_.at(then_s), species, &io::AgentRow::species));
-  };
-  double most = 0.0;
-  bool changes = false;
-  for (double then_s = from_s_; then_s <= to_s_; then_s += step_s) {
-    changes |= agents_.at(then_s).size() != agents_.at(from_s_).size();
-    for (Species i = 0; i < species_.size(); ++i) most = std::max(most, living(i, then_s));
-  }
-  if (!changes) return;
-  for (Species i = 0; i < species_.size(); ++i) {
-    film::Curve& curve = picture.curves.emplace_back(film::Curve{species_colour(i), {}});
-    for (double then_s = from_s_; then_s <= time_s; then_s += step_s)
-      curve.points.push_back({(then_s - from_s_) / (to_s_ - from_s_), living(i, then_s) / most});
-  }
-  picture.most = number_text(most);
+  picture.curves = curves_;
+  picture.most = most_;
+  const double now = (time_s - from_s_) / (to_s_ - from_s_);
+  for (film::Curve& curve : picture.curves) std::erase_if(curve.points, [&](const auto& point) { return point[0] > now; });
 }
 
 std::vector<film::LegendEntry> Footage::legend(double time_s, const Sights& sights) const {

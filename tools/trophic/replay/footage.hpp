@@ -74,6 +74,8 @@ class Footage {
   int filled_tag_;
   std::vector<std::string> species_;
   std::vector<Death> deaths_;
+  std::vector<film::Curve> curves_ = {};  ///< of the whole stretch
+  double most_ = 0.0;                     ///< of one species at once
 };
 
 }  // namespace trophic::command::replay

@@ -146,7 +146,7 @@ def descent(forest: Forest, species, time_s: float) -> numpy.ndarray:
         while rest:
             bit = (rest & -rest).bit_length() - 1
             rest &= rest - 1
-            pairs += (members & ~relatives[bit]).bit_count()
+            pairs += bin(members & ~relatives[bit]).count("1")
             relatives[bit] |= members
         related += pairs // 2
         ages_s += pairs // 2 * (time_s - birth_s)
@@ -155,7 +155,7 @@ def descent(forest: Forest, species, time_s: float) -> numpy.ndarray:
             ends_s[parent] = max(ends_s.get(parent, 0.0), birth_s)
         if not forest.parents[place]:
             roots += 1
-            largest = max(largest, members.bit_count())
+            largest = max(largest, bin(members).count("1"))
     n = len(living)
     return numpy.array([roots, largest / n, sum(forest.mean_depths[place] for place in living) / n, max(forest.greatest_depths[place] for place in living),
                         related / (n * (n - 1) / 2) if n > 1 else numpy.nan, ages_s / related if related else numpy.nan, length_s / n])

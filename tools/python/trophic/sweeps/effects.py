@@ -15,8 +15,8 @@ def axis_effects(grid: Grid, values: SweepValues, reference: int) -> pandas.Data
     """Every metric with an axis at each of its values, compared with the axis at the reference cell's value, by metrics, axes and values.
 
     The mean over all settings of the other axes at which both values were run, one number a seed, and Student's t over seeds; of shares of runs
-    Fisher's exact test over settings and seeds. Over the shadows and raw, two families, as compare_cells. Columns: those of sweep_effects.csv (docs/tables.md), `role`, `level` and `conclusion`. Empty if the cells
-    do not share their seeds, as then no seed is in all of them."""
+    Fisher's exact test over settings and seeds. Over the shadows and raw, two families, as compare_cells. Columns: sweep_effects.csv's, `role`,
+    `level` and `conclusion`. Empty if the cells do not share their seeds, as then no seed is in all of them."""
     columns = ["axis", "value", "reference", *METRIC, "compared", "settings", "seeds", "mean", "mean_reference", "difference", "lower", "upper", "p"]
     place = grid.place(reference)
     families = [ANSWER, RAW] if values.have_shadows(grid) else [RAW]
