@@ -52,7 +52,7 @@ void check_mixed(const BackendParams& backend, double duration_s, double every_s
   mixed.rules.body_plan.get<test::prey>().first_modules = 7;
   mixed.rules.gait.first = control::gait::FirstGait::random;
   mixed.rules.senescence.max_age_s = 6.0;
-  mixed.physics = {.timestep_s = 0.003, .integrator = Integrator::semi_implicit_euler};  // random gaits are fast
+  mixed.physics = {.timestep_s = 0.001, .integrator = Integrator::semi_implicit_euler};  // random gaits are fast
   const TemporaryFolder folder;
   check_resumed(mixed, backend, folder.path(), {cut}, every_s,
                 [](std::size_t part, auto& numbers) { numbers.threads = part % 2 == 0 ? 2 : 1; });
