@@ -141,7 +141,8 @@ TEST_CASE("side of adversary: straight ahead -> right, straight behind -> left")
 
 namespace {
 
-double ratio_of(const perception::sensors::TagRatioOfActive& rule, const View& view) {
+template <class Rule>
+double ratio_of(const Rule& rule, const View& view) {
   return rule.sense(view)[0];
 }
 
@@ -158,9 +159,10 @@ TEST_CASE("tag ratio of active: inactive newborn -> not counted") {
   CHECK(ratio_of(rule, HandPopulation{{{.tag = 1, .active = false}}}.view()) == 0.0);
 }
 
-TEST_CASE("tag ratio of active: random populations -> within +-1/2, odd in all tags, any order of bodies") {
+TEST_CASE_TEMPLATE("tag ratio: random populations -> within +-1/2, odd in all tags, any order of bodies", Rule,
+                   perception::sensors::TagRatioOfActive, perception::sensors::TagRatioOfAll) {
   CHECK(rc::check([](std::uint64_t seed) {
-    const perception::sensors::TagRatioOfActive rule;
+    const Rule rule;
     HandPopulation robots = random_population(seed, 1 + seed % 30);
     const double ratio = ratio_of(rule, robots.view());
     RC_ASSERT(std::abs(ratio) <= 0.5);
@@ -169,14 +171,6 @@ TEST_CASE("tag ratio of active: random populations -> within +-1/2, odd in all t
     RC_ASSERT(ratio_of(rule, robots.view()) == -ratio);
   }));
 }
-
-namespace {
-
-double ratio_of(const perception::sensors::TagRatioOfAll& rule, const View& view) {
-  return rule.sense(view)[0];
-}
-
-}  // namespace
 
 TEST_CASE("tag ratio of all: P of N robots tagged +1 -> (P - N/2) / N, inactive newborn included") {
   const perception::sensors::TagRatioOfAll rule;
@@ -185,18 +179,6 @@ TEST_CASE("tag ratio of all: P of N robots tagged +1 -> (P - N/2) / N, inactive 
   CHECK(ratio_of(rule, HandPopulation{{{.tag = 1}, {.tag = -1}}}.view()) == 0.0);
   CHECK(ratio_of(rule, HandPopulation{{{.tag = 1}}}.view()) == 0.5);
   CHECK(ratio_of(rule, HandPopulation{{{.tag = -1}, {.tag = -1}}}.view()) == -0.5);
-}
-
-TEST_CASE("tag ratio of all: random populations -> within +-1/2, odd in all tags, any order of bodies") {
-  CHECK(rc::check([](std::uint64_t seed) {
-    const perception::sensors::TagRatioOfAll rule;
-    HandPopulation robots = random_population(seed, 1 + seed % 30);
-    const double ratio = ratio_of(rule, robots.view());
-    RC_ASSERT(std::abs(ratio) <= 0.5);
-    RC_ASSERT(ratio_of(rule, robots.reordered(random_order(seed, robots.individuals.size())).view()) == ratio);
-    for (Individual& individual : robots.individuals) individual.tag = -individual.tag;
-    RC_ASSERT(ratio_of(rule, robots.view()) == -ratio);
-  }));
 }
 
 namespace {
