@@ -58,24 +58,27 @@ struct held_by<Whole<Ps...>> {
   using type = HeldWithParams<Parts<Ps...>, ParamsOf<Whole<Ps...>>>;
 };
 
-/// Lists the parts that are not of the type `LeftOut`, as in: PART: POLICY, PART: POLICY.
+/// Three words of each part that is not of the type `LeftOut`, after those of the part before.
+template <class LeftOut, class... Ps>
+constexpr auto part_words(std::string_view between, const std::array<std::array<std::string_view, 3>, sizeof...(Ps)>& words) {
+  std::array<std::string_view, 4 * sizeof...(Ps)> all;
+  auto end = all.begin();
+  auto next = words.begin();
+  const auto add = [&](bool is_named) {
+    const auto& [first, second, third] = *next++;
+    if (!is_named) return;
+    for (const std::string_view word : {end == all.begin() ? "" : between, first, second, third}) *end++ = word;
+  };
+  (add(!std::same_as<Ps, LeftOut>), ...);
+  return all;
+}
+
+/// "PART: POLICY, PART: POLICY" of those parts.
 template <class LeftOut, class Names, class... Ps>
 struct PartWords {
   static constexpr auto words = [] {
-    std::array<std::string_view, 4 * sizeof...(Ps)> all;
-    std::size_t end = 0;
-    std::size_t place = 0;
-    const auto add = [&](bool is_named, std::string_view policy) {
-      const std::string_view name = Names::part_names[place++];
-      if (!is_named) return;
-      all[end] = end == 0 ? "" : ", ";
-      all[end + 1] = name;
-      all[end + 2] = ": ";
-      all[end + 3] = policy;
-      end += 4;
-    };
-    (add(!std::same_as<Ps, LeftOut>, policy_name<Ps>()), ...);
-    return all;
+    auto name = Names::part_names.begin();
+    return part_words<LeftOut, Ps...>(", ", {std::array<std::string_view, 3>{*name++, ": ", policy_name<Ps>()}...});
   }();
   static constexpr std::string_view separator{};
 };
@@ -83,18 +86,7 @@ struct PartWords {
 /// "SOURCE + SOURCE" of those parts.
 template <class LeftOut, class... Ps>
 struct PartSources {
-  static constexpr auto words = [] {
-    std::array<std::string_view, 2 * sizeof...(Ps)> all;
-    std::size_t end = 0;
-    const auto add = [&](bool is_named, std::string_view source) {
-      if (!is_named) return;
-      all[end] = end == 0 ? "" : " + ";
-      all[end + 1] = source;
-      end += 2;
-    };
-    (add(!std::same_as<Ps, LeftOut>, source_of<Ps>()), ...);
-    return all;
-  }();
+  static constexpr auto words = part_words<LeftOut, Ps...>(" + ", {std::array<std::string_view, 3>{"", "", source_of<Ps>()}...});
   static constexpr std::string_view separator{};
 };
 
