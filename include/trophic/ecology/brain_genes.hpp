@@ -56,6 +56,16 @@ class BrainGenes {
     return control::ask::demand(brain, shape);
   }
 
+  /// The weights of the largest brain of so many species; none if brains grow.
+  [[nodiscard]] std::optional<std::size_t> most(std::size_t species) const {
+    if constexpr (grow) return std::nullopt;
+    std::size_t most = 0;
+    for (Species one = 0; one < species; ++one) {
+      if constexpr (!grow) most = std::max(most, brain_of(one).genome_size(shape_of(one).inputs, shape_of(one).outputs));
+    }
+    return most;
+  }
+
   /// The neuron that each weight of a species' brain enters; empty unless the table mixes brains by neuron.
   [[nodiscard]] std::vector<std::size_t> neurons(Species species) const {
     if constexpr (mix_neurons && control::NamesNeurons<Brain>)

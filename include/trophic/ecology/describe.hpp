@@ -46,11 +46,12 @@ template <class Rules>
 }
 
 /// Everything that determines a run of `experiment` on `backend` in `habitat` until `until_s` (ecology seconds), and its
-/// fingerprint. `tags`: those that the table's brains may choose. A neutral shadow is described as the table with
+/// fingerprint. A neutral shadow is described as the table with
 /// NothingInherited, a neutral null as one with neutral_HEREDITY, clones as one with one_genome_for_all.
 template <class Rules>
 [[nodiscard]] observe::RunDescription describe(const Experiment<Rules>& experiment, const BackendChoice& backend,
-                                               const Habitat& habitat, std::vector<int> tags, double until_s) {
+                                               const Habitat& habitat, double until_s) {
+  const Policies<Rules> policies = make_policies<Rules>(experiment.rules);
   using Shadow = with_heredity<Rules, reproduction::heredity::NothingInherited>;
   using Neutral = with_heredity<Rules, detail::NeutralHeredity<PolicyIn<Rules, RuleSlot::heredity>>>;
   using Clones = with_heredity<Rules, detail::OneGenomeForAll>;
@@ -61,7 +62,7 @@ template <class Rules>
       .rules = of_null(table_name<Rules>(), table_name<Shadow>(), table_name<Neutral>(), table_name<Clones>()),
       .slots = {},
       .named_params = named_params_of(experiment, backend),
-      .tags = std::move(tags),
+      .tags = for_species(policies.brain, 0).tags(),
       .inputs = PolicyIn<Rules, RuleSlot::sensors>::value_names(),
       .backend = backend.name() + " " + backend.version(),
       .remarks = backend.remarks(experiment.physics),
@@ -99,13 +100,13 @@ template <class Rules>
   }
   if (!is_neutral<Rules, RuleSlot::acts>) run.outputs = PolicyIn<Rules, RuleSlot::acts>::output_names();
   run.traits.assign(TraitGenes<Rules>::names.begin(), TraitGenes<Rules>::names.end());
-  run.brains_grow = BrainGenes<Rules>::grow;
+  run.brain_weights = BrainGenes<Rules>{policies, experiment.seed}.most(policies.community.web().size());
   run.bodies_differ = BodyGenes<Rules>::differ;
   run.several_parents = reproduction::names_several_parents<AnswersForSpecies<PolicyIn<Rules, RuleSlot::recruitment>>>;
   run.has_energy = Economy<Rules>::has_energy;
   run.has_resource = Economy<Rules>::has_field;
   run.inherits_bodies = BodyGenes<Rules>::are_inherited;
-  run.has_more_genes = run.brains_grow || run.inherits_bodies || GaitGenes<Rules>::are_inherited;
+  run.has_more_genes = BrainGenes<Rules>::grow || run.inherits_bodies || GaitGenes<Rules>::are_inherited;
   run.fingerprint = observe::fingerprint(run, numbers_text(habitat));
   return run;
 }

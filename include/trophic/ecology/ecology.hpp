@@ -86,7 +86,7 @@ class Ecology final : public Simulation {
   }
 
   [[nodiscard]] observe::RunDescription describe(double until_s) const override {
-    auto run = trophic::describe(params_, choice_, habitat_, population_.tags(), until_s);
+    auto run = trophic::describe(params_, choice_, habitat_, until_s);
     run.spare_bodies = reproduction::ask::spare_bodies(rules_.recruitment);
     if (std::string slow = bodies_.backend().speed_remark(); !slow.empty()) run.remarks.push_back(std::move(slow));
     return run;

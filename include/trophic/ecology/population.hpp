@@ -72,7 +72,6 @@ class Population {
 
   [[nodiscard]] std::span<const Individual> individuals() const { return individuals_; }
   [[nodiscard]] std::span<const std::size_t> members() const { return members_; }  ///< of each species
-  [[nodiscard]] const std::vector<int>& tags() const { return tags_; }             ///< that an individual may show
   [[nodiscard]] IndividualId next_id() const { return next_id_; }                  ///< of the next newborn
   [[nodiscard]] const Individual& operator[](BodyIndex body) const { return individuals_[body]; }
   [[nodiscard]] const RuleStates<Rules>& states() const { return states_; }

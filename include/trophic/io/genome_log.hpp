@@ -2,7 +2,6 @@
 // genomes.csv and genes.csv: the genome of every individual at birth.
 #pragma once
 
-#include <fstream>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/io/tables.hpp>
 #include <trophic/observe/event.hpp>
@@ -11,31 +10,22 @@
 
 namespace trophic::io {
 
-/// Writes a GenomeRow per birth, with a column for each heritable trait. The file has as many weights as the largest brain of
-/// the founders; smaller ones of other species leave the last cells empty.
+/// Writes a GenomeRow per birth, with a column for each heritable trait. The file has as many weights as the largest brain of a
+/// species; smaller ones leave the last cells empty.
 class GenomeLog {
  public:
   static constexpr std::string_view file_name = "genomes.csv";
 
   explicit GenomeLog(std::filesystem::path path, Opening opening = Opening::created) : path_{std::move(path)} {
-    if (opening != Opening::resumed) return;
-    file_.emplace(path_, opening);
-    std::ifstream text{path_};
-    std::getline(text, header_);
+    if (opening == Opening::resumed) file_.emplace(path_, opening);
   }
 
-  void on_start(const observe::RunDescription& run, const View& view) {
-    brains_grow_ = run.brains_grow;
-    while (header_.find(",w" + std::to_string(weights_)) != std::string::npos) ++weights_;
-    for (const Individual& one : view.robots) {
-      if (one.lives() && header_.empty() && !brains_grow_) weights_ = std::max(weights_, one.genome->weights.size());
-    }
-  }
+  void on_start(const observe::RunDescription& run, const View&) { weights_ = run.brain_weights.value_or(0); }
   void on_event(const observe::Event& event, const View& view) {
     if (event.kind != observe::EventKind::birth) return;
     const Genome& genome = *event.individual.genome;
     GenomeRow row{.id = event.individual.id, .genome = genome.id, .time_s = view.time_s, .weights = genome.weights};
-    row.weights.resize(brains_grow_ ? 0 : std::max(weights_, row.weights.size()), std::numeric_limits<double>::quiet_NaN());
+    row.weights.resize(weights_, std::numeric_limits<double>::quiet_NaN());
     row.traits = {.names = {view.traits.begin(), view.traits.end()}, .values = genome.traits};
     if (!file_) file_.emplace(path_, row);
     file_->write(row, view.web);
@@ -53,9 +43,7 @@ class GenomeLog {
  private:
   std::filesystem::path path_;
   std::optional<CsvFile<GenomeRow>> file_;
-  bool brains_grow_ = false;
-  std::string header_;       ///< of the file that a run resumed
-  std::size_t weights_ = 0;  ///< of the largest brain
+  std::size_t weights_ = 0;  ///< of the largest brain; 0 if brains grow
 };
 
 /// Writes a GeneRow per gene of a newborn: of its gait, its body and, if brains grow, its brain.
@@ -64,7 +52,7 @@ class GeneLog : public CsvFile<GeneRow> {
   static constexpr std::string_view file_name = "genes.csv";
   using CsvFile<GeneRow>::CsvFile;
 
-  void on_start(const observe::RunDescription& run, const View&) { brains_grow_ = run.brains_grow; }
+  void on_start(const observe::RunDescription& run, const View&) { brains_grow_ = !run.brain_weights; }
   void on_event(const observe::Event& event, const View&) {
     if (event.kind != observe::EventKind::birth) return;
     const Genome& genome = *event.individual.genome;

@@ -47,22 +47,22 @@ struct RunDescription {
   std::string backend;                                     ///< name and version of the engine
   std::vector<std::string> remarks;                        ///< parameters without effect, flaws of the engine
   std::uint64_t seed = 0;
-  double tick_s = 0.0;                          ///< ecology seconds
-  double clock_scale = 1.0;                     ///< simulated seconds per ecology second
-  double until_s = 0.0;                         ///< the end of this run, ecology seconds
-  std::string fingerprint;                      ///< see `fingerprint`
-  std::vector<OtherParam> other_params = {};    ///< parameters that are not the table's; without seed, duration and threads
-  std::vector<ParameterChange> changes = {};    ///< in the order in which they were made
-  std::optional<Branch> branch = std::nullopt;  ///< none of a run from time 0
-  std::size_t spare_bodies = 0;                 ///< bodies that start without an individual
-  std::vector<std::string> traits = {};         ///< names of the rule Traits
-  bool several_parents = false;                 ///< whether the rule Recruitment may name several of a birth
-  bool has_energy = false;                      ///< whether there is a rule Metabolism
-  bool has_resource = false;                    ///< whether there is a rule Resource
-  bool brains_grow = false;                     ///< whether the number of a brain's genes may change
-  bool bodies_differ = false;                   ///< whether robots have bodies of their own
-  bool inherits_bodies = false;                 ///< whether these are inherited
-  bool has_more_genes = false;                  ///< whether genomes have a gait or a body, or brains grow
+  double tick_s = 0.0;                            ///< ecology seconds
+  double clock_scale = 1.0;                       ///< simulated seconds per ecology second
+  double until_s = 0.0;                           ///< the end of this run, ecology seconds
+  std::string fingerprint;                        ///< see `fingerprint`
+  std::vector<OtherParam> other_params = {};      ///< parameters that are not the table's; without seed, duration and threads
+  std::vector<ParameterChange> changes = {};      ///< in the order in which they were made
+  std::optional<Branch> branch = std::nullopt;    ///< none of a run from time 0
+  std::size_t spare_bodies = 0;                   ///< bodies that start without an individual
+  std::vector<std::string> traits = {};           ///< names of the rule Traits
+  bool several_parents = false;                   ///< whether the rule Recruitment may name several of a birth
+  bool has_energy = false;                        ///< whether there is a rule Metabolism
+  bool has_resource = false;                      ///< whether there is a rule Resource
+  std::optional<std::size_t> brain_weights = {};  ///< of the largest brain of a species; none if brains grow
+  bool bodies_differ = false;                     ///< whether robots have bodies of their own
+  bool inherits_bodies = false;                   ///< whether these are inherited
+  bool has_more_genes = false;                    ///< whether genomes have a gait or a body, or brains grow
 };
 
 /// Whether the results of a parameter's other value are those of another experiment: not of the seed, of duration and

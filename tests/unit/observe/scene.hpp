@@ -30,6 +30,7 @@ namespace trophic::test {
   run.rules = "hand_written";
   run.slots = {{"floor", "no_floor"}};
   run.tags = {-1, 1};
+  run.brain_weights = 1;
   run.backend = "paper 1";
   run.seed = 5;
   run.tick_s = 2.0;
