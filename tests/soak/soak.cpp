@@ -104,7 +104,7 @@ bool run(const Experiment<rules::Paper>& numbers, const BackendChoice& backend, 
   const checkpoint::RunState run_state = checkpoint::run_state_in(wanted.out, ecology.describe(wanted.duration_s));
   if (run_state.complete) return true;
   if (!run_state.remark.empty()) std::cerr << wanted.out.string() << " " << run_state.remark << "\n";
-  observe::StopOnSignal stop;
+  replicates::StopOnSignal stop;
   io::RunFolder folder{wanted.out, {}, {.replay_hz = 0.0, .agents_every_ticks = 1000}, run_state.opening()};
   Report report{wanted.out.string() + ".csv", run_state.opening()};
   test::Invariants invariants{numbers.rules.floor.floor};

@@ -95,7 +95,7 @@ template <class Base, class Other>
   study.plan.check();
   if ((!forth || run_from<Base, Other>(options, study)) && (!back || run_from<Other, Base>(options, study))) return 0;
   std::cerr << "the same command with --resume runs what is missing and no more\n";
-  return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
+  return replicates::StopOnSignal::caught() != 0 ? stopped : run_error;
 }
 
 }  // namespace detail::ablations

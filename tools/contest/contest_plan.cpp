@@ -71,7 +71,7 @@ Lineup lineup_of(const Plan& plan, const Match& match) {
   return lineup;
 }
 
-Outcome play(const MakeContest& make, const Plan& plan, const Match& match, const observe::StopOnSignal* stop) {
+Outcome play(const MakeContest& make, const Plan& plan, const Match& match, const replicates::StopOnSignal* stop) {
   const std::unique_ptr<Simulation> arena = make(match.places, lineup_of(plan, match));
   detail::ContactWatch watch{plan, match};
   if (stop == nullptr) {

@@ -47,7 +47,7 @@ struct Outcome {
 /// Lets two teams meet. Throws as the ecology does, and std::invalid_argument for genomes that the brain does not take.
 /// `stop`: ends it early, if not null; the outcome is then none.
 [[nodiscard]] Outcome play(const MakeContest& make, const Plan& plan, const Match& match,
-                           const observe::StopOnSignal* stop = nullptr);
+                           const replicates::StopOnSignal* stop = nullptr);
 
 /// A plan as JSON, and back. Reading throws std::invalid_argument naming the file and what is wrong.
 [[nodiscard]] std::string text_of(const Plan& plan);

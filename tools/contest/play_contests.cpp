@@ -43,7 +43,7 @@ Outcomes play(const contest::Plan& plan, const Offer& offer, std::size_t jobs, O
   if (const std::string why = why_not_played(plan, offer); !why.empty()) throw std::invalid_argument{why};
   const MakeContest make = experiment_of(plan, offer)->contests();
   outcomes.resize(plan.matches.size());
-  const observe::StopOnSignal stop;
+  const replicates::StopOnSignal stop;
   std::atomic<bool> has_failed = false;
   const auto attempts = replicates::in_parallel(
       outcomes.size(), jobs,

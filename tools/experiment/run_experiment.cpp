@@ -74,7 +74,7 @@ namespace detail {
   if (unfinished.empty()) return 0;
   for (const std::string& sentence : unfinished) std::cerr << options.program << ": " << sentence << "\n";
   std::cerr << "the same command with --resume resumes these and no others\n";
-  return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
+  return replicates::StopOnSignal::caught() != 0 ? stopped : run_error;
 }
 
 /// Reports how a run in a folder ended, and returns the exit code.
@@ -85,7 +85,7 @@ namespace detail {
   const std::string slow = replicates::add_speed(folder.manifest(), progress.elapsed_s(), ecology);
   const bool is_stopped = view.time_s < until_s && !view.is_over;
   if (is_stopped) {
-    const int signal = observe::StopOnSignal::caught();
+    const int signal = replicates::StopOnSignal::caught();
     std::cout << (signal != 0 ? "stopped by signal " + std::to_string(signal) : "ended by its page") << " at "
               << number_text(view.time_s) << " of " << number_text(until_s) << " s; the same command with --resume --out "
               << folder.path().string() << " resumes it\n";
@@ -202,7 +202,7 @@ inline void check_same_changes(const ExperimentOptions& options, const std::file
 [[nodiscard]] inline int run_into_folder(const ExperimentOptions& options, Simulation& ecology, double until_s,
                                          checkpoint::RunState run_state, const std::optional<OriginRun>& origin,
                                          LiveServer* live) {
-  observe::StopOnSignal stop;
+  replicates::StopOnSignal stop;
   const observe::RunDescription run = ecology.describe(until_s);
   io::RunFolder folder{options.out,         options.provenance,      output_options_of(options),
                        run_state.opening(), ecology.state_columns(), changes::with_changes(options.own_tables)(ecology)};
@@ -351,7 +351,7 @@ bool replay(const AnyExperiment& chosen, const OriginRun& origin, const Experime
   const checkpoint::RunState run_state =
       checkpoint::run_state_in(folder, ecology->describe(origin.moment.at_s), schedule_of(options));
   if (run_state.complete) return true;
-  observe::StopOnSignal stop;
+  replicates::StopOnSignal stop;
   io::RunFolder files{folder, {}, origin.output, run_state.opening(), ecology->state_columns(), options.own_tables};
   observe::Progress progress;
   checkpoint::run_with_checkpoints(*ecology, origin.moment.at_s, folder, {}, run_state.from, files, progress, stop);
@@ -383,7 +383,7 @@ PlannedFacts facts(const AnyExperiment& chosen, const Config& config, bool shado
 
 void run_planned(const AnyExperiment& chosen, const Config& config, bool shadow, std::uint64_t seed,
                  const std::filesystem::path& folder, const replicates::CommonOptions& common,
-                 observe::JointProgress::Part progress, const observe::StopOnSignal& stop) {
+                 replicates::JointProgress::Part progress, const replicates::StopOnSignal& stop) {
   const auto experiment = detail::planned_experiment(chosen, config);
   const std::unique_ptr<Simulation> ecology = experiment->simulations(shadow ? Null::shadow : Null::none)(seed);
   replicates::run_in_folder(*ecology, experiment->ecology().duration_s, folder, common, {std::move(progress), stop});

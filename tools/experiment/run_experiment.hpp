@@ -51,6 +51,6 @@ struct PlannedFacts {
 /// Runs or resumes that run in a folder.
 void run_planned(const AnyExperiment& chosen, const Config& config, bool shadow, std::uint64_t seed,
                  const std::filesystem::path& folder, const replicates::CommonOptions& common,
-                 observe::JointProgress::Part progress, const observe::StopOnSignal& stop);
+                 replicates::JointProgress::Part progress, const replicates::StopOnSignal& stop);
 
 }  // namespace trophic::command

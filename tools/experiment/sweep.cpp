@@ -155,7 +155,7 @@ class CellNumbers {
   if (unfinished.size() > most_sentences) std::cerr << "and " << unfinished.size() - most_sentences << " more\n";
   if (diverged > 0) std::cerr << diverged << " diverged, as they will again with the same parameters\n";
   if (diverged < unfinished.size()) std::cerr << "the same command resumes these and no others\n";
-  return observe::StopOnSignal::caught() != 0 ? stopped : run_error;
+  return replicates::StopOnSignal::caught() != 0 ? stopped : run_error;
 }
 
 }  // namespace detail::sweeps
@@ -205,7 +205,7 @@ std::vector<sweep::PlannedRun> plan_of(const sweep::SweepFile& file, const Offer
 }
 
 int run_sweep(const ExperimentOptions& options, const Offer& offer) {
-  const observe::StopOnSignal stop;
+  const replicates::StopOnSignal stop;
   const detail::sweeps::Runner runner{options, offer, stop};
   if (options.sbatch == std::uint64_t{0}) throw std::invalid_argument{"--sbatch 0: must be >= 1"};
   if (options.jobs == std::uint64_t{0}) throw std::invalid_argument{"--jobs 0: must be >= 1"};
@@ -220,7 +220,7 @@ int run_sweep(const ExperimentOptions& options, const Offer& offer) {
   if (options.plan) return print_text(std::to_string(plan.size()) + " runs planned in " + options.out + "\n");
   if (!options.accept_other_build) sweep::check_builds(options.out, plan);
 
-  observe::JointProgress progress{runs.size(), plan.front().until_s, std::cout};
+  replicates::JointProgress progress{runs.size(), plan.front().until_s, std::cout};
   const auto attempts = replicates::in_parallel(
       runs.size(), options.jobs.value_or(std::max(1U, std::thread::hardware_concurrency())),
       [&](std::size_t i) {

@@ -42,7 +42,7 @@ struct PassingFolder {
 /// second. Nothing that is true after a signal.
 [[nodiscard]] inline double probe(const Runner& runner, const PlannedRun& run, const std::filesystem::path& beside) {
   std::ofstream nowhere;
-  observe::JointProgress quiet{1, run.until_s, nowhere, false};
+  replicates::JointProgress quiet{1, run.until_s, nowhere, false};
   for (double until_s = std::min(run.until_s, 60.0);; until_s = std::min(run.until_s, 4.0 * until_s)) {
     const PassingFolder folder{beside};
     const observe::Stopwatch watch;
@@ -80,7 +80,7 @@ struct Estimates {
       const std::filesystem::path beside = std::filesystem::temp_directory_path() / (options.program + "-probe");
       estimates.rates[kind] +=
           probe(runner, *runs[i * (runs.size() - 1) / std::max<std::size_t>(1, count - 1)], beside) / static_cast<double>(count);
-      if (observe::StopOnSignal::caught() != 0) return std::nullopt;
+      if (replicates::StopOnSignal::caught() != 0) return std::nullopt;
       ++estimates.probes;
     }
   }

@@ -63,11 +63,11 @@ inline void insert(toml::table& table, std::string_view path, const Json& value)
 /// A plan's runs on what the program offers.
 class Runner {
  public:
-  Runner(const ExperimentOptions& options, const Offer& offer, const observe::StopOnSignal& stop)
+  Runner(const ExperimentOptions& options, const Offer& offer, const replicates::StopOnSignal& stop)
       : options_{options}, offer_{offer}, stop_{stop} {}
 
   /// Runs one for as long as the plan says or, with `until_s`, for less; in a folder.
-  void run(const PlannedRun& run, const std::filesystem::path& folder, observe::JointProgress& progress,
+  void run(const PlannedRun& run, const std::filesystem::path& folder, replicates::JointProgress& progress,
            std::optional<double> until_s = {}) const {
     Config config = config_of(run.settings);
     if (until_s) insert_duration(config.parameters, *until_s);
@@ -94,7 +94,7 @@ class Runner {
 
   const ExperimentOptions& options_;
   const Offer& offer_;
-  const observe::StopOnSignal& stop_;
+  const replicates::StopOnSignal& stop_;
   mutable std::atomic<std::size_t> diverged_ = 0;
 };
 

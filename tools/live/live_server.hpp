@@ -42,7 +42,7 @@ class LiveServer {
   /// As checkpoint::run_with_checkpoints, with the pages as an observer.
   virtual void run_with_checkpoints(Simulation& ecology, double until_s, const std::filesystem::path& folder,
                                     const checkpoint::Schedule& schedule, const std::optional<checkpoint::Checkpoint>& from,
-                                    io::RunFolder& files, observe::Progress& progress, const observe::StopOnSignal& stop) = 0;
+                                    io::RunFolder& files, observe::Progress& progress, const replicates::StopOnSignal& stop) = 0;
   /// The run that is shown ended with an error, or the next one could not begin.
   virtual void failed(const std::string& why) = 0;
   /// Shows another run from now on.

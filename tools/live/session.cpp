@@ -72,7 +72,7 @@ class Session final : public command::LiveServer, private Listener {
   [[nodiscard]] changes::Conductor& conductor() override { return steering_; }
   void run_with_checkpoints(Simulation& ecology, double until_s, const std::filesystem::path& folder,
                             const checkpoint::Schedule& schedule, const std::optional<checkpoint::Checkpoint>& from,
-                            io::RunFolder& files, observe::Progress& progress, const observe::StopOnSignal& stop) override {
+                            io::RunFolder& files, observe::Progress& progress, const replicates::StopOnSignal& stop) override {
     checkpoint::run_with_checkpoints(ecology, until_s, folder, schedule, from, files, progress, stop, sight_);
   }
   void failed(const std::string& why) override {

@@ -110,7 +110,7 @@ bool Steering::is_released(double now_s) {
 
 std::vector<changes::Change> Steering::due(double) {
   std::unique_lock lock{mutex_};
-  while (observe::StopOnSignal::caught() == 0 && !restart_) {
+  while (replicates::StopOnSignal::caught() == 0 && !restart_) {
     if (!wishes_.empty()) return std::exchange(wishes_, {});
     const double now_s = watch_.elapsed_s();
     if (is_released(now_s)) break;
@@ -123,7 +123,7 @@ std::vector<changes::Change> Steering::due(double) {
 
 bool Steering::ends() const {
   const std::lock_guard lock{mutex_};
-  return restart_.has_value() || observe::StopOnSignal::caught() != 0;
+  return restart_.has_value() || replicates::StopOnSignal::caught() != 0;
 }
 
 void Steering::refused(const changes::Change&, const std::string& why) {
@@ -134,7 +134,7 @@ std::optional<command::Restart> Steering::wait_for_restart(double grace_s) {
   std::unique_lock lock{mutex_};
   double alone_since_s = watch_.elapsed_s();
   while (!restart_) {
-    if (observe::StopOnSignal::caught() != 0) return std::nullopt;
+    if (replicates::StopOnSignal::caught() != 0) return std::nullopt;
     const double now_s = watch_.elapsed_s();
     if (pages_ > 0) alone_since_s = now_s;
     if (now_s - alone_since_s >= grace_s) return std::nullopt;

@@ -12,14 +12,14 @@
 #include <trophic/observe/terminal.hpp>
 #include <trophic/population/view.hpp>
 
-namespace trophic::observe {
+namespace trophic::replicates {
 
 /// Shows the progress of a set of runs on stderr if that is a terminal, as much of it as fits one line. Writes a line to `out`
 /// for each run that ends. May be called from several threads at once.
 class JointProgress {
  public:
   /// Watches `runs` runs; `clock_s` is the duration of each.
-  JointProgress(std::size_t runs, double clock_s, std::ostream& out, bool show = stderr_is_terminal())
+  JointProgress(std::size_t runs, double clock_s, std::ostream& out, bool show = observe::stderr_is_terminal())
       : runs_{runs}, clock_s_{clock_s}, out_{out}, show_{show} {}
 
   /// Watches one call of run_until.
@@ -27,25 +27,25 @@ class JointProgress {
    public:
     Part(JointProgress& joint, std::string name) : joint_{&joint}, name_{std::move(name)} {}
 
-    static constexpr std::string_view section = Progress::section;
+    static constexpr std::string_view section = observe::Progress::section;
     template <class Archive>
     void persist(Archive& archive) {
       archive(tally_);
     }
 
-    void on_start(const RunDescription& run, const View& view) {
+    void on_start(const observe::RunDescription& run, const View& view) {
       clock_scale_ = run.clock_scale;
       from_s_ = view.time_s;
       watch_ = {};
       joint_->advance(name_, 0.0, clock_scale_);
     }
-    void on_event(const Event& event, const View& view) { tally_.on_event(event, view); }
+    void on_event(const observe::Event& event, const View& view) { tally_.on_event(event, view); }
     void on_tick(const View& view) { joint_->advance(name_, view.time_s - from_s_, clock_scale_); }
     void on_end(const View& view) {
       const double clock_s = view.time_s - from_s_;
-      joint_->finish(name_, name_ + "  " + short_text(view.time_s) + " s, " + std::to_string(tally_.deaths()) + " deaths, " +
-                                duration_text(watch_.elapsed_s()) + " (" +
-                                short_text(clock_s * clock_scale_ / watch_.elapsed_s()) + "x real time)");
+      joint_->finish(name_, name_ + "  " + observe::short_text(view.time_s) + " s, " + std::to_string(tally_.deaths()) +
+                                " deaths, " + observe::duration_text(watch_.elapsed_s()) + " (" +
+                                observe::short_text(clock_s * clock_scale_ / watch_.elapsed_s()) + "x real time)");
     }
     void on_failure(std::string_view what) { joint_->finish(name_, name_ + "  failed: " + std::string{what}); }
 
@@ -56,8 +56,8 @@ class JointProgress {
     std::string name_;
     double clock_scale_ = 1.0;
     double from_s_ = 0.0;
-    Stopwatch watch_;
-    Tally tally_;
+    observe::Stopwatch watch_;
+    observe::Tally tally_;
   };
 
   /// The observer of the run of this name; must not outlive this object.
@@ -88,17 +88,17 @@ class JointProgress {
     std::string who;
     for (const auto& [name, time_s] : running_s_) {
       clock_s += time_s;
-      if (running_s_.size() <= 8) who += (who.empty() ? "" : ", ") + name + " " + short_text(time_s) + " s";
+      if (running_s_.size() <= 8) who += (who.empty() ? "" : ", ") + name + " " + observe::short_text(time_s) + " s";
     }
     const double share = clock_s / (clock_s_ * static_cast<double>(runs_));
     const double wall_s = watch_.elapsed_s();
     const std::array parts{std::to_string(done_) + " of " + std::to_string(runs_) + " done",
-                           short_text(100.0 * share) + " %",
-                           (share > 0.0 ? duration_text(wall_s / share - wall_s) : "?") + " left",
+                           observe::short_text(100.0 * share) + " %",
+                           (share > 0.0 ? observe::duration_text(wall_s / share - wall_s) : "?") + " left",
                            std::to_string(running_s_.size()) + " running",
-                           short_text(clock_s * clock_scale_ / wall_s) + "x real time",
+                           observe::short_text(clock_s * clock_scale_ / wall_s) + "x real time",
                            who};
-    return fitting_line(parts, terminal_columns());
+    return observe::fitting_line(parts, observe::terminal_columns());
   }
 
   std::size_t runs_;
@@ -106,7 +106,7 @@ class JointProgress {
   std::ostream& out_;
   bool show_;
   std::mutex mutex_;
-  Stopwatch watch_;
+  observe::Stopwatch watch_;
   double drawn_s_ = 0.0;
   double clock_scale_ = 1.0;
   double done_s_ = 0.0;
@@ -114,4 +114,4 @@ class JointProgress {
   std::map<std::string, double> running_s_;
 };
 
-}  // namespace trophic::observe
+}  // namespace trophic::replicates

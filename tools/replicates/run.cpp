@@ -29,8 +29,8 @@ Outcome run_pending(const Plan& plan, const observe::RunDescription& run, const 
   if (folder.kept() > 0) out << folder.kept() << " of " << plan.count << " were complete and are kept" << std::endl;
 
   const auto& pending = folder.pending();
-  const observe::StopOnSignal stop;
-  observe::JointProgress progress{pending.size(), run.until_s, out};
+  const replicates::StopOnSignal stop;
+  replicates::JointProgress progress{pending.size(), run.until_s, out};
   const auto work = [&](std::size_t i) {
     const Replicate& replicate = pending[i];
     CommonOptions common{provenance, plan.checkpoints, plan.output, plan.snapshot, plan.own_tables};

@@ -23,8 +23,8 @@ struct Outcome {
 };
 
 /// Makes one run of a set, in its folder.
-using RunOne = std::function<void(const Replicate& replicate, const CommonOptions& common, observe::JointProgress::Part progress,
-                                  const observe::StopOnSignal& stop)>;
+using RunOne = std::function<void(const Replicate& replicate, const CommonOptions& common,
+                                  replicates::JointProgress::Part progress, const replicates::StopOnSignal& stop)>;
 
 /// Makes those runs of a plan that are not complete. `run`: any of them, as it describes itself. See `run`.
 [[nodiscard]] Outcome run_pending(const Plan& plan, const observe::RunDescription& run, const io::Provenance& provenance,
@@ -41,8 +41,8 @@ Outcome run(const MakeSimulation& make, double until_s, const Plan& plan, const 
   plan.check();
   return run_pending(
       plan, make(plan.master_seed)->describe(until_s), provenance, out,
-      [&](const Replicate& replicate, const CommonOptions& common, observe::JointProgress::Part progress,
-          const observe::StopOnSignal& stop) {
+      [&](const Replicate& replicate, const CommonOptions& common, replicates::JointProgress::Part progress,
+          const replicates::StopOnSignal& stop) {
         run_in_folder(*make(replicate.seed), until_s, replicate.folder, common, {std::move(progress), stop}, extra...);
       });
 }

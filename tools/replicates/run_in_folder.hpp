@@ -25,8 +25,8 @@ inline std::string add_speed(io::Manifest& manifest, double wall_s, const Simula
 
 /// The progress display of a run, and the signals that stop it.
 struct Watch {
-  observe::JointProgress::Part progress;
-  const observe::StopOnSignal& stop;
+  replicates::JointProgress::Part progress;
+  const replicates::StopOnSignal& stop;
 };
 
 /// Runs an ecology that has not begun to `until_s` into a folder, from its beginning, from the moment of another run at which it

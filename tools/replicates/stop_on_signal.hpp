@@ -9,7 +9,7 @@
 #include <csignal>
 #include <string_view>
 
-namespace trophic::observe {
+namespace trophic::replicates {
 
 /// From the first one made on, SIGINT, SIGTERM, the signals by which batch systems announce an end (SIGXCPU, SIGUSR1, SIGUSR2)
 /// and (unless it was ignored, as nohup does) SIGHUP do not kill the program: runs that this observer watches end with complete
@@ -65,4 +65,4 @@ class StopOnSignal {
   inline static std::atomic<int> count_ = 0;
 };
 
-}  // namespace trophic::observe
+}  // namespace trophic::replicates

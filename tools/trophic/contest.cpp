@@ -175,7 +175,7 @@ class PlayedFile {
   const int failed = ::posix_spawnp(&process, program.c_str(), nullptr, nullptr, arguments.data(), environ);
   if (failed != 0) throw std::invalid_argument{"--program " + program + ": " + std::strerror(failed)};
   int status = 0;
-  const observe::StopOnSignal stop;
+  const replicates::StopOnSignal stop;
   for (bool is_told = false; ::waitpid(process, &status, WNOHANG) == 0;) {
     if (!stop.keep_running() && !std::exchange(is_told, true)) ::kill(process, SIGTERM);
     std::this_thread::sleep_for(std::chrono::milliseconds{20});
@@ -238,7 +238,7 @@ void check_split(double split_s, std::span<const contest::ContestRow> rows) {
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (!outcomes[i]) {
-      std::cout << "stopped by signal " << observe::StopOnSignal::caught() << "; the same command with --out " << out
+      std::cout << "stopped by signal " << replicates::StopOnSignal::caught() << "; the same command with --out " << out
                 << " continues" << std::endl;
       return stopped;
     }

@@ -105,7 +105,7 @@ struct Task {
 
 /// Writes the walks of all tasks into a folder, unless a signal stops it.
 void walk_all(const Options& options, const Habitat& habitat, const std::filesystem::path& folder) {
-  const observe::StopOnSignal stop;
+  const replicates::StopOnSignal stop;
   WalkTables tables{folder};
   for (const double target_angle_rad : {0.7, -0.7, 0.0}) {
     const auto tasks = tasks_for(habitat, target_angle_rad, static_cast<double>(options.seconds));
@@ -144,7 +144,7 @@ void walk_all(const Options& options, const Habitat& habitat, const std::filesys
   const ResultFolder folder{options.out};
 #if defined(TROPHIC_WITH_MUJOCO) && defined(TROPHIC_WITH_ODE)
   if (options.seconds != 0) walk_all(options, habitat, folder.path());
-  if (observe::StopOnSignal::caught() != 0) return stopped;
+  if (replicates::StopOnSignal::caught() != 0) return stopped;
 #endif
   return run_python({{"command", "cross-check"},
                      {"who", "trophic cross-check"},

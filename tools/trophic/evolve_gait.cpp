@@ -90,7 +90,7 @@ int run(BackendChoice backend, const Options& options, const Config& config) {
     gait_evolution::resume(experiment, folder);
   }
 
-  const observe::StopOnSignal stop;
+  const replicates::StopOnSignal stop;
   const observe::Stopwatch watch;
   const std::size_t before = experiment.lineage().individuals.size();
   gait_evolution::save(experiment, folder);
@@ -100,7 +100,7 @@ int run(BackendChoice backend, const Options& options, const Config& config) {
   }
   const std::size_t evaluations = experiment.lineage().individuals.size() - before;
   if (!experiment.done()) {
-    std::cout << "stopped by signal " << observe::StopOnSignal::caught() << "; continue with --resume " << folder.string()
+    std::cout << "stopped by signal " << replicates::StopOnSignal::caught() << "; continue with --resume " << folder.string()
               << std::endl;
     return stopped;
   }

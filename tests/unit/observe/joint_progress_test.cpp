@@ -12,7 +12,7 @@ using namespace trophic;
 
 TEST_CASE("joint progress: concurrent runs -> one line for each that ends") {
   std::ostringstream out;
-  observe::JointProgress joint{8, 6.0, out, false};
+  replicates::JointProgress joint{8, 6.0, out, false};
   {
     std::vector<std::jthread> threads;
     for (int run = 0; run < 8; ++run) {

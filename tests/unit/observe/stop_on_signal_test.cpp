@@ -8,13 +8,13 @@
 using namespace trophic;
 
 TEST_CASE("stop on signal: first signal -> run stops, signal reported") {
-  static_assert(observe::Observer<const observe::StopOnSignal>);
-  const observe::StopOnSignal stop;
+  static_assert(observe::Observer<const replicates::StopOnSignal>);
+  const replicates::StopOnSignal stop;
   CHECK(stop.keep_running());
-  CHECK(observe::StopOnSignal::caught() == 0);
+  CHECK(replicates::StopOnSignal::caught() == 0);
   std::raise(SIGTERM);
   CHECK_FALSE(stop.keep_running());
-  CHECK(observe::StopOnSignal::caught() == SIGTERM);
+  CHECK(replicates::StopOnSignal::caught() == SIGTERM);
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
 }
