@@ -30,7 +30,6 @@ class Bodies(unittest.TestCase):
         self.assertEqual(done.returncode, 2 if fails_with else 0, done.stderr)
         if fails_with:
             self.assertIn(fails_with, done.stderr)
-        return done.stdout
 
     def rows(self, file):
         with open(self.folder / file, newline="") as text:
@@ -46,18 +45,22 @@ class Bodies(unittest.TestCase):
         births = [row for row in self.rows("run/events.csv") if row["event"] == "birth"]
         self.assertEqual([row["id"] for row in bodies], [row["id"] for row in births])
         self.assertGreater(len(bodies), 8)
-        first = {row["species"]: row["modules_text"] for row in reversed(bodies)}
-        self.assertEqual(len(first), 2)
-        for row in bodies[:8]:
-            self.assertEqual(row["modules_text"], first[row["species"]])
+        self.assertEqual(len({(row["species"], row["modules_text"]) for row in bodies[:8]}), 2)
         found = self.measured("run")
-        self.assertGreater(float(found["body_modules", "predator", "late"]), 1.0)
-        self.assertGreater(float(found["walked", "predator", "late"]), 0.0)
-        self.assertGreater(float(found["gait_genes", "prey", "late"]), 6.0)
+        for metric, species, least in (("body_modules", "predator", 1.0), ("walked", "predator", 0.0), ("gait_genes", "prey", 6.0)):
+            self.assertGreater(float(found[metric, species, "late"]), least)
         self.call(TROPHIC, "plot", "run-measured")
         captions = json.loads((self.folder / "run-measured/figures/captions.json").read_text())
         self.assertEqual(list(captions), ["measures", "morphospace", "plans"])
         self.assertRegex(captions["plans"], rf"\(\d+ of {len({row['plan'] for row in bodies})} plans\)")
+
+    def test_bodies_that_diverge_again_and_again_do_not_stop_the_neutral_null(self):
+        diverging = ("physics.timestep_s=0.012", "physics.integrator=rk4", "rules.viability.trial_s=0.01", "rules.body_plan.prey.first_robot=spider",
+                     "rules.gait.prey.gait=spider_published")
+        self.call(BODIES, "--backend", "mujoco", "--duration", "40", *FEW[2:-2], *(part for setting in diverging for part in ("--set", setting)),
+                  "--replicates", "1", "--neutral", "--out", "runs")
+        events = [self.rows(f"runs/{null}replicate-00/events.csv") for null in ("", "neutral/")]
+        self.assertEqual(*([(row["id"], row["parent_id"]) for row in of if row["event"] == "birth"] for of in events))
 
     def test_an_encoding_of_ones_own_has_command_line_tables_and_measures(self):
         self.call(ENCODING, "--backend", "mujoco", *FEW[:-2], "--out", "run")

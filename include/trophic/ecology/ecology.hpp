@@ -148,21 +148,21 @@ class Ecology final : public Simulation {
 
   /// Moves the bodies through a tick. Returns false, with everything as before, if an observer cancelled it.
   [[nodiscard]] bool move(observe::Audience& audience) {
-    const auto end = [&](BodyIndex body) { end_diverged(audience, body); };
     population_.open_ledger();
-    if (!bodies_.move(audience, view(), end)) return false;
+    for (BodyIndex body = 0; history_ && body < population_.individuals().size(); ++body)
+      if (population_[body].lives() && !bodies_.backend().is_there(body)) bodies_.embody(body, population_.individuals().size());
+    if (!bodies_.move(audience, view(), [&](BodyIndex body) { end_diverged(audience, body); })) return false;
     ++tick_;
     population_.walk(bodies_.poses_before(), view());
     return true;
   }
 
-  /// The individual dies and a random one of its species follows. A spare body, or one with a history, stands up again.
+  /// The individual dies and a random one of its species follows. One with a history lives on, away until the next tick.
   void end_diverged(observe::Audience& audience, BodyIndex body) {
     const Individual& self = population_[body];
-    if (!self.lives() || params_.history) return bodies_.embody(body, population_.individuals().size());
-    const Species species = self.species;
-    emit_death(audience, {.body = body, .cause = Cause::diverged, .killer = {}, .successor = species});
-    population_.replace(body, species, {}, view());
+    if (!self.lives() || params_.history) return bodies_.take_away(body);
+    emit_death(audience, {.body = body, .cause = Cause::diverged, .killer = {}, .successor = self.species});
+    population_.replace(body, self.species, {}, view());
     begin_life(audience, body);
   }
 
