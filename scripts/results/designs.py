@@ -77,11 +77,9 @@ def welch(ours, theirs):
 def holm(p_values):
     """p values with Holm's correction."""
     order = sorted(range(len(p_values)), key=p_values.__getitem__)
-    corrected, largest = [0.0] * len(p_values), 0.0
-    for rank, place in enumerate(order):
-        largest = max(largest, min(1.0, (len(p_values) - rank) * p_values[place]))
-        corrected[place] = largest
-    return corrected
+    steps = (min(1.0, (len(p_values) - rank) * p_values[place]) for rank, place in enumerate(order))
+    corrected = dict(zip(order, itertools.accumulate(steps, max)))
+    return [corrected[place] for place in range(len(p_values))]
 
 
 def named(key):
@@ -349,3 +347,14 @@ def lives_of(runs):
             diverged = sum(row["event"] == "death" and row["cause"] == "diverged" for row in csv.DictReader(file))
         counts.append((len(depths), mean(depths), max(depths), diverged))
     return {name: number(mean(values)) for name, values in zip(("births", "mean_depth", "greatest_depth", "diverged"), zip(*counts))}
+
+
+def generations_of(runs):
+    """Births after the start by founder of each species, as means over runs."""
+    births = {}
+    for events in sorted(pathlib.Path(runs).glob("replicate-*/events.csv")):
+        with open(events, newline="") as file:
+            for row in csv.DictReader(file):
+                if row["event"] == "birth":
+                    births.setdefault(row["species"], [0, 0])[int(row["tick"]) > 0] += 1
+    return {species: number(born / founders) for species, (founders, born) in births.items()}

@@ -318,8 +318,7 @@ def lineages(rows):
 
 
 EVOLVED = {"brains": ["walked", "open_speed", "wall_contact", "brain_genes"], "gaits": ["walked", "gait_genes"],
-           "bodies": ["walked", "body_modules", "body_hinges", "body_mass", "body_size", "body_proportion", "body_coverage", "body_branching", "body_limbs",
-                      "body_length_of_limbs", "body_symmetry", "body_joints", "body_plans", "body_plans_shannon", "body_change"]}
+           "bodies": ["walked", "body_modules", "body_hinges", "body_mass", "body_proportion", "body_coverage", "body_symmetry", "body_plans", "body_change"]}
 
 
 def evolved(rows, study):
@@ -413,11 +412,13 @@ def settings(rows):
     return table(["setting", "both persist", "prey", "predators", "prey over the shadow, cm/s", "predators over the shadow, cm/s", "runs"], lines)
 
 
-def selected(rows):
-    """Price's terms of `turns_to` over the neutral null."""
-    return table(["species", "term", "pond", "neutral null", "difference", "p (Holm)"],
-                 [[row["species"], row["term"], f"{float(row['runs_mean']):+.3g}", f"{float(row['neutral_mean']):+.3g}",
-                   signed(row, ("difference", "difference_lower", "difference_upper")), p_text(row["p_holm"])] for row in rows])
+def selected(rows, of="pond"):
+    """Price's terms over their null: the neutral null's, or zero for behaviour. With generations they are cm/s a generation."""
+    keys, lines = ("runs_mean", "neutral_mean", "difference", "difference_lower", "difference_upper"), []
+    for row in (row for row in rows if row["p"]):
+        each = {key: row[key] and str(float(row[key]) * (100.0 / float(row["generations"]) if "generations" in row else 1.0)) for key in keys}
+        lines.append([row["species"], row["term"], *(each[key] and f"{float(each[key]):+.3g}" for key in keys[:2]), signed(each, keys[2:]), p_text(row["p_holm"])])
+    return table(["species", "term", of, "neutral null", "difference", "p (Holm)"], lines)
 
 
 def raced(rows):
@@ -445,6 +446,7 @@ def tables(data, choices):
             "inheritance": lambda: inheritance(data("inheritance")), "lineages": lambda: lineages(data("race_arms_race_lineages")),
             "historical": lambda: historical(data("race_arms_race"))}
     made["evolved again"] = lambda: evolved_again(data("evolution_again"))
+    made["evolvable bodies"] = lambda: selected(data("evolvable_bodies"), "bodies")
     made["evolved lives"] = lambda: evolved_lives(data("evolution_lives"))
     for name in EVOLVED:
         made[f"evolved {name}"] = lambda name=name: evolved(data("evolution"), name)
