@@ -21,8 +21,7 @@ EVENTS = [event("birth", 0, 0, "prey"), event("birth", 0, 1, "prey"), event("bir
           event("birth", 8, 3, "prey"), event("birth", 8, 9, "predator", origin="inherited", parent_id=0), event("death", 12, 0, "prey", cause="starved"),
           event("death", 20, 2, "prey", cause="caught"), event("death", 22, 3, "prey", cause="caught"), event("birth", 26, 4, "prey")]
 Z = {0: 1.0, 1: 3.0, 2: 2.0, 3: 6.0, 4: 5.0, 8: 0.5, 9: 1.5}
-# In order: births of 2 (mean 2 of two), death of 1 (mean 2 of three), birth of 3 (mean 1.5 of two), death of 0 (mean 3 of three), deaths of 2
-# (mean 4 of two) and 3, birth of 4 into an empty species whose mean was 6.
+# Births of 2 (mean 2 of two), 3 (1.5 of two) and 4 (alone; the last mean was 6); deaths of 1 (2 of three), 0 (3 of three), 2 (4 of two) and 3.
 PREY = {("start", "all"): 2.0, ("end", "all"): 5.0, ("change", "all"): 3.0, ("parenthood", "all"): -1 / 3, ("mutation", "all"): 1 / 3,
         ("newcomers", "all"): 1.5 - 1.0, ("survival", "all"): -0.5 + 1.0 + 2.0, ("survival_caught", "all"): -0.5 + 2.0, ("survival_starved", "all"): 1.0,
         ("survival", "first"): -0.5, ("newcomers", "first"): 1.5, ("survival", "second"): 1.0, ("survival", "third"): 2.0, ("newcomers", "third"): -1.0,
@@ -143,8 +142,9 @@ def test_the_inputs_of_turns_to(tmp_path):
 
 def test_behaviour_is_measured_away_from_walls(tmp_path):
     rows = [robot(tick, id, "prey", x_m, 0.0) for tick, places in enumerate([(1.0, 8.5), (1.2, 8.9), (1.6, 9.4)]) for id, x_m in enumerate(places)]
-    folder = write_run(tmp_path / "run", of_agents=rows, of_events=EVENTS[:2], until_s=4.0)
+    folder = write_run(tmp_path / "run", of_agents=rows, of_events=[*EVENTS[:2], event("death", 4, 1, "prey", cause="diverged")], until_s=4.0)
     (run,), _ = selection.pool.pooled_runs([folder], Measuring())
+    assert selection.measure(["open_speed"], run)["open_speed", "prey", "missing", "all"] == 1
     assert selection.trait_of("open_speed").read(run).to_dict() == pytest.approx({0: 0.15, 1: 0.2})
 
 

@@ -214,7 +214,7 @@ def measure(texts: Sequence[str], run: PooledRun) -> pandas.Series:
     events, found = events_of(run), dict[tuple, float]()
     end_s = run.lived_s
     for trait in map(trait_of, texts):
-        z = trait.read(run)
+        z = trait.read(run).drop(events["id"][trait.is_behaviour & (events["cause"] == "diverged")], errors="ignore")  # no behaviour
         for species in run.web.species:
             found |= {(trait.name, species, *key): value for key, value in terms(events, z, species, end_s).items()}
             born = events["id"][(events["event"] == "birth") & (events["species"] == species)]
