@@ -103,18 +103,12 @@ class Points {
  private:
   [[nodiscard]] Body body_at(std::size_t robot, const Pose& pose) const {
     const GroundPose start = ground_pose(pose, forward_rad_);
+    const std::string what = "start pose " + std::to_string(robot);
+    const std::string place = what + " at (" + number_text(start.x_m) + ", " + number_text(start.y_m) + "): must ";
     const bool is_inside = std::abs(start.x_m) <= arena_.half_side_m && std::abs(start.y_m) <= arena_.half_side_m;
-    if (!is_inside) {
-      throw std::invalid_argument{"start pose " + std::to_string(robot) + " at (" + number_text(start.x_m) + ", " +
-                                  number_text(start.y_m) + "): must be finite and within +-" + number_text(arena_.half_side_m)};
-    }
-    if (!is_clear(arena_, start, 0.0)) {
-      throw std::invalid_argument{"start pose " + std::to_string(robot) + " at (" + number_text(start.x_m) + ", " +
-                                  number_text(start.y_m) + "): must not be in an obstacle"};
-    }
-    if (!std::isfinite(start.heading_rad)) {
-      throw std::invalid_argument{"start pose " + std::to_string(robot) + ": its heading must be finite"};
-    }
+    if (!is_inside) throw std::invalid_argument{place + "be finite and within +-" + number_text(arena_.half_side_m)};
+    if (!is_clear(arena_, start, 0.0)) throw std::invalid_argument{place + "not be in an obstacle"};
+    if (!std::isfinite(start.heading_rad)) throw std::invalid_argument{what + ": its heading must be finite"};
     return {.x_m = start.x_m, .y_m = start.y_m, .heading_rad = start.heading_rad};
   }
 

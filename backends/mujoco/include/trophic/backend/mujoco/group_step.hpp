@@ -34,25 +34,21 @@ struct GroupResult {
   return "it is faster than " + number_text(fastest_m_s) + " m/s; physics.timestep_s may be too long";
 }
 
+/// Whether a MuJoCo warning is that its buffers are full.
+[[nodiscard]] inline bool is_full(int kind) {
+  return kind == mjWARN_CONTACTFULL || kind == mjWARN_CNSTRFULL;
+}
+
 /// The text of a MuJoCo warning. MuJoCo writes its own text into a buffer that all threads share.
 [[nodiscard]] inline std::string warning_text(int kind) {
-  switch (kind) {
-    case mjWARN_INERTIA:
-      return "its inertia matrix is nearly singular";
-    case mjWARN_BADQPOS:
-      return "a position is NaN or too large";
-    case mjWARN_BADQVEL:
-      return "a velocity is NaN or too large";
-    case mjWARN_BADQACC:
-      return "an acceleration is NaN or too large";
-    case mjWARN_BADCTRL:
-      return "a servo's target is NaN or too large";
-    case mjWARN_CONTACTFULL:
-    case mjWARN_CNSTRFULL:
-      return "it touches too much at once: the largest model of MuJoCo, 2^31 bytes, has no room for the contacts";
-    default:
-      return "warning " + std::to_string(kind) + " of MuJoCo";
-  }
+  if (kind == mjWARN_INERTIA) return "its inertia matrix is nearly singular";
+  if (is_full(kind)) return "it touches too much at once: the largest model of MuJoCo, 2^31 bytes, has no room for the contacts";
+  const std::string what = kind == mjWARN_BADQPOS   ? "a position"
+                           : kind == mjWARN_BADQVEL ? "a velocity"
+                           : kind == mjWARN_BADQACC ? "an acceleration"
+                           : kind == mjWARN_BADCTRL ? "a servo's target"
+                                                    : "";
+  return what.empty() ? "warning " + std::to_string(kind) + " of MuJoCo" : what + " is NaN or too large";
 }
 
 /// An error of MuJoCo in the model of these robots, which does not name one: of the first.
@@ -69,22 +65,12 @@ struct GroupResult {
     if (data.warning[kind].number == 0) continue;
     const int info = data.warning[kind].lastinfo;
     GroupResult result{.end = GroupResult::End::diverged, .robot = robots.front(), .what = warning_text(kind)};
-    std::size_t Share::*begin = nullptr;
-    switch (kind) {
-      case mjWARN_CONTACTFULL:
-      case mjWARN_CNSTRFULL:
-        result.end = GroupResult::End::buffers_full;
-        break;
-      case mjWARN_BADQPOS:
-        begin = &Share::position;
-        break;
-      case mjWARN_BADCTRL:
-        begin = &Share::control;
-        break;
-      default:
-        begin = &Share::velocity;
+    const auto begin = kind == mjWARN_BADQPOS ? &Share::position : kind == mjWARN_BADCTRL ? &Share::control : &Share::velocity;
+    if (is_full(kind)) {
+      result.end = GroupResult::End::buffers_full;
+    } else if (info >= 0) {
+      result.robot = robots[compiled.owner(begin, static_cast<std::size_t>(info))];
     }
-    if (begin != nullptr && info >= 0) result.robot = robots[compiled.owner(begin, static_cast<std::size_t>(info))];
     return result;
   }
   return {};

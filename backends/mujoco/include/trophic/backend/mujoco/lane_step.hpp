@@ -2,7 +2,6 @@
 // Steps batches of robots by the kernel, and by MuJoCo where the kernel declines.
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -143,36 +142,13 @@ class LaneStepper {
   /// One mj_step of the robots in `scratch.declined`; `to` holds their numbers on the way.
   [[nodiscard]] static GroupResult step_by_mujoco(CompiledModel& compiled, Scratch& scratch, const Rows& targets_rad,
                                                   RobotStates& to) {
-    const EngineGuard guard;
-    const CompiledModel::Turn turn{compiled};
-    mjData& data = turn.data();
     const std::vector<std::size_t>& robots = scratch.robots;
     const auto lanes_of = [&](std::size_t i) -> kernel::LaneState& { return scratch.batch.pack(scratch.declined[i]).state; };
-    for (std::size_t i = 0; i < robots.size(); ++i) {
-      const Share& share = compiled.shares()[i];
-      lanes_of(i).store(scratch.declined[i].lane, to.numbers(robots[i]));
-      to.load(robots[i], share, data);
-      std::ranges::copy(targets_rad[robots[i]], data.ctrl + share.control);
-    }
-    GroupResult result;
-    try {
-      mj_step(&compiled.model(), &data);
-      result = read_warnings(compiled, data, robots);
-    } catch (const EngineError& error) {
-      result = read_error(error, robots);
-    }
-    for (std::size_t i = 0; i < robots.size() && result.end == GroupResult::End::done; ++i) {
-      if (!to.store(robots[i], compiled.shares()[i], data)) {
-        result = {.end = GroupResult::End::diverged, .robot = robots[i], .what = "a number is NaN or too large"};
-      }
-    }
-    if (result.end != GroupResult::End::done) {
-      mj_resetData(&compiled.model(), &data);
-      if (result.end == GroupResult::End::buffers_full) result.model = &compiled;
-      return result;
-    }
+    for (std::size_t i = 0; i < robots.size(); ++i) lanes_of(i).store(scratch.declined[i].lane, to.numbers(robots[i]));
+    GroupResult result = step_group(compiled, robots, targets_rad, {}, 1, to, to);
+    if (result.end != GroupResult::End::done) return result;
     for (std::size_t i = 0; i < robots.size(); ++i) lanes_of(i).load(scratch.declined[i].lane, to.numbers(robots[i]));
-    return {};
+    return result;
   }
 
   BoxDepth box_depth_;
