@@ -183,6 +183,9 @@ class Contest(InFolder):
             file.write("1,2")
         self.refused("study", says="genomes.csv")
         shutil.move(self.folder / "genomes.csv", first / "genomes.csv")
+        for path in (self.folder / "other").glob("replicate-*/manifest.json"):
+            path.write_text(sealed_text(json.loads(path.read_text().replace('"backend": {', '"backend": {"stepping": "screening",'))))
+        self.refused("study", "--panel", "other", says="other: has runs of paper with backend.stepping = screening: must be of paper")
         for path in (self.folder / "study").glob("replicate-*/manifest.json"):
             path.write_text(sealed_text({**json.loads(path.read_text()), "food_web": []}))
         self.refused("study", says="no species of this food web hunts: a contest needs hunters and victims")

@@ -152,17 +152,15 @@ class Runs(PredatorPrey):
             result = self.call(*released, *more, "--out", f"released{len(more)}")
             self.assertEqual(result.returncode, 0, result.stderr)
             self.assertIn("physics.integrator = rk4 has no effect", result.stdout)
-        remarks = self.manifest("released0")["remarks"]
-        self.assertEqual(len(remarks), 1)
-        self.assertIn("physics.integrator = rk4 has no effect", remarks[0])
+        [remark] = self.manifest("released0")["remarks"]
+        self.assertIn("physics.integrator = rk4 has no effect", remark)
         result = self.call(*released, "--set", "physics.integrator=semi_implicit_euler", "--out", "own")
         self.assertEqual(self.manifest("own")["remarks"], [])
         self.assertNotIn("remark", result.stdout)
 
     @unittest.skipUnless(HAS_ODE, "no ODE in this build")
     def test_only_mujoco_writes_mjcf(self):
-        self.assert_refused(self.call("--backend", "ode", "--save-mjcf", "ecology.xml", "--out", "run"), 2, "--save-mjcf",
-                            "--backend mujoco")
+        self.assert_refused(self.call("--backend", "ode", "--save-mjcf", "ecology.xml", "--out", "run"), 2, "--save-mjcf", "--backend mujoco")
         self.assertEqual(list(self.folder.iterdir()), [])
 
     @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
@@ -324,8 +322,10 @@ class Refusals(PredatorPrey):
         self.assertFalse((self.folder / "x").exists())
 
     @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
-    def test_timestep_above_the_control_period(self):
+    def test_timesteps_of_the_control_period_and_of_screening(self):
         self.assert_refused(self.call("--out", "refused", "--set", "physics.timestep_s=0.02"), 2, "physics.timestep_s = 0.02", "control period")
+        self.assertIn("timestep_s = 0.002 ", self.call("--set", "backend.stepping=screening", "--print-config").stdout)
+        self.assert_refused(self.call("--out", "refused", "--set", "backend.stepping=screening", "--set", "physics.timestep_s=0.001"), 2, "physics.timestep_s = 0.001 with backend.stepping = screening: must be 0.002")
 
     def test_resuming_needs_the_folder(self):
         self.assert_refused(self.call("--backend", "kinematic", "--replicates", 2, "--resume"), 2, "--resume", "--out")

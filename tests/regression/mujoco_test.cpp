@@ -29,18 +29,16 @@ struct Closest {
   }
 };
 
-}  // namespace
-
-TEST_CASE("golden: MuJoCo run until robots touch -> same events") {
-  // Each version of MuJoCo has golden files of its own; those of 2.2.2 are the reference.
+/// Each version of MuJoCo has golden files of its own; those of 2.2.2 are the reference.
+void check_run(backend::Mujoco::Stepping stepping, const std::string& mode, std::uint64_t seed) {
   const std::string version = backend::Mujoco::version();
-  const std::string name = version == "2.2.2" ? "mujoco_paper" : "mujoco_" + version + "_paper";
+  const std::string name = (version == "2.2.2" ? "mujoco_paper" : "mujoco_" + version + "_paper") + mode;
   const std::filesystem::path written = test::written_folder(name);
   std::filesystem::create_directory(written);
-  Mujoco::Params params{.seed = version == "2.2.2" ? 46U : 13U};
+  Mujoco::Params params{.seed = seed};
   params.ecology.robots = 16;
   params.rules.capture.reach_m = 2.0;  // who catches from afar need not touch
-  Mujoco ecology{params, backend::Mujoco::Params{}};
+  Mujoco ecology{params, backend::Mujoco::Params{.stepping = stepping}};
   io::EventLog events{written / "events.csv"};
   observe::Tally tally;
   Closest closest;
@@ -53,4 +51,14 @@ TEST_CASE("golden: MuJoCo run until robots touch -> same events") {
   CHECK(tally.deaths(Cause::caught) > 0);
   CHECK(tally.deaths(Cause::starved) > 0);
   test::check_golden(name);
+}
+
+}  // namespace
+
+TEST_CASE("golden: MuJoCo run until robots touch -> same events") {
+  check_run(backend::Mujoco::Stepping::fast, "", backend::Mujoco::version() == "2.2.2" ? 46 : 13);
+}
+
+TEST_CASE("golden: screening until robots touch -> same events") {
+  check_run(backend::Mujoco::Stepping::screening, "_screening", 1000);
 }

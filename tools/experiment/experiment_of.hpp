@@ -30,9 +30,9 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   if (threads != nullptr) *threads = std::max(1U, std::thread::hardware_concurrency());
   apply_config(experiment->params(), config);
   apply(options, *experiment);
-  if (threads != nullptr && options.replicates) *threads = 1;
-  if (threads != nullptr && options.threads) *threads = *options.threads;
+  if (threads != nullptr) *threads = options.threads.value_or(options.replicates ? 1 : *threads);
   validate(experiment->params());
+  experiment->backend().prescribe(experiment->physics(), chosen.fresh()->physics());
   return experiment;
 }
 

@@ -35,6 +35,9 @@ class BackendChoice {
   [[nodiscard]] std::string version() const { return choice_->version(); }
   /// One sentence for each parameter of `physics` without effect.
   [[nodiscard]] std::vector<std::string> remarks(const Physics& physics) const { return choice_->remarks(physics); }
+  /// Sets what its own parameters prescribe of `physics`, such as the timestep of a mode of stepping, and returns a sentence
+  /// about it. Throws std::invalid_argument if `physics` has neither that nor what `table`, the physics of the rule table, has.
+  std::string prescribe(Physics& physics, const Physics& table) const { return choice_->prescribe(physics, table); }
   [[nodiscard]] bool has_joints() const { return choice_->has_joints(); }
   /// Whether bodies can be exchanged (Embodying).
   [[nodiscard]] bool can_embody() const { return choice_->can_embody(); }
@@ -73,6 +76,7 @@ class BackendChoice {
     [[nodiscard]] virtual std::string_view name() const = 0;
     [[nodiscard]] virtual std::string version() const = 0;
     [[nodiscard]] virtual std::vector<std::string> remarks(const Physics& physics) const = 0;
+    [[nodiscard]] virtual std::string prescribe(Physics& physics, const Physics& table) const = 0;
     [[nodiscard]] virtual bool has_joints() const = 0;
     [[nodiscard]] virtual bool can_embody() const = 0;
     [[nodiscard]] virtual bool can_place() const = 0;
@@ -92,6 +96,10 @@ class BackendChoice {
     [[nodiscard]] std::string_view name() const override { return B::name; }
     [[nodiscard]] std::string version() const override { return B::version(); }
     [[nodiscard]] std::vector<std::string> remarks(const Physics& physics) const override { return B::remarks(physics); }
+    [[nodiscard]] std::string prescribe(Physics& physics, const Physics& table) const override {
+      if constexpr (requires { params.prescribe(physics, table); }) return params.prescribe(physics, table);
+      return {};
+    }
     [[nodiscard]] bool has_joints() const override { return JointDriven<B>; }
     [[nodiscard]] bool can_embody() const override { return Embodying<B>; }
     [[nodiscard]] bool can_place() const override { return Placing<B>; }

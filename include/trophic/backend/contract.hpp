@@ -40,6 +40,7 @@ class Diverged : public std::runtime_error {
 /// - results must not depend on the number of threads
 /// - `remarks(physics)`: returns one sentence for every parameter of `physics` that has no effect on this backend, naming it;
 ///   manifests record them
+/// - Params may have `prescribe(physics, table)`: see BackendChoice
 /// - Params name their backend, `using Backend = Mine;`, so that an ecology is constructed from the parameters of a backend alone
 template <class B>
 concept Backend = requires(B backend, const B& observed, std::size_t robot, double time_s, const typename B::State& state) {

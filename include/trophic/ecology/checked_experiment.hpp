@@ -112,6 +112,7 @@ template <class Rules>
 [[nodiscard]] CheckedExperiment<Rules> checked(Experiment<Rules> params, BackendChoice backend, Habitat habitat) {
   validate(params, "");
   backend.validate("backend");
+  backend.prescribe(params.physics, Rules::physics());
   check_fit(habitat.gait, habitat.robot);
   detail::check_parts<Rules>(backend);
   if (backend.has_joints()) {

@@ -87,14 +87,15 @@ template <class Rules>
   }
   Experiment<Rules> table;
   if (!experiment.ecology.gait.empty()) table.ecology.gait = habitat.robot.gait;
+  if (std::string said = backend.prescribe(table.physics, Rules::physics()); !said.empty())
+    run.remarks.push_back(std::move(said));
   run.other_params = observe::other_params(run.named_params, named_params_of(std::move(table), backend.fresh()));
   for (const observe::OtherParam& param : run.other_params) {
     if (backend.has_joints() || !acts_through_joints(param.path)) continue;
     run.remarks.push_back(param.path + " = " + param.value + " has no effect: " + backend.name() + " has no joints");
   }
   if constexpr (requires { requires Rules::Heading::acts_on_tilt_alone; }) {
-    const bool is_swapped = run.rules.find("heading = ") != std::string::npos;
-    if (is_swapped && !backend.has_joints())
+    if (run.rules.find("heading = ") != std::string::npos && !backend.has_joints())
       run.remarks.push_back("rules.heading = " + std::string{Rules::Heading::name} + " has no effect: robots of " +
                             backend.name() + " stand upright");
   }

@@ -36,7 +36,7 @@ class AnyExperiment {
   [[nodiscard]] virtual ParamRefs params() = 0;
   [[nodiscard]] virtual std::uint64_t& seed() = 0;
   [[nodiscard]] virtual EcologyParams& ecology() = 0;
-  [[nodiscard]] virtual const Physics& physics() const = 0;
+  [[nodiscard]] virtual Physics& physics() = 0;
   [[nodiscard]] virtual BackendChoice& backend() = 0;
   /// The rules of its table.
   [[nodiscard]] virtual std::vector<rules::SlotRule> slot_rules() const = 0;

@@ -31,7 +31,7 @@ class TableExperiment final : public AnyExperiment {
   }
   [[nodiscard]] std::uint64_t& seed() override { return experiment_.seed; }
   [[nodiscard]] EcologyParams& ecology() override { return experiment_.ecology; }
-  [[nodiscard]] const Physics& physics() const override { return experiment_.physics; }
+  [[nodiscard]] Physics& physics() override { return experiment_.physics; }
   [[nodiscard]] BackendChoice& backend() override { return backend_; }
   [[nodiscard]] std::vector<rules::SlotRule> slot_rules() const override { return rules::slot_rules<Rules>(); }
   [[nodiscard]] MakeSimulation simulations(Null null, const HistoryOf& history) const override {

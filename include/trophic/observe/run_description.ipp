@@ -40,9 +40,8 @@ TROPHIC_INLINE bool makes_another_experiment(std::string_view path) {
 TROPHIC_INLINE std::string fingerprint(const RunDescription& run, std::string_view models) {
   std::string text = run.backend + "\n";
   for (const auto& [slot, policy] : run.slots) text += slot + "=" + policy + "\n";
-  for (const NamedParam& param : run.named_params) {
+  for (const NamedParam& param : run.named_params)
     if (makes_another_experiment(param.path)) text += param.path + "=" + value_text(param) + "\n";
-  }
   return hash_text(text.append(models));
 }
 
@@ -86,11 +85,9 @@ TROPHIC_INLINE std::string identity(const RunDescription& run) {
 
 TROPHIC_INLINE std::string short_name(const RunDescription& run) {
   std::vector<std::string> parts;
-  if (run.other_params.size() == 1) {
-    parts.push_back(detail::short_path(run.other_params[0].path) + " " + run.other_params[0].value);
-  } else if (!run.other_params.empty()) {
-    parts.push_back(std::to_string(run.other_params.size()) + " parameters");
-  }
+  const std::vector<OtherParam>& others = run.other_params;
+  if (others.size() == 1) parts.push_back(detail::short_path(others[0].path) + " " + others[0].value);
+  if (others.size() > 1) parts.push_back(std::to_string(others.size()) + " parameters");
   const std::vector<ParameterChange> changes = effective(run.changes);
   if (changes.size() == 1) {
     parts.push_back(detail::short_path(changes[0].number) + " " + changes[0].value + " at " + number_text(changes[0].time_s) +

@@ -27,7 +27,7 @@ inline constexpr std::string_view before_sum = ",\n  \"crc32\": ";
 
 /// Returns how a text exceeds a bound, or null. The library copies and destroys nested values by recursion, and compares a key
 /// with each one before it.
-[[nodiscard]] TROPHIC_INLINE const char* excess_of(std::string_view text) {
+[[nodiscard]] inline const char* excess_of(std::string_view text) {
   constexpr std::size_t most_depth = 64;
   constexpr std::size_t most_keys = 10000;
   std::array<std::size_t, most_depth + 1> keys{};

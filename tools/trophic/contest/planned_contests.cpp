@@ -40,9 +40,8 @@ class Teams {
  private:
   [[nodiscard]] contest::Team drawn(const contest::TeamName& name) const {
     std::vector<const LivingGenome*> members;
-    for (const LivingGenome& one : living_[name.replicate][name.epoch]) {
+    for (const LivingGenome& one : living_[name.replicate][name.epoch])
       if (one.species == name.species) members.push_back(&one);
-    }
     if (members.empty()) {
       const RunManifest& run = runs_[name.replicate];
       throw std::invalid_argument{run.folder.string() + ": no " + run.web.name(name.species) + " is alive at " +
@@ -68,6 +67,12 @@ class Teams {
 /// The shadow's teams meet in the arena of the table that it is the shadow of.
 std::string table_of(const RunManifest& run) {
   return run.rules.substr(0, run.rules.find(" with heredity = nothing_inherited"));
+}
+
+/// The table, and whether the runs were only screened.
+std::string kind_of(const RunManifest& run) {
+  const std::string stepping = run.params.value(Json::json_pointer{"/backend/stepping"}, std::string{});
+  return table_of(run) + (stepping == "screening" ? " with backend.stepping = screening" : "");
 }
 
 /// Each team meets the last living of one run of the panel, the same in all epochs, sets and studies.
@@ -150,9 +155,8 @@ std::vector<double> even_epochs(const RunManifest& run) {
 }
 
 void check_epochs(std::span<const double> epochs_s) {
-  if (epochs_s.size() < 2) {
+  if (epochs_s.size() < 2)
     throw std::invalid_argument{"--epochs: " + std::to_string(epochs_s.size()) + " epochs: must be at least 2"};
-  }
   for (std::size_t i = 0; i < epochs_s.size(); ++i) {
     if (!(epochs_s[i] >= 0.0)) throw std::invalid_argument{"--epochs " + number_text(epochs_s[i]) + ": must be >= 0"};
     if (i > 0 && !(epochs_s[i] > epochs_s[i - 1])) {
@@ -171,10 +175,9 @@ Sets read_sets(std::span<const std::filesystem::path> runs, const std::optional<
   auto pooled = analysis::pooled_runs(runs, false, any_build);
   Sets sets{.ours = std::move(pooled.manifests), .shadow = {}, .panel = {}, .remarks = std::move(pooled.remarks)};
   const RunManifest& first = sets.ours.front();
-  if (first.web.links().empty()) {
+  if (first.web.links().empty())
     throw std::invalid_argument{first.folder.string() +
                                 ": no species of this food web hunts: a contest needs hunters and victims"};
-  }
   const auto folders = shadow ? std::vector{*shadow} : analysis::null_folders(runs, Null::shadow);
   if (folders.empty()) return sets;
   sets.shadow = analysis::pooled_runs(folders, false, any_build).manifests;
@@ -183,13 +186,11 @@ Sets read_sets(std::span<const std::filesystem::path> runs, const std::optional<
 }
 
 void add_panel(Sets& sets, const std::filesystem::path& panel, bool any_build) {
-  const std::vector<std::filesystem::path> folders{panel};
-  sets.panel = analysis::pooled_runs(folders, false, any_build).manifests;
+  sets.panel = analysis::pooled_runs(std::vector{panel}, false, any_build).manifests;
   const RunManifest& first = sets.panel.front();
-  const std::string ours = table_of(sets.ours.front());
-  if (table_of(first) != ours) {
-    throw std::invalid_argument{"--panel " + panel.string() + ": has runs of " + table_of(first) + ": must be of " + ours};
-  }
+  const std::string ours = kind_of(sets.ours.front());
+  if (kind_of(first) != ours)
+    throw std::invalid_argument{"--panel " + panel.string() + ": has runs of " + kind_of(first) + ": must be of " + ours};
   for (const RunManifest& run : sets.panel) analysis::check_epoch(run, first.reached_s.value_or(0.0));
 }
 
@@ -201,9 +202,8 @@ Planned planned_contests(const Sets& sets, Size size) {
   if (size.team_size == 0) {
     size.team_size = std::max<std::size_t>(1, whole_number<std::size_t>(first.params.at("ecology"), "robots", 1) / 2);
   }
-  if (sets.ours.size() < 2 && std::ranges::find(size.against, Against::others) != size.against.end()) {
+  if (sets.ours.size() < 2 && std::ranges::find(size.against, Against::others) != size.against.end())
     throw std::invalid_argument{"--against others: needs at least two replicates; " + first.folder.string() + " is one"};
-  }
   Planned planned{.plan = {.rule_table = table_of(first),
                            .engine = first.backend.substr(0, first.backend.find(' ')),
                            .fingerprint = first.fingerprint,

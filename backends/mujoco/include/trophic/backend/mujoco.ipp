@@ -28,9 +28,9 @@ class Mujoco::Simulation final : public Engine<State> {
         arena_{arena},
         physics_{checked(physics, params, starts.size())},
         box_depth_{params.box_depth},
-        is_fast_{params.stepping == Stepping::fast},
+        stepping_{params.stepping},
         steps_per_block_{static_cast<std::size_t>(std::ceil(block_s / physics.timestep_s))},
-        stepper_{make_stepper(robot, starts.size(), params.stepping, params.threads)},
+        stepper_{make_stepper(robot, starts.size(), params.threads)},
         states_{layout_of(0), starts.size()},
         next_{states_},
         targets_rad_{starts.size(), robot.hinges.size()},
@@ -92,8 +92,9 @@ class Mujoco::Simulation final : public Engine<State> {
     return islands != nullptr ? islands->engine_share() : 1.0;
   }
   [[nodiscard]] std::string speed_remark() const {
-    if (!is_fast_ || engine_share() <= 0.5) return {};
-    return "backend.stepping = fast: MuJoCo itself took " + number_text(std::round(100.0 * engine_share())) +
+    if (!by_kernel() || engine_share() <= 0.5) return {};
+    return "backend.stepping = " + std::string{enum_name(stepping_)} + ": MuJoCo itself took " +
+           number_text(std::round(100.0 * engine_share())) +
            " % of the robots' steps, at the speed of islands; the README of the MuJoCo backend lists the steps that its kernel "
            "leaves to MuJoCo";
   }
@@ -124,9 +125,6 @@ class Mujoco::Simulation final : public Engine<State> {
     read_angles();
   }
 
-  /// Writes the current world as a MuJoCo model, all robots in one model with a key frame of angles, velocities and targets,
-  /// which MuJoCo's `simulate` opens. The heights of a height field go into a binary file next to it. Throws
-  /// std::runtime_error.
   void save_mjcf(const std::filesystem::path& path, std::span<const Colour> colours) const {
     std::vector<const RobotModel*> models;
     for (const auto& body : bodies_) models.push_back(&body->model);
@@ -166,18 +164,21 @@ class Mujoco::Simulation final : public Engine<State> {
   static const Physics& checked(const Physics& physics, const Params& params, std::size_t robots) {
     validate(physics, "physics");
     validate(params, "mujoco");
+    Physics own = physics;
+    static_cast<void>(params.prescribe(own, {.timestep_s = screening_timestep_s}));
     if (robots == 0) throw std::invalid_argument{"robots = 0: must be >= 1"};
     return physics;
   }
 
   using Stepper = std::variant<mujoco::Islands, mujoco::OneModel>;
 
-  [[nodiscard]] Stepper make_stepper(const RobotModel& robot, std::size_t robots, Stepping stepping, std::size_t threads) const {
-    if (stepping == Stepping::one_model) {
+  [[nodiscard]] bool by_kernel() const { return stepping_ == Stepping::fast || stepping_ == Stepping::screening; }
+
+  [[nodiscard]] Stepper make_stepper(const RobotModel& robot, std::size_t robots, std::size_t threads) const {
+    if (stepping_ == Stepping::one_model) {
       return Stepper{std::in_place_type<mujoco::OneModel>, robot, arena_, physics_, robots, box_depth_};
     }
-    const bool fast = stepping == Stepping::fast;
-    return Stepper{std::in_place_type<mujoco::Islands>, robot, arena_, physics_, threads, fast, box_depth_};
+    return Stepper{std::in_place_type<mujoco::Islands>, robot, arena_, physics_, threads, by_kernel(), box_depth_};
   }
 
   void advance(std::size_t steps) {
@@ -217,7 +218,7 @@ class Mujoco::Simulation final : public Engine<State> {
   Arena arena_;
   Physics physics_;
   mujoco::BoxDepth box_depth_;
-  bool is_fast_;
+  Stepping stepping_;
   std::size_t steps_per_block_;
   Stepper stepper_;
   mujoco::RobotStates states_;
@@ -229,6 +230,20 @@ class Mujoco::Simulation final : public Engine<State> {
 
 TROPHIC_INLINE std::string Mujoco::version() {
   return mj_versionString();
+}
+
+TROPHIC_INLINE std::string Mujoco::Params::prescribe(Physics& physics, const Physics& table) const {
+  if (stepping != Stepping::screening) return {};
+  const std::string step = number_text(screening_timestep_s);
+  const auto refuse_if = [](bool is_refused, const std::string& what, const std::string& must) {
+    if (is_refused) throw std::invalid_argument{"physics." + what + " with backend.stepping = screening: must be " + must};
+  };
+  refuse_if(physics.integrator != Integrator::semi_implicit_euler, "integrator = rk4", "semi_implicit_euler");
+  refuse_if(physics.timestep_s != table.timestep_s && physics.timestep_s != screening_timestep_s,
+            "timestep_s = " + number_text(physics.timestep_s), step);
+  physics.timestep_s = screening_timestep_s;
+  return "backend.stepping = screening: steps of " + step + " s, the table's have " + number_text(table.timestep_s) +
+         " s; for quick looks: make results with backend.stepping = fast";
 }
 
 TROPHIC_INLINE Mujoco::Mujoco(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,
