@@ -27,10 +27,10 @@ struct Match {
 struct Plan {
   std::string rule_table;
   std::string engine;
-  std::string fingerprint;  ///< of the runs that the teams are from
-  Json params = {};         ///< of these runs, as in their manifests
-  double duration_s = 0.0;  ///< of each contest, seconds of the ecology's clock
-  double reach_m = 0.0;     ///< a hunter this close to a victim reaches it
+  std::string fingerprint;       ///< of the runs that the teams are from
+  Json params = Json::object();  ///< of these runs, as in their manifests
+  double duration_s = 0.0;       ///< of each contest, seconds of the ecology's clock
+  double reach_m = 0.0;          ///< a hunter this close to a victim reaches it
   std::vector<Team> teams = {};
   std::vector<Match> matches = {};
 };

@@ -119,11 +119,11 @@ Json json_of(const io::EventRow& event) {
           enum_name(event.origin)};
 }
 
-/// A column of the robots' rows.
-template <class Cell>
-Json column_of(const TickSight& sight, Cell&& cell) {
+/// A column of rows.
+template <class Rows, class Cell>
+Json column_of(const Rows& rows, Cell&& cell) {
   Json column = Json::array();
-  for (const io::AgentRow& row : sight.rows) column.push_back(cell(row));
+  for (const auto& row : rows) column.push_back(cell(row));
   return column;
 }
 
@@ -133,25 +133,25 @@ Json robots_of(const TickSight& sight, const RunFacts& facts) {
   Json tick{{"kind", "tick"},
             {"tick", sight.tick},
             {"time_s", sight.time_s},
-            {"id", column_of(sight, [&](const io::AgentRow& row) { return or_none(row.id, row); })},
-            {"species", column_of(sight, [&](const io::AgentRow& row) { return or_none(row.species, row); })},
-            {"active", column_of(sight, [](const io::AgentRow& row) { return row.active ? 1 : 0; })},
-            {"tag", column_of(sight, [](const io::AgentRow& row) { return row.tag; })},
-            {"x", column_of(sight, [&](const io::AgentRow& row) { return rounded(row.x_m); })},
-            {"y", column_of(sight, [&](const io::AgentRow& row) { return rounded(row.y_m); })},
-            {"angle", column_of(sight, [&](const io::AgentRow& row) { return rounded(row.target_angle_rad); })},
-            {"adversary", column_of(sight, [](const io::AgentRow& row) { return or_null(row.adversary); })},
-            {"hunger", column_of(sight, [](const io::AgentRow& row) { return or_null(row.hunger_ticks); })}};
-  for (const auto& [name, values_J] : {std::pair{"stock", &sight.stock_J}, {"food", &sight.food_J}}) {
-    for (const double value_J : *values_J) tick[name].push_back(rounded(value_J));
-  }
+            {"id", column_of(sight.rows, [&](const io::AgentRow& row) { return or_none(row.id, row); })},
+            {"species", column_of(sight.rows, [&](const io::AgentRow& row) { return or_none(row.species, row); })},
+            {"active", column_of(sight.rows, [](const io::AgentRow& row) { return row.active ? 1 : 0; })},
+            {"tag", column_of(sight.rows, [](const io::AgentRow& row) { return row.tag; })},
+            {"x", column_of(sight.rows, [&](const io::AgentRow& row) { return rounded(row.x_m); })},
+            {"y", column_of(sight.rows, [&](const io::AgentRow& row) { return rounded(row.y_m); })},
+            {"angle", column_of(sight.rows, [&](const io::AgentRow& row) { return rounded(row.target_angle_rad); })},
+            {"adversary", column_of(sight.rows, [](const io::AgentRow& row) { return or_null(row.adversary); })},
+            {"hunger", column_of(sight.rows, [](const io::AgentRow& row) { return or_null(row.hunger_ticks); })}};
+  for (const auto& [name, values_J] : {std::pair{"stock", &sight.stock_J}, {"food", &sight.food_J}})
+    if (!values_J->empty()) tick[name] = column_of(*values_J, rounded);
   const std::vector<std::string> acts =
       facts.description.outputs.empty() ? std::vector<std::string>{"turn", "tag"} : facts.description.outputs;
-  for (const io::AgentRow& row : sight.rows) {
-    const bool is_known = row.body < sight.outputs.size() && sight.outputs[row.body].size() == acts.size();
-    for (std::size_t i = 0; i < acts.size(); ++i) {
-      tick["outputs"][acts[i]].push_back(is_known ? Json(rounded(sight.outputs[row.body][i])) : Json(nullptr));
-    }
+  tick["outputs"] = Json::object();  // a null that becomes one crashes without memory
+  for (std::size_t i = 0; i < acts.size(); ++i) {
+    tick["outputs"][acts[i]] = column_of(sight.rows, [&](const io::AgentRow& row) {
+      const bool is_known = row.body < sight.outputs.size() && sight.outputs[row.body].size() == acts.size();
+      return is_known ? Json(rounded(sight.outputs[row.body][i])) : Json(nullptr);
+    });
   }
   return tick;
 }

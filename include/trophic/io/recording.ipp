@@ -40,13 +40,14 @@ TROPHIC_INLINE Json json_of(const RobotModel& robot) {
 
 TROPHIC_INLINE Json json_of(const Arena& arena) {
   Json json{{"name", arena.name}, {"half_side_m", arena.half_side_m}, {"extent_m", arena.extent_m}};
-  if (arena.height_field) {
+  if (arena.height_field)
     json["height_field"] = {{"nodes", arena.height_field->nodes},
                             {"half_extent_m", arena.height_field->half_extent_m},
                             {"height_m", arena.height_field->height_m}};
-  }
+  if (!arena.obstacles.empty()) json["obstacles"] = Json::array();  // a null that becomes one crashes without memory
   for (const Obstacle& one : arena.obstacles)
     json["obstacles"].push_back({one.x_m, one.y_m, one.to_x_m, one.to_y_m, one.radius_m, one.height_m});
+  if (!arena.zones.empty()) json["zones"] = Json::array();
   for (const Zone& zone : arena.zones)
     json["zones"].push_back({{"name", zone.name}, {"x_m", zone.x_m}, {"y_m", zone.y_m}, {"radius_m", zone.radius_m}});
   return json;

@@ -97,11 +97,6 @@ TEST_CASE("tag cool-down: exactly 50 s or more after the last switch or birth ->
   CHECK(may(1, 40));
 }
 
-TEST_CASE("tag cool-down: decisions without a switch -> clock unchanged") {
-  const HandPopulation robots = HandPopulation{{{.species = prey}}}.at_tick(1000);
-  CHECK(perception::tag_switch::TagCoolDown{}.may_switch(robots.individuals[0], robots.view()) == perception::MaySwitch::yes);
-}
-
 TEST_CASE("tag cool-down: another cool-down, or 0 -> as set") {
   HandPopulation robots{{{.tag_since_s = 10.0}}};
   const auto may = [&](double cool_down_s, std::int64_t tick) {

@@ -192,7 +192,7 @@ std::vector<std::string> labels_of(const std::vector<RecordedRun>& runs) {
 
 /// A run's entry in the page's index.
 Json index_of(const RecordedRun& run, const Window& window, const std::string& label) {
-  Json index;
+  Json index = Json::object();
   if (window.from_s) index["from_s"] = *window.from_s;
   if (window.to_s) index["to_s"] = *window.to_s;
   index["label"] = label;
