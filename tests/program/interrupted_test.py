@@ -56,10 +56,10 @@ def interrupt(command: list[str], folder: pathlib.Path, draw: random.Random, wal
     limit = (lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))) if how == "refused" else None
     program = subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, preexec_fn=limit)
     try:
-        said, _ = program.communicate(timeout=draw.uniform(0.0, wall_s) if how != "refused" else 300)
+        said, _ = program.communicate(timeout=draw.uniform(0.0, wall_s) if how != "refused" else None)
     except subprocess.TimeoutExpired:
         program.send_signal(getattr(signal, how))
-        said, _ = program.communicate(timeout=300)
+        said, _ = program.communicate()
     code = program.returncode
     allowed = {"SIGKILL": (0, -9), "SIGTERM": (0, 3, -15), "refused": (0, 1)}[how]
     assert code in allowed, f"{how}: exit {code}: {said[-2000:]}"
