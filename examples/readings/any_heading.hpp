@@ -2,12 +2,10 @@
 // Two rules for the heading of a robot, each also reversed on its back.
 #pragma once
 
-#include <string_view>
 #include <trophic/params/params.hpp>
 #include <trophic/perception/heading/forward_axis_heading.hpp>
 #include <trophic/perception/heading/reversed_on_back.hpp>
 #include <trophic/perception/heading/root_yaw_heading.hpp>
-#include <tuple>
 
 #include "readings/either.hpp"
 

@@ -2,14 +2,10 @@
 // Three rules for tag switches, chosen by a number.
 #pragma once
 
-#include <array>
-#include <optional>
-#include <string_view>
 #include <trophic/params/params.hpp>
 #include <trophic/perception/tag_switch/first_switch_free.hpp>
 #include <trophic/perception/tag_switch/tag_cool_down.hpp>
 #include <trophic/perception/tag_switch/tag_sampling.hpp>
-#include <tuple>
 
 namespace trophic::readings {
 

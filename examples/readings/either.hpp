@@ -2,18 +2,11 @@
 // One of two policies of a slot or of a part of one, chosen by a number, for screening designs over many open choices.
 #pragma once
 
-#include <array>
-#include <cstddef>
-#include <optional>
-#include <span>
-#include <string_view>
 #include <trophic/death/starvation/choice/contract.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/params/policy.hpp>
 #include <trophic/rules/slots.hpp>
 #include <trophic/support/joined_text.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::readings {
 

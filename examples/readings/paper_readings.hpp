@@ -2,8 +2,6 @@
 // The paper's table with its open choices as parameters.
 #pragma once
 
-#include <cstddef>
-#include <string_view>
 #include <trophic/death/activation/founders_start_active.hpp>
 #include <trophic/death/floor/active_victim_floor.hpp>
 #include <trophic/death/starvation/choice/hungriest_else_oldest.hpp>

@@ -193,10 +193,8 @@ def page(card: Card, used: dict, swapped: list[list[str]], keys: set[str], slots
         lines += ["| into | swapped | metric | before | after | difference | p |", "|---|---|---|---|---|---|---|"]
         lines += ["| " + " | ".join(escaped(cell) for cell in row) + " |" for row in told] + [""]
     else:
-        lines[-2] = (
-            "**Swapping its slot or one of its parameters** changes no metric significantly on the kinematic backend; "
-            "this does not show that it has no effect ([ablations](@ref page_docs_results_ablations))."
-        )
+        lines[-2] = ("**Swapping its slot or one of its parameters** changes no metric significantly on the kinematic backend; "
+                     "this does not show that it has no effect ([ablations](@ref page_docs_results_ablations)).")
     lines += [f"The header: [{card.header}](@ref {card.header}).", ""]
     return references.linked("\n".join(lines), keys)
 

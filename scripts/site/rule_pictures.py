@@ -13,12 +13,9 @@ WIDTH, HEIGHT = 460, 190
 
 
 def svg(parts: list[str], title: str) -> str:
-    return (
-        f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" width="{WIDTH}" height="{HEIGHT}" role="img" '
-        f'font-family="sans-serif" font-size="12"><title>{title}</title><rect width="{WIDTH}" height="{HEIGHT}" rx="8" fill="#f6f8f9"/>'
-        + "".join(parts)
-        + "</svg>\n"
-    )
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {WIDTH} {HEIGHT}" width="{WIDTH}" height="{HEIGHT}" role="img" '
+            f'font-family="sans-serif" font-size="12"><title>{title}</title><rect width="{WIDTH}" height="{HEIGHT}" rx="8" fill="#f6f8f9"/>'
+            + "".join(parts) + "</svg>\n")
 
 
 def text(x: float, y: float, words: str, anchor: str = "middle", colour: str = INK) -> str:
@@ -34,10 +31,8 @@ def robot(x: float, y: float, colour: str, filled: bool = True, heading_deg: flo
 
 
 def circle(x: float, y: float, radius: float, label: str) -> str:
-    return (
-        f'<circle cx="{x}" cy="{y}" r="{radius}" fill="none" stroke="{INK}" stroke-dasharray="5 4"/>'
-        f'<line x1="{x}" y1="{y}" x2="{x}" y2="{y - radius}" stroke="{INK}" stroke-width="0.8"/>' + text(x + 6, y - radius + 15, label, "start")
-    )
+    return (f'<circle cx="{x}" cy="{y}" r="{radius}" fill="none" stroke="{INK}" stroke-dasharray="5 4"/>'
+            f'<line x1="{x}" y1="{y}" x2="{x}" y2="{y - radius}" stroke="{INK}" stroke-width="0.8"/>' + text(x + 6, y - radius + 15, label, "start"))
 
 
 def arrow(x0: float, y0: float, x1: float, y1: float, colour: str = INK, crossed: bool = False) -> str:

@@ -17,8 +17,7 @@ ROBOTS = pathlib.Path(__file__).resolve().parents[2] / "models/robots"
 EVOLVE = [TROPHIC, "evolve-gait"]
 MEASURE = [TROPHIC, "measure-gait"]
 FILES = ["settings.toml", "checkpoint.toml", "gait.toml", "generations.csv", "phylogeny.csv"]
-SMALL = ["--generations", 3, "--set", "plan.population=4", "--set", "plan.parents=4", "--set", "plan.children=4",
-         "--set", "trial.duration_s=6"]
+SMALL = ["--generations", 3, "--set", "plan.population=4", "--set", "plan.parents=4", "--set", "plan.children=4", "--set", "trial.duration_s=6"]
 
 
 class EvolveGait(InFolder):

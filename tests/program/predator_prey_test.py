@@ -184,9 +184,7 @@ class Runs(PredatorPrey):
 
     def test_neutral_shadow_of_the_replicates(self):
         self.run_ok("set", "--rules", "released", "--replicates", 2, "--shadow", "--duration", 1500, "--set", "rules.mutation.half_width=0.01")
-        self.assertEqual(
-            [json.loads((self.folder / out / "replicates.json").read_text())["master_seed"] for out in ("set", "set/shadow")], [1, 1]
-        )
+        self.assertEqual([json.loads((self.folder / out / "replicates.json").read_text())["master_seed"] for out in ("set", "set/shadow")], [1, 1])
         for replicate in ("replicate-00", "replicate-01"):
             table, shadow = self.manifest(f"set/{replicate}"), self.manifest(f"set/shadow/{replicate}")
             self.assertEqual(table["params"], shadow["params"])

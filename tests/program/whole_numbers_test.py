@@ -12,15 +12,8 @@ import unittest
 from in_folder import InFolder
 
 PROGRAMS = [program.split(",") for program in sys.argv[1:]]
-BAD = {
-    "-1": ">= 0",
-    "18446744073709551616": "<= 18446744073709551615",
-    "1.5": "a whole number in decimal digits",
-    "1e3": "a whole number in decimal digits",
-    "0x10": "a whole number in decimal digits",
-    "010": "a whole number in decimal digits",
-    "many": "a whole number in decimal digits",
-}
+BAD = {"-1": ">= 0", "18446744073709551616": "<= 18446744073709551615",
+       **dict.fromkeys(("1.5", "1e3", "0x10", "010", "many"), "a whole number in decimal digits")}
 
 
 def call(program, *arguments, folder):

@@ -2,19 +2,12 @@
 // How a swap becomes a table and runs.
 #pragma once
 
-#include <concepts>
-#include <cstddef>
 #include <iostream>
-#include <optional>
-#include <stdexcept>
-#include <string>
 #include <tools/ablations/swaps.hpp>
 #include <tools/command/read_parameters.hpp>
 #include <tools/replicates/run_with_nulls.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/rules/with.hpp>
-#include <utility>
-#include <vector>
 
 namespace trophic::command {
 

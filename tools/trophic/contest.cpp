@@ -11,9 +11,7 @@
 #include <cmath>
 #include <csignal>
 #include <cstring>
-#include <memory>
 #include <mutex>
-#include <optional>
 #include <set>
 #include <thread>
 #include <tools/command/output.hpp>
@@ -30,7 +28,6 @@
 #include <trophic/support/new_file.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/whole_file.hpp>
-#include <vector>
 
 #include "contest/planned_contests.hpp"
 

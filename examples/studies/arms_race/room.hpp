@@ -3,21 +3,14 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
 #include <numbers>
-#include <optional>
-#include <string_view>
-#include <trophic/control/brain/contract.hpp>
-#include <trophic/control/tanh_network.hpp>
+#include <trophic/control/brain/cognitive_brain.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/perception/sensors/contract.hpp>
 #include <trophic/perception/sensors/list.hpp>
 #include <trophic/perception/sensors/side_of_adversary.hpp>
 #include <trophic/perception/sensors/tag_ratio_of_all.hpp>
-#include <tuple>
-#include <vector>
 
 namespace trophic::arms_race {
 
@@ -86,29 +79,20 @@ using RoomySensors = perception::sensors::List<perception::sensors::SideOfAdvers
 
 /// Rule: as CognitiveBrain with eight hidden neurons and biases: 98 weights for nine inputs instead of 15 for three. Target angle
 /// +0.7 rad if out[0] > 0, else -0.7 rad; tag +1 if out[1] > 0, else -1.   Random draws: 0.
-struct RoomyBrain {
+struct RoomyBrain : control::brain::CognitiveBrain {
   static constexpr std::string_view name = "roomy_brain";
   static constexpr std::string_view source = "not in the paper";
   using Network = control::TanhNetwork<8, control::Biases::both_layers>;
-
-  struct Params {
-    double turn_angle_rad = 0.7;
-    static constexpr auto fields() {
-      return std::tuple{
-          field("turn_angle_rad", &Params::turn_angle_rad, between(0.0, 3.141592653589793), "size of the target angle")};
-    }
-  };
-  Params params;
+  using WithBiases = RoomyBrain;
 
   [[nodiscard]] std::size_t genome_size(std::size_t inputs, std::size_t outputs) const {
     return Network::weights_size(inputs, outputs);
   }
-  [[nodiscard]] std::vector<int> tags() const { return {-1, 1}; }
+  [[nodiscard]] std::vector<std::size_t> neurons(std::size_t inputs, std::size_t outputs) const {
+    return control::neurons_of<Network::bias>({inputs}, 8, outputs);
+  }
   void evaluate(std::span<const double> inputs, std::span<const double> weights, std::span<double> outputs) const {
     Network::evaluate(inputs, weights, outputs);
-  }
-  [[nodiscard]] double target_angle_rad(double output) const {
-    return output > 0.0 ? params.turn_angle_rad : -params.turn_angle_rad;
   }
 };
 static_assert(control::Brain<RoomyBrain>);

@@ -182,14 +182,7 @@ def _recording(head, frames, values, complete, bodies):
     if bodies[0]:
         hinges = numpy.array([one.pop("hinges") for one in bodies[0]])
         joints = numpy.where(numpy.arange(joints.shape[-1]) < hinges[body][..., None], joints, numpy.nan)
-    return Recording(
-        head=head,
-        time_s=head["first_time_s"] + (frames // per_tick + step / steps) * head["tick_s"],
-        position_m=units["position_m"] * values[..., :3],
-        orientation=orientation / numpy.linalg.norm(orientation, axis=-1, keepdims=True),
-        joint_rad=joints,
-        complete=complete,
-        bodies=bodies[0] or [head["robot"]],
-        body=body,
-        set_down=set_down,
-    )
+    return Recording(head=head, time_s=head["first_time_s"] + (frames // per_tick + step / steps) * head["tick_s"],
+                     position_m=units["position_m"] * values[..., :3],
+                     orientation=orientation / numpy.linalg.norm(orientation, axis=-1, keepdims=True),
+                     joint_rad=joints, complete=complete, bodies=bodies[0] or [head["robot"]], body=body, set_down=set_down)

@@ -135,8 +135,7 @@ def price(step: numpy.ndarray, z: numpy.ndarray, parent_z: numpy.ndarray) -> tup
         is_birth, has_parent = step > 0, ~numpy.isnan(parent_z)
         parts = (numpy.where(is_birth, 0.0, numpy.where(living > 0, (before - z) / living, 0.0)),
                  numpy.where(is_birth & has_parent, (parent_z - before) / living, 0.0),
-                 numpy.where(is_birth & has_parent, (z - parent_z) / living, 0.0),
-                 numpy.where(is_birth & ~has_parent, (z - before) / living, 0.0))
+                 numpy.where(is_birth & has_parent, (z - parent_z) / living, 0.0), numpy.where(is_birth & ~has_parent, (z - before) / living, 0.0))
     return numpy.where(numpy.isnan(before), numpy.nan, numpy.stack(parts)), mean + origin
 
 

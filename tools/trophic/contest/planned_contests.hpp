@@ -2,16 +2,9 @@
 // The contests of some runs and their shadow: teams of each epoch, drawn from the runs' tables.
 #pragma once
 
-#include <cstddef>
-#include <cstdint>
-#include <filesystem>
-#include <optional>
-#include <span>
-#include <string>
 #include <tools/contest/contest_plan.hpp>
 #include <tools/contest/contest_row.hpp>
 #include <tools/reading/run_manifest.hpp>
-#include <vector>
 
 namespace trophic::command::contests {
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 import pathlib
 import re
-import subprocess
 import tempfile
 
 import matplotlib.pyplot as plt
@@ -15,6 +14,7 @@ import pandas as pd
 from ..runs import read_analysis
 from ..words import NULLS
 from .paper import Data, draw_curve, window_s
+from .pictures import film
 from .style import Missing, NULL_COLOUR, caption, colour, legend_above, width_in
 
 MEASURES = {"walked": "walked [cm/s]", "wall_contact": "touch a wall", "body_modules": "modules", "body_mass": "mass [kg]", "body_proportion": "proportion", "body_coverage": "coverage",
@@ -129,16 +129,9 @@ def robot_file(plan):
 def picture_of(plan, trophic):
     """The picture of a plan by `trophic film`."""
     with tempfile.TemporaryDirectory() as name:
-        robot, picture = pathlib.Path(name) / "plan.toml", pathlib.Path(name) / "plan.png"
+        robot = pathlib.Path(name) / "plan.toml"
         robot.write_text(robot_file(plan))
-        try:
-            done = subprocess.run([trophic, "film", "--robot", str(robot), "--size", "240x180", "--legend", "off", "-o", str(picture)],
-                                  capture_output=True, text=True, timeout=120)
-        except OSError as error:
-            raise Missing(f"{trophic}: {error.strerror}; set --trophic") from error
-        if done.returncode != 0:
-            raise Missing(done.stderr.strip() or "trophic film failed")
-        return plt.imread(picture)[24:174, 30:210]
+        return film(trophic, "--robot", robot, "--size", "240x180", "--legend", "off")[0][24:174, 30:210]
 
 
 def plans(data, most=5):

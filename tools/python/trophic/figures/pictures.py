@@ -149,26 +149,29 @@ def trajectories(data):
                         "walls.")
 
 
+def film(trophic, *words):
+    """The pixels of a picture by `trophic film`, and the line that it prints."""
+    with tempfile.TemporaryDirectory() as name:
+        picture = pathlib.Path(name) / "picture.png"
+        try:
+            done = subprocess.run([trophic, "film", *map(str, words), "-o", str(picture)], capture_output=True, text=True, timeout=120)
+        except OSError as error:
+            raise Missing(f"{trophic}: {error.strerror}; set --trophic") from error
+        if done.returncode != 0:
+            raise Missing(done.stderr.strip() or "trophic film failed")
+        return plt.imread(picture), done.stdout.strip()
+
+
 def film_strip(data):
     """A catch in four pictures, by `trophic film`: the one at which a page of the run opens."""
     folder = data.folders[data.run]
     if not (folder / "replay.trp").exists():
         raise Missing(f"{folder / 'replay.trp'}: no recording")
-    with tempfile.TemporaryDirectory() as name:
-        picture = pathlib.Path(name) / "strip.png"
-        command = [data.trophic, "film", str(folder), "--catch", "best", "--sheet", "2x2", "--size", "520x360", "--lines", "off", "-o", str(picture)]
-        try:
-            done = subprocess.run(command, capture_output=True, text=True, timeout=120)
-        except OSError as error:
-            raise Missing(f"{data.trophic}: {error.strerror}; set --trophic") from error
-        if done.returncode != 0:
-            raise Missing(done.stderr.strip() or "trophic film failed")
-        pixels = plt.imread(picture)
-    wide = width_in()
-    fig, ax = plt.subplots(figsize=(wide, wide * pixels.shape[0] / pixels.shape[1]))
+    pixels, said = film(data.trophic, folder, "--catch", "best", "--sheet", "2x2", "--size", "520x360", "--lines", "off")
+    fig, ax = plt.subplots(figsize=(width_in(), width_in() * pixels.shape[0] / pixels.shape[1]))
     fig.get_layout_engine().set(w_pad=0, h_pad=0)
     ax.imshow(pixels)
     ax.set_axis_off()
-    what = done.stdout.strip().partition("; ")[2]  # "at 390 s predator 29 catches prey 12: random, lived 390 s"
+    what = said.partition("; ")[2]  # "at 390 s predator 29 catches prey 12: random, lived 390 s"
     return caption(fig, f"{folder.name}: {what}. The camera stands still; only the two robots of the catch are named. Ring on the floor: filled "
                         "or hollow by its robot's tag, with a pointer ahead; red ring: the catch, at which a newborn (grey: inactive) takes over the victim's body.")

@@ -187,8 +187,7 @@ def difference_table(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) ->
             note = f"{runs_text(answer.runs_needed)} runs" if answer.conclusion == "inconclusive" else "*" if _conclusion(answer) else ""
         lines.append([*line, p_text(answer.p_holm) if answer else "", note])
     about = f"those {short} are the answer: {shown}\n" if over else _UNATTRIBUTED
-    return (_sets(a, b) + columns(lines)
-            + f"p: corrected for {judge.count(frame).comparisons} comparisons (Holm); * significant, p <= 0.05, "
+    return (_sets(a, b) + columns(lines) + f"p: corrected for {judge.count(frame).comparisons} comparisons (Holm); * significant, p <= 0.05, "
             "else the runs in each set that would find a difference of this size in 80 % of studies; intervals are those of single comparisons\n"
             f"raw differences also show how the populations are composed; {about}" + findings_text(frame) + _too_few(a, b))
 
