@@ -4,10 +4,11 @@
 
 #include "worlds/food_chain.hpp"
 #include "worlds/lotka_volterra.hpp"
-#include "worlds/pond_with_refuges.hpp"
+#include "worlds/ponds.hpp"
 #include "worlds/wolf_sheep.hpp"
 
 int main(int argc, char** argv) {
   using namespace trophic::worlds;
-  return trophic::experiment<Pond, PondWithRefuges, FoodChain, WolfSheep, RosenzweigMacArthur, LotkaVolterra>(argc, argv);
+  return trophic::experiment<Pond, PondWithRefuges, PondWithConditions, FoodChain, WolfSheep, RosenzweigMacArthur, LotkaVolterra>(
+      argc, argv);
 }

@@ -194,6 +194,19 @@ class Worlds(InFolder):
     def test_both_species_of_the_pond_live_on_and_its_ledger_closes(self):
         self.pyramid("pond", 4000, "prey", "predator")
 
+    def test_conditions_of_the_pond_act_and_without_them_it_is_the_pond(self):
+        def events(rules, setting):
+            folder, _ = self.run_world(rules, "kinematic", "--duration", 1000, "--set", setting)
+            return pandas.read_csv(folder / "events.csv").query("tick > 0")
+
+        pond, free, rescued, escaping = (events(*run) for run in (
+            ("pond", "rules.mutation.sd=0.05"), *(("pond_with_conditions", setting) for setting in (
+                "rules.mutation.sd=0.05", "rules.minimum_predators.below=14", "rules.recruitment.escapes=1"))))
+        self.assertTrue(pond.equals(free))
+        self.assertEqual(len(rescued.query("cause == 'sacrificed'")), len(rescued.query("event == 'birth' and species == 'predator' and parent_id.isna()")))
+        self.assertGreater(len(rescued.query("cause == 'sacrificed'")), 0)
+        self.assertLess(*(len(one.query("event == 'birth' and species == 'prey'")) for one in (escaping, free)))
+
     def test_three_levels_of_the_food_chain_live_on_and_each_has_less_than_the_one_below(self):
         energies = self.pyramid("food_chain", 4000, "grazer", "hunter", "apex")
         self.assertEqual(energies, sorted(energies, reverse=True))
