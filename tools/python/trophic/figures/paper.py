@@ -262,6 +262,21 @@ def population(data):
     return caption(fig, f"{data.subject('Individuals, hunger and deaths')} Means over runs in windows of {window_s(time_s):g} s. {data.intervals('bands', False)} Hunger: time since birth or the last catch.")
 
 
+def with_and_without(data):
+    """Numbers, and velocities of the inherited, of a set and of its shadow."""
+    fig, axes = plt.subplots(2, 1, figsize=(width_in(), 3.2), sharex=True)
+    for ax, metric, group, scale in ((axes[0], "population", "all", 1), (axes[1], "velocity", "inherited", 100)):
+        for species in data.species:
+            for baseline, style, words in (("", "-", "inheritance"), ("shadow", (0, (1, 1)), "nothing inherited")):
+                time_s, runs = data.curve(metric, species, group, baseline)
+                draw_curve(ax, time_s, runs, f"{species}, {words}", colour(species, data.species), style, average=False, scale=scale)
+    axes[0].set(ylabel="individuals", ylim=(0, None))
+    axes[1].set(ylabel="velocity to\nadversary [cm/s]", xlabel="time [s]")
+    axes[1].axhline(0, color="black", linewidth=0.4)
+    legend_above(axes[0])
+    return caption(fig, f"{data.subject('Numbers, and velocity of the inherited towards the closest perceived adversary')} Windows of {window_s(time_s):g} s. {data.intervals('bands')}")
+
+
 def own_metric(data, metric):
     """A metric of one's own: its curves if it has any, else a point for each run, with the shadow's."""
     rows = data.metrics[data.metrics.metric == metric]
@@ -330,7 +345,7 @@ def forest(summary):
                         f"Filled: p <= 0.05 after Holm's correction for all metrics.{rest}")
 
 
-FIGURES = [attribution, velocity, wall_sticking, tag_symmetry, population, phylogeny, catches, trajectories, film_strip]
+FIGURES = [attribution, velocity, wall_sticking, tag_symmetry, population, with_and_without, phylogeny, catches, trajectories, film_strip]
 
 
 def analysis_of(analysis):
@@ -366,7 +381,7 @@ def figures_of(folder, run=0, trophic="trophic"):
     figures = []
     for data in sets:
         prefix = "" if len(sets) == 1 else re.sub(r"\W+", "_", data.summary["set"]).strip("_") + "-"
-        figures += [(prefix + draw.__name__, functools.partial(draw, data)) for draw in FIGURES]
+        figures += [(prefix + draw.__name__, functools.partial(draw, data)) for draw in FIGURES if draw is not with_and_without or data.has_shadow]
         own = data.own_metrics()
         figures += [(f"{prefix}own-{re.sub(r'[^A-Za-z0-9]+', '_', metric)}", functools.partial(own_metric, data, metric)) for metric in own]
     summary = json.loads((pathlib.Path(folder) / "summary.json").read_text())
