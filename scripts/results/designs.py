@@ -30,15 +30,20 @@ def two_levels(factors):
     return rows
 
 
+def read(table):
+    """The rows of a CSV file."""
+    with open(table, newline="") as file:
+        return list(csv.DictReader(file))
+
+
 def runs_of(metrics):
     """{(metric, species, group, over the shadow): [a value for each run]} of a metrics.csv; differences are paired by seed."""
     own, shadow = {}, {}
-    with open(metrics, newline="") as file:
-        for row in csv.DictReader(file):
-            if row["time_s"] or row["baseline"] not in ("", "shadow") or not row["value"]:
-                continue
-            key = (row["metric"], row["species"], row["group"])
-            (shadow if row["baseline"] else own).setdefault(key, {})[row["seed"]] = float(row["value"])
+    for row in read(metrics):
+        if row["time_s"] or row["baseline"] not in ("", "shadow") or not row["value"]:
+            continue
+        key = (row["metric"], row["species"], row["group"])
+        (shadow if row["baseline"] else own).setdefault(key, {})[row["seed"]] = float(row["value"])
     values = {}
     for metric, species, group, over_shadow in SCREENED:
         ours, null = own.get((metric, species, group), {}), shadow.get((metric, species, group), {})
@@ -150,11 +155,10 @@ def answer_rows(summary):
 def swap_rows(swaps):
     """The significant effects of a ablations.csv on the metrics of the claims, corrected (Holm) for these metrics and all swaps of a table."""
     compared = {}
-    with open(swaps, newline="") as file:
-        for row in csv.DictReader(file):
-            over_shadow = row["compared"] == "over_shadow"
-            if (row["metric"], row["species"], row["group"], over_shadow) in SCREENED and row["p"]:
-                compared.setdefault(row["direction"].removeprefix("from_"), []).append((row, over_shadow))
+    for row in read(swaps):
+        over_shadow = row["compared"] == "over_shadow"
+        if (row["metric"], row["species"], row["group"], over_shadow) in SCREENED and row["p"]:
+            compared.setdefault(row["direction"].removeprefix("from_"), []).append((row, over_shadow))
     rows = []
     for table, effects in compared.items():
         for (row, over_shadow), p in zip(effects, holm([float(row["p"]) for row, _ in effects])):
@@ -178,13 +182,12 @@ def claim_rows(summary):
 def sweep_rows(effects):
     """Effects of a sweep's values from `trophic analyze`: velocities and attributions over the shadow, the others raw."""
     rows = []
-    with open(effects, newline="") as file:
-        for row in csv.DictReader(file):
-            over_shadow = row["compared"] == "over_shadow"
-            if over_shadow == row["metric"].startswith(("velocity", "attribution")):
-                rows.append({"axis": row["axis"], "value": row["value"], "reference": row["reference"], "metric": row["metric"],
-                             "species": row["species"], "group": row["group"], "over_shadow": int(over_shadow), "seeds": row["seeds"],
-                             **{name: row[name] and number(float(row[name])) for name in ("difference", "lower", "upper", "p_holm")}})
+    for row in read(effects):
+        over_shadow = row["compared"] == "over_shadow"
+        if over_shadow == row["metric"].startswith(("velocity", "attribution")):
+            rows.append({"axis": row["axis"], "value": row["value"], "reference": row["reference"], "metric": row["metric"],
+                         "species": row["species"], "group": row["group"], "over_shadow": int(over_shadow), "seeds": row["seeds"],
+                         **{name: row[name] and number(float(row[name])) for name in ("difference", "lower", "upper", "p_holm")}})
     return rows
 
 
@@ -193,14 +196,13 @@ def orphans(runs):
     births = inherited = 0
     for events in sorted(pathlib.Path(runs).glob("replicate-*/events.csv")):
         starved = set()
-        with open(events, newline="") as file:
-            for row in csv.DictReader(file):
-                place = (row["tick"], row["body"])
-                if row["event"] == "death" and row["cause"] == "starved":
-                    starved.add(place)
-                elif row["event"] == "birth" and place in starved:
-                    births += 1
-                    inherited += row["parent_id"] != ""
+        for row in read(events):
+            place = (row["tick"], row["body"])
+            if row["event"] == "death" and row["cause"] == "starved":
+                starved.add(place)
+            elif row["event"] == "birth" and place in starved:
+                births += 1
+                inherited += row["parent_id"] != ""
     return f"{inherited / births / (2 / 3):.3f}" if births else ""
 
 
@@ -231,12 +233,11 @@ def flat(table, path=""):
 
 def progress_rows(cell, progress):
     """Progress over the shadow, by kind of opponents, species and period, from a progress.csv."""
-    with open(progress, newline="") as file:
-        return [{**cell, "measure": f"{'global' if row['against'] == 'others' else 'historical'} {row['period']}", "species": row["species"],
-                 "runs": row["runs"], **{key: row[name] and number(float(row[name])) for key, name in
-                                         (("mean", "mean_s"), ("shadow", "shadow_s"), ("over_shadow", "over_shadow_s"),
-                                          ("lower", "over_shadow_lower_s"), ("upper", "over_shadow_upper_s"), ("p_holm", "p_holm"))}}
-                for row in csv.DictReader(file)]
+    return [{**cell, "measure": f"{'global' if row['against'] == 'others' else 'historical'} {row['period']}", "species": row["species"],
+             "runs": row["runs"], **{key: row[name] and number(float(row[name])) for key, name in
+                                     (("mean", "mean_s"), ("shadow", "shadow_s"), ("over_shadow", "over_shadow_s"),
+                                      ("lower", "over_shadow_lower_s"), ("upper", "over_shadow_upper_s"), ("p_holm", "p_holm"))}}
+            for row in read(progress)]
 
 
 def raced_rows(cell, summary, shadow=None):
@@ -268,7 +269,12 @@ def lineage_rows(cell, summary):
     return rows
 
 
-LIVING = {"persists", "velocity", "generation_time", "lineage_depth", "pyramid_numbers", "cycles", "period", "search_rate_holling", "handling_time",
+def persisting(metrics):
+    """The names of the runs in which every species lives to the end."""
+    return [row["run"] for row in read(metrics) if (row["metric"], row["species"], row["baseline"], row["time_s"], row["value"]) == ("persists", "all", "", "", "1")]
+
+
+LIVING = {"persists", "velocity", "generation_time", "lineage_depth", "pyramid_numbers", "cycles", "period", "phase", "search_rate_holling", "handling_time",
           "trophic_efficiency"}
 
 
@@ -291,10 +297,17 @@ def living_rows(name, summary):
     return rows
 
 
+def atlas_rows(analysis):
+    """Persistence and velocities over the shadow in each cell of a sweep, with its two settings."""
+    cells = {row["cell"]: {"reach_m": row["rules.capture.reach_m"], "growth_1_s": row["rules.resource.growth_1_s"]} for row in read(analysis / "cells.csv")}
+    keys = ("metric", "species", "unit", "runs", "mean", "lower", "upper", "shadow", "over_shadow", "over_lower", "over_upper")
+    return [{**cells[row["cell"]], **{key: row[key] for key in keys}} for row in read(analysis / "sweep_metrics.csv")
+            if (row["metric"], row["group"]) in (("persists", "all"), ("velocity", "inherited"))]
+
+
 def compared_raw(differences):
     """The rows of raw differences that have both means."""
-    with open(differences, newline="") as file:
-        return [row for row in csv.DictReader(file) if row["compared"] == "raw" and row["mean_a"] and row["mean_b"]]
+    return [row for row in read(differences) if row["compared"] == "raw" and row["mean_a"] and row["mean_b"]]
 
 
 def over_survival(row, scale):
@@ -307,8 +320,7 @@ def over_survival(row, scale):
 def evolved_rows(study, differences, means, neutral=None):
     """Measures of bodies, gaits and brains in the late half of runs, with their differences from survival alone, from the shadow and, if there are
     such differences, from the neutral null."""
-    with open(means, newline="") as file:
-        shadows = {(row["metric"], row["species"], row["group"]): row for row in csv.DictReader(file) if row["null"] == "shadow"}
+    shadows = {(row["metric"], row["species"], row["group"]): row for row in read(means) if row["null"] == "shadow"}
     neutrals = {(row["metric"], row["species"], row["group"]): row for row in (compared_raw(neutral) if neutral else ())}
     rows = []
     for row in compared_raw(differences):
@@ -339,12 +351,10 @@ def lives_of(runs):
     counts = []
     for phylogeny in sorted(pathlib.Path(runs).glob("replicate-*/phylogeny.csv")) or sorted(pathlib.Path(runs).glob("phylogeny.csv")):
         depth, depths = {}, []
-        with open(phylogeny, newline="") as file:
-            for row in sorted(csv.DictReader(file), key=lambda row: int(row["id"])):
-                depth[row["id"]] = 0 if row["ancestor_id"] == row["id"] else depth[row["ancestor_id"]] + 1
-                depths.append(depth[row["id"]])
-        with open(phylogeny.parent / "events.csv", newline="") as file:
-            diverged = sum(row["event"] == "death" and row["cause"] == "diverged" for row in csv.DictReader(file))
+        for row in sorted(read(phylogeny), key=lambda row: int(row["id"])):
+            depth[row["id"]] = 0 if row["ancestor_id"] == row["id"] else depth[row["ancestor_id"]] + 1
+            depths.append(depth[row["id"]])
+        diverged = sum(row["event"] == "death" and row["cause"] == "diverged" for row in read(phylogeny.parent / "events.csv"))
         counts.append((len(depths), mean(depths), max(depths), diverged))
     return {name: number(mean(values)) for name, values in zip(("births", "mean_depth", "greatest_depth", "diverged"), zip(*counts))}
 
@@ -353,8 +363,7 @@ def generations_of(runs):
     """Births after the start by founder of each species, as means over runs."""
     births = {}
     for events in sorted(pathlib.Path(runs).glob("replicate-*/events.csv")):
-        with open(events, newline="") as file:
-            for row in csv.DictReader(file):
-                if row["event"] == "birth":
-                    births.setdefault(row["species"], [0, 0])[int(row["tick"]) > 0] += 1
+        for row in read(events):
+            if row["event"] == "birth":
+                births.setdefault(row["species"], [0, 0])[int(row["tick"]) > 0] += 1
     return {species: number(born / founders) for species, (founders, born) in births.items()}

@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
 """Tables of the documents between <!-- table: NAME --> and <!-- /table -->, from docs/results/data."""
-import csv
 import pathlib
 import re
 import sys
@@ -27,8 +26,7 @@ class Data:
         path = self.folder / f"{name}.csv"
         if not path.exists():
             raise SystemExit(f"{path}: no such file; the stage of scripts/reproduce that writes it has not run")
-        with open(path, newline="") as file:
-            return list(csv.DictReader(file))
+        return designs.read(path)
 
 
 def is_velocity(row):
@@ -372,21 +370,21 @@ def queen(rows, table_name, primary):
     return table(["measure", "side", "both inherit", "this side alone", "both less alone", "p (Holm)", "found in 80 %", "runs"], lines)
 
 
-def meetings(rows, table_name):
-    """Contact times of the last living hunters and victims of different worlds."""
-    worlds, cells = ("both", "predator", "prey", "none"), {(row["hunters"], row["victims"]): row for row in rows if row["table"] == table_name}
+def meetings(rows):
+    """Contact times of the last living hunters and victims of different worlds of each rule table."""
+    worlds, cells = ("both", "predator", "prey", "none"), {(row["table"], row["hunters"], row["victims"]): row for row in rows}
     lines = []
-    for hunters in worlds:
-        met = [cells.get((hunters, victims)) for victims in worlds]
-        lines.append([hunters, *(f"{float(row['contact_s']):.0f} [{float(row['lower']):.0f}, {float(row['upper']):.0f}]" if row else "" for row in met)])
-    return table(["predators of", *(f"prey of {world}" for world in worlds)], lines)
+    for name, hunters in dict.fromkeys((row["table"], row["hunters"]) for row in rows):
+        met = [cells.get((name, hunters, victims)) for victims in worlds]
+        lines.append([f"`{name}`", hunters, *(f"{float(row['contact_s']):.0f} [{float(row['lower']):.0f}, {float(row['upper']):.0f}]" if row else "" for row in met)])
+    return table(["table", "predators of", *(f"prey of {world}" for world in worlds)], lines)
 
 
 def living(rows):
     """Measures of the pond and of its nulls."""
     lines, nulls = [], [null for null in ("shadow", "clones", "mean_field") if any(row[null] for row in rows)]
     for row in rows:
-        if row["set"] != "pond" or not row["mean"] or row["species"] == "prey" and row["metric"] in ("persists", "trophic_efficiency"):
+        if row["set"] != "pond" or not row["mean"] or row["metric"] == "persists" or row["species"] == "prey" and row["metric"] == "trophic_efficiency":
             continue
         scale, unit = (100.0, "cm/s") if row["unit"] == "m/s" else (1.0, "" if row["unit"] == "1" else row["unit"])
 
@@ -427,6 +425,26 @@ def raced(rows):
                  [[row["measure"], row["species"], seconds(row), p_text(row["p_holm"]), row["runs"]] for row in rows])
 
 
+def draw_atlas(rows, path):
+    """Maps of persistence and of velocities over the shadow, by reach and growth of food."""
+    import matplotlib.pyplot as plt
+
+    fig, axes = plt.subplots(1, 3, figsize=(10, 2.9), sharey=True, layout="constrained")
+    for ax, metric, species, key, scale, words in ((axes[0], "persists", "all", "mean", 1, "runs in which both live on"),
+                                                   (axes[1], "velocity", "predator", "over_shadow", 100, "predators over the shadow [cm/s]"),
+                                                   (axes[2], "velocity", "prey", "over_shadow", 100, "prey over the shadow [cm/s]")):
+        of = {(float(row["growth_1_s"]), float(row["reach_m"])): scale * float(row[key] or "nan") for row in rows if (row["metric"], row["species"]) == (metric, species)}
+        growths, reaches = (sorted(set(values)) for values in zip(*of))
+        limit = max(abs(value) for value in of.values() if value == value)
+        ax.imshow([[of[growth, reach] for reach in reaches] for growth in growths], origin="lower", aspect="auto", cmap="RdBu_r", vmin=-limit, vmax=limit, alpha=0.7)
+        for row, growth in enumerate(growths):
+            for column, reach in enumerate(reaches):
+                ax.text(column, row, f"{of[growth, reach]:{'.1f' if scale == 1 else '+.2f'}}".replace("+nan", ""), ha="center", va="center", fontsize=8)
+        ax.set(title=words, xlabel="reach of predators [m]", xticks=range(len(reaches)), xticklabels=reaches, yticks=range(len(growths)), yticklabels=growths)
+    axes[0].set_ylabel("growth of food [1/s]")
+    fig.savefig(path, dpi=150)
+
+
 def open_choices(choices):
     """The list of open choices."""
     lines = [[f"`{choice['name']}`", choice["question"], choice["text"], choice["first"], choice["other"]] for choice in choices]
@@ -453,8 +471,7 @@ def tables(data, choices):
     for name in ("paper", "pond"):
         for words, primary in (("primary", True), ("other", False)):
             made[f"queen {name} {words}"] = lambda name=name, primary=primary: queen(data("red_queen"), f"{name}_by_side", primary)
-        made[f"queen {name} meetings"] = lambda name=name: meetings(data("red_queen_meetings"), f"{name}_by_side")
-    made |= {"living": lambda: living(data("no_criterion")), "living settings": lambda: settings(data("no_criterion")),
+    made |= {"queen meetings": lambda: meetings(data("red_queen_meetings")), "living": lambda: living(data("no_criterion")), "living settings": lambda: settings(data("no_criterion")),
              "living selection": lambda: selected(data("no_criterion_selection")), "living progress": lambda: raced(data("no_criterion_progress"))}
     for name in ("arms_race", "ranges", "room", "mujoco", "mujoco_brains"):
         made[f"race {name}"] = lambda name=name: race(data(f"race_{name}"))

@@ -7,6 +7,7 @@ those of earlier times meet a panel, and writes what a species does more where t
 
 The table has `by_species<Switched<...>>` as its Heredity and the paper's brain. A stopped command continues. docs/results/red-queen.md defines measures and families."""
 import argparse
+import itertools
 import pathlib
 import subprocess
 import sys
@@ -92,17 +93,14 @@ def differences(values):
 
 def meetings(options):
     """The contact time of the last living hunters of each world and the last living victims of each other world: mean and interval over runs."""
-    rows, names = [], list(WORLDS)
-    for i, world in enumerate(names):
-        for other in names[i + 1:]:
-            played = make_contests(options, world, other, [0, options.duration], 2)
-            for hunters, victims, role in ((world, other, "victims"), (other, world, "hunters")):
-                ours = {"victims": "hunter", "hunters": "victim"}[role]
-                of = played[(played["against"] == f"panel_{role}") & (played[f"{ours}_epoch_s"] == options.duration)]
-                means = of.groupby(f"{ours}s_run")["contact_s"].mean()
-                interval = statistics.interval_of_mean(means)
-                rows.append({"hunters": hunters, "victims": victims, "runs": len(means), "contact_s": means.mean(), "lower": interval and interval[0],
-                             "upper": interval and interval[1]})
+    rows = []
+    for world, other in itertools.combinations(WORLDS, 2):
+        played = make_contests(options, world, other, [0, options.duration], 2)
+        for hunters, victims, role, ours in ((world, other, "victims", "hunter"), (other, world, "hunters", "victim")):
+            of = played[(played["against"] == f"panel_{role}") & (played[f"{ours}_epoch_s"] == options.duration)]
+            means = of.groupby(f"{ours}s_run")["contact_s"].mean()
+            lower, upper = statistics.interval_of_mean(means) or (None, None)
+            rows.append({"hunters": hunters, "victims": victims, "runs": len(means), "contact_s": means.mean(), "lower": lower, "upper": upper})
     return pandas.DataFrame(rows)
 
 
@@ -120,9 +118,7 @@ def main():
     for world, inherited in WORLDS.items():
         make_runs(options, world, inherited, options.seed, options.replicates, *([] if options.no_neutral else ["--neutral"]))
     make_runs(options, "panel", (True, True), options.seed + 1000, options.replicates)
-    results = {"red_queen": lambda: differences({world: measured(options, world) for world in WORLDS}), "meetings": lambda: meetings(options)}
-    for name, make in results.items():
-        frame = make()
+    for name, frame in (("red_queen", differences({world: measured(options, world) for world in WORLDS})), ("meetings", meetings(options))):
         frame.to_csv(options.out / f"{name}.csv", index=False, float_format="%.6g", lineterminator="\n")
         print(frame.to_string(index=False, float_format="{:.3g}".format))
 
