@@ -35,7 +35,7 @@ def write(root: pathlib.Path, out: pathlib.Path, images: pathlib.Path, programs:
     if programs:
         lines += made_by_programs(root, programs, images, out.parent)
     for picture, about in (
-        ("docs/images/catch.gif", "A predator catches a prey in MuJoCo: `trophic film RUN --catch 2 -o catch.gif`."),
+        ("docs/images/chase.gif", "A predator catches a prey of a pond in MuJoCo: `trophic film RUN --catch best --size 480x300 --fps 12 -o chase.gif`."),
         ("docs/show.png", "The page of a run at a catch: `trophic show RUN -o run.html`."),
     ):
         name = pathlib.PurePath(picture).name
