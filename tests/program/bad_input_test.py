@@ -38,9 +38,7 @@ class BadInput(InFolder):
     def refused(self, program, *arguments, code=2):
         before = sorted(os.listdir(self.folder))
         began = time.monotonic()
-        done = subprocess.run(
-            [program, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True, timeout=60, preexec_fn=limit_memory
-        )
+        done = subprocess.run([program, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True, timeout=60, preexec_fn=limit_memory)
         self.assertLess(time.monotonic() - began, 30)
         self.assertEqual(done.returncode, code, f"{arguments}: {done.stdout} {done.stderr[:500]}")
         self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr[:500])

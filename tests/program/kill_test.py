@@ -198,10 +198,8 @@ class Killed(InFolder):
     def test_a_file_that_reaches_its_size_limit(self):
         self.whole(7)
         limit = (self.folder / "whole" / "agents.csv").stat().st_size // 2
-        run = subprocess.run(
-            self.command("run", 7), cwd=self.folder, capture_output=True, text=True, timeout=60,
-            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, resource.RLIM_INFINITY))
-        )
+        run = subprocess.run(self.command("run", 7), cwd=self.folder, capture_output=True, text=True, timeout=60,
+                             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, resource.RLIM_INFINITY)))
         self.assertEqual(run.returncode, 1, run.stderr)
         self.assertRegex(run.stderr, r"^[^\n]*agents.csv: File too large\neverything written so far is in run\n$")
         self.assertNotEqual(self.manifest("run")["status"], "complete")
