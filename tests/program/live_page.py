@@ -66,15 +66,9 @@ class Page:
 
     def __init__(self, run, origin=None, host=None, token=None):
         host = host or f"127.0.0.1:{run.port}"
-        lines = [
-            f"GET /live?token={run.token if token is None else token} HTTP/1.1",
-            f"Host: {host}",
-            "Upgrade: websocket",
-            "Connection: Upgrade",
-            "Sec-WebSocket-Version: 13",
-            f"Sec-WebSocket-Key: {base64.b64encode(os.urandom(16)).decode()}",
-            f"Origin: {origin or f'http://{host}'}",
-        ]
+        lines = [f"GET /live?token={run.token if token is None else token} HTTP/1.1", f"Host: {host}", "Upgrade: websocket", "Connection: Upgrade",
+                 "Sec-WebSocket-Version: 13", f"Sec-WebSocket-Key: {base64.b64encode(os.urandom(16)).decode()}",
+                 f"Origin: {origin or f'http://{host}'}"]
         self.socket = socket.create_connection(("127.0.0.1", run.port), timeout=OPENING_S)
         self.socket.sendall("\r\n".join([*lines, "", ""]).encode())
         self.bytes = b""
