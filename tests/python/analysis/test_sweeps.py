@@ -429,6 +429,7 @@ def test_shares_are_answers_without_shadows_and_once_and_effects_of_axes_pool_th
     its = frame[frame["metric"] == "persists"]
     assert set(its["compared"]) == {"raw"} and set(its["role"]) == {"null"} and len(its) == 5 and list(frame["compared"][:3]) == ["raw", "over_shadow", "raw"]
     assert its["p"].tolist() == approx([math.nan, *[statistics.share_difference([0] * 6, [1] * 6).p] * 4], nan_ok=True)
+    assert report.named_text(analysis_of(plan, values)).count("persists prey ") == 5
     effects = axis_effects(grid_of(plan), values, 0)
     ours = effects[effects["metric"] == "persists"]
     assert ours["p"].tolist() == approx([statistics.share_difference([0] * 12, [1] * 12).p] * 2 + [1.0]) and set(ours["compared"]) == {"raw"}

@@ -288,7 +288,7 @@ def named_text(analysis: SweepAnalysis) -> str:
             continue
         reading = Reading(metric)
         rows.append((compared_title(row), f"{row.cell} ({analysis.sweep.grid.cell_title(row.cell)})", reading(row.mean), reading(row.mean_reference), _with_interval(row),
-                     *([reading(raw.get((row.cell, *metric)), True)] if len(raw) else []), p_text(row.p_holm), _effect_size(row), f"{row.runs}+{row.runs_reference}",
+                     *([reading(raw.get((row.cell, *metric), row.difference), True)] if len(raw) else []), p_text(row.p_holm), _effect_size(row), f"{row.runs}+{row.runs_reference}",
                      runs_text(row.runs_needed) if row.conclusion in ("inconclusive", "too few runs") else ""))
     lines = [f"the same in all runs, or without a value: {title}\n" for title in dict.fromkeys(constant)]
     return columns([head, *rows]) + "".join(lines) + ("p: corrected for all comparisons (Holm); runs needed: in each cell, to find a difference of this size in "
