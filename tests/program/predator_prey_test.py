@@ -33,7 +33,7 @@ class PredatorPrey(InFolder):
         return subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=300)
 
     def run_ok(self, out, *arguments):
-        result = self.call("--backend", "kinematic", "--out", out, *arguments)
+        result = self.call(*([] if "--backend" in arguments else ["--backend", "kinematic"]), "--out", out, *arguments)
         self.assertEqual(result.returncode, 0, result.stderr)
         return result
 
@@ -141,16 +141,14 @@ class Runs(PredatorPrey):
         for file in TABLES:
             self.assertEqual((self.folder / "ode1" / file).read_bytes(), (self.folder / "ode2" / file).read_bytes(), file)
         for more in (["--replicates", 1], ["--replicates", 2, "--jobs", 2, "--resume"]):
-            result = self.call(*few, *more, "--out", "set")
-            self.assertEqual(result.returncode, 0, result.stderr)
+            self.run_ok("set", *few, *more)
         self.assertEqual(self.manifest("set/replicate-01")["status"], "complete")
 
     @unittest.skipUnless(HAS_ODE, "no ODE in this build")
     def test_ode_runs_the_released_rules_and_prints_its_settings(self):
         released = ["--rules", "released", "--backend", "ode", "--duration", 2]
         for more in ([], ["--replicates", 1]):
-            result = self.call(*released, *more, "--out", f"released{len(more)}")
-            self.assertEqual(result.returncode, 0, result.stderr)
+            result = self.run_ok(f"released{len(more)}", *released, *more)
             self.assertIn("physics.integrator = rk4 has no effect", result.stdout)
         [remark] = self.manifest("released0")["remarks"]
         self.assertIn("physics.integrator = rk4 has no effect", remark)
@@ -166,15 +164,13 @@ class Runs(PredatorPrey):
     @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
     def test_fast_stepping_has_the_same_events_as_mujoco_alone(self):
         for stepping in ("fast", "islands"):
-            result = self.call("--duration", 24, "--robots", 16, "--set", f"backend.stepping={stepping}", "--out", stepping)
-            self.assertEqual(result.returncode, 0, result.stderr)
+            self.run_ok(stepping, "--backend", "mujoco", "--duration", 24, "--robots", 16, "--set", f"backend.stepping={stepping}")
         self.assertGreaterEqual(len(self.rows("fast", "events.csv")), 16)
         self.assertEqual((self.folder / "fast" / "events.csv").read_bytes(), (self.folder / "islands" / "events.csv").read_bytes())
 
     @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
     def test_the_released_physics_runs(self):
-        result = self.call("--rules", "released", "--duration", 10, "--out", "released")
-        self.assertEqual(result.returncode, 0, result.stderr)
+        self.run_ok("released", "--backend", "mujoco", "--rules", "released", "--duration", 10)
         physics = self.manifest("released")["params"]["physics"]
         self.assertEqual((physics["timestep_s"], physics["integrator"]), (0.012, "rk4"))
 
