@@ -35,6 +35,7 @@ struct ExperimentOptions {
   std::vector<std::string> assignments;
   std::string out;
   std::string save_mjcf;
+  bool profile = false;
   bool live = false;                       ///< in a browser, which may steer it
   std::optional<std::uint64_t> live_port;  ///< of this machine; any free one otherwise
   std::string changes;                     ///< file of changes of parameters

@@ -79,10 +79,9 @@ namespace detail {
 
 /// Reports how a run in a folder ended, and returns the exit code.
 [[nodiscard]] inline int report_run(io::RunFolder& folder, const observe::Progress& progress, const Simulation& ecology,
-                                    const observe::RunDescription& run) {
+                                    double until_s, bool profile) {
   const View view = ecology.view();
-  const double until_s = run.until_s;
-  const std::string slow = replicates::add_speed(folder.manifest(), progress.elapsed_s(), ecology);
+  const std::string slow = replicates::add_speed(folder.manifest(), progress.elapsed_s(), ecology, profile);
   const bool is_stopped = view.time_s < until_s && !view.is_over;
   if (is_stopped) {
     const int signal = replicates::StopOnSignal::caught();
@@ -203,7 +202,6 @@ inline void check_same_changes(const ExperimentOptions& options, const std::file
                                          checkpoint::RunState run_state, const std::optional<OriginRun>& origin,
                                          LiveServer* live) {
   replicates::StopOnSignal stop;
-  const observe::RunDescription run = ecology.describe(until_s);
   io::RunFolder folder{options.out,         options.provenance,      output_options_of(options),
                        run_state.opening(), ecology.state_columns(), changes::with_changes(options.own_tables)(ecology)};
   if (options.states && ecology.state_columns().names.empty()) {
@@ -229,7 +227,7 @@ inline void check_same_changes(const ExperimentOptions& options, const std::file
               << "\n";
     return code;
   }
-  return report_run(folder, progress, ecology, run);
+  return report_run(folder, progress, ecology, until_s, options.profile);
 }
 
 int run_once(const ExperimentOptions& options, AnyExperiment& experiment, const MakeSimulation& make,

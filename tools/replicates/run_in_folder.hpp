@@ -13,11 +13,11 @@
 
 namespace trophic::replicates {
 
-/// Adds the wall time of an ecology that has run to its manifest, and what its engine remarks on its speed. Returns that remark,
-/// which may be empty.
-inline std::string add_speed(io::Manifest& manifest, double wall_s, const Simulation& ecology) {
+/// Adds the wall time of an ecology that has run to its manifest, and what its engine remarks on its speed, or if `asked` on its
+/// steps. Returns that remark, which may be empty.
+inline std::string add_speed(io::Manifest& manifest, double wall_s, const Simulation& ecology, bool asked = false) {
   io::Provenance speed{{"wall_s", observe::short_text(wall_s)}};
-  std::string remark = ecology.backend().speed_remark();
+  std::string remark = ecology.backend().speed_remark(asked);
   if (!remark.empty()) speed.emplace_back("speed", remark);
   manifest.add(speed);
   return remark;

@@ -124,8 +124,7 @@ Command analyze(const std::string& program, const Offer& offer) {
       .about =
           "Measures runs: the paper's metrics with 95 % intervals over runs, next to its published values and their nulls. The "
           "neutral shadow, runs in which nothing is inherited, is found in RUNS/shadow. Measures of genomes, bodies and brains "
-          "are "
-          "compared with the neutral null in RUNS/neutral, which --neutral makes, if there is one. Each cell of a sweep is "
+          "are compared with the neutral null in RUNS/neutral, which --neutral makes, if there is one. Each cell of a sweep is "
           "compared with one of them, corrected for the number of comparisons. Needs Python with pandas, scipy and jinja2.",
       .options =
           {{"runs", &options->runs,

@@ -42,8 +42,8 @@ class AnyBackend {
   /// True for all robots of a backend that cannot.
   [[nodiscard]] virtual bool is_there(std::size_t robot) const = 0;
 
-  /// A sentence if the backend has been much slower than its parameters promise (its own speed_remark()); else empty.
-  [[nodiscard]] virtual std::string speed_remark() const = 0;
+  /// A sentence if the backend was much slower than it promises, or what its steps were if `asked` (its own speed_remark).
+  [[nodiscard]] virtual std::string speed_remark(bool asked = false) const = 0;
   /// The share of steps that the engine itself took (its own engine_share()); 0 without such a function.
   [[nodiscard]] virtual double engine_share() const = 0;
   /// Writes the engine's model, robots in these colours (its own save_mjcf). Returns false for an engine without such a file.
@@ -134,7 +134,8 @@ class BackendOf final : public AnyBackend {
     if constexpr (Placing<B>) return backend.is_there(robot);
     return true;
   }
-  [[nodiscard]] std::string speed_remark() const override {
+  [[nodiscard]] std::string speed_remark([[maybe_unused]] bool asked) const override {
+    if constexpr (requires { backend.speed_remark(asked); }) return backend.speed_remark(asked);
     if constexpr (requires { backend.speed_remark(); }) return backend.speed_remark();
     return {};
   }

@@ -31,6 +31,7 @@ struct Disc {
 /// size, largest first, then by their first member. Absent robots are in no set. Grid and union-find: linear in n for scattered
 /// discs.
 [[nodiscard]] inline std::vector<std::vector<std::size_t>> connected_sets(std::span<const Disc> discs) {
+  constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::vector<std::size_t> root(discs.size());
   std::iota(root.begin(), root.end(), std::size_t{0});
   const auto find = [&](std::size_t i) {
@@ -56,17 +57,20 @@ struct Disc {
   }
 
   std::vector<std::vector<std::size_t>> sets;
-  std::vector<std::size_t> set_of_root(discs.size());
+  std::vector<std::size_t> set_of_root(discs.size(), none);
   for (std::size_t i = 0; i < discs.size(); ++i) {
-    if (discs[i].is_absent()) continue;
     const std::size_t own_root = find(i);
-    if (own_root == i) {
-      set_of_root[i] = sets.size();
-      sets.emplace_back();
+    if (own_root == i) continue;
+    if (set_of_root[own_root] == none) {
+      set_of_root[own_root] = sets.size();
+      sets.push_back({own_root});
     }
     sets[set_of_root[own_root]].push_back(i);
   }
-  std::ranges::stable_sort(sets, std::ranges::greater{}, &std::vector<std::size_t>::size);
+  std::ranges::sort(sets, [](const auto& a, const auto& b) { return a.size() != b.size() ? a.size() > b.size() : a[0] < b[0]; });
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    if (root[i] == i && set_of_root[i] == none && !discs[i].is_absent()) sets.push_back({i});
+  }
   return sets;
 }
 

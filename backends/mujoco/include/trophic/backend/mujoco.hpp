@@ -78,8 +78,9 @@ class Mujoco : public WithEngine<mujoco::State> {
   /// The share of robots' steps so far that `mj_step` took, between 0 and 1: small for `fast` if the kernel supports the bodies.
   /// Not part of the state.
   [[nodiscard]] double engine_share() const;
-  /// A sentence if `fast` was not fast, as `mj_step` took most steps so far; else empty.
-  [[nodiscard]] std::string speed_remark() const;
+  /// A sentence if `fast` was not fast, as `mj_step` took most steps so far; if `asked` else what the kernel's steps were, or
+  /// empty.
+  [[nodiscard]] std::string speed_remark(bool asked = false) const;
 
   /// Writes the current world as a MuJoCo model, all robots in one model with a key frame of angles, velocities and targets,
   /// which MuJoCo's `simulate` opens. The heights of a height field go into a binary file next to it. `colours`: of each robot;

@@ -31,7 +31,7 @@ class Mujoco::Simulation final : public Engine<State> {
         stepping_{params.stepping},
         steps_per_block_{static_cast<std::size_t>(std::ceil(block_s / physics.timestep_s))},
         stepper_{make_stepper(robot, starts.size(), params.threads)},
-        states_{layout_of(0), starts.size()},
+        states_{layout_of(0), starts.size(), arena.extent_m},
         next_{states_},
         targets_rad_{starts.size(), robot.hinges.size()},
         angles_rad_{targets_rad_} {
@@ -91,8 +91,8 @@ class Mujoco::Simulation final : public Engine<State> {
     const auto* const islands = std::get_if<mujoco::Islands>(&stepper_);
     return islands != nullptr ? islands->engine_share() : 1.0;
   }
-  [[nodiscard]] std::string speed_remark() const {
-    if (!by_kernel() || engine_share() <= 0.5) return {};
+  [[nodiscard]] std::string speed_remark(bool asked) const {
+    if (!by_kernel() || engine_share() <= 0.5) return asked ? profile() : "";
     return "backend.stepping = " + std::string{enum_name(stepping_)} + ": MuJoCo itself took " +
            number_text(std::round(100.0 * engine_share())) +
            " % of the robots' steps, at the speed of islands; the README of the MuJoCo backend lists the steps that its kernel "
@@ -101,7 +101,11 @@ class Mujoco::Simulation final : public Engine<State> {
   [[nodiscard]] std::size_t robots() const override { return states_.robots(); }
   [[nodiscard]] double time_s() const override { return static_cast<double>(steps_) * physics_.timestep_s; }
   [[nodiscard]] Pose pose(std::size_t robot) const override { return states_.root(checked(robot)); }
-  [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const override { return angles_rad_[checked(robot)]; }
+  [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const override {
+    const std::vector<std::size_t>& index = layout_of(checked(robot)).angle_index;
+    for (std::size_t i = 0; i < index.size(); ++i) angles_rad_[robot][i] = states_.positions(robot)[index[i]];
+    return angles_rad_[robot];
+  }
 
   [[nodiscard]] State save() const override {
     return {steps_, states_.values(), targets_rad_.values(), body_hashes(), states_.absent()};
@@ -122,7 +126,6 @@ class Mujoco::Simulation final : public Engine<State> {
     states_.set_absent(state.absent);
     next_ = states_;
     targets_rad_.set_values(state.targets_rad);
-    read_angles();
   }
 
   void save_mjcf(const std::filesystem::path& path, std::span<const Colour> colours) const {
@@ -161,6 +164,18 @@ class Mujoco::Simulation final : public Engine<State> {
   }
   [[nodiscard]] const mujoco::Layout& layout_of(std::size_t robot) const { return bodies_[robot]->layout; }
 
+  /// The kernel's steps so far by class, as a sentence.
+  [[nodiscard]] std::string profile() const {
+    const auto* const islands = std::get_if<mujoco::Islands>(&stepper_);
+    const auto counts = islands != nullptr ? islands->counts() : mujoco::LaneStepper::Counts{};
+    const double all = std::max(1.0, static_cast<double>(counts[0] + counts[1] + counts[2] + counts[3]));
+    const auto share = [&](double of, const char* what) { return number_text(std::round(1e3 * of) / 10.0) + " % " + what; };
+    const auto steps = [&](std::size_t k, const char* what) { return share(static_cast<double>(counts.at(k)) / all, what); };
+    return number_text(all) + " steps of four robots or fewer: " + steps(0, "apart, ") +
+           steps(1, "one touches itself or heights, ") + steps(2, "two touch, ") + steps(3, "more; ") +
+           share(engine_share(), "of the robots' steps by MuJoCo");
+  }
+
   static const Physics& checked(const Physics& physics, const Params& params, std::size_t robots) {
     validate(physics, "physics");
     validate(params, "mujoco");
@@ -184,34 +199,11 @@ class Mujoco::Simulation final : public Engine<State> {
   void advance(std::size_t steps) {
     mujoco::GroupResult result =
         std::visit([&](auto& stepper) { return stepper.advance(states_, targets_rad_, steps, next_); }, stepper_);
-    if (result.end == mujoco::GroupResult::End::done) check_motion(next_, steps, result);
     if (result.end != mujoco::GroupResult::End::done) {
       throw Diverged{static_cast<double>(steps_ + result.steps) * physics_.timestep_s, result.robot, result.what};
     }
     std::swap(states_, next_);
     steps_ += steps;
-    read_angles();
-  }
-
-  void check_motion(const mujoco::RobotStates& states, std::size_t steps, mujoco::GroupResult& result) const {
-    for (std::size_t i = 0; i < states.robots(); ++i) {
-      const bool left = states.root(i).position_m.cwiseAbs().maxCoeff() > arena_.extent_m;
-      if (!left && states.speed_m_s(i) <= mujoco::fastest_m_s) continue;
-      result = {.end = mujoco::GroupResult::End::diverged,
-                .steps = steps,
-                .robot = i,
-                .what = left ? "its position is beyond +-" + number_text(arena_.extent_m) + " m" : mujoco::too_fast()};
-      return;
-    }
-  }
-
-  void read_angles() {
-    for (std::size_t robot = 0; robot < states_.robots(); ++robot) {
-      const std::vector<std::size_t>& index = layout_of(robot).angle_index;
-      for (std::size_t hinge = 0; hinge < index.size(); ++hinge) {
-        angles_rad_[robot][hinge] = states_.positions(robot)[index[hinge]];
-      }
-    }
   }
 
   std::vector<std::shared_ptr<const Body>> bodies_;  ///< of each robot
@@ -225,7 +217,7 @@ class Mujoco::Simulation final : public Engine<State> {
   mujoco::RobotStates next_;  ///< the target of a block of steps, until it is checked
   std::uint64_t steps_ = 0;
   mujoco::Rows targets_rad_;
-  mujoco::Rows angles_rad_;
+  mutable mujoco::Rows angles_rad_;  ///< those that were asked for, in the order of the hinges
 };
 
 TROPHIC_INLINE std::string Mujoco::version() {
@@ -253,8 +245,8 @@ TROPHIC_INLINE Mujoco::Mujoco(const RobotModel& robot, const Arena& arena, std::
 TROPHIC_INLINE double Mujoco::engine_share() const {
   return static_cast<const Simulation&>(engine()).engine_share();
 }
-TROPHIC_INLINE std::string Mujoco::speed_remark() const {
-  return static_cast<const Simulation&>(engine()).speed_remark();
+TROPHIC_INLINE std::string Mujoco::speed_remark(bool asked) const {
+  return static_cast<const Simulation&>(engine()).speed_remark(asked);
 }
 TROPHIC_INLINE void Mujoco::save_mjcf(const std::filesystem::path& path, std::span<const Colour> colours) const {
   static_cast<const Simulation&>(engine()).save_mjcf(path, colours);

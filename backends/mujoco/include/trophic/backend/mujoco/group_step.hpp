@@ -29,11 +29,6 @@ struct GroupResult {
   CompiledModel* model = nullptr;  ///< the model, for `buffers_full`
 };
 
-/// The reason for rejecting a robot that moves unphysically fast.
-[[nodiscard]] inline std::string too_fast() {
-  return "it is faster than " + number_text(fastest_m_s) + " m/s; physics.timestep_s may be too long";
-}
-
 /// Whether a MuJoCo warning is that its buffers are full.
 [[nodiscard]] inline bool is_full(int kind) {
   return kind == mjWARN_CONTACTFULL || kind == mjWARN_CNSTRFULL;
@@ -120,8 +115,9 @@ struct GroupResult {
     result.steps = whole;
   }
   for (std::size_t i = 0; i < robots.size() && result.end == GroupResult::End::done; ++i) {
-    if (!to.store(robots[i], shares[i], data)) {
-      result = {.end = GroupResult::End::diverged, .steps = steps, .robot = robots[i], .what = "a number is NaN or too large"};
+    static_cast<void>(to.store(robots[i], shares[i], data));
+    if (std::string fault = to.fault(robots[i]); !fault.empty()) {
+      result = {.end = GroupResult::End::diverged, .steps = steps, .robot = robots[i], .what = std::move(fault)};
     }
   }
   if (result.end == GroupResult::End::buffers_full) result.model = &compiled;

@@ -27,10 +27,11 @@ namespace trophic::backend::mujoco {
 /// disc, the block is repeated with twice the slack for it. The result does not depend on the number of threads.
 class Islands {
  public:
-  /// `fast`: the kernel steps robots if it supports all features of their models.
-  Islands(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t threads, bool fast, BoxDepth box_depth)
+  /// `fast`: the kernel steps robots, by `step`, if it supports all features of their models.
+  Islands(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t threads, bool fast, BoxDepth box_depth,
+          kernel::StepFunction step = kernel::fastest_step())
       : arena_{arena}, physics_{physics}, box_depth_{box_depth}, pool_{std::make_unique<ThreadPool>(threads)} {
-    if (fast) lanes_.emplace(box_depth, threads);
+    if (fast) lanes_.emplace(box_depth, threads, step);
     static_cast<void>(find_kind(robot));
   }
 
@@ -46,9 +47,11 @@ class Islands {
 
   /// The share of all steps of robots that MuJoCo took, with those that were repeated.
   [[nodiscard]] double engine_share() const {
-    const std::uint64_t by_engine = group_robot_steps_ + (lanes_ ? lanes_->declined_robot_steps() : 0);
+    const std::uint64_t by_engine = group_robot_steps_ + (lanes_ ? lanes_->counts().back() : 0);
     return robot_steps_ == 0 ? 0.0 : static_cast<double>(by_engine) / static_cast<double>(robot_steps_);
   }
+  /// Steps of the kernel by class; none without `fast`.
+  [[nodiscard]] LaneStepper::Counts counts() const { return lanes_ ? lanes_->counts() : LaneStepper::Counts{}; }
   [[nodiscard]] std::size_t kinds() const { return kinds_.count(); }   ///< that robots have or had lately
   [[nodiscard]] std::size_t models() const { return models_.size(); }  ///< currently cached
   /// The maximum number of working memories of the cached models.

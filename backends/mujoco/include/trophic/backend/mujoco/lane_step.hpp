@@ -24,12 +24,17 @@ class LaneStepper {
   /// Returns the model in which MuJoCo steps these robots; any thread may call it.
   using ModelOf = std::function<CompiledModel&(std::span<const std::size_t> robots)>;
 
-  LaneStepper(BoxDepth box_depth, std::size_t threads) : box_depth_{box_depth}, scratch_(threads) {}
+  LaneStepper(BoxDepth box_depth, std::size_t threads, kernel::StepFunction step)
+      : box_depth_{box_depth}, step_{step}, scratch_(threads) {}
 
-  /// Steps of robots that MuJoCo took because the kernel declined them.
-  [[nodiscard]] std::uint64_t declined_robot_steps() const {
-    std::uint64_t sum = 0;
-    for (const auto& scratch : scratch_) sum += scratch ? scratch->robot_steps : 0;
+  /// Steps so far: of packs, by the robots in the largest island of their batch (none, one, two, more), then those of robots that
+  /// MuJoCo took because the kernel declined them.
+  using Counts = std::array<std::uint64_t, 5>;
+  [[nodiscard]] Counts counts() const {
+    Counts sum{};
+    for (const auto& scratch : scratch_) {
+      for (std::size_t i = 0; scratch && i < sum.size(); ++i) sum[i] += scratch->counts[i];
+    }
     return sum;
   }
 
@@ -41,6 +46,7 @@ class LaneStepper {
     kernel::Batch& batch = scratch.batch;
     for (std::size_t step = 0; step < steps; ++step) {
       step_(batch);
+      scratch.counts[island_size(batch)] += batch.pack_count;
       for (std::size_t t = 0; t < batch.pack_count; ++t) {
         if (batch.packs[t]->valid == batch.packs[t]->lanes) continue;
         GroupResult result = step_declined(plan, scratch, targets_rad, to, model_of);
@@ -68,8 +74,8 @@ class LaneStepper {
     for (const kernel::LaneIndex& at : plan.order) {
       const std::size_t robot = plan.robot(at);
       batch.pack(at).state.store(at.lane, to.numbers(robot));
-      if (!to.sound(robot)) {
-        return {.end = GroupResult::End::diverged, .steps = steps, .robot = robot, .what = "a number is NaN or too large"};
+      if (std::string fault = to.fault(robot); !fault.empty()) {
+        return {.end = GroupResult::End::diverged, .steps = steps, .robot = robot, .what = std::move(fault)};
       }
     }
     return {};
@@ -88,8 +94,17 @@ class LaneStepper {
     std::vector<Start> starts;
     std::vector<kernel::LaneIndex> declined;
     std::vector<std::size_t> robots;
-    std::uint64_t robot_steps = 0;  ///< by MuJoCo
+    Counts counts{};
   };
+
+  /// The robots in the largest island of the last step, at most 3.
+  [[nodiscard]] static std::size_t island_size(const kernel::Batch& batch) {
+    std::size_t size = 0;
+    const auto is_coupled = [](const auto& pack) { return pack->coupled != 0; };
+    if (std::ranges::none_of(std::span{batch.packs}.first(batch.pack_count), is_coupled)) return size;
+    for (std::size_t k = 0; k < batch.island_count; ++k) size = std::max(size, batch.islands[k].lanes.size());
+    return std::min<std::size_t>(size, 3);
+  }
 
   /// Puts the robots of a plan into their lanes.
   Scratch& load(const BatchPlan& plan, const Kinds& kinds, std::size_t thread, const Rows& targets_rad,
@@ -118,7 +133,7 @@ class LaneStepper {
     return scratch;
   }
 
-  /// One mj_step of all robots that are not `valid`, those of one step set together.
+  /// One mj_step of all robots that are not `valid`, those of one step set together; `to` holds their numbers on the way.
   [[nodiscard]] static GroupResult step_declined(const BatchPlan& plan, Scratch& scratch, const Rows& targets_rad,
                                                  RobotStates& to, const ModelOf& model_of) {
     kernel::Batch& batch = scratch.batch;
@@ -130,29 +145,19 @@ class LaneStepper {
         if (batch.step_sets.find(at.slot()) != batch.step_sets.find(first.slot())) continue;
         scratch.declined.push_back(at);
         scratch.robots.push_back(plan.robot(at));
-        ++scratch.robot_steps;
+        ++scratch.counts.back();
         batch.pack(at).valid |= 1u << at.lane;
+        batch.pack(at).state.store(at.lane, to.numbers(plan.robot(at)));
       }
-      GroupResult result = step_by_mujoco(model_of(scratch.robots), scratch, targets_rad, to);
+      GroupResult result = step_group(model_of(scratch.robots), scratch.robots, targets_rad, {}, 1, to, to);
       if (result.end != GroupResult::End::done) return result;
+      for (const kernel::LaneIndex& at : scratch.declined) batch.pack(at).state.load(at.lane, to.numbers(plan.robot(at)));
     }
     return {};
   }
 
-  /// One mj_step of the robots in `scratch.declined`; `to` holds their numbers on the way.
-  [[nodiscard]] static GroupResult step_by_mujoco(CompiledModel& compiled, Scratch& scratch, const Rows& targets_rad,
-                                                  RobotStates& to) {
-    const std::vector<std::size_t>& robots = scratch.robots;
-    const auto lanes_of = [&](std::size_t i) -> kernel::LaneState& { return scratch.batch.pack(scratch.declined[i]).state; };
-    for (std::size_t i = 0; i < robots.size(); ++i) lanes_of(i).store(scratch.declined[i].lane, to.numbers(robots[i]));
-    GroupResult result = step_group(compiled, robots, targets_rad, {}, 1, to, to);
-    if (result.end != GroupResult::End::done) return result;
-    for (std::size_t i = 0; i < robots.size(); ++i) lanes_of(i).load(scratch.declined[i].lane, to.numbers(robots[i]));
-    return result;
-  }
-
   BoxDepth box_depth_;
-  kernel::StepFunction step_ = kernel::fastest_step();
+  kernel::StepFunction step_;
   std::vector<std::unique_ptr<Scratch>> scratch_;
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <trophic/backend/mujoco/compiled_model.hpp>
 #include <trophic/backend/mujoco/rows.hpp>
@@ -18,13 +19,18 @@ namespace trophic::backend::mujoco {
 /// them become one MuJoCo group, which takes minutes and all memory.
 inline constexpr double fastest_m_s = 100.0;
 
+/// The reason for rejecting a robot that moves unphysically fast.
+[[nodiscard]] inline std::string too_fast() {
+  return "it is faster than " + number_text(fastest_m_s) + " m/s; physics.timestep_s may be too long";
+}
+
 /// Per robot one row: generalized positions (root x, y, z, quaternion w, x, y, z, then angles in MuJoCo's order), velocities
 /// (root linear in the world's frame, angular in the root's, then angles), and the accelerations from which the solver starts
-/// next; and the number of its body's kind, and whether the robot is in the world.
+/// next; and the number of its body's kind, and whether the robot is in the world. No coordinate may be beyond `extent_m`.
 class RobotStates {
  public:
-  RobotStates(const Layout& layout, std::size_t robots)
-      : rows_{robots, layout.positions + 2 * layout.velocities}, kinds_(robots), is_there_(robots, true) {}
+  RobotStates(const Layout& layout, std::size_t robots, double extent_m = std::numeric_limits<double>::infinity())
+      : extent_m_{extent_m}, rows_{robots, layout.positions + 2 * layout.velocities}, kinds_(robots), is_there_(robots, true) {}
 
   [[nodiscard]] std::size_t robots() const { return rows_.size(); }
   [[nodiscard]] const std::vector<double>& values() const { return rows_.values(); }
@@ -98,21 +104,26 @@ class RobotStates {
     return sound(robot);
   }
 
-  /// The speed of a robot's root, m/s.
-  [[nodiscard]] double speed_m_s(std::size_t robot) const {
-    const std::span<const double> velocity = velocities(robot);
-    return std::hypot(velocity[0], velocity[1], velocity[2]);
-  }
-
   /// Whether a robot's numbers are finite and not larger than MuJoCo accepts.
   [[nodiscard]] bool sound(std::size_t robot) const {
     return std::ranges::all_of(numbers(robot), [](double value) { return std::abs(value) <= mjMAXVAL; });
+  }
+
+  /// Why a robot is not where it can be, or not as fast; empty if it is.
+  [[nodiscard]] std::string fault(std::size_t robot) const {
+    if (!sound(robot)) return "a number is NaN or too large";
+    const double* p = rows_[robot].data();
+    if (std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])}) > extent_m_)
+      return "its position is beyond +-" + number_text(extent_m_) + " m";
+    const std::span<const double> velocity = velocities(robot);
+    return std::hypot(velocity[0], velocity[1], velocity[2]) > fastest_m_s ? too_fast() : std::string{};
   }
 
  private:
   /// A row has one number more for positions than for velocities: the root's quaternion.
   [[nodiscard]] std::size_t velocities_of(std::size_t robot) const { return (rows_[robot].size() - 1) / 3; }
 
+  double extent_m_;
   Rows rows_;
   std::vector<std::size_t> kinds_;
   std::vector<bool> is_there_;
