@@ -24,14 +24,14 @@ class Decisions {
   void make(observe::Audience& audience, const View& now) {
     const Moment<Rules> moment{rules_, population_, seed_, now};
     const auto common = rules_.sensors.sense_common(now);
-    choices_.clear();
+    choices_.resize(population_.individuals().size());
     const bool in_turn = params_.decision_order == DecisionOrder::in_turn;
-    for (BodyIndex body = 0; body < population_.individuals().size(); ++body) {
-      choices_.push_back(population_[body].lives() ? moment.choice(body, common, params_.without_target) : Choice<Rules>{});
+    for (std::size_t i = 0; i < choices_.size(); ++i) {
+      const BodyIndex body = in_turn || now.tree == nullptr ? i : now.tree->by_place(i);  // neighbours look at the same robots
+      choices_[body] = population_[body].lives() ? moment.choice(body, common, params_.without_target) : Choice<Rules>{};
       if (in_turn) act(audience, body, choices_[body], now);
     }
-    if (in_turn) return;
-    for (BodyIndex body = 0; body < population_.individuals().size(); ++body) act(audience, body, choices_[body], now);
+    for (BodyIndex body = 0; body < choices_.size() && !in_turn; ++body) act(audience, body, choices_[body], now);
   }
 
  private:

@@ -82,6 +82,7 @@ class SearchTree {
     return nearest.body;
   }
 
+  [[nodiscard]] BodyIndex by_place(std::size_t i) const { return standing_[i].body; }  ///< all bodies, cell by cell
   /// Calls `visit(body)` for every body within `radius_m` of a point, and some that are farther away; some on a torus twice.
   template <class Visit>
   void for_each_near(const GroundPose& point, double radius_m, Visit&& visit, double period_m = 0.0) const {
