@@ -153,7 +153,7 @@ std::vector<RobotModel> several(const std::string& name, std::size_t robots) {
 
 }  // namespace
 
-TEST_CASE("kernel batches: robots near each other, touching or not -> the step of one model") {
+TEST_CASE("kernel batches: robots near each other, touching or not, either depth between boxes -> the step of one model") {
   for (const Integrator integrator : {Integrator::semi_implicit_euler, Integrator::rk4}) {
     for (const std::size_t robots : {2U, 3U}) {
       CHECK(compare_batches("spiders", several("spider", robots), {.integrator = integrator}, 400).agrees());
@@ -161,9 +161,6 @@ TEST_CASE("kernel batches: robots near each other, touching or not -> the step o
     CHECK(compare_batches("seven spiders", several("spider", 7), {.integrator = integrator}, 60).agrees());
   }
   CHECK(compare_batches("geckos", several("gecko", 2), {}, 200).agrees(0));
-}
-
-TEST_CASE("kernel batches: robots near each other, whole depth between boxes -> the step of one model") {
   for (const std::size_t robots : {2U, 3U}) {
     CHECK(compare_batches("spiders", several("spider", robots), {}, 400, BoxDepth::whole).agrees());
   }

@@ -120,16 +120,6 @@ TEST_CASE("stepping: time -> whole steps without drift") {
   CHECK(backend.save().steps == 8334);
 }
 
-TEST_CASE("stepping: robots far apart -> motion of each alone") {
-  const std::vector<Pose> starts = test::lattice(spider, 3, 3.0);
-  Mujoco all{spider, square, starts, {}, islands(2)};
-  test::walk(all, 2.0);
-  Mujoco alone{spider, square, std::span{starts}.first(1), {}, islands(1)};
-  test::walk(alone, 2.0);
-  CHECK(alone.pose(0).position_m == all.pose(0).position_m);
-  CHECK(alone.pose(0).orientation.coeffs() == all.pose(0).orientation.coeffs());
-}
-
 TEST_CASE("stepping: robot faster than its slack -> contacts found") {
   // Shot at 8 m/s at a standing robot 1 m away, from a state whose slack was measured before the shot.
   const std::vector<Pose> starts{test::standing(spider, 0.0, 0.0, 0.0), test::standing(spider, 1.0, 0.05, 0.0)};
