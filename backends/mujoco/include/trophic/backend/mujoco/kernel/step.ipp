@@ -8,7 +8,7 @@ namespace trophic::backend::kernel {
 
 TROPHIC_INLINE StepFunction fastest_step() {
 #if defined(__x86_64__) && !defined(__AVX2__)
-#if !TROPHIC_HEADER_ONLY
+#if !TROPHIC_HEADER_ONLY && !defined(TROPHIC_WITHOUT_AVX512)
   if (__builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq")) return step_avx512;
 #endif
   if (__builtin_cpu_supports("avx2")) return step_avx2;

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: MIT
-// trophic::compiled: what runs leave behind.
+// trophic::compiled: the file readers, and what runs leave behind.
+#include <trophic/habitat/load/arena.ipp>
+#include <trophic/habitat/load/gait.ipp>
+#include <trophic/habitat/load/habitat.ipp>
+#include <trophic/habitat/load/models.ipp>
+#include <trophic/habitat/load/robot.ipp>
 #include <trophic/io/growing_file.ipp>
 #include <trophic/io/manifest.ipp>
 #include <trophic/io/program_code.ipp>
@@ -7,6 +12,7 @@
 #include <trophic/io/recording_planes.ipp>
 #include <trophic/io/run_folder.ipp>
 #include <trophic/observe/run_description.ipp>
+#include <trophic/params/parse_toml.ipp>
 #include <trophic/run/checkpoint/checkpoint_file.ipp>
 #include <trophic/run/checkpoint/checkpoint_writer.ipp>
 #include <trophic/run/checkpoint/resume.ipp>
