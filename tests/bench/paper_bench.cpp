@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Benchmark of the paper's run on MuJoCo: a fixed stretch in which robots meet, from one checkpoint, in each way of stepping.
-#include <benchmark/benchmark.h>
+// Benchmark of the paper's run on MuJoCo: stretches of three seeds in which robots have locked, in each way of stepping.
+//   bench_paper          runs each seed to where its stretch begins, then times the stretches, way by way, three rounds
+//   bench_paper --whole  runs each seed to its end and compares its processor time with the stretch's, on one thread
+#include <sys/resource.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
-#include <iostream>
 #include <map>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/ecology/ecology.hpp>
@@ -16,125 +18,111 @@ namespace {
 using trophic::backend::Mujoco;
 using Paper = trophic::Ecology<trophic::rules::Paper>;
 
-/// Where the stretch begins on the ecology's clock, and how long it is.
-constexpr double start_s = 1200.0;
-constexpr double stretch_s = 20.0;
+constexpr std::array<std::uint64_t, 3> seeds{1, 2, 3};
+/// Where the stretches begin on the ecology's clock, and how long each is.
+constexpr double start_s = 1700.0;
+constexpr double stretch_s = 40.0;
 constexpr double whole_run_s = 6000.0;
+constexpr int rounds = 3;
 
 struct Way {
-  std::string name;
-  Mujoco::Stepping stepping;
-  std::size_t threads;
+  const char* name;
+  Mujoco::Params params;
 };
-const std::array<Way, 5> ways{Way{"one_model", Mujoco::Stepping::one_model, 1}, Way{"islands_1", Mujoco::Stepping::islands, 1},
-                              Way{"islands_2", Mujoco::Stepping::islands, 2}, Way{"fast_1", Mujoco::Stepping::fast, 1},
-                              Way{"fast_2", Mujoco::Stepping::fast, 2}};
+const std::array<Way, 5> ways{Way{"one_model", {Mujoco::Stepping::one_model, 1}},
+                              Way{"islands_1", {Mujoco::Stepping::islands, 1}}, Way{"islands_2", {Mujoco::Stepping::islands, 2}},
+                              Way{"fast_1", {Mujoco::Stepping::fast, 1}}, Way{"fast_2", {Mujoco::Stepping::fast, 2}}};
 
-/// The run whose robots meet often among a few that were tried.
-Paper new_run(Mujoco::Stepping stepping, std::size_t threads) {
-  trophic::EcologyParams numbers = trophic::rules::Paper::ecology();
-  numbers.gait = "spider_steered";
-  return Paper{{.seed = 161574062546064, .ecology = numbers}, Mujoco::Params{.stepping = stepping, .threads = threads}};
+/// Seconds so far: of the wall, and of the processor for this process.
+struct Spent {
+  double wall_s;
+  double processor_s;
+  static Spent now() {
+    rusage use{};
+    ::getrusage(RUSAGE_SELF, &use);
+    return {std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(),
+            static_cast<double>(use.ru_utime.tv_sec) + 1e-6 * static_cast<double>(use.ru_utime.tv_usec)};
+  }
+  Spent& operator+=(const Spent& other) {
+    wall_s += other.wall_s;
+    processor_s += other.processor_s;
+    return *this;
+  }
+  Spent operator-(const Spent& before) const { return {wall_s - before.wall_s, processor_s - before.processor_s}; }
+};
+
+/// Goes on to a time of the ecology's clock, with rules, gait and brains but without logs; returns what that took.
+Spent run(Paper& ecology, double until_s) {
+  const Spent before = Spent::now();
+  ecology.run_until(until_s);
+  return Spent::now() - before;
 }
 
-/// The run at the start of the stretch; made once.
-const std::string& checkpoint() {
-  static const std::string bytes = [] {
-    std::cerr << "running " << start_s << " s to where the stretch begins\n";
-    Paper run = new_run(Mujoco::Stepping::fast, 2);
-    run.run_until(start_s);
+/// The median of each way's rounds, as seconds for a whole run.
+void time_stretches() {
+  std::vector<std::string> starts;
+  for (const std::uint64_t seed : seeds) {
+    std::fprintf(stderr, "seed %d to %g s\n", static_cast<int>(seed), start_s);
+    Paper ecology{{.seed = seed}, ways[3].params};
+    run(ecology, start_s);
     trophic::Archive archive;
-    run.persist(archive);
-    return archive.bytes();
-  }();
-  return bytes;
-}
-
-/// How many robots have another within 0.3 m, mean of the ticks seen.
-struct Meetings {
-  std::size_t ticks = 0;
-  std::size_t close = 0;
-
-  void on_tick(const trophic::View& view) {
-    constexpr double near_m = 0.3;
-    ++ticks;
-    for (std::size_t i = 0; i < view.poses.size(); ++i) {
-      bool meets = false;
-      for (std::size_t j = 0; j < view.poses.size() && !meets; ++j) {
-        meets = i != j && trophic::distance_m(view.poses[i], view.poses[j]) < near_m;
+    ecology.persist(archive);
+    starts.push_back(archive.bytes());
+  }
+  std::array<std::vector<Spent>, ways.size()> measured;
+  std::string profile;
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t way = 0; way < ways.size(); ++way) {
+      std::fprintf(stderr, "round %d: %s\n", round, ways[way].name);
+      Spent sum{};
+      for (std::size_t i = 0; i < seeds.size(); ++i) {
+        Paper ecology{{.seed = seeds[i]}, ways[way].params};
+        trophic::Archive archive{starts[i]};
+        ecology.persist(archive);
+        sum += run(ecology, start_s + stretch_s);
+        if (way == 3 && round == 0) profile += "  " + ecology.backend().speed_remark(true) + "\n";
       }
-      close += meets ? 1 : 0;
+      measured[way].push_back(sum);
     }
   }
-  [[nodiscard]] double mean() const { return static_cast<double>(close) / static_cast<double>(std::max<std::size_t>(ticks, 1)); }
-};
-
-/// One iteration is the stretch, with its rules, gait and brains but without logs; the counter is seconds for the whole run.
-void stretch(benchmark::State& state, const Way& way) {
-  Paper run = new_run(way.stepping, way.threads);
-  Meetings meetings;
-  for (auto _ : state) {
-    trophic::Archive archive{checkpoint()};
-    run.persist(archive);
-    const auto begin = std::chrono::steady_clock::now();
-    run.run_until(start_s + stretch_s, meetings);
-    state.SetIterationTime(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+  constexpr double runs = whole_run_s / stretch_s / static_cast<double>(seeds.size());
+  const auto median = [&](std::size_t way, double Spent::*part) {
+    std::ranges::sort(measured[way], {}, part);
+    return runs * measured[way][rounds / 2].*part;
+  };
+  std::printf("The paper's run, seeds 1 to 3, %g s from %g s on, as seconds for %g s; 1/x: x times faster than one model\n",
+              stretch_s, start_s, whole_run_s);
+  for (std::size_t way = 0; way < ways.size(); ++way) {
+    std::printf("%12s %9.1f s  1/%-7.1f %9.1f s of processor time\n", ways[way].name, median(way, &Spent::wall_s),
+                median(0, &Spent::wall_s) / median(way, &Spent::wall_s), median(way, &Spent::processor_s));
   }
-  state.counters["s/run"] = benchmark::Counter(static_cast<double>(state.iterations()) * stretch_s / whole_run_s,
-                                               benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
-  state.counters["close"] = meetings.mean();
+  std::printf("%s", profile.c_str());
 }
 
-/// Prints the usual lines to the error output, and keeps each way's median.
-class Table : public benchmark::ConsoleReporter {
- public:
-  Table() : ConsoleReporter{OO_Tabular} { SetOutputStream(&std::cerr); }
-
-  void ReportRuns(const std::vector<Run>& runs) override {
-    ConsoleReporter::ReportRuns(runs);
-    for (const Run& run : runs) {
-      if (run.aggregate_name != "median") continue;
-      measured_[run.run_name.function_name] = {run.counters.at("s/run").value, run.counters.at("close").value};
+/// Returns whether the stretches' figure is within 10 % of the whole runs' processor time.
+bool compare_whole() {
+  double whole_s = 0.0;
+  double stretches_s = 0.0;
+  for (const std::uint64_t seed : seeds) {
+    Paper ecology{{.seed = seed}, ways[3].params};
+    for (double at_s = 0; at_s < whole_run_s; at_s += stretch_s) {
+      const bool is_stretch = at_s <= start_s && start_s < at_s + stretch_s;
+      double chunk_s = run(ecology, at_s + stretch_s).processor_s;
+      whole_s += chunk_s;
+      if (is_stretch) stretches_s += chunk_s;
+      std::printf("CHUNK %d %g %.4f %s\n", static_cast<int>(seed), at_s, chunk_s, ecology.backend().speed_remark(true).c_str());
+      std::fflush(stdout);
     }
   }
-
-  void print() const {
-    std::printf("\nThe paper's run, %g s from %g s on, as seconds for %g s; 1/x: x times faster than one model\n", stretch_s,
-                start_s, whole_run_s);
-    const auto whole = measured_.find("one_model");
-    for (const auto& [name, measured] : measured_) {
-      std::printf("%12s %9.1f s", name.c_str(), measured.run_s);
-      if (whole != measured_.end()) std::printf("  1/%-7.1f", whole->second.run_s / measured.run_s);
-      std::printf("  %.1f robots within 0.3 m of another\n", measured.close);
-    }
-  }
-
- private:
-  struct Measured {
-    double run_s;
-    double close;
-  };
-  std::map<std::string, Measured> measured_;
-};
+  const double figure_s = stretches_s * whole_run_s / stretch_s;
+  std::printf("whole runs %.1f s, by their stretches %.1f s: %+.1f %%\n", whole_s, figure_s, 100.0 * (figure_s / whole_s - 1.0));
+  return figure_s > 0.9 * whole_s && figure_s < 1.1 * whole_s;
+}
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  std::string interleave = "--benchmark_enable_random_interleaving=true";
-  std::vector<char*> arguments{argv, argv + argc};
-  arguments.insert(arguments.begin() + 1, interleave.data());
-  int count = static_cast<int>(arguments.size());
-  benchmark::Initialize(&count, arguments.data());
-  for (const Way& way : ways) {
-    benchmark::RegisterBenchmark(way.name.c_str(), stretch, way)
-        ->Unit(benchmark::kMillisecond)
-        ->UseManualTime()
-        ->Iterations(1)
-        ->Repetitions(3)
-        ->ReportAggregatesOnly();
-  }
-  Table table;
-  benchmark::RunSpecifiedBenchmarks(&table);
-  table.print();
+  if (argc > 1 && std::string_view{argv[1]} == "--whole") return compare_whole() ? 0 : 1;
+  time_stretches();
   return 0;
 }
