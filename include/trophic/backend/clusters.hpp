@@ -28,10 +28,10 @@ struct Disc {
 }
 
 /// Splits the discs 0 .. n-1 into the connected sets of "overlap or touch". Each set is ascending; the sets are ordered by
-/// size, largest first, then by their first member. Absent robots are in no set. Grid and union-find: linear in n for scattered
-/// discs.
-[[nodiscard]] inline std::vector<std::vector<std::size_t>> connected_sets(std::span<const Disc> discs) {
-  constexpr std::size_t none = static_cast<std::size_t>(-1);
+/// size, largest first, then by their first member. Absent robots are in no set, nor are robots alone if `lone` takes them. Grid
+/// and union-find: linear in n for scattered discs.
+[[nodiscard]] inline std::vector<std::vector<std::size_t>> connected_sets(std::span<const Disc> discs,
+                                                                          std::vector<std::size_t>* lone = nullptr) {
   std::vector<std::size_t> root(discs.size());
   std::iota(root.begin(), root.end(), std::size_t{0});
   const auto find = [&](std::size_t i) {
@@ -57,11 +57,11 @@ struct Disc {
   }
 
   std::vector<std::vector<std::size_t>> sets;
-  std::vector<std::size_t> set_of_root(discs.size(), none);
+  std::vector<std::size_t> set_of_root(discs.size(), discs.size());
   for (std::size_t i = 0; i < discs.size(); ++i) {
     const std::size_t own_root = find(i);
     if (own_root == i) continue;
-    if (set_of_root[own_root] == none) {
+    if (set_of_root[own_root] == discs.size()) {
       set_of_root[own_root] = sets.size();
       sets.push_back({own_root});
     }
@@ -69,7 +69,8 @@ struct Disc {
   }
   std::ranges::sort(sets, [](const auto& a, const auto& b) { return a.size() != b.size() ? a.size() > b.size() : a[0] < b[0]; });
   for (std::size_t i = 0; i < discs.size(); ++i) {
-    if (root[i] == i && set_of_root[i] == none && !discs[i].is_absent()) sets.push_back({i});
+    if (root[i] != i || set_of_root[i] != discs.size() || discs[i].is_absent()) continue;
+    lone != nullptr ? lone->push_back(i) : sets.push_back({i});
   }
   return sets;
 }

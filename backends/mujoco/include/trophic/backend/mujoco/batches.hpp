@@ -32,10 +32,10 @@ struct BatchPlan {
 class BatchPlanner {
  public:
   /// `groups`: robots, each ascending, that may touch each other; `discs`: robots whose discs do not touch cannot. `shape_of`
-  /// returns the number of a body's shape.
+  /// returns the number of a body's shape. `lone`: further robots, which touch none.
   template <class ShapeOf>
   [[nodiscard]] std::span<const BatchPlan> plan(std::span<const std::vector<std::size_t>> groups, std::span<const Disc> discs,
-                                                const ShapeOf& shape_of) {
+                                                const ShapeOf& shape_of, std::span<const std::size_t> lone = {}) {
     count_ = 0;
     for (OpenPacks& open : open_) open = {};
     for (const std::vector<std::size_t>& group : groups) {
@@ -45,6 +45,7 @@ class BatchPlanner {
         place_group(group, discs, shape_of);
       }
     }
+    for (const std::size_t robot : lone) place_alone(robot, shape_of(robot));
     return {batches_.data(), count_};
   }
 

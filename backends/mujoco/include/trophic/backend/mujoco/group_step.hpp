@@ -115,7 +115,7 @@ struct GroupResult {
     result.steps = whole;
   }
   for (std::size_t i = 0; i < robots.size() && result.end == GroupResult::End::done; ++i) {
-    static_cast<void>(to.store(robots[i], shares[i], data));
+    to.store(robots[i], shares[i], data);
     if (std::string fault = to.fault(robots[i]); !fault.empty()) {
       result = {.end = GroupResult::End::diverged, .steps = steps, .robot = robots[i], .what = std::move(fault)};
     }

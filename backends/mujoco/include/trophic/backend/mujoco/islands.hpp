@@ -165,26 +165,29 @@ class Islands {
       const double radius_m = kinds_[states.kind(i)].robot.bounding_radius_m + slack_m_[i];
       discs_.push_back({root[0], root[1], states.is_there(i) ? radius_m : -1.0});
     }
-    std::vector<std::vector<std::size_t>> groups = connected_sets(discs_);
-    // Robots near walls share lanes, so that the other packs need not look for walls.
-    const auto first_single = std::ranges::find_if(groups, [](const auto& group) { return group.size() == 1; });
-    std::stable_partition(first_single, groups.end(), [&](const auto& group) { return near_wall(discs_[group.front()]); });
-    const auto is_mujocos = [&](const std::vector<std::size_t>& group) {
-      return std::ranges::any_of(group, [&](std::size_t robot) {
-        return kinds_[states.kind(robot)].constants == nullptr || near_obstacle(discs_[robot]);
-      });
+    lone_.clear();
+    std::vector<std::vector<std::size_t>> groups = connected_sets(discs_, &lone_);
+    robot_steps_ += lone_.size() * steps;
+    for (const std::vector<std::size_t>& group : groups) robot_steps_ += group.size() * steps;
+    const auto is_mujocos = [&](std::size_t robot) {
+      return kinds_[states.kind(robot)].constants == nullptr || near_obstacle(discs_[robot]);
     };
-    const auto first_of_kernel = std::stable_partition(groups.begin(), groups.end(), is_mujocos);
-    const std::span by_mujoco{groups.begin(), first_of_kernel};
+    const auto first_of_kernel = std::stable_partition(groups.begin(), groups.end(),
+                                                       [&](const auto& group) { return std::ranges::any_of(group, is_mujocos); });
+    std::vector<std::vector<std::size_t>> by_mujoco{groups.begin(), first_of_kernel};
+    const auto first_lone = std::stable_partition(lone_.begin(), lone_.end(), is_mujocos);
+    for (auto robot = lone_.begin(); robot != first_lone; ++robot) by_mujoco.push_back({*robot});
+    // Robots near walls share lanes, so that the other packs need not look for walls.
+    std::stable_partition(first_lone, lone_.end(), [&](std::size_t robot) { return near_wall(discs_[robot]); });
     models_of_groups_.clear();
     for (const std::vector<std::size_t>& group : by_mujoco) models_of_groups_.push_back(&model_of(group, states));
-    const std::span<const BatchPlan> batches = planner_.plan({first_of_kernel, groups.end()}, discs_,
-                                                             [&](std::size_t robot) { return kinds_[states.kind(robot)].shape; });
+    const std::span<const BatchPlan> batches =
+        planner_.plan({first_of_kernel, groups.end()}, discs_,
+                      [&](std::size_t robot) { return kinds_[states.kind(robot)].shape; }, {first_lone, lone_.end()});
     const LaneStepper::ModelOf model_of_declined = [&](std::span<const std::size_t> robots) -> CompiledModel& {
       return model_of(robots, states);
     };
 
-    for (const std::vector<std::size_t>& group : groups) robot_steps_ += group.size() * steps;
     for (const std::vector<std::size_t>& group : by_mujoco) group_robot_steps_ += group.size() * steps;
     results_.assign(by_mujoco.size() + batches.size(), {});
     pool_->run(results_.size(), [&](std::size_t i, std::size_t thread) {
@@ -250,6 +253,7 @@ class Islands {
   std::optional<LaneStepper> lanes_;
   std::vector<double> slack_m_;
   std::vector<Disc> discs_;
+  std::vector<std::size_t> lone_;
   std::vector<CompiledModel*> models_of_groups_;
   BatchPlanner planner_;
   std::vector<GroupResult> results_;

@@ -93,25 +93,20 @@ class RobotStates {
     std::copy_n(from + nq + nv, nv, data.qacc_warmstart + share.velocity);
   }
 
-  /// Copies a share back into a robot's row. Returns false if a number is not finite or larger than MuJoCo accepts.
-  [[nodiscard]] bool store(std::size_t robot, const Share& share, const mjData& data) {
+  /// Copies a share back into a robot's row.
+  void store(std::size_t robot, const Share& share, const mjData& data) {
     double* to = rows_[robot].data();
     const std::size_t nv = velocities_of(robot);
     const std::size_t nq = nv + 1;
     std::copy_n(data.qpos + share.position, nq, to);
     std::copy_n(data.qvel + share.velocity, nv, to + nq);
     std::copy_n(data.qacc_warmstart + share.velocity, nv, to + nq + nv);
-    return sound(robot);
-  }
-
-  /// Whether a robot's numbers are finite and not larger than MuJoCo accepts.
-  [[nodiscard]] bool sound(std::size_t robot) const {
-    return std::ranges::all_of(numbers(robot), [](double value) { return std::abs(value) <= mjMAXVAL; });
   }
 
   /// Why a robot is not where it can be, or not as fast; empty if it is.
   [[nodiscard]] std::string fault(std::size_t robot) const {
-    if (!sound(robot)) return "a number is NaN or too large";
+    const auto accepted = [](double value) { return std::abs(value) <= mjMAXVAL; };  // by MuJoCo
+    if (!std::ranges::all_of(numbers(robot), accepted)) return "a number is NaN or too large";
     const double* p = rows_[robot].data();
     if (std::max({std::abs(p[0]), std::abs(p[1]), std::abs(p[2])}) > extent_m_)
       return "its position is beyond +-" + number_text(extent_m_) + " m";
