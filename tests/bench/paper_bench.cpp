@@ -18,8 +18,8 @@ using Paper = trophic::Ecology<trophic::rules::Paper>;
 
 constexpr std::array<std::uint64_t, 3> seeds{1, 2, 3};
 /// Where the stretches begin on the ecology's clock, and how long each is.
-constexpr std::array<double, 3> starts_s{1700.0, 3400.0, 5100.0};
-constexpr double stretch_s = 14.0;
+constexpr std::array<double, 3> starts_s{500.0, 2500.0, 4500.0};
+constexpr double stretch_s = 40.0;
 constexpr double whole_run_s = 6000.0;
 constexpr int rounds = 3;
 

@@ -40,7 +40,7 @@ void restart(const Restart& restart, const std::string& old_table, const std::fi
   return live::open(port);
 #else
   throw std::invalid_argument{
-      "--live: trophic was built without its live page; apt-get install libboost-dev and build trophic again"};
+      "--live: trophic was built without its live page; install libboost-dev and build it with -DTROPHIC_VIEWER=ON"};
 #endif
 }
 
