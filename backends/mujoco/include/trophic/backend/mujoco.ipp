@@ -48,7 +48,6 @@ class Mujoco::Simulation final : public Engine<State> {
     while (steps_ < goal) advance(std::min<std::size_t>(steps_per_block_, goal - steps_));
   }
 
-  /// Throws std::invalid_argument unless there is one finite number per hinge.
   void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) override {
     const std::vector<Hinge>& hinges = bodies_[checked(robot)]->model.hinges;
     if (targets_rad.size() != hinges.size()) {
@@ -66,7 +65,6 @@ class Mujoco::Simulation final : public Engine<State> {
     }
   }
 
-  /// Replaces the body of a robot.
   void embody(std::size_t robot, const RobotModel& model, const Pose& pose) override {
     check_start_pose(checked(robot), pose, arena_);
     std::shared_ptr<const Body> body = make_body(model);
@@ -111,7 +109,6 @@ class Mujoco::Simulation final : public Engine<State> {
     return {steps_, states_.values(), targets_rad_.values(), body_hashes(), states_.absent()};
   }
 
-  /// Throws std::invalid_argument for a state of other bodies or another number of robots.
   void restore(const State& state) override {
     require_same_bodies(state.bodies, body_hashes());
     const auto check_size = [](const std::string& field, std::size_t size, std::size_t expected) {
@@ -164,16 +161,13 @@ class Mujoco::Simulation final : public Engine<State> {
   }
   [[nodiscard]] const mujoco::Layout& layout_of(std::size_t robot) const { return bodies_[robot]->layout; }
 
-  /// The kernel's steps so far by class, as a sentence.
   [[nodiscard]] std::string profile() const {
     const auto* const islands = std::get_if<mujoco::Islands>(&stepper_);
     const auto counts = islands != nullptr ? islands->counts() : mujoco::LaneStepper::Counts{};
-    const double all = std::max(1.0, static_cast<double>(counts[0] + counts[1] + counts[2] + counts[3]));
-    const auto share = [&](double of, const char* what) { return number_text(std::round(1e3 * of) / 10.0) + " % " + what; };
-    const auto steps = [&](std::size_t k, const char* what) { return share(static_cast<double>(counts.at(k)) / all, what); };
-    return number_text(all) + " steps of four robots or fewer: " + steps(0, "apart, ") +
-           steps(1, "one touches itself or heights, ") + steps(2, "two touch, ") + steps(3, "more; ") +
-           share(engine_share(), "of the robots' steps by MuJoCo");
+    const auto all = std::max<std::uint64_t>(1, counts[0] + counts[1] + counts[2] + counts[3]);
+    const auto share = [&](std::size_t k) { return number_text(static_cast<double>(1000 * counts.at(k) / all) / 10.0) + " % "; };
+    return std::to_string(all) + " steps of four robots or fewer: " + share(0) + "apart, " + share(1) +
+           "one touches itself or heights, " + share(2) + "two touch, " + share(3) + "more";
   }
 
   static const Physics& checked(const Physics& physics, const Params& params, std::size_t robots) {

@@ -83,7 +83,6 @@ class BatchPlanner {
     return batch.packs.size() - 1;
   }
 
-  /// A robot that cannot touch others goes into any pack of its shape.
   void place_alone(std::size_t robot, std::size_t shape) {
     OpenPacks& own = open(shape);
     const auto room = [&](const std::array<std::size_t, 2>& at) { return batches_[at[0]].packs[at[1]].room(); };

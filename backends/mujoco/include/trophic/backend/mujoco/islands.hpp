@@ -50,7 +50,6 @@ class Islands {
     const std::uint64_t by_engine = group_robot_steps_ + (lanes_ ? lanes_->counts().back() : 0);
     return robot_steps_ == 0 ? 0.0 : static_cast<double>(by_engine) / static_cast<double>(robot_steps_);
   }
-  /// Steps of the kernel by class; none without `fast`.
   [[nodiscard]] LaneStepper::Counts counts() const { return lanes_ ? lanes_->counts() : LaneStepper::Counts{}; }
   [[nodiscard]] std::size_t kinds() const { return kinds_.count(); }   ///< that robots have or had lately
   [[nodiscard]] std::size_t models() const { return models_.size(); }  ///< currently cached

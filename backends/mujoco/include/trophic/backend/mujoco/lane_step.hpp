@@ -82,7 +82,6 @@ class LaneStepper {
   }
 
  private:
-  /// The starts of the robots of a pack.
   struct Start {
     kernel::Real x;
     kernel::Real y;
@@ -106,7 +105,6 @@ class LaneStepper {
     return std::min<std::size_t>(size, 3);
   }
 
-  /// Puts the robots of a plan into their lanes.
   Scratch& load(const BatchPlan& plan, const Kinds& kinds, std::size_t thread, const Rows& targets_rad,
                 std::span<const double> slack_m, const RobotStates& from) {
     const EngineGuard guard;

@@ -59,7 +59,6 @@ class RobotStates {
     for (const std::uint64_t robot : robots) is_there_.at(robot) = false;
   }
 
-  /// A robot's whole row.
   [[nodiscard]] std::span<double> numbers(std::size_t robot) { return rows_[robot]; }
   [[nodiscard]] std::span<const double> numbers(std::size_t robot) const { return rows_[robot]; }
 
@@ -93,7 +92,6 @@ class RobotStates {
     std::copy_n(from + nq + nv, nv, data.qacc_warmstart + share.velocity);
   }
 
-  /// Copies a share back into a robot's row.
   void store(std::size_t robot, const Share& share, const mjData& data) {
     double* to = rows_[robot].data();
     const std::size_t nv = velocities_of(robot);
