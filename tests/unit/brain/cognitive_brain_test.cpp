@@ -143,9 +143,12 @@ TEST_CASE_TEMPLATE("cognitive brain: opposite inputs and biases -> opposite outp
   }));
 }
 
-TEST_CASE("cognitive brain: four brains -> four distinct names") {
+TEST_CASE("cognitive brain: four brains -> four distinct names, a source each") {
   CHECK(CognitiveBrain::name == "cognitive_brain");
   CHECK(CognitiveBrainZeroRight::name == "cognitive_brain_zero_right");
   CHECK(CognitiveBrain::WithBiases::name == "cognitive_brain_with_biases");
   CHECK(CognitiveBrainZeroRight::WithBiases::name == "cognitive_brain_zero_right_with_biases");
+  CHECK(CognitiveBrain::source.starts_with("paper, Sec. \"Cognitive Brain\""));
+  CHECK(CognitiveBrainZeroRight::source == "released code");
+  CHECK(CognitiveBrain::WithBiases::source == "not in the paper");
 }
