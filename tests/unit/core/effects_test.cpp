@@ -54,7 +54,7 @@ void check_refused(const BackendChoice& backend, const std::string& rule) {
 template <class Rules>
 std::vector<std::string> remarks(const BackendChoice& backend) {
   const auto checked = load_checked(Experiment<Rules>{}, backend, TROPHIC_MODEL_DIR);
-  auto found = describe(checked.params, backend, checked.habitat, {-1, 1}, 1.0).remarks;
+  auto found = describe(checked.params, backend, checked.habitat, 1.0).remarks;
   std::erase_if(found, [](const std::string& remark) { return remark.starts_with("physics"); });
   return found;
 }
