@@ -17,7 +17,7 @@ import figures_python
 from in_folder import InFolderWithSets, sealed_text
 
 PREDATOR_PREY, TROPHIC = (sys.argv.pop(1) for _ in range(2))
-FIGURES = ["attribution", "velocity", "wall_sticking", "tag_symmetry", "population", "phylogeny", "catches", "trajectories"]
+FIGURES = ["attribution", "velocity", "wall_sticking", "tag_symmetry", "population", "with_and_without", "phylogeny", "catches", "trajectories"]
 
 
 def call(*arguments, cwd):

@@ -218,6 +218,7 @@ class Killed(InFolder):
     def test_a_complete_run_is_left_as_it_is(self):
         self.whole(3)
         before = {path.name: path.read_bytes() for path in (self.folder / "whole").iterdir()}
+        (self.folder / "whole/manifest.json.part").write_text("{")  # a kill as the program adds its speed
         again = self.finish(*self.command("whole", 3, "--resume"))
         self.assertEqual(again.returncode, 0)
         self.assertIn("is complete already", again.stdout)

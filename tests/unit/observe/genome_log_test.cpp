@@ -7,7 +7,7 @@
 using namespace trophic;
 using observe::EventKind;
 
-TEST_CASE("genomes: birth -> a row with every weight, exact; a smaller brain leaves its last cells empty, resumed or not") {
+TEST_CASE("genomes: birth -> a row with every weight, exact, and a smaller brain leaves its last cells empty, resumed or not") {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "genomes.csv";
   test::HandPopulation robots = test::three_robots();

@@ -128,9 +128,8 @@ TROPHIC_INLINE std::vector<std::string> builds_of(const std::filesystem::path& f
     if (of.is_object() && of.contains("code") && of["code"].is_string()) builds.push_back(of["code"].get<std::string>());
   };
   add(manifest);
-  if (!manifest.is_null()) {
+  if (!manifest.is_null())
     for (const Json& one : manifest.value("continued", Json::array())) add(one);
-  }
   std::ranges::sort(builds);
   builds.erase(std::unique(builds.begin(), builds.end()), builds.end());
   return builds;
@@ -157,6 +156,7 @@ TROPHIC_INLINE RunState run_state_in(const std::filesystem::path& folder, const 
     detail::check_manifest(folder, manifest, run);
     const std::string damage = schedule.verifies ? damage_in(folder) : "";
     if (damage.empty()) {
+      std::filesystem::remove(folder / "manifest.json.part");  // of a program that was killed as it wrote its speed
       return {.complete = true, .from = {}, .remark = "is complete already, to " + number_text(until_s) + " s"};
     }
     return {.complete = false,
