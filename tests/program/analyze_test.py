@@ -209,7 +209,7 @@ class Analyze(InFolderWithSets):
         partly = self.call(TROPHIC, "plot", "analysis", "--out", "partly")
         self.assertEqual(partly.returncode, 0, partly.stderr)
         self.assertIn("phylogeny: left out: ", partly.stderr)
-        self.assertIn("4 figures", partly.stdout)
+        self.assertIn("5 figures", partly.stdout)
         wrong = self.call(TROPHIC, "plot", "partly")
         self.assertEqual((wrong.returncode, len(wrong.stderr.splitlines())), (2, 1))
         self.assertIn("not what trophic analyze writes", wrong.stderr)
