@@ -58,12 +58,14 @@ class BrainGenes {
 
   /// The weights of the largest brain of so many species; none if brains grow.
   [[nodiscard]] std::optional<std::size_t> most(std::size_t species) const {
-    if constexpr (grow) return std::nullopt;
-    std::size_t most = 0;
-    for (Species one = 0; one < species; ++one) {
-      if constexpr (!grow) most = std::max(most, brain_of(one).genome_size(shape_of(one).inputs, shape_of(one).outputs));
+    if constexpr (grow) {
+      return std::nullopt;
+    } else {
+      std::size_t most = 0;
+      for (Species one = 0; one < species; ++one)
+        most = std::max(most, brain_of(one).genome_size(shape_of(one).inputs, shape_of(one).outputs));
+      return most;
     }
-    return most;
   }
 
   /// The neuron that each weight of a species' brain enters; empty unless the table mixes brains by neuron.

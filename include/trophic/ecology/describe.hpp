@@ -46,8 +46,8 @@ template <class Rules>
 }
 
 /// Everything that determines a run of `experiment` on `backend` in `habitat` until `until_s` (ecology seconds), and its
-/// fingerprint. A neutral shadow is described as the table with
-/// NothingInherited, a neutral null as one with neutral_HEREDITY, clones as one with one_genome_for_all.
+/// fingerprint. A neutral shadow is described as the table with NothingInherited, a neutral null as one with neutral_HEREDITY,
+/// clones as one with one_genome_for_all.
 template <class Rules>
 [[nodiscard]] observe::RunDescription describe(const Experiment<Rules>& experiment, const BackendChoice& backend,
                                                const Habitat& habitat, double until_s) {
