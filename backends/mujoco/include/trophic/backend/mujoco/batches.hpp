@@ -25,12 +25,13 @@ struct BatchPlan {
   std::vector<std::array<kernel::LaneIndex, 2>> neighbours;
 
   [[nodiscard]] std::size_t robot(const kernel::LaneIndex& at) const { return packs[at.pack].robots[at.lane]; }
-  [[nodiscard]] std::size_t robots() const { return order.size(); }
 };
 
-/// Fills batches with groups of robots, largest groups first.
+/// Fills batches with groups of robots, largest first. They take longest, so they share batches only if each thread has one.
 class BatchPlanner {
  public:
+  explicit BatchPlanner(std::size_t threads = 1) : threads_{threads} {}
+
   /// `groups`: robots, each ascending, that may touch each other; `discs`: robots whose discs do not touch cannot. `shape_of`
   /// returns the number of a body's shape. `lone`: further robots, which touch none.
   template <class ShapeOf>
@@ -99,7 +100,7 @@ class BatchPlanner {
     return last == batch.packs.rend() ? batch.packs.size() : static_cast<std::size_t>(batch.packs.rend() - last) - 1;
   }
 
-  /// A group goes into the last batch if that has room for all of it, else into a new one.
+  /// A group goes into the last batch if threads have enough and that has room for all of it, else into a new one.
   template <class ShapeOf>
   void place_group(std::span<const std::size_t> group, std::span<const Disc> discs, const ShapeOf& shape_of) {
     const auto has_room = [&](std::size_t robot) {
@@ -109,7 +110,7 @@ class BatchPlanner {
       const auto needed = std::ranges::count(group, shape, shape_of);
       return pack < batch.packs.size() && batch.packs[pack].room() >= static_cast<std::size_t>(needed);
     };
-    BatchPlan& batch = count_ > 0 && std::ranges::all_of(group, has_room) ? batches_[count_ - 1] : add_batch();
+    BatchPlan& batch = count_ >= threads_ && std::ranges::all_of(group, has_room) ? batches_[count_ - 1] : add_batch();
     const std::size_t first = batch.order.size();
     for (const std::size_t robot : group) {
       std::size_t pack = last_pack(batch, shape_of(robot));
@@ -123,6 +124,7 @@ class BatchPlanner {
     }
   }
 
+  std::size_t threads_;  ///< at least 1
   std::vector<BatchPlan> batches_;
   std::size_t count_ = 0;
   std::vector<OpenPacks> open_;

@@ -122,7 +122,8 @@ class Islands {
 
   [[nodiscard]] std::unique_ptr<CompiledModel> make_model(std::span<const RobotModel* const> robots, Scene scene,
                                                           std::size_t memories) const {
-    scene.collisions = robots.size() <= most_robots_with_pairs ? Collisions::pairs : Collisions::broadphase;
+    // For several robots, MuJoCo's sweep over bodies is cheaper than testing every pair of boxes.
+    scene.collisions = robots.size() == 1 ? Collisions::pairs : Collisions::broadphase;
     scene.servos = Servos::combined;
     scene.box_depth = box_depth_;
     return std::make_unique<CompiledModel>(robots, arena_, physics_, scene, memories);
@@ -233,9 +234,6 @@ class Islands {
     return result.end == GroupResult::End::left_disc && (result.speed_m_s > fastest_m_s || slack_m_[result.robot] > farthest_m);
   }
 
-  /// Above this, MuJoCo's sweep over bodies is cheaper than testing every pair of boxes.
-  static constexpr std::size_t most_robots_with_pairs = 1;
-
   /// Models of up to so many robots are kept even if they are not used.
   static constexpr std::size_t kept_robots = 4;
 
@@ -254,7 +252,7 @@ class Islands {
   std::vector<Disc> discs_;
   std::vector<std::size_t> lone_;
   std::vector<CompiledModel*> models_of_groups_;
-  BatchPlanner planner_;
+  BatchPlanner planner_{pool_->threads()};
   std::vector<GroupResult> results_;
 };
 
