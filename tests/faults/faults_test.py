@@ -32,14 +32,11 @@ class Faults(InFolder):
         environment = dict(os.environ)
         if fault:
             environment |= {"LD_PRELOAD": SHIM, "FAULT_CALL": fault, "FAULT_AT": str(at), "FAULT_MODE": mode, "FAULT_COUNT": count}
-        return subprocess.run(
-            [PROGRAM, *RUN, "--out", out, *arguments], cwd=self.folder, env=environment, capture_output=True, text=True, timeout=60
-        )
+        return super().call(PROGRAM, *RUN, "--out", out, *arguments, env=environment)
 
     def setUp(self):
         super().setUp()
-        done = self.call("whole")
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.run_ok(PROGRAM, *RUN, "--out", "whole")
         self.tables = {name: (self.folder / "whole" / name).read_bytes() for name in TABLES}
 
     def count(self, fault, *arguments):
@@ -66,8 +63,7 @@ class Faults(InFolder):
             self.assertEqual({name: (self.folder / "run" / name).read_bytes() for name in TABLES}, self.tables)
 
     def assert_resumes(self):
-        again = self.call("run", "--resume")
-        self.assertEqual(again.returncode, 0, again.stderr)
+        self.run_ok(PROGRAM, *RUN, "--out", "run", "--resume")
         self.assertEqual(self.status("run"), "complete")
         self.assertEqual({name: (self.folder / "run" / name).read_bytes() for name in TABLES}, self.tables)
 
@@ -149,8 +145,7 @@ class Faults(InFolder):
                     mount -o remount,size=64m disk
                     "$0" "$@" --out disk/run --resume 2> again
                     cp -r disk/run run"""
-                done = subprocess.run([*in_namespace, script, PROGRAM, *RUN], cwd=self.folder, capture_output=True, text=True, timeout=60)
-                self.assertEqual(done.returncode, 0, done.stderr)
+                done = self.run_ok(*in_namespace, script, PROGRAM, *RUN)
                 if (self.folder / "code").exists():
                     full += 1
                     self.assertEqual((self.folder / "code").read_text(), "1\n")
@@ -190,7 +185,7 @@ class OfTools(InFolder):
     """The tools read runs and write files and folders whose names begin with "new"."""
 
     def call(self, words, **environment):
-        return subprocess.run(words, cwd=self.folder, env=os.environ | environment, capture_output=True, text=True, timeout=120)
+        return super().call(*words, env=os.environ | environment)
 
     def outputs(self):
         return {str(path.relative_to(self.folder)): path.read_bytes() for path in sorted(self.folder.rglob("new*/**/*")) + sorted(self.folder.glob("new*"))
@@ -205,8 +200,7 @@ class OfTools(InFolder):
         (self.folder / "sweep.toml").write_text(SWEEP)
         (self.folder / "body.txt").write_text("0 CoreComponent Core 0\n\t0 ActiveHinge Hip 1\n")
         for words in ((PROGRAM, *RUN, "--replicates", "2", "--out", "set"), (PROGRAM, "--sweep", "sweep.toml", "--out", "sweep")):
-            done = self.call(words)
-            self.assertEqual(done.returncode, 0, done.stderr)
+            self.run_ok(*words)
 
     def count(self, words, fault):
         self.call(words, LD_PRELOAD=SHIM, FAULT_CALL=fault, FAULT_AT="0", FAULT_COUNT="count.txt")

@@ -10,7 +10,6 @@ only what was put on the disk; of names, too, only those of folders that were pu
 import os
 import pathlib
 import shutil
-import subprocess
 import sys
 import unittest
 
@@ -121,7 +120,7 @@ class Disk:
 
 class PowerFailure(InFolder):
     def call(self, *words, **environment):
-        return subprocess.run([PROGRAM, *words], cwd=self.folder, env=os.environ | environment, capture_output=True, text=True, timeout=60)
+        return super().call(PROGRAM, *words, env=os.environ | environment)
 
     def logged(self, *words):
         """The calls of a program that ends well, as lists of three texts."""

@@ -36,14 +36,6 @@ DAMAGES = (zero_a_page, change_a_digit, lambda content: content.replace(b"\n", b
 
 
 class Hostile(InFolder):
-    def call(self, *words):
-        return subprocess.run([str(word) for word in words], cwd=self.folder, capture_output=True, text=True, timeout=120)
-
-    def done(self, *words):
-        done = self.call(*words)
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        return done
-
     def refused(self, code, *words):
         """The one line on standard error."""
         done = self.call(*words)
@@ -62,7 +54,7 @@ class Hostile(InFolder):
 
 class Damage(Hostile):
     def test_a_damaged_run_is_not_resumed(self):
-        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
+        self.run_ok(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
         for name in FILES:
             for damage in DAMAGES:
                 with self.subTest(name=name, damage=damage):
@@ -73,10 +65,10 @@ class Damage(Hostile):
                     said = self.refused(1, PREDATOR_PREY, *KINEMATIC, "--duration", 80, "--out", "damaged", "--resume")
                     self.assertIn(f"damaged/{name}: its first", said)
                     self.assertEqual((self.folder / "damaged" / name).read_bytes(), damaged)
-        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 80, "--out", "run", "--resume")
+        self.run_ok(PREDATOR_PREY, *KINEMATIC, "--duration", 80, "--out", "run", "--resume")
 
     def test_a_damaged_run_does_not_begin_another(self):
-        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
+        self.run_ok(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
         self.change("run/events.csv", change_a_digit)
         said = self.refused(1, PREDATOR_PREY, *KINEMATIC, "--duration", 80, "--out", "new", "--from", "run", "--at", 40, "--seed", 5)
         self.assertIn("run/events.csv: has checksum", said)
@@ -86,25 +78,24 @@ class Damage(Hostile):
             'engine = "kinematic"\nreplicates = 1\nreplay_hz = 5.0\n[set]\necology.robots = 16\necology.duration_s = 40.0\n'
             "[grid]\nrules.mutation.sd = [0.05, 0.1]\n")
         sweep = (PREDATOR_PREY, "--sweep", "sweep.toml", "--jobs", 1, "--out", "out")
-        self.done(*sweep)
+        self.run_ok(*sweep)
         whole = self.contents("out")
         run = next((self.folder / "out").glob("cell-*0/replicate-00"))
         making = run.rename(run.with_name("replicate-00.making"))
-        manifest = json.loads((making / "manifest.json").read_text())
-        (making / "manifest.json").write_text(sealed_text(manifest | {"status": "running"}))
+        (making / "manifest.json").write_text(sealed_text(self.manifest(making) | {"status": "running"}))
         self.change(making / "agents.csv", zero_a_page)
         failed = self.call(*sweep)
         self.assertEqual(failed.returncode, 1, failed.stderr)
         self.assertIn("agents.csv: its first", failed.stderr)
         self.assertIn("replicate-00.making.incomplete-1, the next attempt begins without it", failed.stderr)
-        self.done(*sweep)
+        self.run_ok(*sweep)
         tables = {path: content for path, content in whole.items() if path.endswith((".csv", ".trp"))}
         again = self.contents("out")
         self.assertEqual({path: again[path] for path in tables}, tables)
 
     def test_a_damaged_table_is_not_pooled(self):
-        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--replicates", 2, "--out", "set")
-        self.done(TROPHIC, "analyze", "set", "--out", "before")
+        self.run_ok(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--replicates", 2, "--out", "set")
+        self.run_ok(TROPHIC, "analyze", "set", "--out", "before")
         for name in FILES:
             for damage in (*DAMAGES, lambda content: b"\xef\xbb\xbf" + content):
                 for more in ((), ("--published",)):
@@ -120,11 +111,10 @@ class Damage(Hostile):
         self.assertIn("genomes.csv: cannot be read", self.refused(2, TROPHIC, "analyze", "set", "--out", "after"))
 
     def test_a_table_that_no_checksum_covers_is_not_pooled_when_it_cannot_be_read(self):
-        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--replicates", 2, "--out", "set")
-        path = self.folder / "set/replicate-01/manifest.json"
-        manifest = json.loads(path.read_text())
+        self.run_ok(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--replicates", 2, "--out", "set")
+        manifest = self.manifest("set/replicate-01")
         del manifest["tables"], manifest["recording"]
-        path.write_text(sealed_text(manifest))
+        (self.folder / "set/replicate-01/manifest.json").write_text(sealed_text(manifest))
         self.change("set/replicate-01/events.csv", lambda content: b"\xef\xbb\xbf" + content)
         for more in ((), ("--published",)):
             said = self.refused(2, TROPHIC, "analyze", "set", *more, "--out", "after")
@@ -137,18 +127,18 @@ class Damage(Hostile):
         for out, folder, command in (("run", "run", run), ("set", "set/replicate-01", (*run, "--replicates", 2)),
                                      ("sweep", "sweep/cell-000/replicate-01", (PREDATOR_PREY, "--sweep", "sweep.toml"))):
             with self.subTest(out):
-                self.done(*command, "--out", out)
+                self.run_ok(*command, "--out", out)
                 whole = {name: (self.folder / folder / name).read_bytes() for name in FILES}
                 self.change(f"{folder}/genomes.csv", change_a_digit)
                 damaged = (self.folder / folder / "genomes.csv").read_bytes()
-                self.assertNotIn("damaged", self.done(*command, "--out", out, "--no-verify").stdout)
-                self.assertIn("kept as", self.done(*command, "--out", out).stdout)
+                self.assertNotIn("damaged", self.run_ok(*command, "--out", out, "--no-verify").stdout)
+                self.assertIn("kept as", self.run_ok(*command, "--out", out).stdout)
                 self.assertEqual({name: (self.folder / folder / name).read_bytes() for name in FILES}, whole)
                 self.assertEqual((self.folder / f"{folder}.incomplete-1/genomes.csv").read_bytes(), damaged)
 
     def test_no_random_damage_is_silent(self):
         command = (PREDATOR_PREY, *KINEMATIC, "--duration", 20, "--senses", "--out", "run", "--resume")
-        self.done(*command)
+        self.run_ok(*command)
         whole = {path: path.read_bytes() for path in sorted((self.folder / "run").iterdir())}
         draw = random.Random(RANDOM_DAMAGES)
         others = ((TROPHIC, "analyze", "run", "--out", "new"), (TROPHIC, "cite", "run"), (TROPHIC, "show", "run", "--out", "new.html"),
@@ -169,7 +159,7 @@ class Damage(Hostile):
                 self.assertIn(f"run/{path.name}: ", said.stderr)
                 self.assertNotIn("json.exception", said.stderr)
                 self.assertFalse((self.folder / "new").exists(), other)
-                self.assertRegex(self.done(*command).stdout, "was complete, but damaged|as it has no whole manifest.json|was incomplete")
+                self.assertRegex(self.run_ok(*command).stdout, "was complete, but damaged|as it has no whole manifest.json|was incomplete")
                 tables = [name for name in whole if name.name not in ("manifest.json", "checkpoint.bin")]
                 self.assertEqual([name.read_bytes() for name in tables], [whole[name] for name in tables])
             for folder in self.folder.glob("run*"):
@@ -183,9 +173,9 @@ class Killed(Hostile):
     """tests/program/interrupted_test.py kills the other commands."""
 
     def test_a_stopped_contest_continues(self):
-        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 400, "--replicates", 2, "--out", "set")
+        self.run_ok(PREDATOR_PREY, *KINEMATIC, "--duration", 400, "--replicates", 2, "--out", "set")
         contest = (TROPHIC, "contest", "set", "--duration", 300, "--teams", 20, "--jobs", 1)
-        self.done(*contest, "--out", "whole")
+        self.run_ok(*contest, "--out", "whole")
         program = subprocess.Popen([str(word) for word in (*contest, "--out", "parts")], cwd=self.folder, stdout=subprocess.PIPE, text=True)
         played = self.folder / "parts.part/played.jsonl"
         while program.poll() is None and not (played.exists() and played.read_bytes().count(b"\n") > 5):
@@ -196,7 +186,7 @@ class Killed(Hostile):
         self.assertIn("stopped by signal 15; the same command with --out parts continues", said)
         with open(played, "ab") as file:
             file.write(b"[7, 1")  # of a line that was cut
-        self.assertRegex(self.done(*contest, "--out", "parts").stdout, r"^\d+ of \d+ contests were played already\n")
+        self.assertRegex(self.run_ok(*contest, "--out", "parts").stdout, r"^\d+ of \d+ contests were played already\n")
         for name in ("contests.csv", "progress.csv"):
             self.assertEqual((self.folder / "parts" / name).read_bytes(), (self.folder / "whole" / name).read_bytes())
         self.assertEqual(sorted(path.name for path in (self.folder / "parts").iterdir()), ["contests.csv", "progress.csv"])
@@ -217,7 +207,7 @@ class Links(Hostile):
         super().tearDown()
 
     def test_a_run_with_links_is_not_resumed(self):
-        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
+        self.run_ok(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
         for name in ("manifest.json.part", "checkpoint.bin.part", "checkpoint.old.bin", "manifest.json", *FILES):
             for link in (lambda path: path.symlink_to(self.precious), lambda path: path.hardlink_to(self.precious)):
                 with self.subTest(name=name):
@@ -232,7 +222,7 @@ class Links(Hostile):
 
     def test_replicates_in_links_are_not_resumed(self):
         command = (PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--replicates", 2, "--out", "set")
-        self.done(*command)
+        self.run_ok(*command)
         shutil.rmtree(self.folder / "set/replicate-01")
         (self.folder / "set/replicate-01").symlink_to(self.elsewhere)
         self.assertIn("set/replicate-01: is a symbolic link", self.refused(2, *command, "--resume"))
@@ -244,7 +234,7 @@ class Links(Hostile):
         (self.folder / "sweep.toml").write_text('engine = "kinematic"\nreplicates = 1\n[set]\necology.duration_s = 40.0\n'
                                                 "[grid]\nrules.mutation.sd = [0.05]\n")
         sweep = (PREDATOR_PREY, "--sweep", "sweep.toml", "--jobs", 1, "--out", "out")
-        self.done(*sweep)
+        self.run_ok(*sweep)
         run = next((self.folder / "out").glob("cell-*/replicate-00"))
         shutil.rmtree(run)
         for name in ("replicate-00", "replicate-00.making", "replicate-00.lock"):
@@ -255,11 +245,11 @@ class Links(Hostile):
                 link.unlink(missing_ok=True)
                 self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
                 self.assertIn(f"{name}: is a symbolic link", done.stderr)
-        self.done(*sweep)
+        self.run_ok(*sweep)
 
     def test_the_past_of_a_run_is_made_in_no_link(self):
-        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
-        manifest = json.loads((self.folder / "run/manifest.json").read_text())
+        self.run_ok(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
+        manifest = self.manifest("run")
         name = f"new.snapshot-{manifest['fingerprint']}-seed-{manifest['seed']}-40-s"
         (self.folder / name).symlink_to(self.elsewhere)
         said = self.refused(2, PREDATOR_PREY, *KINEMATIC, "--duration", 80, "--out", "new", "--from", "run", "--at", 40, "--seed", 5)
@@ -274,88 +264,85 @@ class Links(Hostile):
         run = (PREDATOR_PREY, *KINEMATIC, "--out")
         self.assertIn("exists already", self.refused(2, *run, "run", "--duration", 40))
         (disk / "run").rmdir()
-        self.done(*run, disk / "run", "--duration", 40)
-        self.done(*run, "run", "--duration", 80, "--resume")
-        self.done(*run, "straight", "--duration", 80)
+        self.run_ok(*run, disk / "run", "--duration", 40)
+        self.run_ok(*run, "run", "--duration", 80, "--resume")
+        self.run_ok(*run, "straight", "--duration", 80)
         for name in FILES:
             self.assertEqual((disk / "run" / name).read_bytes(), (self.folder / "straight" / name).read_bytes(), name)
         (self.folder / "sweep.toml").write_text('engine = "kinematic"\nreplicates = 1\n[set]\necology.duration_s = 40.0\n'
                                                 "[grid]\nrules.mutation.sd = [0.05]\n")
         sweep = (PREDATOR_PREY, "--sweep", "sweep.toml", "--jobs", 1, "--out")
         (disk / "sweep").rmdir()
-        self.done(*sweep, disk / "sweep")
+        self.run_ok(*sweep, disk / "sweep")
         shutil.rmtree(next((disk / "sweep").glob("cell-*/replicate-00")))
-        self.done(*sweep, "sweep")
+        self.run_ok(*sweep, "sweep")
         self.assertTrue(next((disk / "sweep").glob("cell-*/replicate-00")).is_dir())
         self.assertTrue((self.folder / "run").is_symlink() and (self.folder / "sweep").is_symlink())
 
     def test_what_trophic_writes_goes_into_no_link(self):
-        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
+        self.run_ok(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
         (self.folder / "page.html").symlink_to(self.precious)
         (self.folder / "new.html.part").symlink_to(self.precious)
         self.assertIn("page.html: exists already", self.refused(2, TROPHIC, "analyze", "run", "--html", "page.html"))
-        self.done(TROPHIC, "analyze", "run", "--html", "new.html", "--replays", 0)
+        self.run_ok(TROPHIC, "analyze", "run", "--html", "new.html", "--replays", 0)
         self.assertFalse((self.folder / "new.html").is_symlink())
 
 
 class Builds(Hostile):
     """Two programs whose rule has the same name and numbers, and another constant in its code."""
 
-    def manifest(self, folder):
-        return json.loads((self.folder / folder / "manifest.json").read_text())
-
     def test_another_build_does_not_resume_a_run_unless_that_is_accepted(self):
-        self.done(OWN_RULE_1, *KINEMATIC, "--duration", 40, "--out", "run")
+        self.run_ok(OWN_RULE_1, *KINEMATIC, "--duration", 40, "--out", "run")
         first = self.manifest("run")
         resume = (OWN_RULE_3, *KINEMATIC, "--duration", 80, "--out", "run", "--resume")
         said = self.refused(2, *resume)
         self.assertIn(f"the checkpoint's code = {first['code']}: must be ", said)
         self.assertEqual(self.manifest("run"), first)
-        self.assertIn("which another build of this program wrote", self.done(*resume, "--accept-other-build").stdout)
+        self.assertIn("which another build of this program wrote", self.run_ok(*resume, "--accept-other-build").stdout)
         mixed = self.manifest("run")
         self.assertEqual(mixed["fingerprint"], first["fingerprint"])
         self.assertEqual(mixed["code"], first["code"])
         self.assertNotEqual(mixed["continued"][0]["code"], first["code"])
         self.assertEqual(mixed["continued"][0]["other_build"], "accepted")
-        self.assertIn("2 builds of a program made these runs", self.done(TROPHIC, "analyze", "run", "--out", "mixed").stderr)
-        self.done(OWN_RULE_3, *KINEMATIC, "--duration", 120, "--out", "run", "--resume")
+        self.assertIn("2 builds of a program made these runs", self.run_ok(TROPHIC, "analyze", "run", "--out", "mixed").stderr)
+        self.run_ok(OWN_RULE_3, *KINEMATIC, "--duration", 120, "--out", "run", "--resume")
         self.assertEqual(len({program["code"] for program in self.manifest("run")["continued"]}), 1)
         self.assertNotIn("other_build", self.manifest("run")["continued"][1])
 
     def test_runs_of_two_builds_are_not_pooled_unless_that_is_accepted(self):
         for name, program, seed in (("one", OWN_RULE_1, 1), ("three", OWN_RULE_3, 2)):
-            self.done(program, *KINEMATIC, "--duration", 40, "--seed", seed, "--out", name)
+            self.run_ok(program, *KINEMATIC, "--duration", 40, "--seed", seed, "--out", name)
         said = self.refused(2, TROPHIC, "analyze", "one", "three", "--out", "pooled")
         self.assertIn("three: made by ", said)
-        done = self.done(TROPHIC, "analyze", "one", "three", "--accept-other-build", "--out", "pooled")
+        done = self.run_ok(TROPHIC, "analyze", "one", "three", "--accept-other-build", "--out", "pooled")
         self.assertIn("2 builds of a program made these runs", done.stderr)
         runs = json.loads((self.folder / "pooled/summary.json").read_text())["sets"][0]["runs"]
         self.assertEqual([run["builds"] for run in runs], [[self.manifest(name)["code"]] for name in ("one", "three")])
 
     def test_a_set_is_not_made_by_two_builds_unless_that_is_accepted(self):
         command = (*KINEMATIC, "--duration", 40, "--out", "set", "--replicates")
-        self.done(OWN_RULE_1, *command, 1)
+        self.run_ok(OWN_RULE_1, *command, 1)
         self.assertIn("set/replicate-00/manifest.json: code = ", self.refused(2, OWN_RULE_3, *command, 2, "--resume"))
-        self.done(OWN_RULE_3, *command, 2, "--resume", "--accept-other-build")
+        self.run_ok(OWN_RULE_3, *command, 2, "--resume", "--accept-other-build")
         self.assertIn("made by", self.refused(2, TROPHIC, "analyze", "set", "--out", "pooled"))
 
     def test_a_run_does_not_begin_at_a_moment_of_another_build_unless_that_is_accepted(self):
-        self.done(OWN_RULE_1, *KINEMATIC, "--duration", 40, "--out", "run")
+        self.run_ok(OWN_RULE_1, *KINEMATIC, "--duration", 40, "--out", "run")
         begin = (OWN_RULE_3, "--from", "run", "--at", 20, "--seed", 9, "--duration", 60, "--out", "new")
-        self.done(*begin, "--accept-other-build")
+        self.run_ok(*begin, "--accept-other-build")
         self.assertEqual(self.manifest("new")["origin"]["code"], self.manifest("run")["code"])
 
     def test_a_sweep_is_not_made_by_two_builds_unless_that_is_accepted(self):
         (self.folder / "sweep.toml").write_text('engine = "kinematic"\nreplicates = 2\nreplay_hz = 5.0\n[set]\necology.duration_s = 40.0\n'
                                                 "[grid]\nrules.mutation.sd = [0.05]\n")
         command = ("--sweep", "sweep.toml", "--jobs", 1, "--out", "out")
-        self.done(OWN_RULE_1, *command)
-        self.done(OWN_RULE_3, *command)  # there is nothing to do
+        self.run_ok(OWN_RULE_1, *command)
+        self.run_ok(OWN_RULE_3, *command)  # there is nothing to do
         shutil.rmtree(next((self.folder / "out").glob("cell-*/replicate-01")))
         self.assertIn("replicate-00/manifest.json: code = ", self.refused(2, OWN_RULE_3, *command))
-        self.done(OWN_RULE_3, *command, "--accept-other-build")
+        self.run_ok(OWN_RULE_3, *command, "--accept-other-build")
         self.assertIn("--accept-other-build", self.refused(2, TROPHIC, "analyze", "out", "--out", "new"))
-        self.assertIn("2 builds of a program", self.done(TROPHIC, "analyze", "out", "--accept-other-build", "--out", "new").stderr)
+        self.assertIn("2 builds of a program", self.run_ok(TROPHIC, "analyze", "out", "--accept-other-build", "--out", "new").stderr)
 
 
 ROBOGEN = """0 CoreComponent Core 0
@@ -420,10 +407,10 @@ class Converted(Hostile):
     def converted(self, name, text):
         (self.folder / name).write_text(text)
         (self.folder / "robot.toml").unlink(missing_ok=True)
-        said = self.done(TROPHIC, "convert", name, "--out", "robot.toml", "--name", "bot").stdout
+        said = self.run_ok(TROPHIC, "convert", name, "--out", "robot.toml", "--name", "bot").stdout
         with open(self.folder / "robot.toml", "rb") as file:
             robot = tomllib.load(file)
-        self.done(PREDATOR_PREY, "--robots", 2, "--set", "rules.community.predators=1", "--backend", "kinematic", "--robot", "./robot.toml",
+        self.run_ok(PREDATOR_PREY, "--robots", 2, "--set", "rules.community.predators=1", "--backend", "kinematic", "--robot", "./robot.toml",
                   "--print-config")
         return said, {name: value for name, value in robot.items()}
 
@@ -580,20 +567,20 @@ class Foreign(Hostile):
             if refused:
                 self.assertIn("height_m: must be higher at its edge than anywhere inside", self.refused(2, *words))
             else:
-                self.done(*words)
+                self.run_ok(*words)
 
     def test_a_time_has_no_exponent_and_a_tick_of_0_7_s_comes_on_time(self):
-        self.done(PREDATOR_PREY, *KINEMATIC, "--set", "ecology.tick_s=2500", "--set", "ecology.control_hz=1", "--duration", 105000, "--out", "long")
+        self.run_ok(PREDATOR_PREY, *KINEMATIC, "--set", "ecology.tick_s=2500", "--set", "ecology.control_hz=1", "--duration", 105000, "--out", "long")
         for name in ("agents.csv", "events.csv"):
             times = {line.split(",")[0] for line in (self.folder / "long" / name).read_text().splitlines()[1:]}
             self.assertFalse([time for time in times if "e" in time], name)
         self.assertIn("\n100000,40,", (self.folder / "long/agents.csv").read_text())
-        self.done(PREDATOR_PREY, *KINEMATIC, "--set", "ecology.tick_s=0.7", "--duration", 2.1, "--out", "short")
+        self.run_ok(PREDATOR_PREY, *KINEMATIC, "--set", "ecology.tick_s=0.7", "--duration", 2.1, "--out", "short")
         times = [line.split(",")[0] for line in (self.folder / "short/agents.csv").read_text().splitlines()[1:]]
         self.assertEqual(sorted(set(times)), ["0", "0.7", "1.4", "2.1"])
 
     def test_nothing_of_a_manifest_moves_the_cursor(self):
-        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
+        self.run_ok(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
         whole = (self.folder / "run/manifest.json").read_text()
         for key in ("rule_table", "backend", "status", "fingerprint", "trophic", "source_revision", "arena", "params"):
             for escape in ("\x1b[2J", "\u009b2J", "\x07", "\x7f", "a\nb"):
@@ -610,14 +597,14 @@ class Foreign(Hostile):
                         self.assertNotRegex(said, "[\x00-\x1f\x7f-\x9f]")
 
     def test_nothing_of_a_list_of_replicates_moves_the_cursor(self):
-        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 4, "--replicates", 2, "--out", "set")
+        self.run_ok(PREDATOR_PREY, *KINEMATIC, "--duration", 4, "--replicates", 2, "--out", "set")
         listed = json.loads((self.folder / "set/replicates.json").read_text())
         listed["replicates"][1]["folder"] = "replicate-01\x1b[2J"
         (self.folder / "set/replicates.json").write_text(sealed_text(listed))
         self.assertIn("without control characters", self.refused(2, TROPHIC, "analyze", "set", "--out", "new"))
 
     def test_a_pipe_in_the_place_of_a_file_is_not_waited_for(self):
-        self.done(PREDATOR_PREY, *KINEMATIC, "--duration", 8, "--replay-hz", 5, "--out", "run")
+        self.run_ok(PREDATOR_PREY, *KINEMATIC, "--duration", 8, "--replay-hz", 5, "--out", "run")
         for name in (*FILES, "manifest.json"):
             whole = self.folder / "run" / name
             with self.subTest(name):

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: MIT
 """analyze_test.py PREDATOR_PREY TROPHIC: from replicates to figures, as users meet it: files, errors, exit codes."""
 
-import csv
 import html
 import json
 import re
@@ -14,14 +13,10 @@ import time
 import unittest
 
 import figures_python
-from in_folder import InFolderWithSets, sealed_text
+from in_folder import InFolderWithSets, run_ok, sealed_text
 
 PREDATOR_PREY, TROPHIC = (sys.argv.pop(1) for _ in range(2))
 FIGURES = ["attribution", "velocity", "wall_sticking", "tag_symmetry", "population", "with_and_without", "phylogeny", "catches", "trajectories"]
-
-
-def call(*arguments, cwd):
-    return subprocess.run([*map(str, arguments)], capture_output=True, text=True, cwd=cwd, timeout=300)
 
 
 class Analyze(InFolderWithSets):
@@ -29,9 +24,8 @@ class Analyze(InFolderWithSets):
     def make_sets(cls):
         for rules in ("paper", "released"):
             for out, seed in ((rules, 1), (f"{rules}-as-shadow", 2)):
-                made = call(PREDATOR_PREY, "--backend", "kinematic", "--rules", rules, "--duration", 1000, "--replicates", 6, "--jobs", 2,
-                            "--seed", seed, "--out", out, cwd=cls.sets)
-                assert made.returncode == 0, made.stderr
+                run_ok(PREDATOR_PREY, "--backend", "kinematic", "--rules", rules, "--duration", 1000, "--replicates", 6, "--jobs", 2,
+                       "--seed", seed, "--out", out, cwd=cls.sets)
             for manifest in (cls.sets / f"{rules}-as-shadow").glob("*/manifest.json"):
                 content = json.loads(manifest.read_text())
                 content["rules"]["heredity"] = "nothing_inherited"
@@ -43,37 +37,32 @@ class Analyze(InFolderWithSets):
         super().setUp()
         shutil.copytree(self.sets / "paper", self.folder / "paper")
 
-    def call(self, *arguments):
-        return call(*arguments, cwd=self.folder)
-
     def analyze(self, *arguments):
         return self.call(TROPHIC, "analyze", *arguments)
+
+    def analyze_ok(self, *arguments):
+        return self.run_ok(TROPHIC, "analyze", *arguments)
 
     def summary(self, out="analysis"):
         return json.loads((self.folder / out / "summary.json").read_text())
 
     def test_one_command_from_replicates_to_results(self):
-        result = self.analyze("paper", "--out", "analysis")
-        self.assertEqual(result.returncode, 0, result.stderr)
+        result = self.analyze_ok("paper", "--out", "analysis")
         self.assertEqual(result.stderr, "")
         for text in ("6 runs of 1000 s", "attribution_caught prey", "= permuted_tags", "bernoulli_tags", "0.725", "no shadow: "):
             self.assertIn(text, result.stdout)
         self.assertEqual([r["status"] for r in self.summary()["sets"][0]["runs"]], ["complete"] * 6)
-        with open(self.folder / "analysis/metrics.csv", newline="") as table:
-            rows = list(csv.DictReader(table))
+        rows = self.rows("analysis/metrics.csv")
         self.assertEqual({r["run"] for r in rows}, {f"replicate-0{i}" for i in range(6)})
         self.assertNotIn("nan", {r["value"].lower() for r in rows})
         points = [r for r in rows if r["run"] == "replicate-00" and r["metric"] == "velocity" and r["species"] == "prey"
                   and r["group"] == "all" and r["baseline"] == "" and r["time_s"]]
         self.assertEqual(len(points), 5)
-        again = self.analyze("paper", "--out", "analysis")
-        self.assertEqual(again.returncode, 2)
-        self.assertIn("exists already", again.stderr)
+        self.assert_refused(self.analyze("paper", "--out", "analysis"), "exists already")
 
     def test_the_shadow_is_found_and_is_the_null_of_every_metric(self):
         shutil.copytree(self.sets / "paper-as-shadow", self.folder / "paper/shadow")
-        result = self.analyze("paper")
-        self.assertEqual(result.returncode, 0, result.stderr)
+        result = self.analyze_ok("paper")
         self.assertIn("shadow: paper on kinematic 1, 6 runs of 1000 s", result.stdout)
         for metric in self.summary()["sets"][0]["metrics"]:
             shadow = metric["baselines"][0]
@@ -81,8 +70,7 @@ class Analyze(InFolderWithSets):
             self.assertIn(shadow["conclusion"], ("above", "below", "inconclusive", "same", "not compared"))
             self.assertLessEqual(shadow["lower"], shadow["difference"])
             self.assertTrue(all(b["conclusion"] is None for b in metric["baselines"] if b["role"] != "null"))
-        with open(self.folder / "analysis/metrics.csv", newline="") as table:
-            shadows = [r for r in csv.DictReader(table) if r["baseline"] == "shadow"]
+        shadows = [r for r in self.rows("analysis/metrics.csv") if r["baseline"] == "shadow"]
         self.assertEqual({r["set"] for r in shadows}, {"paper"})
         named = self.analyze(self.sets / "paper", "--shadow", "paper/shadow", "--out", "named")
         self.assertEqual(named.stdout.replace("named/", "analysis/"), result.stdout)
@@ -91,13 +79,11 @@ class Analyze(InFolderWithSets):
         self.assertLess(len(result.stdout.splitlines()), 20)
         self.assertIn("uniform_density", self.analyze("paper", "--all", "--out", "all").stdout)
         wrong = self.analyze("paper", "--shadow", self.sets / "released-as-shadow", "--out", "wrong")
-        self.assertEqual(wrong.returncode, 2)
-        self.assertIn("is not a neutral shadow of paper/replicate-00: params/", wrong.stderr)
+        self.assert_refused(wrong, "is not a neutral shadow of paper/replicate-00: params/")
         self.assertFalse((self.folder / "wrong").exists())
 
     def test_every_published_claim_has_a_conclusion_under_each_reading(self):
-        result = self.analyze("--published", "paper")
-        self.assertEqual(result.returncode, 0, result.stderr)
+        result = self.analyze_ok("--published", "paper")
         claims = self.summary()["sets"][0]["claims"]
         self.assertEqual(len(claims), 12)
         readings = [r for c in claims for r in c["readings"]]
@@ -109,12 +95,9 @@ class Analyze(InFolderWithSets):
 
     def test_other_rules_are_compared_but_not_pooled(self):
         other = self.sets / "released"
-        pooled = self.analyze("paper", other, "--out", "pooled")
-        self.assertEqual(pooled.returncode, 2)
-        self.assertIn("use --compare", pooled.stderr)
+        self.assert_refused(self.analyze("paper", other, "--out", "pooled"), "use --compare")
         self.assertFalse((self.folder / "pooled").exists())
-        compared = self.analyze("--compare", "paper", other, "--out", "compared")
-        self.assertEqual(compared.returncode, 0, compared.stderr)
+        compared = self.analyze_ok("--compare", "paper", other, "--out", "compared")
         self.assertIn("the differences are raw", compared.stdout)
         self.assertIn("without a shadow of each set no difference can be attributed to inheritance", compared.stdout)
         summary = self.summary("compared")
@@ -127,20 +110,17 @@ class Analyze(InFolderWithSets):
 
     def test_folders_for_results_are_new_and_claimed_before_work(self):
         (self.folder / "analysis").mkdir()
-        done = self.analyze("paper")
-        self.assertEqual(done.returncode, 0, done.stderr)
+        done = self.analyze_ok("paper")
         self.assertIn("files   analysis-1/{metrics.csv,means.csv,means.tex,summary.json}", done.stdout)
         self.assertEqual(list((self.folder / "analysis").iterdir()), [])
         with open(self.folder / "paper/replicate-02/events.csv", "a") as table:
             table.write("changed\n")
         began = time.monotonic()
         refused = self.analyze("paper", "--out", "analysis-1")
-        self.assertEqual((refused.returncode, refused.stdout), (2, ""))
-        self.assertIn("analysis-1: exists already", refused.stderr)
         self.assertLess(time.monotonic() - began, 1.0)
-        broken = self.analyze("paper", "--out", "broken")
-        self.assertEqual(broken.returncode, 2)
-        self.assertIn("the table was cut or changed after the run", broken.stderr)
+        self.assertEqual(refused.stdout, "")
+        self.assert_refused(refused, "analysis-1: exists already")
+        self.assert_refused(self.analyze("paper", "--out", "broken"), "the table was cut or changed after the run")
         self.assertFalse((self.folder / "broken").exists())
 
     def test_usage_errors(self):
@@ -153,9 +133,7 @@ class Analyze(InFolderWithSets):
                                 (["paper", "--until", 1002], "must be >= 1002 s"),
                                 (["paper", "--shadow", "nowhere"], "nowhere: does not exist")):
             with self.subTest(arguments=arguments):
-                result = self.analyze(*arguments)
-                self.assertIn(result.returncode, (1, 2))
-                self.assertIn(text, result.stderr)
+                self.assert_refused(self.analyze(*arguments), text)
                 self.assertFalse((self.folder / "analysis").exists())
 
     def test_interrupted_replicates_are_resumed(self):
@@ -171,22 +149,18 @@ class Analyze(InFolderWithSets):
         self.assertEqual(running.returncode, 3, errors)
         self.assertIn("replicate-00: stopped", errors)
         self.assertIn("--resume", errors)
-        refused = self.call(*command)
-        self.assertEqual(refused.returncode, 2)
-        self.assertIn("exists already", refused.stderr)
-        resumed = self.call(*command, "--resume")
-        self.assertEqual(resumed.returncode, 0, resumed.stderr)
+        self.assert_refused(self.call(*command), "exists already")
+        resumed = self.run_ok(*command, "--resume")
         self.assertIn("replicate-00 continues from its checkpoint at", resumed.stdout)
         self.assertIn("3 of 3 replicates complete", resumed.stdout)
 
     @unittest.skipUnless(figures_python.PYTHON, "needs matplotlib and pandas")
     def test_figures(self):
         self.analyze(self.sets / "released", "--out", "plain")
-        self.assertEqual(self.call(TROPHIC, "plot", "plain").returncode, 0)
+        self.run_ok(TROPHIC, "plot", "plain")
         shutil.copytree(self.sets / "paper-as-shadow", self.folder / "paper/shadow")
         self.analyze("paper", "--out", "analysis")
-        result = self.call(TROPHIC, "plot", "analysis", "--style", "ieee")
-        self.assertEqual(result.returncode, 0, result.stderr)
+        self.run_ok(TROPHIC, "plot", "analysis", "--style", "ieee")
         has_film = "built without pictures" not in self.call(TROPHIC, "film", "paper/replicate-00", "-o", "probe.png").stderr
         captions = json.loads((self.folder / "analysis/figures/captions.json").read_text())
         self.assertEqual(list(captions), FIGURES + ["film_strip"] * has_film)
@@ -199,20 +173,16 @@ class Analyze(InFolderWithSets):
             for ending in ("png", "pdf"):
                 self.assertGreater((self.folder / f"analysis/figures/{name}.{ending}").stat().st_size, 5000)
         again = self.call(TROPHIC, "plot", "analysis")
-        self.assertEqual((again.returncode, again.stdout), (2, ""))
-        self.assertIn("figures: exists already; nothing is overwritten", again.stderr)
+        self.assertEqual(again.stdout, "")
+        self.assert_refused(again, "figures: exists already; nothing is overwritten")
         self.analyze("--compare", "paper", self.sets / "released", "--out", "compared")
-        compared = self.call(TROPHIC, "plot", "compared")
-        self.assertEqual(compared.returncode, 0, compared.stderr)
+        self.run_ok(TROPHIC, "plot", "compared")
         self.assertIn("forest", json.loads((self.folder / "compared/figures/captions.json").read_text()))
         shutil.rmtree(self.folder / "paper")
-        partly = self.call(TROPHIC, "plot", "analysis", "--out", "partly")
-        self.assertEqual(partly.returncode, 0, partly.stderr)
+        partly = self.run_ok(TROPHIC, "plot", "analysis", "--out", "partly")
         self.assertIn("phylogeny: left out: ", partly.stderr)
         self.assertIn("5 figures", partly.stdout)
-        wrong = self.call(TROPHIC, "plot", "partly")
-        self.assertEqual((wrong.returncode, len(wrong.stderr.splitlines())), (2, 1))
-        self.assertIn("not what trophic analyze writes", wrong.stderr)
+        self.assert_refused(self.call(TROPHIC, "plot", "partly"), "not what trophic analyze writes")
         self.assertIn("nowhere: does not exist", self.call(TROPHIC, "plot", "nowhere").stderr)
 
     def test_a_page_of_table_figures_and_replays(self):
@@ -230,8 +200,7 @@ class Analyze(InFolderWithSets):
         self.assertIn(table, html.unescape(page))
         self.assertIn("n = 3 &lt;runs&gt;", page)
         self.assertEqual(re.findall(r'(?:src|href)="(?!data:)[^"]*"', page), [])
-        both = self.call(TROPHIC, "analyze", set_, "--html", "both.html", "--replays", "0", "--out", "both")
-        self.assertEqual(both.returncode, 0, both.stderr)
+        self.analyze_ok(set_, "--html", "both.html", "--replays", "0", "--out", "both")
         self.assertTrue((self.folder / "both/metrics.csv").exists())
         for arguments, sentence in (
             (["--html", "page.html"], "--html page.html: exists already; nothing is overwritten"),
@@ -240,9 +209,9 @@ class Analyze(InFolderWithSets):
             (["--html", "x.html", "--figures", "none"], "none/captions.json: "),
         ):
             with self.subTest(arguments):
-                refused = self.call(TROPHIC, "analyze", set_, *arguments)
-                self.assertEqual((refused.returncode, refused.stdout, len(refused.stderr.splitlines())), (2, "", 1), refused.stderr)
-                self.assertTrue(refused.stderr.startswith(f"trophic analyze: {sentence}"), refused.stderr)
+                refused = self.analyze(set_, *arguments)
+                self.assert_refused(refused, f"trophic analyze: {sentence}")
+                self.assertEqual(refused.stdout, "")
         self.assertEqual((self.folder / "page.html").read_text(), page)
         (figures / "one.png").write_bytes(b"no picture")
         self.assertIn("figures/one.png: is not a PNG", self.call(TROPHIC, "analyze", set_, "--html", "x.html", "--figures", "figures").stderr)

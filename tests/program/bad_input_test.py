@@ -11,10 +11,10 @@ import sys
 import time
 import unittest
 
-from in_folder import InFolder
+from in_folder import InFolder, call
 
 PREDATOR_PREY, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
-HAS_MUJOCO = ", mujoco" in subprocess.run([PREDATOR_PREY, "--help"], env={**os.environ, "COLUMNS": "200"}, capture_output=True, text=True).stdout
+HAS_MUJOCO = ", mujoco" in call(PREDATOR_PREY, "--help", env={**os.environ, "COLUMNS": "200"}).stdout
 MEMORY = 2 << 30
 
 
@@ -38,11 +38,10 @@ class BadInput(InFolder):
     def refused(self, program, *arguments, code=2):
         before = sorted(os.listdir(self.folder))
         began = time.monotonic()
-        done = subprocess.run([program, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True, timeout=60, preexec_fn=limit_memory)
+        done = self.call(program, *arguments, preexec_fn=limit_memory)
         self.assertLess(time.monotonic() - began, 30)
-        self.assertEqual(done.returncode, code, f"{arguments}: {done.stdout} {done.stderr[:500]}")
-        self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr[:500])
         self.assertLess(len(done.stderr), 1000)
+        self.assert_refused(done, code=code)
         self.assertEqual(sorted(os.listdir(self.folder)), before)
         return done.stderr
 
@@ -123,8 +122,7 @@ class BadInput(InFolder):
         self.folder.chmod(0o777)
 
         def run(threads, preexec, out):
-            command = [PREDATOR_PREY, "--backend", "mujoco", "--duration", "4", "--threads", str(threads), "--out", out]
-            return subprocess.run(command, cwd=self.folder, capture_output=True, text=True, preexec_fn=preexec)
+            return self.call(PREDATOR_PREY, "--backend", "mujoco", "--duration", 4, "--threads", threads, "--out", out, preexec_fn=preexec)
 
         try:
             able = run(1, without_rights, "one").returncode == 0
@@ -139,12 +137,12 @@ class BadInput(InFolder):
     def test_standard_streams_that_are_closed(self):
         """Printed text must not end up in the tables, whose files would have the streams' numbers."""
         command = [PREDATOR_PREY, "--backend", "kinematic", "--duration", "100", "--seed", "3"]
-        self.assertEqual(subprocess.run([*command, "--out", "open"], cwd=self.folder, capture_output=True).returncode, 0)
+        self.run_ok(*command, "--out", "open")
         for number, (closed, code) in enumerate([("<&-", 0), (">&-", 1), ("2>&-", 0), ("<&- >&-", 1), (">&- 2>&-", 1), ("<&- >&- 2>&-", 1)]):
             with self.subTest(closed=closed):
                 out = f"closed{number}"
                 shell = ["sh", "-c", f'"$0" "$@" {closed}', *command, "--out", out]
-                done = subprocess.run(shell, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=60)
+                done = self.call(*shell)
                 self.assertEqual(done.returncode, code, done.stderr)
                 for name in ("events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "replay.trp"):
                     whole = (self.folder / "open" / name).read_bytes()
@@ -176,13 +174,12 @@ class BadInput(InFolder):
                 self.make_run()
                 (self.folder / "run" / name).unlink()
                 os.mkfifo(self.folder / "run" / name)
-                done = subprocess.run([TROPHIC, "analyze", "run", "--out", "new"], cwd=self.folder, capture_output=True, text=True, timeout=20)
+                done = self.call(TROPHIC, "analyze", "run", "--out", "new", timeout=20)
                 self.assertIn("is not a regular file", done.stderr)
                 shutil.rmtree(self.folder / "new", ignore_errors=True)
 
     def make_run(self):
-        command = [PREDATOR_PREY, "--backend", "kinematic", "--duration", "300", "--out", "run"]
-        self.assertEqual(subprocess.run(command, cwd=self.folder, capture_output=True).returncode, 0)
+        self.run_ok(PREDATOR_PREY, "--backend", "kinematic", "--duration", 300, "--out", "run")
 
     def test_tables_that_are_not_what_the_run_wrote(self):
         self.make_run()
@@ -201,8 +198,7 @@ class BadInput(InFolder):
                 self.assertIn("events.csv: has", said)
                 self.assertIn("as its manifest says", said)
         events.write_text("".join(rows))
-        done = subprocess.run([TROPHIC, "analyze", "run", "--out", "new"], cwd=self.folder, capture_output=True, text=True)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.run_ok(TROPHIC, "analyze", "run", "--out", "new")
 
 
 if __name__ == "__main__":

@@ -2,11 +2,9 @@
 # SPDX-License-Identifier: MIT
 """cite_test.py TROPHIC PREDATOR_PREY: `trophic cite` gives what a paper needs of a run, and README, CITATION.cff and it make one request."""
 
-import json
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
 import unittest
 
@@ -29,22 +27,18 @@ REQUEST = "If you use trophic, please cite it and the experiment that it reprodu
 
 
 class Cite(InFolder):
-    def call(self, *arguments):
-        return subprocess.run([str(word) for word in arguments], capture_output=True, text=True, cwd=self.folder, timeout=300)
-
     def make(self, *options):
-        done = self.call(PREDATOR_PREY, "--backend", "kinematic", "--duration", 20, *options)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.run_ok(PREDATOR_PREY, "--backend", "kinematic", "--duration", 20, *options)
 
     def cited(self, run):
-        done = self.call(TROPHIC, "cite", run)
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        done = self.run_ok(TROPHIC, "cite", run)
+        self.assertEqual(done.stderr, "")
         sentence, entries = done.stdout.split("\n\n", 1)
         return sentence, entries
 
     def test_the_sentence_has_table_engine_version_fingerprint_seed_and_numbers_that_changed(self):
         self.make("--seed", 7, "--set", "rules.mutation.sd=0.125", "--out", "run")
-        manifest = json.loads((self.folder / "run/manifest.json").read_text())
+        manifest = self.manifest("run")
         sentence, entries = self.cited("run")
         self.assertEqual(sentence, f"A run of 20 s on kinematic 1 in trophic {manifest['trophic']} "
                                    f"(revision {manifest['source_revision']}, fingerprint {manifest['fingerprint']}, seed 7), "
@@ -63,8 +57,7 @@ class Cite(InFolder):
         self.make("--replicates", 2, "--changes", "changes.csv", "--out", "changed")
         self.make("--out", "plain")
         self.make("--from", "plain", "--at", 10, "--seed", 2, "--out", "branch")
-        changed, also, plain, branch = (json.loads((self.folder / path / "manifest.json").read_text())
-                                        for path in ("changed/replicate-00", "changed/replicate-01", "plain", "branch"))
+        changed, also, plain, branch = map(self.manifest, ("changed/replicate-00", "changed/replicate-01", "plain", "branch"))
         self.assertEqual({one["fingerprint"] for one in (changed, also, plain, branch)}, {plain["identity"]})
         self.assertEqual(changed["identity"], also["identity"])
         self.assertEqual(len({changed["identity"], plain["identity"], branch["identity"]}), 3)
@@ -74,8 +67,7 @@ class Cite(InFolder):
             sentence, _ = self.cited(run)
             self.assertIn(f"fingerprint {manifest['identity']}, ", sentence)
             self.assertTrue(sentence.endswith(f"with the rule table `paper` and its parameters{words}"), sentence)
-        one = subprocess.run([figures_python.PYTHON, "-c", OF_AN_OLDER_PROGRAM, self.folder / "changed/replicate-00", self.folder / "branch"],
-                             cwd=ROOT / "tools/python", capture_output=True, text=True)
+        one = self.call(figures_python.PYTHON, "-c", OF_AN_OLDER_PROGRAM, self.folder / "changed/replicate-00", self.folder / "branch", cwd=ROOT / "tools/python")
         self.assertEqual((one.stderr, one.stdout.split()), ("", [changed["identity"], branch["identity"]]))
 
     def test_a_sweep_is_refused(self):
@@ -109,9 +101,8 @@ class Cite(InFolder):
         (self.folder / "runs.bib").write_text(self.cited("run")[1])
         (self.folder / "paper.tex").write_text("\\documentclass{article}\\begin{document}\\cite{trophic,kachler2023}\n"
                                                "\\bibliographystyle{plain}\\bibliography{runs}\\end{document}\n")
-        self.assertEqual(self.call("pdflatex", "-interaction=batchmode", "paper").returncode, 0)
-        done = self.call("bibtex", "paper")
-        self.assertEqual(done.returncode, 0, done.stdout)
+        self.run_ok("pdflatex", "-interaction=batchmode", "paper")
+        done = self.run_ok("bibtex", "paper")
         self.assertNotIn("Warning", done.stdout)
         self.assertEqual((self.folder / "paper.bbl").read_text().count("\\bibitem"), 2)
 

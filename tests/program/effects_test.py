@@ -6,12 +6,11 @@ changes a short run, or the run's remarks name it. tests/unit/core/effects_test.
 import json
 import pathlib
 import re
-import subprocess
 import sys
 import tomllib
 import unittest
 
-from in_folder import InFolder
+from in_folder import InFolder, call
 
 PREDATOR_PREY, ABLATIONS = sys.argv.pop(1), sys.argv.pop(1)
 # A crowd in which every rule acts soon: ticks of a tenth of their simulated time.
@@ -28,10 +27,6 @@ OTHER = {"ecology.arena": "wide.toml", "ecology.first_tick_s": 20, "ecology.robo
          "rules.starvation.exemption.range_m": 1.5, "backend.timestep_s": 0.07, "backend.box_depth": "whole"}
 # The length of the run, how an engine computes the same motion, and stops of hinges that these gaits do not reach.
 LEFT_OUT = {"ecology.duration_s", "ecology.ends_when", "backend.threads", "backend.stepping", "backend.limit_stiffness_N_m_rad", "backend.limit_damping_N_m_s_rad"}
-
-
-def call(*arguments, **how):
-    return subprocess.run([*map(str, arguments)], capture_output=True, text=True, timeout=300, **how)
 
 
 def flat(tree, path=""):
@@ -55,8 +50,7 @@ class Effects(InFolder):
     def run_with(self, out, settings, *options, program=PREDATOR_PREY):
         """The rows of a run, and its remarks up to "no effect"."""
         sets = [part for path, value in settings.items() for part in ("--set", f"{path}={json.dumps(value)}")]
-        done = call(program, *options, *sets, "--replay-hz", 0, "--out", out, cwd=self.folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.run_ok(program, *options, *sets, "--replay-hz", 0, "--out", out)
         run = self.folder / out
         return [(run / name).read_bytes() for name in ("events.csv", "agents.csv")], [remark.split(" no effect")[0] for remark in json.loads((run / "manifest.json").read_text())["remarks"]]
 
@@ -99,8 +93,7 @@ class Policies(Effects):
         listed = [line.split()[0].split("/") for line in call(ABLATIONS, "--list").stdout.splitlines()]
         swaps = [(table, swap) for table, swap in listed if not re.search(self.SWAPPED_NUMBER, swap)]
         only = [part for swap in sorted({swap for _, swap in swaps}) for part in ("--only", swap)]
-        done = call(ABLATIONS, *only, "--replicates", 1, "--duration", 6000, "--out", "sets", cwd=self.folder)
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.run_ok(ABLATIONS, *only, "--replicates", 1, "--duration", 6000, "--out", "sets")
         for table, swap in swaps:
             runs = [self.folder / "sets" / table / name / "replicate-00" for name in ("base", swap)]
             same = all((runs[0] / name).read_bytes() == (runs[1] / name).read_bytes() for name in ("events.csv", "agents.csv"))
@@ -132,9 +125,8 @@ class Changes(Effects):
         _, remarks = self.run_with("run", {}, *options)
         self.assertEqual(remarks[1:], ["rules.community.predators: its change at 40 s has", "rules.steering.exponent: its change at 60 s has"])
         self.run_with("origin", {}, *options[:4])
-        done = call(PREDATOR_PREY, "--backend", "kinematic", "--from", "origin", "--at", 50, "--set", "rules.community.predators=9", "--out", "branch", cwd=self.folder)
-        self.assertEqual(done.returncode, 2)
-        self.assertIn("rules.community.predators = 9: must be 14, as of the run that it begins from", done.stderr)
+        done = self.call(PREDATOR_PREY, "--backend", "kinematic", "--from", "origin", "--at", 50, "--set", "rules.community.predators=9", "--out", "branch")
+        self.assert_refused(done, "rules.community.predators = 9: must be 14, as of the run that it begins from")
 
 
 if __name__ == "__main__":

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Tests of programs that leave files: each test works in a temporary folder of its own."""
 
+import csv
 import json
 import pathlib
+import subprocess
 import tempfile
+import time
 import unittest
 import zlib
 
@@ -14,9 +17,49 @@ def sealed_text(value):
     return f'{body},\n  "crc32": {zlib.crc32(body.encode())}\n}}\n'
 
 
+def call(*words, **how):
+    """A command that has ended. `how` is for subprocess.run."""
+    return subprocess.run([*map(str, words)], **{"capture_output": True, "text": True, "timeout": 300, **how})
+
+
+def run_ok(*words, **how):
+    """A command that has succeeded."""
+    ended = call(*words, **how)
+    assert ended.returncode == 0, ended.stdout + ended.stderr
+    return ended
+
+
 class InFolder(unittest.TestCase):
+    program = ()  # the first words of each command of the class
+
     def setUp(self):
         self.folder = pathlib.Path(self.enterContext(tempfile.TemporaryDirectory()))
+
+    def call(self, *words, **how):
+        return call(*self.program, *words, **{"cwd": self.folder, **how})
+
+    def run_ok(self, *words, **how):
+        return run_ok(*self.program, *words, **{"cwd": self.folder, **how})
+
+    def assert_refused(self, ended, *parts, code=2):
+        """A command has ended with this code and one line, which has these parts."""
+        self.assertEqual(ended.returncode, code, ended.stdout + ended.stderr)
+        self.assertEqual(len(ended.stderr.strip().splitlines()), 1, ended.stderr)
+        for part in parts:
+            self.assertIn(part, ended.stderr)
+
+    def wait_for(self, pattern, program):
+        """Until there is such a path in the folder, or the program has ended."""
+        while not any(self.folder.glob(pattern)) and program.poll() is None:
+            time.sleep(0.001)
+
+    def rows(self, *path):
+        """Of a CSV table in the folder, or in another one if the path is absolute."""
+        with open(self.folder.joinpath(*path), newline="") as table:
+            return list(csv.DictReader(table))
+
+    def manifest(self, *run):
+        return json.loads(self.folder.joinpath(*run, "manifest.json").read_text())
 
 
 class InFolderWithSets(InFolder):

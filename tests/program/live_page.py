@@ -129,5 +129,3 @@ class Page:
 
     def until_kind(self, kind):
         return self.until(lambda message: message["kind"] == kind)
-
-

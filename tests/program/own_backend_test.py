@@ -2,10 +2,8 @@
 # SPDX-License-Identifier: MIT
 """own_backend_test.py PROGRAM: a program with its own backend has that backend as its default."""
 
-import json
 import pathlib
 import re
-import subprocess
 import sys
 import unittest
 
@@ -16,26 +14,23 @@ PROGRAM = sys.argv.pop(1)
 
 
 class OwnBackend(InFolder):
-    def call(self, *arguments):
-        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, timeout=300)
+    program = (PROGRAM,)
 
     def test_its_own_backend_is_the_default_and_has_its_numbers(self):
-        printed = self.call("--print-config")
-        self.assertEqual(printed.returncode, 0, printed.stderr)
+        printed = self.run_ok("--print-config")
         self.assertIn("engine = 'toy'", printed.stdout)
         self.assertIn("[backend]\nbreaks_beyond_rad = 100", printed.stdout)
         self.assertIn("physics: toy, kinematic (toy)", self.call("--help").stdout)
-        result = self.call("--robots", 1, "--set", "rules.community.predators=0", "--duration", 20, "--out", "run")
-        self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertEqual(json.loads((self.folder / "run/manifest.json").read_text())["backend"], "toy 1")
+        self.run_ok("--robots", 1, "--set", "rules.community.predators=0", "--duration", 20, "--out", "run")
+        self.assertEqual(self.manifest("run")["backend"], "toy 1")
 
     def test_its_remark_on_its_speed_is_printed_and_in_the_manifests(self):
         run = ["--robots", 1, "--set", "rules.community.predators=0", "--duration", 20]
         printed = self.call(*run, "--out", "run")
         self.assertIn("\nremark  a toy is slow\n", printed.stdout)
-        self.assertEqual(self.call(*run, "--replicates", 1, "--out", "set").returncode, 0)
-        for manifest in ("run/manifest.json", "set/replicate-00/manifest.json"):
-            found = json.loads((self.folder / manifest).read_text())
+        self.run_ok(*run, "--replicates", 1, "--out", "set")
+        for one in ("run", "set/replicate-00"):
+            found = self.manifest(one)
             self.assertEqual((found["remarks"], found["speed"]), (["physics has no effect: a toy"], "a toy is slow"))
 
     def test_a_number_of_its_backend_is_read_and_checked(self):

@@ -3,12 +3,10 @@
 """own_metric_test.py PROGRAM: a Python function of a run has what shipped metrics have in sets, comparisons, sweeps and pages; one that fails
 names the run and leaves nothing."""
 
-import csv
-import subprocess
 import sys
 import unittest
 
-from in_folder import InFolderWithSets
+from in_folder import InFolderWithSets, run_ok
 
 PROGRAM = sys.argv.pop(1)
 METRICS = """import numpy, trophic
@@ -29,10 +27,6 @@ def odd(run):
 
 class OwnMetric(InFolderWithSets):
     @classmethod
-    def call_in(cls, folder, *arguments):
-        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=folder, timeout=300)
-
-    @classmethod
     def make_sets(cls):
         (cls.sets / "metrics.py").write_text(METRICS)
         (cls.sets / "fails.py").write_text(FAILS)
@@ -40,17 +34,13 @@ class OwnMetric(InFolderWithSets):
         for arguments in (["--backend", "kinematic", "--duration", 600, "--replicates", 6, "--shadow", "--out", "runs"],
                           ["--backend", "kinematic", "--duration", 600, "--replicates", 6, "--set", "ecology.robots=20", "--out", "fewer"],
                           ["--sweep", "sweep.toml", "--out", "sweep"]):
-            done = cls.call_in(cls.sets, *arguments)
-            assert done.returncode == 0, done.stderr
+            run_ok(PROGRAM, *arguments, cwd=cls.sets)
 
     def analyze(self, *arguments):
-        done = self.call_in(self.sets, "analyze", *arguments, "--metric-file", "metrics.py")
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return done
+        return self.run_ok(PROGRAM, "analyze", *arguments, "--metric-file", "metrics.py", cwd=self.sets)
 
     def rows(self, file):
-        with open(self.sets / file, newline="") as text:
-            return list(csv.DictReader(text))
+        return super().rows(self.sets / file)
 
     def test_it_has_value_interval_shadow_correction_and_curve(self):
         self.analyze("runs", "--out", "own")
@@ -76,9 +66,9 @@ class OwnMetric(InFolderWithSets):
 
     def test_one_that_fails_names_the_run_and_leaves_nothing(self):
         for of, where in (("runs", "runs"), ("sweep", "sweep/cell-000")):
-            refused = self.call_in(self.sets, "analyze", of, "--out", "nothing", "--metric-file", "fails.py")
-            self.assertEqual((refused.returncode, refused.stdout), (2, ""))
-            self.assertIn(f" analyze: metric odd: {where}/replicate-01: ValueError: no robot is there\n", refused.stderr)
+            refused = self.call(PROGRAM, "analyze", of, "--out", "nothing", "--metric-file", "fails.py", cwd=self.sets)
+            self.assertEqual(refused.stdout, "")
+            self.assert_refused(refused, f" analyze: metric odd: {where}/replicate-01: ValueError: no robot is there\n")
             self.assertFalse((self.sets / "nothing").exists())
 
     def test_the_page_has_it_and_names_the_program_and_the_file(self):

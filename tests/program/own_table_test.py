@@ -2,10 +2,8 @@
 # SPDX-License-Identifier: MIT
 """own_table_test.py PROGRAM: a program of one file, linked with no engine, has every option of predator_prey."""
 
-import json
 import pathlib
 import re
-import subprocess
 import sys
 import unittest
 
@@ -17,13 +15,10 @@ AGEING = "ageing"
 
 
 class OwnTable(InFolder):
-    def call(self, *arguments):
-        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, timeout=300)
+    program = (PROGRAM,)
 
     def call_ok(self, *arguments):
-        result = self.call(*arguments)
-        self.assertEqual(result.returncode, 0, result.stderr)
-        return result.stdout
+        return self.run_ok(*arguments).stdout
 
     def test_help_names_both_tables_and_every_option(self):
         text = self.call_ok("--help")
@@ -54,14 +49,14 @@ class OwnTable(InFolder):
 
     def test_robots_of_a_run_die_of_old_age(self):
         self.call_ok("--backend", "kinematic", "--set", "rules.senescence.max_age_s=50", "--duration", 200, "--out", "run")
-        manifest = json.loads((self.folder / "run/manifest.json").read_text())
+        manifest = self.manifest("run")
         self.assertEqual((manifest["status"], manifest["rule_table"]), ("complete", AGEING))
         self.assertGreater(manifest["result"]["senescence"], 30)
 
     def test_replicates_with_their_shadow(self):
         self.call_ok("--backend", "kinematic", "--duration", 100, "--replicates", 2, "--shadow", "--out", "set")
         for run in ("replicate-00", "replicate-01", "shadow/replicate-00", "shadow/replicate-01"):
-            manifest = json.loads((self.folder / "set" / run / "manifest.json").read_text())
+            manifest = self.manifest("set", run)
             self.assertEqual(manifest["rules"]["senescence"], "old_age")
             self.assertEqual(manifest["rules"]["heredity"], "nothing_inherited" if "shadow" in run else "own_copy")
 
@@ -72,7 +67,7 @@ class OwnTable(InFolder):
         self.assertEqual((lines["trophic"], lines["backends"].split(",")[0]), (version, "kinematic 1"))
         self.assertRegex(lines["compiler"], r"^(g|clang)\+\+ \d+")
         self.call_ok("--backend", "kinematic", "--duration", 10, "--out", "run")
-        manifest = json.loads((self.folder / "run/manifest.json").read_text())
+        manifest = self.manifest("run")
         self.assertEqual((lines["source"], lines["build"]), (manifest["source_revision"], manifest["build"]))
 
     def test_its_own_csv_table_is_in_every_run(self):
@@ -82,7 +77,7 @@ class OwnTable(InFolder):
         for run in ("replicate-00", "replicate-01", "shadow/replicate-00", "shadow/replicate-01"):
             lines = (self.folder / "set" / run / "crowd.csv").read_text().splitlines()
             self.assertEqual((lines[0], len(lines)), ("time_s,close", 1 + 51))
-            manifest = json.loads((self.folder / "set" / run / "manifest.json").read_text())
+            manifest = self.manifest("set", run)
             self.assertEqual(manifest["tables"]["crowd.csv"]["rows"], 51)
             texts.append(lines)
         self.assertNotEqual(texts[0], texts[1])

@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: MIT
 """predator_prey_test.py PROGRAM [unittest arguments]: options, files, errors and exit codes of the predator_prey program."""
 
-import csv
 import json
 import pathlib
 import platform
@@ -14,11 +13,11 @@ import sys
 import time
 import unittest
 
-from in_folder import InFolder
+from in_folder import InFolder, call
 
 PROGRAM = sys.argv.pop(1)
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-HELP = subprocess.run([PROGRAM, "--help"], capture_output=True, text=True).stdout
+HELP = call(PROGRAM, "--help").stdout
 HAS_MUJOCO = ", mujoco" in HELP
 HAS_ODE = ", ode" in HELP
 FILES = ["events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "manifest.json"]
@@ -26,36 +25,20 @@ TABLES = FILES[:4]
 
 
 class PredatorPrey(InFolder):
-    def call(self, *arguments, shell=None):
-        command = [PROGRAM, *map(str, arguments)]
-        if shell:
-            command = ["bash", "-c", shell, "bash", *command]
-        return subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=300)
+    program = (PROGRAM,)
 
-    def run_ok(self, out, *arguments):
-        result = self.call(*([] if "--backend" in arguments else ["--backend", "kinematic"]), "--out", out, *arguments)
-        self.assertEqual(result.returncode, 0, result.stderr)
-        return result
+    def call_by_shell(self, script, *arguments):
+        return call("bash", "-c", script, "bash", PROGRAM, *arguments, cwd=self.folder)
 
-    def rows(self, out, file):
-        with open(self.folder / out / file, newline="") as table:
-            return list(csv.DictReader(table))
-
-    def manifest(self, out):
-        return json.loads((self.folder / out / "manifest.json").read_text())
-
-    def assert_refused(self, result, code, *parts):
-        self.assertEqual(result.returncode, code, result.stdout + result.stderr)
-        for part in parts:
-            self.assertIn(part, result.stderr)
-        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+    def run_out(self, out, *arguments):
+        return self.run_ok(*([] if "--backend" in arguments else ["--backend", "kinematic"]), "--out", out, *arguments)
 
 
 class Runs(PredatorPrey):
     def test_births_and_deaths_balance(self):
         for rules in ("paper", "released"):
             with self.subTest(rules=rules):
-                self.run_ok(rules, "--rules", rules, "--seed", 3)
+                self.run_out(rules, "--rules", rules, "--seed", 3)
                 events = self.rows(rules, "events.csv")
                 births = [e for e in events if e["event"] == "birth"]
                 deaths = [e for e in events if e["event"] == "death"]
@@ -89,7 +72,7 @@ class Runs(PredatorPrey):
                 self.assertEqual(self.manifest(rules)["status"], "complete")
 
     def test_manifest_names_program_engine_and_rules(self):
-        self.run_ok("run", "--duration", 10, "--seed", 2**53)
+        self.run_out("run", "--duration", 10, "--seed", 2**53)
         manifest = self.manifest("run")
         self.assertEqual(manifest["tags"], [-1, 1])
         self.assertEqual((manifest["seed"], manifest["params"]["seed"]), (2**53, 2**53))
@@ -100,22 +83,22 @@ class Runs(PredatorPrey):
         self.assertTrue(manifest["host"])
         self.assertTrue(manifest["build"])
         git = ["git", "-C", str(ROOT)]
-        top = subprocess.run([*git, "rev-parse", "--show-toplevel"], capture_output=True, text=True)
+        top = call(*git, "rev-parse", "--show-toplevel")
         if top.returncode != 0 or pathlib.Path(top.stdout.strip()) != ROOT:
             self.assertRegex(manifest["source_revision"], r"^(unknown|[0-9a-f]{12})$")  # 12 digits in a release archive
             return
         commit = re.fullmatch(r"(?:.*-g)?([0-9a-f]{7,40})(-dirty)?", manifest["source_revision"])
         self.assertTrue(commit, manifest["source_revision"])
-        self.assertEqual(subprocess.run([*git, "cat-file", "-e", commit[1] + "^{commit}"]).returncode, 0)
+        self.assertEqual(call(*git, "cat-file", "-e", commit[1] + "^{commit}").returncode, 0)
 
     def test_under_paper_parents_keep_their_genomes(self):
-        self.run_ok("run", "--duration", 3000)
+        self.run_out("run", "--duration", 3000)
         genomes = [row["genome_id"] for row in self.rows("run", "genomes.csv")]
         self.assertEqual(len(genomes), len(set(genomes)))
 
     def test_same_seed_same_bytes(self):
         for out, seed in (("a", 5), ("b", 5), ("c", 6)):
-            self.run_ok(out, "--seed", seed, "--duration", 1000)
+            self.run_out(out, "--seed", seed, "--duration", 1000)
         for file in TABLES:
             first = (self.folder / "a" / file).read_bytes()
             self.assertEqual(first, (self.folder / "b" / file).read_bytes(), file)
@@ -124,8 +107,7 @@ class Runs(PredatorPrey):
     @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
     def test_threads_do_not_change_mujoco_results(self):
         for threads in (1, 2):
-            out = f"threads{threads}"
-            self.assertEqual(self.call("--duration", 20, "--threads", threads, "--out", out).returncode, 0)
+            self.run_ok("--duration", 20, "--threads", threads, "--out", f"threads{threads}")
         for file in TABLES:
             self.assertEqual((self.folder / "threads1" / file).read_bytes(), (self.folder / "threads2" / file).read_bytes(), file)
 
@@ -136,19 +118,18 @@ class Runs(PredatorPrey):
         self.assertIn("sweeps = 4", printed.stdout)
         (self.folder / "numbers.toml").write_text(printed.stdout)
         for threads in (1, 2):
-            result = self.call("--config", "numbers.toml", "--threads", threads, "--out", f"ode{threads}")
-            self.assertEqual(result.returncode, 0, result.stderr)
+            self.run_ok("--config", "numbers.toml", "--threads", threads, "--out", f"ode{threads}")
         for file in TABLES:
             self.assertEqual((self.folder / "ode1" / file).read_bytes(), (self.folder / "ode2" / file).read_bytes(), file)
         for more in (["--replicates", 1], ["--replicates", 2, "--jobs", 2, "--resume"]):
-            self.run_ok("set", *few, *more)
+            self.run_out("set", *few, *more)
         self.assertEqual(self.manifest("set/replicate-01")["status"], "complete")
 
     @unittest.skipUnless(HAS_ODE, "no ODE in this build")
     def test_ode_runs_the_released_rules_and_prints_its_settings(self):
         released = ["--rules", "released", "--backend", "ode", "--duration", 2]
         for more in ([], ["--replicates", 1]):
-            result = self.run_ok(f"released{len(more)}", *released, *more)
+            result = self.run_out(f"released{len(more)}", *released, *more)
             self.assertIn("physics.integrator = rk4 has no effect", result.stdout)
         [remark] = self.manifest("released0")["remarks"]
         self.assertIn("physics.integrator = rk4 has no effect", remark)
@@ -158,28 +139,28 @@ class Runs(PredatorPrey):
 
     @unittest.skipUnless(HAS_ODE, "no ODE in this build")
     def test_only_mujoco_writes_mjcf(self):
-        self.assert_refused(self.call("--backend", "ode", "--save-mjcf", "ecology.xml", "--out", "run"), 2, "--save-mjcf", "--backend mujoco")
+        self.assert_refused(self.call("--backend", "ode", "--save-mjcf", "ecology.xml", "--out", "run"), "--save-mjcf", "--backend mujoco")
         self.assertEqual(list(self.folder.iterdir()), [])
 
     @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
     def test_fast_stepping_has_the_same_events_as_mujoco_alone(self):
         for stepping in ("fast", "islands"):
-            self.run_ok(stepping, "--backend", "mujoco", "--duration", 24, "--robots", 16, "--set", f"backend.stepping={stepping}")
+            self.run_out(stepping, "--backend", "mujoco", "--duration", 24, "--robots", 16, "--set", f"backend.stepping={stepping}")
         self.assertGreaterEqual(len(self.rows("fast", "events.csv")), 16)
         self.assertEqual((self.folder / "fast" / "events.csv").read_bytes(), (self.folder / "islands" / "events.csv").read_bytes())
 
     @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
     def test_the_released_physics_runs(self):
-        self.run_ok("released", "--backend", "mujoco", "--rules", "released", "--duration", 10)
+        self.run_out("released", "--backend", "mujoco", "--rules", "released", "--duration", 10)
         physics = self.manifest("released")["params"]["physics"]
         self.assertEqual((physics["timestep_s"], physics["integrator"]), (0.012, "rk4"))
 
     def test_any_robot_can_be_chosen(self):
-        self.run_ok("gecko", "--robot", "gecko", "--duration", 100)
+        self.run_out("gecko", "--robot", "gecko", "--duration", 100)
         self.assertTrue(self.manifest("gecko")["params"]["ecology"]["gait"].startswith("gecko"))
 
     def test_neutral_shadow_of_the_replicates(self):
-        self.run_ok("set", "--rules", "released", "--replicates", 2, "--shadow", "--duration", 1500, "--set", "rules.mutation.half_width=0.01")
+        self.run_out("set", "--rules", "released", "--replicates", 2, "--shadow", "--duration", 1500, "--set", "rules.mutation.half_width=0.01")
         self.assertEqual([json.loads((self.folder / out / "replicates.json").read_text())["master_seed"] for out in ("set", "set/shadow")], [1, 1])
         for replicate in ("replicate-00", "replicate-01"):
             table, shadow = self.manifest(f"set/{replicate}"), self.manifest(f"set/shadow/{replicate}")
@@ -194,11 +175,10 @@ class Runs(PredatorPrey):
                 distances[run] = [float(b["mutation_distance"]) for b in births]
             self.assertLess(max(distances[replicate]), 0.01 * 15**0.5)
             self.assertGreater(min(distances[f"shadow/{replicate}"]), 1.0)  # two genomes of 15 uniform weights: 3.2 on average
-        again = self.call("--backend", "kinematic", "--shadow", "--duration", 100, "--out", "alone")
-        self.assert_refused(again, 2, "--shadow", "needs --replicates")
+        self.assert_refused(self.call("--backend", "kinematic", "--shadow", "--duration", 100, "--out", "alone"), "--shadow", "needs --replicates")
 
     def test_neutral_null_of_the_replicates(self):
-        self.run_ok("set", "--replicates", 2, "--neutral", "--duration", 1000)
+        self.run_out("set", "--replicates", 2, "--neutral", "--duration", 1000)
         def lives(run):
             return [{key: value for key, value in row.items() if key not in ("tag", "x_m", "y_m")}
                     for row in self.rows(f"set/{run}", "events.csv") if row["event"] != "tag_switch"]
@@ -209,39 +189,34 @@ class Runs(PredatorPrey):
             self.assertEqual(self.manifest(f"set/neutral/{replicate}")["rules"]["heredity"], "neutral_own_copy")
         (self.folder / "set/replicate-01/events.csv").write_text("cut")
         shutil.rmtree(self.folder / "set/neutral/replicate-01")
-        again = self.call("--backend", "kinematic", "--replicates", 2, "--neutral", "--duration", 1000, "--resume", "--out", "set")
-        self.assertEqual(again.returncode, 0, again.stderr)
+        self.run_out("set", "--replicates", 2, "--neutral", "--duration", 1000, "--resume")
         self.assertEqual(lives("replicate-01"), lives("neutral/replicate-01"))
 
     def test_printed_configuration_makes_the_same_run(self):
-        printed = self.call("--backend", "kinematic", "--rules", "released", "--set", "rules.mutation.half_width=0.1", "--print-config")
-        self.assertEqual(printed.returncode, 0, printed.stderr)
+        printed = self.run_ok("--backend", "kinematic", "--rules", "released", "--set", "rules.mutation.half_width=0.1", "--print-config")
         (self.folder / "numbers.toml").write_text(printed.stdout)
-        self.run_ok("direct", "--rules", "released", "--set", "rules.mutation.half_width=0.1", "--duration", 500)
-        result = self.call("--config", "numbers.toml", "--duration", 500, "--out", "configured")
-        self.assertEqual(result.returncode, 0, result.stderr)
+        self.run_out("direct", "--rules", "released", "--set", "rules.mutation.half_width=0.1", "--duration", 500)
+        self.run_ok("--config", "numbers.toml", "--duration", 500, "--out", "configured")
         for file in TABLES:
             self.assertEqual((self.folder / "direct" / file).read_bytes(), (self.folder / "configured" / file).read_bytes())
         self.assertEqual(self.manifest("direct")["fingerprint"], self.manifest("configured")["fingerprint"])
 
     def test_without_out_each_run_has_its_own_folder(self):
         for number in (1, 2):
-            result = self.call("--backend", "kinematic", "--duration", 10)
-            self.assertEqual(result.returncode, 0, result.stderr)
+            result = self.run_ok("--backend", "kinematic", "--duration", 10)
             folder = f"runs/{pathlib.Path(PROGRAM).name}-{number}"
             self.assertIn(folder, result.stdout)
             self.assertEqual(self.manifest(folder)["status"], "complete")
-        self.assertEqual(self.call("--backend", "kinematic", "--print-config").returncode, 0)
+        self.run_ok("--backend", "kinematic", "--print-config")
         self.assertEqual(len(list((self.folder / "runs").iterdir())), 2)
 
     def test_progress_is_silent_when_piped(self):
-        self.assertEqual(self.run_ok("quiet", "--duration", 100).stderr, "")
+        self.assertEqual(self.run_out("quiet", "--duration", 100).stderr, "")
 
     def test_interrupt_ends_cleanly(self):
         command = [PROGRAM, "--backend", "kinematic", "--duration", "100000000", "--out", "long"]
         with subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, text=True) as process:
-            while not (self.folder / "long" / "agents.csv").exists() and process.poll() is None:
-                time.sleep(0.01)
+            self.wait_for("long/agents.csv", process)
             time.sleep(0.2)
             process.send_signal(signal.SIGINT)
             printed, _ = process.communicate(timeout=60)
@@ -289,14 +264,14 @@ class Refusals(PredatorPrey):
         ]:
             with self.subTest(arguments=arguments):
                 options = arguments if "--backend" in arguments else ["--backend", "kinematic", *arguments]
-                self.assert_refused(self.call("--out", "refused", *options), 2, *parts)
+                self.assert_refused(self.call("--out", "refused", *options), *parts)
                 self.assertFalse((self.folder / "refused").exists())
 
     def test_unknown_option(self):
-        self.assert_refused(self.call("--bogus"), 2, "--bogus: unknown option")
-        self.assert_refused(self.call("--replicate", 2), 2, "--replicate: unknown option; did you mean --replicates?")
-        self.assert_refused(self.call("--replicate=2"), 2, "--replicate: unknown option; did you mean --replicates?")
-        self.assert_refused(self.call("nonsense"), 2, "nonsense: must be analyze")
+        self.assert_refused(self.call("--bogus"), "--bogus: unknown option")
+        self.assert_refused(self.call("--replicate", 2), "--replicate: unknown option; did you mean --replicates?")
+        self.assert_refused(self.call("--replicate=2"), "--replicate: unknown option; did you mean --replicates?")
+        self.assert_refused(self.call("nonsense"), "nonsense: must be analyze")
 
     def test_configuration_of_another_backend_or_table(self):
         for name, options in (("other", ["--backend", "ode"] if HAS_ODE else ["--backend", "mujoco"]), ("kinematic", ["--backend", "kinematic"])):
@@ -306,59 +281,56 @@ class Refusals(PredatorPrey):
         if HAS_ODE or HAS_MUJOCO:
             engine = "ode" if HAS_ODE else "mujoco"
             refused = self.call("--config", "other.toml", "--backend", "kinematic", "--out", "x")
-            self.assert_refused(refused, 2, f'other.toml: was written for engine = "{engine}"', "[backend]", f"--backend {engine}")
+            self.assert_refused(refused, f'other.toml: was written for engine = "{engine}"', "[backend]", f"--backend {engine}")
         refused = self.call("--config", "kinematic.toml", "--rules", "released", "--out", "x")
-        self.assert_refused(refused, 2, 'kinematic.toml: was written for rule_table = "paper"', "[rules]", "--rules paper")
+        self.assert_refused(refused, 'kinematic.toml: was written for rule_table = "paper"', "[rules]", "--rules paper")
         (self.folder / "ecology.toml").write_text('engine = "mujoco"\nrule_table = "paper"\n[ecology]\nrobots = 20\n')
-        shared = self.call("--config", "ecology.toml", "--rules", "released", "--backend", "kinematic", "--print-config")
-        self.assertEqual(shared.returncode, 0, shared.stderr)
+        shared = self.run_ok("--config", "ecology.toml", "--rules", "released", "--backend", "kinematic", "--print-config")
         self.assertIn("robots = 20", shared.stdout)
         self.assertFalse((self.folder / "x").exists())
 
     @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
     def test_timesteps_of_the_control_period_and_of_screening(self):
-        self.assert_refused(self.call("--out", "refused", "--set", "physics.timestep_s=0.02"), 2, "physics.timestep_s = 0.02", "control period")
+        self.assert_refused(self.call("--out", "refused", "--set", "physics.timestep_s=0.02"), "physics.timestep_s = 0.02", "control period")
         self.assertIn("timestep_s = 0.002 ", self.call("--set", "backend.stepping=screening", "--print-config").stdout)
-        self.assert_refused(self.call("--out", "refused", "--set", "backend.stepping=screening", "--set", "physics.timestep_s=0.001"), 2, "physics.timestep_s = 0.001 with backend.stepping = screening: must be 0.002")
+        self.assert_refused(self.call("--out", "refused", "--set", "backend.stepping=screening", "--set", "physics.timestep_s=0.001"), "physics.timestep_s = 0.001 with backend.stepping = screening: must be 0.002")
 
     def test_resuming_needs_the_folder(self):
-        self.assert_refused(self.call("--backend", "kinematic", "--replicates", 2, "--resume"), 2, "--resume", "--out")
+        self.assert_refused(self.call("--backend", "kinematic", "--replicates", 2, "--resume"), "--resume", "--out")
 
     def test_existing_output_is_not_changed(self):
-        self.run_ok("run", "--duration", 10)
+        self.run_out("run", "--duration", 10)
         before = {file: (self.folder / "run" / file).read_bytes() for file in FILES}
-        self.assert_refused(self.call("--backend", "kinematic", "--duration", 20, "--out", "run"), 2, "run", "never overwritten")
+        self.assert_refused(self.call("--backend", "kinematic", "--duration", 20, "--out", "run"), "run", "never overwritten")
         self.assertEqual(before, {file: (self.folder / "run" / file).read_bytes() for file in FILES})
-        self.assert_refused(self.call("--backend", "kinematic", "--out", "/dev/full"), 2, "/dev/full", "never overwritten")
+        self.assert_refused(self.call("--backend", "kinematic", "--out", "/dev/full"), "/dev/full", "never overwritten")
 
     def test_folder_that_cannot_be_made(self):
         (self.folder / "file").write_text("")
-        self.assert_refused(self.call("--backend", "kinematic", "--out", "file/run"), 1, "file/run", "cannot be made")
+        self.assert_refused(self.call("--backend", "kinematic", "--out", "file/run"), "file/run", "cannot be made", code=1)
 
     def test_broken_files(self):
         (self.folder / "bad.toml").write_text("[ecology]\nrobots = = 3\n")
-        self.assert_refused(self.call("--config", "bad.toml", "--out", "x"), 2, "bad.toml:2")
-        self.assert_refused(self.call("--config", "missing.toml", "--out", "x"), 2, "missing.toml")
-        self.assert_refused(self.call("--robot", "nosuch", "--out", "x"), 2, "nosuch", "searched")
+        self.assert_refused(self.call("--config", "bad.toml", "--out", "x"), "bad.toml:2")
+        self.assert_refused(self.call("--config", "missing.toml", "--out", "x"), "missing.toml")
+        self.assert_refused(self.call("--robot", "nosuch", "--out", "x"), "nosuch", "searched")
         (self.folder / "robot.toml").write_text('name = "x"\n[core.front]\nmodule = "wheel"\n')
-        self.assert_refused(self.call("--robot", "./robot.toml", "--out", "x"), 2, "robot.toml", "wheel")
+        self.assert_refused(self.call("--robot", "./robot.toml", "--out", "x"), "robot.toml", "wheel")
         (self.folder / "numbers.toml").write_text("seed = -1\n")
-        self.assert_refused(self.call("--config", "numbers.toml", "--out", "x"), 2, "seed = -1", ">= 0")
+        self.assert_refused(self.call("--config", "numbers.toml", "--out", "x"), "seed = -1", ">= 0")
         (self.folder / "numbers.toml").write_text("[ecology]\nrobot_count = 3\n")
-        self.assert_refused(self.call("--config", "numbers.toml", "--out", "x"), 2, "numbers.toml: ecology.robot_count", "unknown key")
+        self.assert_refused(self.call("--config", "numbers.toml", "--out", "x"), "numbers.toml: ecology.robot_count", "unknown key")
 
     def test_full_disk_keeps_what_was_written(self):
-        limited = 'trap "" XFSZ; ulimit -f 200; exec "$@"'
-        result = self.call("--backend", "kinematic", "--out", "full", shell=limited)
+        result = self.call_by_shell('trap "" XFSZ; ulimit -f 200; exec "$@"', "--backend", "kinematic", "--out", "full")
         self.assertEqual(result.returncode, 1)
         self.assertIn("agents.csv", result.stderr)
         self.assertEqual(self.manifest("full")["status"], "failed")
         self.assertGreater(len(self.rows("full", "events.csv")), 30)
 
     def test_full_standard_output_is_an_error(self):
-        self.assertEqual(self.call("--print-config", shell='exec "$@" > /dev/full').returncode, 1)
-        result = self.call("--backend", "kinematic", "--duration", 10, "--out", "run", shell='exec "$@" > /dev/full')
-        self.assertEqual(result.returncode, 1)
+        for arguments in (["--print-config"], ["--backend", "kinematic", "--duration", 10, "--out", "run"]):
+            self.assertEqual(self.call_by_shell('exec "$@" > /dev/full', *arguments).returncode, 1)
         self.assertEqual(self.manifest("run")["status"], "complete")
 
     @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")

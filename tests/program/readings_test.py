@@ -4,7 +4,6 @@
 
 import json
 import pathlib
-import subprocess
 import sys
 import tomllib
 import unittest
@@ -21,9 +20,7 @@ AS_ABLATION = {"decision_order": ("ecology.decision_order", []), "blind_robot": 
 
 class Readings(InFolder):
     def run_ok(self, program, out, *arguments, seed=1):
-        command = [program, "--backend", "kinematic", "--duration", DURATION_S, "--seed", seed, *arguments, "--out", self.folder / out]
-        result = subprocess.run([*map(str, command)], capture_output=True, text=True, timeout=300)
-        self.assertEqual(result.returncode, 0, result.stderr)
+        super().run_ok(program, "--backend", "kinematic", "--duration", DURATION_S, "--seed", seed, *arguments, "--out", out)
 
     def read(self, out):
         return [(self.folder / out / table).read_bytes() for table in TABLES]
@@ -61,7 +58,7 @@ class Readings(InFolder):
 
     def test_the_cells_of_the_study_of_slow_predators_are_accepted(self):
         sweep = pathlib.Path(CHOICES).parents[1] / "studies/slow_predators/slow_predators.toml"
-        done = subprocess.run([READINGS, "--sweep", sweep, "--dry-run"], capture_output=True, text=True, timeout=300, cwd=self.folder)
+        done = self.call(READINGS, "--sweep", sweep, "--dry-run")
         if "mujoco" in done.stderr:
             self.skipTest(done.stderr)
         self.assertEqual(done.returncode, 0, done.stderr)

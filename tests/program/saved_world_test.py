@@ -26,8 +26,7 @@ NEEDED = ("mujoco-simulate", "Xvfb", "ffmpeg")
 
 class SavedWorld(InFolder):
     def save(self, *arguments):
-        command = [PROGRAM, "--save-mjcf", "world.xml", *arguments]
-        return subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=120)
+        return self.call(PROGRAM, "--save-mjcf", "world.xml", *arguments)
 
     def test_robots_have_the_colours_of_their_species(self):
         self.assertEqual(self.save("--set", "rules.community.predators=7").returncode, 0)
@@ -45,7 +44,7 @@ class SavedWorld(InFolder):
         self.assertEqual((self.folder / "world.xml").read_text(), "mine")
 
     def test_a_missing_folder_is_refused(self):
-        done = subprocess.run([PROGRAM, "--save-mjcf", "none/world.xml"], capture_output=True, text=True, cwd=self.folder, timeout=120)
+        done = self.call(PROGRAM, "--save-mjcf", "none/world.xml")
         self.assertEqual((done.returncode, done.stderr), (1, "trophic-predator-prey: cannot create none/world.xml: No such file or directory\n"))
 
     def start(self, *command, **how):

@@ -4,33 +4,24 @@
 neither changes another file."""
 
 import collections
-import csv
-import json
 import math
-import subprocess
 import sys
 import unittest
 
-from in_folder import InFolder
+from in_folder import InFolder, call
 
 PROGRAM = sys.argv.pop(1)
-ENGINES = ["kinematic"] + (["mujoco"] if ", mujoco" in subprocess.run([PROGRAM, "--help"], capture_output=True, text=True).stdout else [])
+ENGINES = ["kinematic"] + (["mujoco"] if ", mujoco" in call(PROGRAM, "--help").stdout else [])
 OTHERS = ["events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "replay.trp", "checkpoint.bin"]
 
 
 class Senses(InFolder):
     def run_ok(self, *arguments, backend="kinematic"):
         given = [] if "--sweep" in arguments or "--from" in arguments else ["--backend", backend]
-        done = subprocess.run([PROGRAM, *given, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True, timeout=300)
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        return done
+        return super().run_ok(PROGRAM, *given, *arguments)
 
     def rows(self, out, table="senses.csv"):
-        with open(self.folder / out / table, newline="") as file:
-            return list(csv.DictReader(file))
-
-    def manifest(self, out):
-        return json.loads((self.folder / out / "manifest.json").read_text())
+        return super().rows(out, table)
 
     def test_with_senses_every_other_file_is_the_same(self):
         for backend in ENGINES:
@@ -120,9 +111,8 @@ class Senses(InFolder):
         self.run_ok("--sweep", "grid.toml", "--out", "sweep")
         tables = list((self.folder / "sweep").rglob("senses.csv"))
         self.assertEqual(len(tables), 2)
-        done = subprocess.run([PROGRAM, "--sweep", "grid.toml", "--senses", "--out", "other"], cwd=self.folder, capture_output=True, text=True)
-        self.assertEqual(done.returncode, 2)
-        self.assertIn(": --senses: not with --sweep, which goes with --out, ", done.stderr)
+        refused = self.call(PROGRAM, "--sweep", "grid.toml", "--senses", "--out", "other")
+        self.assert_refused(refused, ": --senses: not with --sweep, which goes with --out, ")
 
     def test_states_of_a_table_whose_rules_keep_some(self):
         rules = ("--rules", "released", "--seed", 3)
@@ -153,9 +143,8 @@ class Senses(InFolder):
         tables = list((self.folder / "sweep").rglob("states.csv"))
         self.assertEqual(len(tables), 2)
         self.assertEqual(tables[0].read_text().splitlines()[0], "time_s,tick,body,id")
-        done = subprocess.run([PROGRAM, "--sweep", "grid.toml", "--states", "--out", "other"], cwd=self.folder, capture_output=True, text=True)
-        self.assertEqual(done.returncode, 2)
-        self.assertIn(": --states: not with --sweep, which goes with --out, ", done.stderr)
+        refused = self.call(PROGRAM, "--sweep", "grid.toml", "--states", "--out", "other")
+        self.assert_refused(refused, ": --states: not with --sweep, which goes with --out, ")
 
 
 if __name__ == "__main__":

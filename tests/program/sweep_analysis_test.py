@@ -2,28 +2,17 @@
 # SPDX-License-Identifier: MIT
 """sweep_analysis_test.py PREDATOR_PREY TROPHIC: a sweep from its folder to figures, as users meet it: files, errors, exit codes."""
 
-import csv
 import json
 import shutil
-import subprocess
 import sys
 import unittest
 
 import figures_python
-from in_folder import InFolderWithSets, sealed_text
+from in_folder import InFolderWithSets, run_ok, sealed_text
 
 PREDATOR_PREY, TROPHIC = (sys.argv.pop(1) for _ in range(2))
 SPEEDS, TICKS, REPLICATES, UNTIL_S = (1.0, 4.0), (15, 25), 6, 400.0
 FILES = ("cells.csv", "runs.csv", "sweep_metrics.csv", "sweep_differences.csv", "sweep_effects.csv", "summary.json")
-
-
-def call(*arguments, cwd):
-    return subprocess.run([*map(str, arguments)], capture_output=True, text=True, cwd=cwd, timeout=300)
-
-
-def table(path):
-    with open(path, newline="") as file:
-        return list(csv.DictReader(file))
 
 
 class SweepAnalysis(InFolderWithSets):
@@ -38,10 +27,9 @@ class SweepAnalysis(InFolderWithSets):
 
     @classmethod
     def run_cell(cls, sweep, plan, cell, rules, settings):
-        made = call(PREDATOR_PREY, "--backend", "kinematic", "--rules", rules, "--duration", UNTIL_S, "--replicates", REPLICATES,
-                    "--jobs", 2, "--replay-hz", 0, "--shadow", "--out", "cell",
-                    *(word for path, value in settings.items() for word in ("--set", f"{path}={value}")), cwd=cls.sets)
-        assert made.returncode == 0, made.stderr
+        run_ok(PREDATOR_PREY, "--backend", "kinematic", "--rules", rules, "--duration", UNTIL_S, "--replicates", REPLICATES,
+               "--jobs", 2, "--replay-hz", 0, "--shadow", "--out", "cell",
+               *(word for path, value in settings.items() for word in ("--set", f"{path}={value}")), cwd=cls.sets)
         for shadow in (False, True):
             for replicate in range(REPLICATES):
                 folder = f"cell-{cell:03}/{'shadow/' if shadow else ''}replicate-{replicate:02}"
@@ -64,18 +52,13 @@ class SweepAnalysis(InFolderWithSets):
         self.lines = [dict(line) for line in self.plan]
 
     def analyze(self, *arguments):
-        return call(TROPHIC, "analyze", *arguments, cwd=self.folder)
+        return self.call(TROPHIC, "analyze", *arguments)
 
-    def analyzed(self, *arguments, out="analysis"):
-        result = self.analyze("sweep", *arguments, "--out", out)
-        self.assertEqual(result.returncode, 0, result.stderr)
-        return result
+    def analyzed(self, *arguments):
+        return self.run_ok(TROPHIC, "analyze", "sweep", *arguments, "--out", "analysis")
 
     def refused(self, part, *arguments):
-        result = self.analyze(*(arguments or ["sweep"]))
-        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
-        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
-        self.assertIn(part, result.stderr)
+        self.assert_refused(self.analyze(*(arguments or ["sweep"])), part)
         self.assertFalse((self.folder / "analysis").exists())
 
     def test_a_sweep_is_grouped_by_cell_and_compared_with_one(self):
@@ -86,10 +69,10 @@ class SweepAnalysis(InFolderWithSets):
             self.assertIn(text, result.stdout)
         self.assertNotIn("no effect", result.stdout)
         self.assertEqual({path.name for path in (self.folder / "analysis").iterdir()}, set(FILES))
-        cells = table(self.folder / "analysis/cells.csv")
+        cells = self.rows("analysis/cells.csv")
         self.assertEqual([cell["backend.speed_scale"] for cell in cells], ["1.0", "1.0", "4.0", "4.0"])
         self.assertEqual({(cell["runs"], cell["shadow_runs"], cell["engine"]) for cell in cells}, {("6", "6", "kinematic")})
-        rows = table(self.folder / "analysis/sweep_differences.csv")
+        rows = self.rows("analysis/sweep_differences.csv")
         self.assertEqual({row["cell"] for row in rows}, {"1", "2", "3"})
         self.assertEqual([row["compared"] for row in rows], ["over_shadow", "raw"] * (len(rows) // 2))
         answers = [row for row in rows if row["compared"] == "over_shadow"]
@@ -120,18 +103,16 @@ class SweepAnalysis(InFolderWithSets):
         self.refused(words + " (--allow-missing leaves them out)")
         result = self.analyzed("--allow-missing")
         self.assertIn(words.removeprefix("sweep: ") + "; left out", result.stderr)
-        cells = table(self.folder / "analysis/cells.csv")
+        cells = self.rows("analysis/cells.csv")
         self.assertEqual([(cell["runs"], cell["runs_planned"], cell["shadow_runs"]) for cell in cells],
                          [("6", "6", "6"), ("5", "6", "6"), ("6", "6", "5"), ("6", "6", "6")])
-        few = [row for row in table(self.folder / "analysis/sweep_differences.csv") if row["cell"] == "1"]
+        few = [row for row in self.rows("analysis/sweep_differences.csv") if row["cell"] == "1"]
         self.assertTrue(any(row["difference"] for row in few))
         self.assertEqual({(row["p"], row["significant"], row["lower"]) for row in few}, {("", "", "")})
         self.assertIn("too few runs for a test in ", result.stdout)
         self.assertEqual(len(json.loads((self.folder / "analysis/summary.json").read_text())["sweep"]["missing"]), 2)
         shutil.rmtree(self.folder / "sweep/cell-000")
-        again = self.analyze("sweep", "--allow-missing", "--out", "none")
-        self.assertEqual(again.returncode, 2)
-        self.assertIn("--reference 0: must be a cell with a complete run", again.stderr)
+        self.assert_refused(self.analyze("sweep", "--allow-missing", "--out", "none"), "--reference 0: must be a cell with a complete run")
 
     def test_a_sweep_is_analyzed_alone(self):
         shutil.copytree(self.sets / "sweep", self.folder / "other")
@@ -152,28 +133,22 @@ class SweepAnalysis(InFolderWithSets):
             with self.subTest(arguments=arguments):
                 self.refused(part, *arguments)
         self.assertIn("runs of 200 s", self.analyzed("--until", 200).stdout)
-        again = self.analyze("sweep", "--out", "analysis")
-        self.assertEqual(again.returncode, 2)
-        self.assertIn("exists already", again.stderr)
+        self.assert_refused(self.analyze("sweep", "--out", "analysis"), "exists already")
 
     @unittest.skipUnless(figures_python.PYTHON, "needs matplotlib and pandas")
     def test_figures(self):
         self.analyzed()
-        result = call(TROPHIC, "plot", "analysis", cwd=self.folder)
-        self.assertEqual(result.returncode, 0, result.stderr)
+        self.run_ok(TROPHIC, "plot", "analysis")
         names = {path.name for path in (self.folder / "analysis/figures").iterdir()}
         for name in ("response-deaths", "heat-deaths-speed_scale-base_ticks", "response-velocity"):
             for ending in ("png", "pdf"):
                 self.assertIn(f"{name}.{ending}", names)
                 self.assertGreater((self.folder / f"analysis/figures/{name}.{ending}").stat().st_size, 5000)
-        one = call(TROPHIC, "plot", "analysis", "--metric", "deaths:prey:caught", "--axes",
-                   "rules.starvation.interval.base_ticks", "--out", "one", cwd=self.folder)
-        self.assertEqual((one.returncode, one.stdout), (0, "1 figures in one, with captions.json and captions.tex\n"), one.stderr)
+        one = self.run_ok(TROPHIC, "plot", "analysis", "--metric", "deaths:prey:caught", "--axes", "rules.starvation.interval.base_ticks", "--out", "one")
+        self.assertEqual(one.stdout, "1 figures in one, with captions.json and captions.tex\n")
         for arguments, part in ((["--metric", "no"], "--metric no: no such metric"), (["--axes", "no"], "--axes no: must be one of ")):
-            wrong = call(TROPHIC, "plot", "analysis", "--out", "wrong", *arguments, cwd=self.folder)
-            self.assertEqual(wrong.returncode, 2)
-            self.assertIn(part, wrong.stderr)
-        self.assertIn("not what trophic analyze writes", call(TROPHIC, "plot", "sweep", cwd=self.folder).stderr)
+            self.assert_refused(self.call(TROPHIC, "plot", "analysis", "--out", "wrong", *arguments), part)
+        self.assertIn("not what trophic analyze writes", self.call(TROPHIC, "plot", "sweep").stderr)
 
 
 if __name__ == "__main__":

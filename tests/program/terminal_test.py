@@ -53,7 +53,7 @@ class ProgressLine(InFolder):
 
 class Help(InFolder):
     def text(self, *command):
-        return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+        return self.run_ok(*command).stdout
 
     def test_groups_exit_codes_and_examples(self):
         head, examples = self.text(PREDATOR_PREY, "--help").split("\nExamples:\n")
@@ -73,9 +73,7 @@ class Help(InFolder):
     def test_help_of_a_command_is_its_help(self):
         self.assertEqual(self.text(TROPHIC, "help", "plot"), self.text(TROPHIC, "plot", "--help"))
         self.assertEqual(self.text(TROPHIC, "help"), self.text(TROPHIC, "--help"))
-        wrong = subprocess.run([TROPHIC, "help", "slot"], capture_output=True, text=True)
-        self.assertEqual((wrong.returncode, len(wrong.stderr.splitlines())), (2, 1))
-        self.assertIn("did you mean slots?", wrong.stderr)
+        self.assert_refused(self.call(TROPHIC, "help", "slot"), "did you mean slots?")
 
     def test_every_slot_is_asked_about_with_its_policies(self):
         text = self.text(TROPHIC, "help", "slots")
@@ -94,15 +92,14 @@ class Help(InFolder):
 
 
 class Tool(InFolder):
-    def call(self, *arguments):
-        return subprocess.run([TROPHIC, *arguments], capture_output=True, text=True, cwd=self.folder)
+    program = (TROPHIC,)
 
     def test_commands(self):
         text = self.call("--help").stdout
         for command in ("analyze", "plot", "cite", "help", "ablation-table", "cross-check", "evolve-gait", "measure-gait", "convert"):
             self.assertIn(command, text)
-            inner = self.call(command, "--help")
-            self.assertEqual((inner.returncode, inner.stderr), (0, ""))
+            inner = self.run_ok(command, "--help")
+            self.assertEqual(inner.stderr, "")
             self.assertIn(command, inner.stdout)
         self.assertIn("trophic", self.call("--version").stdout)
 

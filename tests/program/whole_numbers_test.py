@@ -5,7 +5,6 @@ unsigned one. The options are those that its --help marks N."""
 
 import pathlib
 import re
-import subprocess
 import sys
 import unittest
 
@@ -16,21 +15,17 @@ BAD = {"-1": ">= 0", "18446744073709551616": "<= 18446744073709551615",
        **dict.fromkeys(("1.5", "1e3", "0x10", "010", "many"), "a whole number in decimal digits")}
 
 
-def call(program, *arguments, folder):
-    return subprocess.run([*program, *arguments], capture_output=True, text=True, cwd=folder, timeout=60)
-
-
 class WholeNumbers(InFolder):
     def test_every_unsigned_option_of_every_program(self):
         self.assertGreaterEqual(len(PROGRAMS), 2)
         for program in PROGRAMS:
             name = " ".join([pathlib.Path(program[0]).name, *program[1:]])
-            options = re.findall(r"^ *(--[\w-]+) N\b", call(program, "--help", folder=self.folder).stdout, re.MULTILINE)
+            options = re.findall(r"^ *(--[\w-]+) N\b", self.call(*program, "--help").stdout, re.MULTILINE)
             self.assertGreaterEqual(len(options), 1, name)
             for option in options:
                 for text, must in BAD.items():
                     with self.subTest(program=name, option=option, text=text):
-                        result = call(program, option, text, folder=self.folder)
+                        result = self.call(*program, option, text)
                         self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
                         self.assertEqual(result.stderr, f"{name}: {option} {text}: must be {must}\n")
         self.assertEqual(list(self.folder.iterdir()), [])

@@ -5,9 +5,11 @@ import pathlib
 import zlib
 
 import pandas
+import pytest
 from in_folder import sealed_text
 
 from trophic.metrics import AGENTS, EVENTS, Agents, Web
+from trophic.runs import RunError
 
 EVENT_COLUMNS = "time_s tick event id species body tag active origin parent_id genome_id cause killer_id victim_id x_m y_m".split()
 AGENT_COLUMNS = ("time_s tick body id species origin active tag x_m y_m heading_rad target_angle_rad adversary_id adversary_distance_m "
@@ -48,6 +50,13 @@ CATCH = (event("birth", 0, 0, "prey", origin="inherited"), event("birth", 0, 1, 
 """A predator catches a prey; both inherited their genomes. The prey's body goes to a random predator."""
 WALK = (robot(0, 0, "prey", 9.5, 2.0), robot(0, 1, "predator", 1.0, 2.0, adversary_id=0, hunger_ticks=0),
         robot(1, 2, "predator", 1.0, 2.0, origin="random", hunger_ticks=0, body=0), robot(1, 1, "predator", 1.0, 2.0, hunger_ticks=0))
+
+
+def refusal(call, *arguments, **named):
+    """The words of the RunError that a call raises."""
+    with pytest.raises(RunError) as error:
+        call(*arguments, **named)
+    return str(error.value)
 
 
 def write_run(folder, seed=1, *, heredity="own_copy", of_agents=WALK, of_events=CATCH, status="complete", until_s=6000.0, sums=False, files=(),

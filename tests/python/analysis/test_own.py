@@ -6,7 +6,7 @@ import pathlib
 import numpy
 import pandas
 import pytest
-from hand_written import robot, write_run, write_set
+from hand_written import refusal, robot, write_run, write_set
 from trophic import pool
 from trophic.metrics import Measuring, metric, own
 from trophic.runs import RunError
@@ -25,12 +25,6 @@ def measured(run="run", **how):
     name = how["columns"][0].split(":")[1] if "columns" in how else own.own_metric(how["functions"][0]).name
     values, curves = of.values[of.values.metric == name], of.curves[of.curves.metric == name]
     return dict(zip(zip(values.species, values.group), values.value)), curves.value.tolist(), of.remarks
-
-
-def refusal(**how):
-    with pytest.raises(RunError) as error:
-        measured(**how)
-    return str(error.value)
 
 
 @pytest.mark.parametrize("text, unit", [("crowd.csv:close", "1"), ("crowd.csv:close:robots", "robots")])
@@ -61,7 +55,7 @@ def test_a_column_is_its_means_and_curves(table, until_s, values, curve):
     ("species,x\n" + "".join(f"s{i},1\n" for i in range(1001)), "--column own.csv:x: must be of at most 1000")])
 def test_a_cell_that_cannot_be_is_refused_by_file_and_line(table, why):
     write_run("run", files={"own.csv": table})
-    assert refusal(columns=["own.csv:x"]).startswith(why)
+    assert refusal(measured, columns=["own.csv:x"]).startswith(why)
 
 
 def test_a_run_without_any_value_gets_a_remark_and_a_table_of_the_run_may_not_be_changed():
@@ -71,7 +65,7 @@ def test_a_run_without_any_value_gets_a_remark_and_a_table_of_the_run_may_not_be
     write_run("two", files={"own.csv": "species,group,x\nprey,all,nan\nprey,old,nan\n"})
     assert [remark.split(" has")[0] for remark in measured("two", columns=["own.csv:x"])[2]] == ["two/own.csv: x prey", "two/own.csv: x prey old"]
     pathlib.Path("run/own.csv").write_text("x\n1\n")
-    assert refusal(columns=["own.csv:x"]).startswith("run/own.csv: has 1 rows and checksum ")
+    assert refusal(measured, columns=["own.csv:x"]).startswith("run/own.csv: has 1 rows and checksum ")
 
 
 @metric(unit="m")
@@ -118,7 +112,7 @@ def raises(run):
     (lambda run: run.senses, "run/senses.csv: cannot be read: ")])
 def test_what_goes_wrong_in_a_function_names_metric_and_run(function, why):
     write_run("run", until_s=600.0)
-    assert refusal(functions=[metric(name="odd")(function)]).startswith(f"metric odd: run: {why}")
+    assert refusal(measured, functions=[metric(name="odd")(function)]).startswith(f"metric odd: run: {why}")
 
 
 @pytest.mark.parametrize("function", [lambda run: NAN, lambda run: pandas.DataFrame({"odd": []}),
@@ -138,9 +132,8 @@ def test_a_run_with_nan_alone_gets_a_remark(function):
 def test_names_that_are_taken_or_not_words_are_refused_before_anything_is_measured(name, unit, why, monkeypatch):
     write_run("run", files={"crowd.csv": "close\n1\n"})
     monkeypatch.setattr(pool, "measure", lambda *_: pytest.fail("measured"))
-    with pytest.raises(RunError) as error:
-        pool.read_set(["run"], how=Measuring(columns=["crowd.csv:close"], functions=[from_centre, metric(name=name, unit=unit)(lambda run: 1.0)]))
-    assert str(error.value).startswith(why)
+    how = Measuring(columns=["crowd.csv:close"], functions=[from_centre, metric(name=name, unit=unit)(lambda run: 1.0)])
+    assert refusal(pool.read_set, ["run"], how=how).startswith(why)
     with pytest.raises(RunError, match="must be a function of a run"):
         Measuring(functions=["from_centre"])
 
@@ -148,7 +141,7 @@ def test_names_that_are_taken_or_not_words_are_refused_before_anything_is_measur
 def test_a_choice_of_an_own_metric_may_name_its_species():
     write_run("run")
     assert measured(functions=[from_centre], metrics=["from_centre:prey", "velocity:prey"])[0].keys() == {("prey", "all"), ("predator", "all")}
-    assert "did you mean from_centre?" in refusal(functions=[from_centre], metrics=["from_center"])
+    assert "did you mean from_centre?" in refusal(measured, functions=[from_centre], metrics=["from_center"])
 
 
 FILE = """import trophic

@@ -5,23 +5,17 @@ import os
 import pathlib
 
 import pytest
-from hand_written import CATCH, NONE, WALK, robot, sum_of, write_run, write_set
+from hand_written import CATCH, NONE, WALK, refusal, robot, sum_of, write_run, write_set
 from trophic import metrics, pool
 from trophic.description import describe
 from trophic.metrics import AGENTS, EVENTS, Measuring, own
-from trophic.runs import RunError, read_runs, read_study
+from trophic.runs import read_runs, read_study
 from trophic.words import NO_NEUTRAL
 
 
 @pytest.fixture(autouse=True)
 def in_folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-
-
-def refusal(call, *arguments, **named):
-    with pytest.raises(RunError) as error:
-        call(*arguments, **named)
-    return str(error.value)
 
 
 def pooled(*paths, **how):

@@ -9,7 +9,7 @@ import shutil
 import numpy
 import pandas
 import pytest
-from hand_written import write_run
+from hand_written import refusal, write_run
 from pytest import approx
 from trophic import statistics
 from trophic.metrics import Measuring
@@ -45,12 +45,6 @@ def plan_of_two_axes(replicates=6, with_shadow=False, paired=True):
 
 def values_of(plan, value, metric=HUNGER):
     return SweepValues([metric], numpy.array([[float(value(run))] for run in plan]), [True] * len(plan))
-
-
-def refusal(call, *arguments, **named):
-    with pytest.raises(RunError) as error:
-        call(*arguments, **named)
-    return str(error.value)
 
 
 # Grids

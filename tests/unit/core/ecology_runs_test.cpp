@@ -19,9 +19,6 @@ using observe::EventKind;
 
 namespace {
 
-template <class Rules>
-using Kinematics = Ecology<Rules>;
-
 /// Follows every event and tick of a run and checks what must hold in any.
 struct Auditor {
   explicit Auditor(std::size_t bodies) : founders{bodies} {}
@@ -142,8 +139,8 @@ struct Auditor {
 };
 
 template <class Rules>
-std::vector<std::string> record(typename Kinematics<Rules>::Params params, double until_s) {
-  Kinematics<Rules> ecology{params, backend::Kinematic::Params{}};
+std::vector<std::string> record(typename Ecology<Rules>::Params params, double until_s) {
+  Ecology<Rules> ecology{params, backend::Kinematic::Params{}};
   test::Recorder recorder;
   ecology.run_until(until_s, recorder);
   return recorder.all;
@@ -154,7 +151,7 @@ std::vector<std::string> record(typename Kinematics<Rules>::Params params, doubl
 TEST_CASE("runs: paper's rules, 6000 s -> balances and floors hold") {
   for (const auto seed : {std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{3}}) {
     CAPTURE(seed);
-    Kinematics<rules::Paper> ecology{{.seed = seed}, backend::Kinematic::Params{}};
+    Ecology<rules::Paper> ecology{{.seed = seed}, backend::Kinematic::Params{}};
     Auditor audit{30};
     ecology.run_until(6000.0, audit);
     CHECK(audit.ticks == 3001);
@@ -173,7 +170,7 @@ TEST_CASE("runs: paper's rules, 6000 s -> balances and floors hold") {
 TEST_CASE("runs: released rules, 6000 s -> balances and floors hold") {
   for (const auto seed : {std::uint64_t{1}, std::uint64_t{2}, std::uint64_t{3}}) {
     CAPTURE(seed);
-    Kinematics<rules::Released> ecology{{.seed = seed}, backend::Kinematic::Params{}};
+    Ecology<rules::Released> ecology{{.seed = seed}, backend::Kinematic::Params{}};
     Auditor audit{30};
     audit.cool_down_s = 100.0;
     ecology.run_until(6000.0, audit);
@@ -190,7 +187,7 @@ TEST_CASE("runs: released rules, 6000 s -> balances and floors hold") {
 TEST_CASE("runs: paper's rules -> starvation procedures 25 - p ticks apart, p after the last one") {
   using Rules =
       with_starvation_exemption<rules::Paper, death::starvation::exemption::NoExemption>;  // so that each procedure has a victim
-  Kinematics<Rules> ecology{{.seed = 4}, backend::Kinematic::Params{}};
+  Ecology<Rules> ecology{{.seed = 4}, backend::Kinematic::Params{}};
   Auditor audit{30};
   ecology.run_until(6000.0, audit);
   std::int64_t next = 25 - 14;
@@ -211,7 +208,7 @@ TEST_CASE("runs: paper's rules -> starvation procedures 25 - p ticks apart, p af
 }
 
 TEST_CASE("runs: released rules -> a predator starves after 50 - 2 p seconds, p of this tick and above 7") {
-  Kinematics<rules::Released> ecology{{.seed = 5}, backend::Kinematic::Params{}};
+  Ecology<rules::Released> ecology{{.seed = 5}, backend::Kinematic::Params{}};
   Auditor audit{30};
   audit.cool_down_s = 100.0;
   ecology.run_until(6000.0, audit);
@@ -241,7 +238,7 @@ TEST_CASE("runs: same seed -> same bits, another seed -> another run") {
 
 TEST_CASE("runs: observers and pauses -> same run") {
   const auto alone = record<rules::Paper>({.seed = 8}, 800.0);
-  Kinematics<rules::Paper> ecology{{.seed = 8}, backend::Kinematic::Params{}};
+  Ecology<rules::Paper> ecology{{.seed = 8}, backend::Kinematic::Params{}};
   test::Recorder recorder;
   Auditor audit{30};
   struct Counter {
@@ -258,7 +255,7 @@ TEST_CASE("runs: observers and pauses -> same run") {
   CHECK(counter.starts == 4);
   CHECK(counter.ends == 4);
 
-  Kinematics<rules::Paper> unobserved{{.seed = 8}, backend::Kinematic::Params{}};
+  Ecology<rules::Paper> unobserved{{.seed = 8}, backend::Kinematic::Params{}};
   unobserved.run_until(800.0);
   CHECK(unobserved.view().robots[7].id == ecology.view().robots[7].id);
   CHECK(unobserved.view().poses[7].x_m == ecology.view().poses[7].x_m);
@@ -278,7 +275,7 @@ TEST_CASE("runs: observer throws -> on_failure for all, no on_end, exception ret
     bool ended = false;
     std::string told;
   } other;
-  Kinematics<rules::Paper> ecology{{.seed = 9}, backend::Kinematic::Params{}};
+  Ecology<rules::Paper> ecology{{.seed = 9}, backend::Kinematic::Params{}};
   CHECK_THROWS_WITH_AS(ecology.run_until(100.0, other, thrower), "disk full", std::runtime_error);
   CHECK(thrower.told == "disk full");
   CHECK(other.told == "disk full");
@@ -293,7 +290,7 @@ TEST_CASE("runs: observer stops -> clean end after that tick") {
     std::int64_t last = -1;
     std::int64_t ended_at = -1;
   } stop;
-  Kinematics<rules::Paper> ecology{{.seed = 10}, backend::Kinematic::Params{}};
+  Ecology<rules::Paper> ecology{{.seed = 10}, backend::Kinematic::Params{}};
   ecology.run_until(100.0, stop);
   CHECK(ecology.tick() == 10);
   CHECK(stop.ended_at == 10);
@@ -335,8 +332,7 @@ TEST_CASE("runs: food chain of three species -> survives under both rule tables"
   using Released = with_community<rules::Released, Pasture>;
   for (const auto seed : {std::uint64_t{11}, std::uint64_t{12}}) {
     CAPTURE(seed);
-    live(std::make_unique<Kinematics<Paper>>(typename Kinematics<Paper>::Params{.seed = seed}, backend::Kinematic::Params{}));
-    live(std::make_unique<Kinematics<Released>>(typename Kinematics<Released>::Params{.seed = seed},
-                                                backend::Kinematic::Params{}));
+    live(std::make_unique<Ecology<Paper>>(typename Ecology<Paper>::Params{.seed = seed}, backend::Kinematic::Params{}));
+    live(std::make_unique<Ecology<Released>>(typename Ecology<Released>::Params{.seed = seed}, backend::Kinematic::Params{}));
   }
 }

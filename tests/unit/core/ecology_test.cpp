@@ -60,19 +60,17 @@ struct Backwards {
   }
 };
 
-template <class Rules>
-using Kinematics = Ecology<Rules>;
-
 const backend::Kinematic::Params still{.speed_scale = 0.0, .turn_scale = 0.0};
 
 /// A scene's numbers: nobody moves, no floors, newborn become active at once unless somebody stands on them.
 template <class Rules>
-typename Kinematics<Rules>::Params scene(std::vector<GroundPose> poses) {
+typename Ecology<Rules>::Params scene(std::vector<GroundPose> poses, std::size_t predators = 1) {
   Places::poses = std::move(poses);
-  typename Kinematics<Rules>::Params params;
+  typename Ecology<Rules>::Params params;
   params.ecology.robots = Places::poses.size();
   params.rules.activation.distance_m = 0.1;
   params.rules.floor.floor = 0;
+  if constexpr (requires { params.rules.community.predators; }) params.rules.community.predators = predators;
   if constexpr (requires { params.rules.minimum_predators.below; }) params.rules.minimum_predators.below = 0;
   return params;
 }
@@ -81,8 +79,8 @@ using Scene = with_placement<rules::Paper, Places>;
 using ChainScene = with_community<Scene, Chain>;
 
 template <class Rules>
-Lines events(const typename Kinematics<Rules>::Params& params, double until_s) {
-  Kinematics<Rules> ecology{params, still};
+Lines events(const typename Ecology<Rules>::Params& params, double until_s) {
+  Ecology<Rules> ecology{params, still};
   test::Recorder recorder;
   ecology.run_until(until_s, recorder);
   return recorder.events;
@@ -101,15 +99,13 @@ Lines at_tick(std::int64_t tick, const Lines& lines) {
 
 TEST_CASE("ecology: start -> births, then at tick 0 activation before catches, each with death and birth") {
   auto params = scene<Scene>({{.x_m = 0.0}, {.x_m = 0.5}});
-  params.rules.community.predators = 1;
   CHECK(events<Scene>(params, 0.0) == Lines{"0 birth body 0 id 0 species 0", "0 birth body 1 id 1 species 1",
                                             "0 activation body 0 id 0 species 0", "0 catch body 1 id 1 species 1 other 0",
                                             "0 death body 0 id 0 species 0 caught other 1", "0 birth body 0 id 2 species 1"});
 }
 
 TEST_CASE("ecology: one tick -> starvation, then minimum predators, then perception") {
-  auto params = scene<Scene>({{.x_m = 9.0, .y_m = 9.0}, {.x_m = -9.0, .y_m = -9.0}, {.x_m = -9.0, .y_m = 9.0}});
-  params.rules.community.predators = 2;
+  auto params = scene<Scene>({{.x_m = 9.0, .y_m = 9.0}, {.x_m = -9.0, .y_m = -9.0}, {.x_m = -9.0, .y_m = 9.0}}, 2);
   params.rules.minimum_predators.below = 2;
   struct Perception {
     void on_tick(const View& view) {
@@ -121,7 +117,7 @@ TEST_CASE("ecology: one tick -> starvation, then minimum predators, then percept
       }
     }
   } perception;
-  Kinematics<Scene> ecology{params, still};
+  Ecology<Scene> ecology{params, still};
   test::Recorder recorder;
   ecology.run_until(46.0, recorder, perception);
   // Delta = 25 - 2 = 23 ticks; the two predators are equally hungry, so the earlier born starves
@@ -138,12 +134,11 @@ TEST_CASE("ecology: catch -> hunter fed, victim's body remembers its killer") {
   using Rules = with_parent_after<with_parent_after<Scene, Cause::starved, reproduction::parent::LastSeenVictim>,
                                   Cause::sacrificed, reproduction::parent::LastKiller>;
   auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}, {.x_m = 8.0}});
-  params.rules.community.predators = 1;
   params.rules.genome_source.random_share = 0.0;
   params.rules.capture.reach_m = 7.6;
   Places::poses = {{.x_m = 8.0}, {.x_m = 0.5}, {.x_m = 0.5}};
   params.rules.activation.distance_m = 0.2;  // body 1 stands on the predator and stays inactive
-  Kinematics<Rules> ecology{params, still};
+  Ecology<Rules> ecology{params, still};
   ecology.run_until(0.0);
   const auto robots = ecology.view().robots;
   CHECK(robots[0].parent() == 2);
@@ -188,15 +183,10 @@ struct ScriptedTag {
   [[nodiscard]] int tag(std::optional<int>, std::span<const int>, Rng&) const { return given; }
 };
 
-/// The sentence of the RuleError that `act` ends with; empty if it does not.
-template <class Act>
-std::string rule_error(Act&& act) {
-  try {
-    act();
-  } catch (const RuleError& error) {
-    return error.what();
-  }
-  return "";
+/// The sentence of the RuleError that a run ends with; empty if there is none.
+template <class Rules>
+std::string rule_error(const typename Ecology<Rules>::Params& params, double until_s = 0.0) {
+  return test::message_of<RuleError>([&] { Ecology<Rules>{params, still}.run_until(until_s); });
 }
 
 }  // namespace
@@ -204,13 +194,12 @@ std::string rule_error(Act&& act) {
 TEST_CASE("ecology: tags of the brain -> in the description, none or duplicates -> error before the run") {
   using Rules = with_brain<Scene, ScriptedTags>;
   auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}});
-  params.rules.community.predators = 1;
   const auto made_with = [&](std::vector<int> tags) {
     ScriptedTags::listed = std::move(tags);
-    return rule_error([&] { Kinematics<Rules>{params, still}; });
+    return test::message_of<RuleError>([&] { Ecology<Rules>{params, still}; });
   };
   CHECK(made_with({1, -1}) == "");
-  CHECK(Kinematics<Rules>{params, still}.describe(1.0).tags == std::vector<int>{1, -1});
+  CHECK(Ecology<Rules>{params, still}.describe(1.0).tags == std::vector<int>{1, -1});
   CHECK(made_with({}) == "the policy in rules.brain returned no tags(): must list every tag that it may choose");
   CHECK(made_with({1, -1, 1}) == "the policy in rules.brain returned tags() with 1 twice: must list each tag once");
 }
@@ -242,7 +231,7 @@ TEST_CASE("ecology: brain with three tags -> all can be shown") {
     }
     std::map<int, std::size_t> shown;
   } tags;
-  Kinematics<Rules> ecology{{.seed = 3}, backend::Kinematic::Params{}};
+  Ecology<Rules> ecology{{.seed = 3}, backend::Kinematic::Params{}};
   test::Recorder recorder;
   ecology.run_until(300.0, tags, recorder);
   REQUIRE(tags.shown.size() == 3);
@@ -254,8 +243,7 @@ TEST_CASE("ecology: brain with three tags -> all can be shown") {
 
 TEST_CASE("ecology: policy returns a victim twice -> one catch") {
   using Rules = with_capture<Scene, Scripted>;
-  auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}, {.x_m = 0.9}, {.x_m = -0.9}});
-  params.rules.community.predators = 3;
+  auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}, {.x_m = 0.9}, {.x_m = -0.9}}, 3);
   Scripted::captures_at_0 = {{.hunter = 1, .victim = 0}, {.hunter = 2, .victim = 0}, {.hunter = 3, .victim = 0}};
   CHECK(at_tick(0, events<Rules>(params, 0.0)) ==
         Lines{"birth body 0 id 0 species 0", "birth body 1 id 1 species 1", "birth body 2 id 2 species 1",
@@ -267,9 +255,8 @@ TEST_CASE("ecology: policy returns a value that does not exist -> RuleError with
   using Rules = with_capture<Scene, Scripted>;
   const auto message = [](std::vector<death::Capture> captures) {
     auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}});
-    params.rules.community.predators = 1;
     Scripted::captures_at_0 = std::move(captures);
-    return rule_error([&] { Kinematics<Rules>{params, still}.run_until(0.0); });
+    return rule_error<Rules>(params);
   };
   CHECK(message({{.hunter = 1, .victim = 0}}).empty());
   CHECK(message({{.hunter = 2, .victim = 0}}) == "the policy in rules.capture returned hunter 2: must be < 2");
@@ -317,7 +304,6 @@ struct Nobody {
 TEST_CASE("ecology: policy sacrifices a victim twice -> its newborn is not sacrificed") {
   using Rules = with_minimum_predators<Scene, TwiceTheSame>;
   auto params = scene<Rules>({{.x_m = 9.0}, {.x_m = -9.0}});
-  params.rules.community.predators = 1;
   const Lines lines = at_tick(0, events<Rules>(params, 0.0));
   CHECK(std::ranges::count(lines, "death body 0 id 0 species 0 sacrificed") == 1);
   CHECK(std::ranges::count_if(lines, [](const std::string& line) { return line.starts_with("death"); }) == 1);
@@ -326,20 +312,13 @@ TEST_CASE("ecology: policy sacrifices a victim twice -> its newborn is not sacri
 TEST_CASE("ecology: wrong number of founders or places, or a place that is not finite -> RuleError") {
   using Few = with_community<Scene, Short>;
   const auto few = scene<Few>({{.x_m = 0.0}, {.x_m = 0.5}});
-  CHECK(rule_error([&] {
-          Kinematics<Few>{few, still};
-        }) == "the policy in rules.community returned 1 founders: must be 2, the number of robots");
+  CHECK(rule_error<Few>(few) == "the policy in rules.community returned 1 founders: must be 2, the number of robots");
   auto params = scene<Scene>({{.x_m = 0.0}, {.x_m = 0.5}});
-  params.rules.community.predators = 1;
   params.ecology.robots = 3;
-  CHECK(rule_error([&] {
-          Kinematics<Scene>{params, still};
-        }) == "the policy in rules.placement returned 2 places: must be 3, the number of robots");
+  CHECK(rule_error<Scene>(params) == "the policy in rules.placement returned 2 places: must be 3, the number of robots");
   params.ecology.robots = 2;
   Places::poses[1].y_m = std::numeric_limits<double>::quiet_NaN();
-  CHECK(rule_error([&] {
-          Kinematics<Scene>{params, still};
-        }) == "the policy in rules.placement returned the place of body 1: must be finite");
+  CHECK(rule_error<Scene>(params) == "the policy in rules.placement returned the place of body 1: must be finite");
 }
 
 TEST_CASE("ecology: a species' name that breaks a row of a table -> RuleError") {
@@ -347,7 +326,7 @@ TEST_CASE("ecology: a species' name that breaks a row of a table -> RuleError") 
   const auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}});
   const auto made_with = [&](std::string name) {
     Named::given = std::move(name);
-    return rule_error([&] { Kinematics<Rules>{params, still}; });
+    return rule_error<Rules>(params);
   };
   CHECK(made_with("gr\xc3\xbcne Beute") == "");
   CHECK(made_with("prey, small") ==
@@ -359,40 +338,30 @@ TEST_CASE("ecology: a species' name that breaks a row of a table -> RuleError") 
 TEST_CASE("ecology: parent without a genome -> RuleError with its id") {
   using Rules = with_parent_after<with_capture<Scene, Scripted>, Cause::caught, Nobody>;
   auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}});
-  params.rules.community.predators = 1;
   params.rules.genome_source.random_share = 0.0;
   Scripted::captures_at_0 = {{.hunter = 1, .victim = 0}};
-  CHECK(rule_error([&] {
-          Kinematics<Rules>{params, still}.run_until(0.0);
-        }) == "the policy in rules.parent returned individual 0 as a parent: must have a genome of 15 weights");
+  CHECK(rule_error<Rules>(params) ==
+        "the policy in rules.parent returned individual 0 as a parent: must have a genome of 15 weights");
 }
 
 TEST_CASE("ecology: newborn or brain tag that is not listed -> RuleError") {
   using Rules = with_newborn_tag<Scene, ScriptedTag>;
-  auto params = scene<Rules>({{.x_m = 0.0}});
-  params.rules.community.predators = 0;
+  auto params = scene<Rules>({{.x_m = 0.0}}, 0);
   ScriptedTag::given = -1;
-  CHECK(rule_error([&] { Kinematics<Rules>{params, still}; }).empty());
+  CHECK(rule_error<Rules>(params).empty());
   ScriptedTag::given = 2;
-  CHECK(rule_error([&] {
-          Kinematics<Rules>{params, still};
-        }) == "the policy in rules.newborn_tag returned tag 2: must be one of the brain's tags() (-1, 1)");
+  CHECK(rule_error<Rules>(params) == "the policy in rules.newborn_tag returned tag 2: must be one of the brain's tags() (-1, 1)");
 }
 
 TEST_CASE("ecology: values of rules that are not finite -> RuleError before they are written") {
-  typename Kinematics<rules::Paper>::Params params;
+  typename Ecology<rules::Paper>::Params params;
   params.rules.initial_genome.limit = 1e308;
-  CHECK(rule_error([&] {
-          Kinematics<rules::Paper>{params, still};
-        }) == "the policy in rules.initial_genome returned weights: must be finite");
+  CHECK(rule_error<rules::Paper>(params) == "the policy in rules.initial_genome returned weights: must be finite");
   using Rules = with_brain<Scene, ScriptedTags>;
   ScriptedTags::listed = {1};
   ScriptedTags::angle_rad = std::numeric_limits<double>::quiet_NaN();
   auto turning = scene<Rules>({{.x_m = 0.0}, {.x_m = 0.5}});
-  turning.rules.community.predators = 1;
-  CHECK(rule_error([&] {
-          Kinematics<Rules>{turning, still}.run_until(0.0);
-        }) == "the policy in rules.brain returned a target angle: must be finite");
+  CHECK(rule_error<Rules>(turning) == "the policy in rules.brain returned a target angle: must be finite");
   ScriptedTags::angle_rad = 0.7;
 }
 
@@ -414,9 +383,8 @@ TEST_CASE("ecology: hunter caught earlier in the tick -> no more catches") {
 TEST_CASE("ecology: floor reached within a tick -> no more catches") {
   for (const std::size_t floor : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
     auto params = scene<Scene>({{.x_m = 0.3}, {.x_m = 0.5}, {.x_m = 0.0}});
-    params.rules.community.predators = 1;
     params.rules.floor.floor = floor;
-    Kinematics<Scene> ecology{params, still};
+    Ecology<Scene> ecology{params, still};
     ecology.run_until(0.0);
     CHECK(ecology.view().count(test::prey) == floor);
     if (floor == 1) CHECK(ecology.view().robots[0].species == test::predator);  // the closer one was caught
@@ -424,11 +392,10 @@ TEST_CASE("ecology: floor reached within a tick -> no more catches") {
 }
 
 TEST_CASE("ecology: floor reached -> no sacrifices") {
-  auto params = scene<Scene>({{.x_m = 9.0}, {.x_m = -9.0}, {.x_m = 0.0}});
-  params.rules.community.predators = 0;
+  auto params = scene<Scene>({{.x_m = 9.0}, {.x_m = -9.0}, {.x_m = 0.0}}, 0);
   params.rules.minimum_predators.below = 3;
   params.rules.floor.floor = 1;
-  Kinematics<Scene> ecology{params, still};
+  Ecology<Scene> ecology{params, still};
   ecology.run_until(0.0);
   CHECK(ecology.view().count(test::predator) == 1);  // one a tick
   ecology.run_until(20.0);
@@ -438,9 +405,8 @@ TEST_CASE("ecology: floor reached -> no sacrifices") {
 TEST_CASE("ecology: together -> all perceive the tags before the first change") {
   using Rules = with_starvation_exemption<with_brain<Scene, AlwaysMinus>, death::starvation::exemption::NearRememberedAdversary>;
   auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 3.0}});
-  params.rules.community.predators = 1;
   params.rules.tag_switch.cool_down_s = 0.0;
-  Kinematics<Rules> ecology{params, still};
+  Ecology<Rules> ecology{params, still};
   test::Recorder recorder;
   ecology.run_until(0.0, recorder);
   for (BodyIndex body = 0; body < 2; ++body) {
@@ -459,10 +425,9 @@ TEST_CASE("ecology: together -> all perceive the tags before the first change") 
 TEST_CASE("ecology: in turn -> later robots see tags chosen earlier in the tick") {
   using Rules = with_brain<Scene, AlwaysMinus>;
   auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 3.0}});
-  params.rules.community.predators = 1;
   params.rules.tag_switch.cool_down_s = 0.0;
   params.ecology.decision_order = DecisionOrder::in_turn;
-  Kinematics<Rules> ecology{params, still};
+  Ecology<Rules> ecology{params, still};
   ecology.run_until(0.0);
   CHECK(ecology.view().robots[0].adversary == 1);   // both showed +1 when body 0 looked
   CHECK_FALSE(ecology.view().robots[1].adversary);  // body 0 has switched meanwhile
@@ -473,9 +438,8 @@ TEST_CASE("ecology: no switch -> tag clock restarts with sampling, not with cool
   using Brain = with_brain<Scene, AlwaysMinus>;
   const auto clocks = [](auto rules, double until_s) {
     using Rules = typename decltype(rules)::type;
-    auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 3.0}});
-    params.rules.community.predators = 0;
-    Kinematics<Rules> ecology{params, still};
+    auto params = scene<Rules>({{.x_m = 0.0}, {.x_m = 3.0}}, 0);
+    Ecology<Rules> ecology{params, still};
     ecology.run_until(until_s);
     return ecology.view().robots[0].tag_since_s;
   };
@@ -488,7 +452,6 @@ TEST_CASE("ecology: no switch -> tag clock restarts with sampling, not with cool
 
 TEST_CASE("ecology: before first_tick_s -> no events") {
   auto params = scene<Scene>({{.x_m = 0.0}, {.x_m = 0.5}});
-  params.rules.community.predators = 1;
   params.ecology.first_tick_s = 2.0;
   const Lines lines = events<Scene>(params, 4.0);
   CHECK(at_tick(0, lines) == Lines{"birth body 0 id 0 species 0", "birth body 1 id 1 species 1"});
@@ -498,9 +461,8 @@ TEST_CASE("ecology: before first_tick_s -> no events") {
 
 TEST_CASE("ecology: heading rule of the table -> headings in the view") {
   using Rules = with_heading<Scene, Backwards>;
-  auto params = scene<Rules>({{.x_m = 0.0, .heading_rad = 0.25}});
-  params.rules.community.predators = 0;
-  Kinematics<Rules> ecology{params, still};
+  auto params = scene<Rules>({{.x_m = 0.0, .heading_rad = 0.25}}, 0);
+  Ecology<Rules> ecology{params, still};
   ecology.run_until(2.0);
   CHECK(ecology.view().poses[0].heading_rad == doctest::Approx(wrap_angle(3.25)));
 }
@@ -509,11 +471,10 @@ TEST_CASE("ecology: memory of the last seen prey -> changes only when another bo
   using Ageing = with_senescence<Scene, death::senescence::OldAge>;
   using Rules = with_parent_after<Ageing, Cause::starved, reproduction::parent::LastSeenVictim>;
   auto params = scene<Rules>({{.x_m = 3.0}, {.x_m = 0.0}});
-  params.rules.community.predators = 1;
   params.rules.senescence.max_age_s = 20.0;
   params.rules.starvation.interval.base_ticks = 1000;
   params.rules.tag_switch.cool_down_s = 1e6;
-  Kinematics<Rules> ecology{params, still};
+  Ecology<Rules> ecology{params, still};
   ecology.run_until(24.0);
   const auto robots = ecology.view().robots;
   CHECK(robots[0].id == 2);  // reborn at tick 10, seen again from tick 11 on
@@ -525,16 +486,15 @@ TEST_CASE("ecology: memory of the last seen prey -> changes only when another bo
 }
 
 TEST_CASE("ecology: no target perceived -> the brain decides, or the last decision stays") {
-  auto params = scene<Scene>({{.x_m = 0.0}});
-  params.rules.community.predators = 0;
-  Kinematics<Scene> asked{params, still};
+  auto params = scene<Scene>({{.x_m = 0.0}}, 0);
+  Ecology<Scene> asked{params, still};
   asked.run_until(0.0);
   CHECK(std::abs(asked.view().robots[0].target_angle_rad) == 0.7);
   CHECK_FALSE(asked.view().robots[0].adversary);
   CHECK(std::isnan(asked.view().robots[0].adversary_distance_m));
 
   params.ecology.without_target = WithoutTarget::keeps_decision;
-  Kinematics<Scene> kept{params, still};
+  Ecology<Scene> kept{params, still};
   kept.run_until(200.0);
   CHECK(kept.view().robots[0].target_angle_rad == 0.0);
   CHECK(kept.view().robots[0].tag == 1);
@@ -543,7 +503,6 @@ TEST_CASE("ecology: no target perceived -> the brain decides, or the last decisi
 TEST_CASE("ecology: death of old age -> body stays with its species") {
   using Rules = with_senescence<Scene, death::senescence::OldAge>;
   auto params = scene<Rules>({{.x_m = 9.0}, {.x_m = -9.0}});
-  params.rules.community.predators = 1;
   params.rules.senescence.max_age_s = 20.0;
   params.rules.starvation.interval.base_ticks = 1000;
   const Lines lines = events<Rules>(params, 40.0);
@@ -560,11 +519,10 @@ TEST_CASE("ecology: prey die of age -> prey, with a parent of their species or n
   const auto successor = [](auto rules) {
     using Rules = typename decltype(rules)::type;
     auto params = scene<Rules>({{.x_m = 2.0}, {.x_m = 5.0}, {.x_m = 0.0}});
-    params.rules.community.predators = 1;
     params.rules.senescence.max_age_s = 20.0;
     params.rules.starvation.interval.base_ticks = 1000;
     params.rules.genome_source.random_share = 0.0;
-    Kinematics<Rules> ecology{params, still};
+    Ecology<Rules> ecology{params, still};
     ecology.run_until(20.0);
     const auto robots = ecology.view().robots;
     CHECK(robots[0].species == test::prey);
@@ -580,13 +538,10 @@ TEST_CASE("ecology: parent of another species than the successor -> RuleError") 
   using Rules = with_parent_after<with_senescence<Scene, death::senescence::OldAge>, Cause::senescence,
                                   reproduction::parent::NearestVictim>;
   auto params = scene<Rules>({{.x_m = 2.0}, {.x_m = 0.0}});
-  params.rules.community.predators = 1;
   params.rules.senescence.max_age_s = 20.0;
   params.rules.starvation.interval.base_ticks = 1000;
   params.rules.genome_source.random_share = 0.0;
-  CHECK(rule_error([&] {
-          Kinematics<Rules>{params, still}.run_until(20.0);
-        }) ==
+  CHECK(rule_error<Rules>(params, 20.0) ==
         "the policy in rules.parent returned individual 2, a prey, as the parent of a predator: must be of its "
         "offspring's species");
 }
@@ -596,12 +551,11 @@ TEST_CASE("ecology: a predator starves -> offspring of the nearest active prey o
     CAPTURE(distance_m);
     const bool is_parent = distance_m == 6.0 || distance_m == 11.0;
     auto params = scene<Scene>({{.x_m = distance_m - 5.0}, {.x_m = -5.0}});
-    params.rules.community.predators = 1;
     params.rules.genome_source.random_share = 0.0;
     params.rules.starvation.exemption.range_m = 0.0;
     params.rules.activation.distance_m = 5.0;
     params.rules.parent.starved.range_m = 12.0;
-    Kinematics<Scene> ecology{params, still};
+    Ecology<Scene> ecology{params, still};
     ecology.run_until(48.0);  // Delta = 24 ticks
     const Individual& born = ecology.view().robots[1];
     CHECK(born.id == 2);
@@ -613,15 +567,13 @@ TEST_CASE("ecology: a predator starves -> offspring of the nearest active prey o
 
 TEST_CASE("ecology: all hunters exempt -> none starves, next procedure an interval later") {
   auto params = scene<Scene>({{.x_m = 3.0}, {.x_m = 0.0}});
-  params.rules.community.predators = 1;
   params.rules.tag_switch.cool_down_s = 1e6;
   CHECK(at_tick(24, events<Scene>(params, 100.0)).empty());  // a prey that it perceives is 3 m away
 }
 
 TEST_CASE("ecology: run_until -> whole ticks, continues, ignores times in the past") {
   auto params = scene<Scene>({{.x_m = 9.0}, {.x_m = -9.0}});
-  params.rules.community.predators = 1;
-  Kinematics<Scene> ecology{params, still};
+  Ecology<Scene> ecology{params, still};
   CHECK(ecology.tick() == 0);
   ecology.run_until(3.0);
   CHECK(ecology.tick() == 2);
@@ -638,9 +590,8 @@ TEST_CASE("ecology: run_until -> whole ticks, continues, ignores times in the pa
 
 TEST_CASE("ecology: clock_scale -> physics faster than the clock by that factor") {
   auto params = scene<Scene>({{.x_m = 9.0}, {.x_m = -9.0}});
-  params.rules.community.predators = 1;
   params.ecology.clock_scale = 1.5;
-  Kinematics<Scene> ecology{params, still};
+  Ecology<Scene> ecology{params, still};
   ecology.run_until(10.0);
   CHECK(ecology.tick() == 5);
   CHECK(ecology.backend().time_s() == doctest::Approx(15.0));
@@ -649,14 +600,8 @@ TEST_CASE("ecology: clock_scale -> physics faster than the clock by that factor"
 TEST_CASE("ecology: bad numbers -> named error before the run") {
   const auto message = [](auto change) {
     auto params = scene<Scene>({{.x_m = 9.0}, {.x_m = -9.0}});
-    params.rules.community.predators = 1;
     change(params);
-    try {
-      Kinematics<Scene>{params, still};
-    } catch (const std::invalid_argument& error) {
-      return std::string{error.what()};
-    }
-    return std::string{};
+    return test::message_of<std::invalid_argument>([&] { Ecology<Scene>{params, still}; });
   };
   CHECK(message([](auto&) {}) == "");
   CHECK(message([](auto& p) { p.rules.community.predators = 3; }) ==

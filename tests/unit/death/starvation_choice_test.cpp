@@ -19,6 +19,36 @@ using death::starvation::choice::HungriestShare;
 
 using Chosen = std::vector<BodyIndex>;
 
+namespace {
+
+const auto none_exempt = [](BodyIndex) { return false; };
+const auto all_exempt = [](BodyIndex) { return true; };
+
+const HandPopulation equally_hungry{
+    {{.species = predator, .fed_tick = 10, .id = 9}, {.species = predator, .fed_tick = 10, .id = 4}}};
+const std::vector<HandPopulation> without_predators{HandPopulation{{{.species = prey}}}, HandPopulation{{}}};
+
+/// The predators 2, 3 and 1, the hungriest first; body 0 is a hungrier prey.
+const HandPopulation three{{{.species = prey, .fed_tick = 0},
+                            {.species = predator, .fed_tick = 30},
+                            {.species = predator, .fed_tick = 10},
+                            {.species = predator, .fed_tick = 20}}};
+
+}  // namespace
+
+TEST_CASE_TEMPLATE("choice of who starves: equal hunger -> the earlier born, no predators -> none", Choice, HungriestElseOldest,
+                   HungriestNonexempt, HungriestNonexemptElseHungriest) {
+  CHECK(Choice{}.victims(equally_hungry.view(), none_exempt) == Chosen{1});
+  for (const HandPopulation& robots : without_predators) CHECK(Choice{}.victims(robots.view(), none_exempt).empty());
+}
+
+TEST_CASE_TEMPLATE("hungriest nonexempt: some exempt -> predator with most ticks since birth or catch, never prey", Choice,
+                   HungriestNonexempt, HungriestNonexemptElseHungriest) {
+  CHECK(Choice{}.victims(three.view(), none_exempt) == Chosen{2});
+  CHECK(Choice{}.victims(three.view(), [](BodyIndex body) { return body == 2; }) == Chosen{3});
+  CHECK(Choice{}.victims(three.view(), [](BodyIndex body) { return body != 1; }) == Chosen{1});
+}
+
 TEST_CASE("hungriest else oldest: exempt predators -> the one that dies") {
   // hungriest: body 2; in order of birth: bodies 3, 1, 2; the prey, older and hungrier than all, never
   const HandPopulation robots{{{.species = prey, .fed_tick = 0, .id = 1},
@@ -35,91 +65,31 @@ TEST_CASE("hungriest else oldest: exempt predators -> the one that dies") {
   }
 }
 
-TEST_CASE("hungriest else oldest: equal hunger -> the earlier born") {
-  const HandPopulation robots{{{.species = predator, .fed_tick = 10, .id = 9}, {.species = predator, .fed_tick = 10, .id = 4}}};
-  CHECK(HungriestElseOldest{}.victims(robots.view(), [](BodyIndex) { return false; }) == Chosen{1});
-}
-
-TEST_CASE("hungriest else oldest: without predators -> none dies") {
-  const auto none_spared = [](BodyIndex) { return false; };
-  CHECK(HungriestElseOldest{}.victims(HandPopulation{{{.species = prey}}}.view(), none_spared).empty());
-  CHECK(HungriestElseOldest{}.victims(HandPopulation{{}}.view(), none_spared).empty());
-}
-
 TEST_CASE("hungriest else oldest: food chain -> every species that eats can starve") {
   const HandPopulation robots{{{.species = plant, .fed_tick = 0, .id = 0},
                                {.species = grazer, .fed_tick = 3, .id = 8},
                                {.species = hunter, .fed_tick = 5, .id = 9},
                                {.species = grazer, .fed_tick = 7, .id = 2}},
                               chain_web()};
-  CHECK(HungriestElseOldest{}.victims(robots.view(), [](BodyIndex) { return false; }) == Chosen{1});
+  CHECK(HungriestElseOldest{}.victims(robots.view(), none_exempt) == Chosen{1});
   CHECK(HungriestElseOldest{}.victims(robots.view(), [](BodyIndex body) { return body == 1; }) == Chosen{3});
 }
 
-namespace {
-
-const auto all_spared = [](BodyIndex) { return true; };
-
-}  // namespace
-
-TEST_CASE("hungriest nonexempt else hungriest: some exempt -> skipped, all exempt -> the hungriest") {
-  const HandPopulation robots{{{.species = prey, .fed_tick = 0},
-                               {.species = predator, .fed_tick = 30},
-                               {.species = predator, .fed_tick = 10},
-                               {.species = predator, .fed_tick = 20}}};
+TEST_CASE("hungriest nonexempt else hungriest: all exempt -> the hungriest") {
   const HungriestNonexemptElseHungriest rule;
-  CHECK(rule.victims(robots.view(), [](BodyIndex) { return false; }) == Chosen{2});
-  CHECK(rule.victims(robots.view(), [](BodyIndex body) { return body == 2; }) == Chosen{3});
-  CHECK(rule.victims(robots.view(), [](BodyIndex body) { return body != 1; }) == Chosen{1});
-  CHECK(rule.victims(robots.view(), all_spared) == Chosen{2});
-}
-
-TEST_CASE("hungriest nonexempt else hungriest: equal hunger -> the earlier born") {
-  const HandPopulation robots{{{.species = predator, .fed_tick = 10, .id = 9}, {.species = predator, .fed_tick = 10, .id = 4}}};
-  CHECK(HungriestNonexemptElseHungriest{}.victims(robots.view(), all_spared) == Chosen{1});
-}
-
-TEST_CASE("hungriest nonexempt else hungriest: no predators -> none dies") {
-  CHECK(HungriestNonexemptElseHungriest{}.victims(HandPopulation{{{.species = prey}}}.view(), all_spared).empty());
-  CHECK(HungriestNonexemptElseHungriest{}.victims(HandPopulation{{}}.view(), all_spared).empty());
-}
-
-namespace {
-
-const auto no_exemption = [](BodyIndex) { return false; };
-const auto all_exempt = [](BodyIndex) { return true; };
-
-}  // namespace
-
-TEST_CASE("hungriest nonexempt: different hunger -> predator with most ticks since birth or catch, never prey") {
-  const HandPopulation robots{{{.species = prey, .fed_tick = 0},
-                               {.species = predator, .fed_tick = 30},
-                               {.species = predator, .fed_tick = 10},
-                               {.species = predator, .fed_tick = 20}}};
-  CHECK(HungriestNonexempt{}.victims(robots.view(), no_exemption) == Chosen{2});
-  CHECK(HungriestNonexempt{}.victims(robots.view(), [](BodyIndex body) { return body == 2; }) == Chosen{3});
-  CHECK(HungriestNonexempt{}.victims(robots.view(), [](BodyIndex body) { return body != 1; }) == Chosen{1});
-}
-
-TEST_CASE("hungriest nonexempt: equal hunger -> the earlier born") {
-  const HandPopulation robots{{{.species = predator, .fed_tick = 10, .id = 9}, {.species = predator, .fed_tick = 10, .id = 4}}};
-  CHECK(HungriestNonexempt{}.victims(robots.view(), no_exemption) == Chosen{1});
+  CHECK(rule.victims(three.view(), all_exempt) == Chosen{2});
+  CHECK(rule.victims(equally_hungry.view(), all_exempt) == Chosen{1});
+  for (const HandPopulation& robots : without_predators) CHECK(rule.victims(robots.view(), all_exempt).empty());
 }
 
 TEST_CASE("hungriest nonexempt: all exempt -> none dies") {
-  const HandPopulation robots{{{.species = predator, .fed_tick = 30}, {.species = predator, .fed_tick = 10}}};
-  CHECK(HungriestNonexempt{}.victims(robots.view(), all_exempt).empty());
-}
-
-TEST_CASE("hungriest nonexempt: no predators -> none dies") {
-  CHECK(HungriestNonexempt{}.victims(HandPopulation{{{.species = prey}}}.view(), no_exemption).empty());
-  CHECK(HungriestNonexempt{}.victims(HandPopulation{{}}.view(), no_exemption).empty());
+  CHECK(HungriestNonexempt{}.victims(three.view(), all_exempt).empty());
 }
 
 TEST_CASE("hungriest nonexempt: food chain -> every hunting species can starve") {
   const HandPopulation robots{
       {{.species = plant, .fed_tick = 0}, {.species = grazer, .fed_tick = 3}, {.species = hunter, .fed_tick = 5}}, chain_web()};
-  CHECK(HungriestNonexempt{}.victims(robots.view(), no_exemption) == Chosen{1});
+  CHECK(HungriestNonexempt{}.victims(robots.view(), none_exempt) == Chosen{1});
   CHECK(HungriestNonexempt{}.victims(robots.view(), [](BodyIndex body) { return body == 1; }) == Chosen{2});
 }
 
@@ -146,8 +116,6 @@ TEST_CASE("hungriest nonexempt: random populations -> no hungrier one left, any 
 
 namespace {
 
-const auto none_exempt = [](BodyIndex) { return false; };
-
 /// Chosen 1 to 4 are predators, the hungriest first; body 0 is a hungrier prey.
 const HandPopulation hungry{{{.species = prey, .fed_tick = 0},
                              {.species = predator, .fed_tick = 10},
@@ -168,7 +136,7 @@ TEST_CASE("hungriest share: share of the predators -> rounded up, the hungriest 
 TEST_CASE("hungriest share: exempt predators -> skipped") {
   const auto exempt = [](BodyIndex body) { return body == 1 || body == 3; };
   CHECK(HungriestShare{{.share = 0.5}}.victims(hungry.view(), exempt) == Chosen{2, 4});
-  CHECK(HungriestShare{{.share = 0.5}}.victims(hungry.view(), [](BodyIndex) { return true; }).empty());
+  CHECK(HungriestShare{{.share = 0.5}}.victims(hungry.view(), all_exempt).empty());
 }
 
 TEST_CASE("hungriest share: default, up to 14 predators -> one, as hungriest nonexempt") {
