@@ -2,7 +2,6 @@
 // What a step of one robot costs in each engine, processor time: runs interleaved, ratios to MuJoCo's islands at the end.
 #include <benchmark/benchmark.h>
 
-#include <cmath>
 #include <cstddef>
 #include <cstdio>
 #include <map>

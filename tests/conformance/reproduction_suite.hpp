@@ -4,7 +4,6 @@
 #pragma once
 
 #include <conformance/policy_suite.hpp>
-#include <set>
 #include <trophic/reproduction/genome_source/contract.hpp>
 #include <trophic/reproduction/heredity/contract.hpp>
 #include <trophic/reproduction/initial_genome/contract.hpp>

@@ -4,7 +4,6 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fuzz/readers.hpp>
-#include <string_view>
 
 namespace {
 

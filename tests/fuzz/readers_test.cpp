@@ -7,7 +7,6 @@
 #include <fstream>
 #include <fuzz/readers.hpp>
 #include <iterator>
-#include <stdexcept>
 #include <string>
 #include <trophic/io/recording.hpp>
 #include <trophic/run/checkpoint/checkpoint_writer.hpp>

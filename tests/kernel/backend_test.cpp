@@ -236,16 +236,15 @@ TEST_CASE("kernel backend: another number of threads, or a restored state -> the
 
 TEST_CASE("kernel backend: more robots in one heap than the kernel steps -> MuJoCo steps them, and a remark") {
   const RobotModel robot = load_robot("spider");
-  Arena arena;
-  arena.half_side_m = 5.0;
-  arena.extent_m = 10.0;
-  const auto remark = [&](std::size_t robots, double side_m, Mujoco::Stepping stepping) {
+  const Arena arena{.name = "square", .half_side_m = 5.0, .extent_m = 10.0, .height_field = {}};
+  const auto remark = [&](std::size_t robots, double side_m, Mujoco::Stepping stepping, bool asked = false) {
     Mujoco world{robot, arena, square(robot, robots, side_m), Physics{}, {.stepping = stepping}};
     CHECK(world.speed_remark().empty());
     world.advance_to(0.012);
-    return world.speed_remark();
+    return world.speed_remark(asked);
   };
   CHECK(remark(40, 1.8, Mujoco::Stepping::fast).starts_with("backend.stepping = fast: MuJoCo itself took "));
   CHECK(remark(40, 1.8, Mujoco::Stepping::islands).empty());
+  CHECK(remark(4, 4.0, Mujoco::Stepping::islands, true) == "backend.stepping = islands does not count steps");
   CHECK(remark(4, 4.0, Mujoco::Stepping::fast).empty());
 }

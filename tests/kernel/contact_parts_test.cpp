@@ -10,7 +10,6 @@
 #include <trophic/backend/mujoco/kernel/box_contact.hpp>
 #include <trophic/backend/mujoco/kernel/symmetric_system.hpp>
 #include <trophic/support/rng.hpp>
-#include <vector>
 
 using namespace trophic;
 using backend::kernel::BoxOverlap;

@@ -2,7 +2,6 @@
 // The kernel against mj_step over whole walks, and settings that must not change them.
 #include <doctest/doctest.h>
 
-#include <memory>
 #include <trophic/habitat/load/robot.hpp>
 
 #include "kernel/reference.hpp"

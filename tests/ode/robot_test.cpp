@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 #include <ode/scene.hpp>
 
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <trophic/backend/ode/compliance.hpp>

@@ -28,6 +28,8 @@ class OwnBackend(InFolder):
         run = ["--robots", 1, "--set", "rules.community.predators=0", "--duration", 20]
         printed = self.call(*run, "--out", "run")
         self.assertIn("\nremark  a toy is slow\n", printed.stdout)
+        counted = self.call(*run, "--backend", "kinematic", "--profile", "--out", "counted")
+        self.assertIn("\nremark  backend kinematic does not count steps\n", counted.stdout)
         self.run_ok(*run, "--replicates", 1, "--out", "set")
         for one in ("run", "set/replicate-00"):
             found = self.manifest(one)

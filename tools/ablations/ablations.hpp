@@ -2,7 +2,6 @@
 // A program that swaps the differences between two rule tables, in replicates. `trophic ablation-table` reads the result.
 #pragma once
 
-#include <filesystem>
 #include <iostream>
 #include <ostream>
 #include <tools/ablations/swaps.hpp>

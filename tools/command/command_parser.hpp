@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <functional>
-#include <memory>
 #include <tools/command/check_value.hpp>
 #include <tools/command/help_text.hpp>
 #include <tools/command/output.hpp>

@@ -13,7 +13,6 @@
 #include <tools/command/provenance.hpp>
 #include <tools/command/run_python.hpp>
 #include <tools/command/this_program.hpp>
-#include <type_traits>
 
 namespace trophic::command {
 

@@ -2,7 +2,6 @@
 // From a command's options to the Python module, which analyses and draws.
 #pragma once
 
-#include <span>
 #include <tools/command/option.hpp>
 #include <trophic/support/json.hpp>
 

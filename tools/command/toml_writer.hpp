@@ -2,7 +2,6 @@
 // Writes TOML: all TOML files and listings of parameters of trophic's programs.
 #pragma once
 
-#include <cstddef>
 #include <ranges>
 #include <trophic/params/named_params.hpp>
 #include <trophic/params/parse_toml.hpp>

@@ -106,7 +106,7 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
         "seconds of the ecology's clock between two checkpoints (300); 0: only when a run ends or is stopped"},
        {.name = "--profile",
         .target = &options.profile,
-        .help = "print at the end what the steps of MuJoCo's robots were: apart, in touching pairs, ...",
+        .help = "print at the end what the steps of MuJoCo's robots were, if it counts them: apart, in touching pairs, ...",
         .not_with = {"--replicates"}},
        {.name = "--save-mjcf",
         .target = &options.save_mjcf,

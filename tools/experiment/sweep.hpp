@@ -2,7 +2,6 @@
 // --sweep: a program's rule tables on its backends, over a grid of settings.
 #pragma once
 
-#include <string>
 #include <tools/command/offers.hpp>
 #include <tools/experiment/experiment_options.hpp>
 #include <tools/sweep/plan_file.hpp>

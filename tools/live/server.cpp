@@ -12,7 +12,6 @@
 #include <chrono>
 #include <deque>
 #include <list>
-#include <optional>
 #include <stdexcept>
 #include <thread>
 #include <tools/live/gate.hpp>

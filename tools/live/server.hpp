@@ -8,7 +8,6 @@
 #include <memory>
 #include <string>
 #include <tools/live/footage.hpp>
-#include <vector>
 
 namespace trophic::live {
 

@@ -2,7 +2,6 @@
 // Definitions of epoch_genomes.hpp.
 #include <tools/reading/epoch_genomes.hpp>
 
-#include <filesystem>
 #include <tools/reading/checked_rows.hpp>
 #include <tools/reading/lineages.hpp>
 #include <trophic/io/tables.hpp>

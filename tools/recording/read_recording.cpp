@@ -6,7 +6,6 @@
 #include <fstream>
 #include <iterator>
 #include <new>
-#include <optional>
 #include <tools/recording/read_recording.hpp>
 #include <trophic/io/recording_planes.hpp>
 #include <trophic/support/checksum.hpp>

@@ -2,7 +2,6 @@
 // Definitions of folder.hpp.
 #include <unistd.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <stdexcept>
 #include <system_error>

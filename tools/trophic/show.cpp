@@ -2,9 +2,7 @@
 // `trophic show`: runs as one page that any browser opens from disk.
 #include "commands.hpp"
 
-#include <algorithm>
 #include <memory>
-#include <system_error>
 #include <tools/command/option.hpp>
 #include <tools/command/output.hpp>
 #include <tools/reading/pooled_runs.hpp>

@@ -134,10 +134,11 @@ class BackendOf final : public AnyBackend {
     if constexpr (Placing<B>) return backend.is_there(robot);
     return true;
   }
-  [[nodiscard]] std::string speed_remark([[maybe_unused]] bool asked) const override {
+  [[nodiscard]] std::string speed_remark(bool asked) const override {
     if constexpr (requires { backend.speed_remark(asked); }) return backend.speed_remark(asked);
-    if constexpr (requires { backend.speed_remark(); }) return backend.speed_remark();
-    return {};
+    std::string slow;
+    if constexpr (requires { backend.speed_remark(); }) slow = backend.speed_remark();
+    return asked && slow.empty() ? "backend " + std::string{B::name} + " does not count steps" : slow;
   }
   [[nodiscard]] double engine_share() const override {
     if constexpr (requires { backend.engine_share(); }) return backend.engine_share();

@@ -6,7 +6,6 @@
 #include <trophic/params/detail/member_count.hpp>
 #include <trophic/population/food_web.hpp>
 #include <tuple>
-#include <type_traits>
 
 namespace trophic::io {
 

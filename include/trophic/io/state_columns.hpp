@@ -6,7 +6,6 @@
 #include <trophic/io/csv.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/rules/rule_states.hpp>
-#include <vector>
 
 namespace trophic::io {
 

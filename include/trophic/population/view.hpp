@@ -2,7 +2,6 @@
 // All that a rule may read: a snapshot of the population and its positions. Read-only, engine-free.
 #pragma once
 
-#include <cmath>
 #include <concepts>
 #include <span>
 #include <stdexcept>

@@ -4,7 +4,6 @@
 
 #include <cstddef>
 #include <string>
-#include <string_view>
 #include <trophic/params/policy.hpp>
 #include <trophic/rules/check.hpp>
 #include <trophic/rules/params.hpp>

@@ -11,7 +11,6 @@
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
-#include <string>
 #include <trophic/support/cpp20.hpp>
 #include <utility>
 

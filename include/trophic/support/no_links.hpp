@@ -4,7 +4,6 @@
 
 #include <filesystem>
 #include <stdexcept>
-#include <string>
 #include <trophic/support/without_slash.hpp>
 
 namespace trophic {

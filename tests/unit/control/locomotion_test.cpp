@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <support/toy_backend.hpp>
 #include <trophic/control/locomotion/locomotion.hpp>

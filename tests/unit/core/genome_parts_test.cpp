@@ -2,7 +2,6 @@
 // Genomes of several parts: gaits of individuals, brains that grow, heredities that leave parts out.
 #include <doctest/doctest.h>
 
-#include <set>
 #include <support/hand_population.hpp>
 #include <support/temporary_folder.hpp>
 #include <support/toy_bodies.hpp>

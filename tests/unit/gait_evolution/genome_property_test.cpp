@@ -2,7 +2,6 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <set>
 #include <tools/gait_evolution/genome_toml.hpp>
 #include <tools/gait_evolution/network.hpp>
 #include <tools/gait_evolution/variation.hpp>

@@ -8,7 +8,6 @@
 #include <trophic/habitat/body/distance.hpp>
 #include <trophic/habitat/body/variation.hpp>
 #include <unit/habitat/hand_bodies.hpp>
-#include <utility>
 #include <vector>
 
 using namespace trophic;

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdint>
 #include <numbers>
 #include <support/temporary_folder.hpp>
 #include <trophic/io/sense_log.hpp>

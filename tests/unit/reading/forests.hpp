@@ -6,7 +6,6 @@
 #include <limits>
 #include <optional>
 #include <tools/reading/lineages.hpp>
-#include <vector>
 
 namespace trophic::test {
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cstdint>
-#include <limits>
-#include <optional>
 #include <support/temporary_folder.hpp>
 #include <tools/reading/table_reader.hpp>
 #include <trophic/io/csv.hpp>

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <cstddef>
 #include <cstdint>
 #include <set>
-#include <span>
 #include <stdexcept>
 #include <string>
 #include <trophic/habitat/load/robot.hpp>

@@ -3,7 +3,6 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <cstddef>
 #include <support/statistics.hpp>
 #include <trophic/reproduction/initial_genome/normal_weights.hpp>
 #include <trophic/reproduction/initial_genome/uniform_weights.hpp>

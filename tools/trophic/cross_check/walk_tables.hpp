@@ -2,7 +2,6 @@
 // The walks of robots as tables: walks.csv and trajectories.csv.
 #pragma once
 
-#include <span>
 #include <tools/trophic/cross_check/walk.hpp>
 #include <trophic/io/csv_file.hpp>
 

@@ -10,7 +10,6 @@
 #include <cstddef>
 #include <cstdio>
 #include <iostream>
-#include <memory>
 #include <stdexcept>
 #include <string_view>
 #include <tools/command/output.hpp>

@@ -2,7 +2,6 @@
 // The contract of a slot: what robots can do, one act for each output of their brains.
 #pragma once
 
-#include <array>
 #include <string_view>
 #include <trophic/population/view.hpp>
 

@@ -7,7 +7,6 @@
 #include <trophic/control/acts/turn.hpp>
 #include <trophic/params/policy.hpp>
 #include <trophic/support/joined_text.hpp>
-#include <tuple>
 #include <vector>
 
 namespace trophic::control::acts {

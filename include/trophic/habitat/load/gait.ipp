@@ -5,8 +5,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cstddef>
-#include <filesystem>
-#include <stdexcept>
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/toml_table.hpp>
 #include <trophic/params/params.hpp>

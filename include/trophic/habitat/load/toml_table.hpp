@@ -3,7 +3,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <set>
 #include <stdexcept>
 #include <trophic/habitat/load/foreign_format.hpp>

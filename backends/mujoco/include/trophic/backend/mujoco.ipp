@@ -162,8 +162,8 @@ class Mujoco::Simulation final : public Engine<State> {
   [[nodiscard]] const mujoco::Layout& layout_of(std::size_t robot) const { return bodies_[robot]->layout; }
 
   [[nodiscard]] std::string profile() const {
-    const auto* const islands = std::get_if<mujoco::Islands>(&stepper_);
-    const auto counts = islands != nullptr ? islands->counts() : mujoco::LaneStepper::Counts{};
+    if (!by_kernel()) return "backend.stepping = " + std::string{enum_name(stepping_)} + " does not count steps";
+    const auto counts = std::get<mujoco::Islands>(stepper_).counts();
     const auto all = std::max<std::uint64_t>(1, counts[0] + counts[1] + counts[2] + counts[3]);
     const auto share = [&](std::size_t k) { return number_text(static_cast<double>(1000 * counts.at(k) / all) / 10.0) + " % "; };
     return std::to_string(all) + " steps of four robots or fewer: " + share(0) + "apart, " + share(1) +

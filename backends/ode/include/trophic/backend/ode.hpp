@@ -2,7 +2,6 @@
 // Robots simulated with the Open Dynamics Engine.
 #pragma once
 
-#include <cstddef>
 #include <string>
 #include <string_view>
 #include <trophic/backend/ode/params.hpp>

@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <stdexcept>
-#include <string>
 #include <trophic/support/rng.hpp>
 #include <vector>
 

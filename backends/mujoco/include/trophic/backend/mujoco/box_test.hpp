@@ -6,7 +6,6 @@
 #include <pugixml.hpp>
 
 #include <cmath>
-#include <cstddef>
 #include <cstring>
 #include <trophic/backend/mujoco/box_depth.hpp>
 

@@ -9,7 +9,6 @@
 #include <trophic/backend/mujoco/compiled_model.hpp>
 #include <trophic/backend/mujoco/robot_states.hpp>
 #include <trophic/params/params.hpp>
-#include <vector>
 
 namespace trophic::backend::mujoco {
 

@@ -3,14 +3,12 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <filesystem>
 #include <initializer_list>
 #include <iterator>
 #include <span>
 #include <sstream>
-#include <stdexcept>
 #include <string>
 #include <system_error>
 #include <trophic/backend/mujoco/compiled_model.hpp>
