@@ -3,23 +3,17 @@
 """ablations_test.py ABLATIONS PREDATOR_PREY TROPHIC: ablations of the two tables, as users run and read them."""
 
 import collections
-import csv
 import itertools
 import json
 import shutil
-import subprocess
 import sys
 import unittest
 
-from in_folder import InFolderWithSets
+from in_folder import InFolderWithSets, run_ok
 
 ABLATIONS, PREDATOR_PREY, TROPHIC = sys.argv[1:4]
 GROUPS = {"perception", "reproduction", "death", "ecology"}
 TABLES = ["events.csv", "agents.csv", "phylogeny.csv", "genomes.csv"]
-
-
-def call(program, *arguments):
-    return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, timeout=300)
 
 
 def manifest(run):
@@ -58,13 +52,10 @@ class Ablations(InFolderWithSets):
     @classmethod
     def make_sets(cls):
         for rules in ("paper", "released"):
-            result = call(PREDATOR_PREY, "--rules", rules, "--backend", "kinematic", "--duration", 20, "--seed", 3, "--out", cls.sets / rules)
-            assert result.returncode == 0, result.stderr
+            run_ok(PREDATOR_PREY, "--rules", rules, "--backend", "kinematic", "--duration", 20, "--seed", 3, "--out", cls.sets / rules)
 
     def run_ok(self, *arguments):
-        result = call(ABLATIONS, *arguments)
-        self.assertEqual(result.returncode, 0, result.stdout + result.stderr)
-        return result.stdout
+        return super().run_ok(ABLATIONS, *arguments).stdout
 
     def listed(self, table):
         start = f"from_{table}/"
@@ -95,8 +86,7 @@ class Ablations(InFolderWithSets):
 
     def assert_lived(self, run):
         """Robots died; every vacancy and each of the 30 bodies at the start had a birth."""
-        with open(run / "events.csv", newline="") as file:
-            kinds = collections.Counter(row["event"] for row in csv.DictReader(file))
+        kinds = collections.Counter(row["event"] for row in self.rows(run, "events.csv"))
         self.assertGreater(kinds["death"], 0, run)
         self.assertEqual(kinds["birth"], kinds["death"] + 30, run)
 
@@ -142,9 +132,7 @@ class Ablations(InFolderWithSets):
         shadow = out / "from_paper/heredity/shadow/replicate-01"
         self.assertEqual(manifest(shadow)["rules"]["heredity"], "nothing_inherited")
         before = {file: (shadow / file).read_bytes() for file in TABLES}
-        again = call(ABLATIONS, *options, "--replicates", 2)
-        self.assertEqual(again.returncode, 2)
-        self.assertIn("never overwritten", again.stderr)
+        self.assert_refused(self.call(ABLATIONS, *options, "--replicates", 2), "never overwritten")
 
         removed = out / "from_paper/base/shadow/replicate-00"
         kept = {file: (removed / file).read_bytes() for file in TABLES}
@@ -162,19 +150,15 @@ class Ablations(InFolderWithSets):
                                 (["--backend", "nope", "--out", out], "--backend nope"), ([], "out"),
                                 (["--replicates", 0, "--out", out], "replicates = 0")]:
             with self.subTest(arguments=arguments):
-                result = call(ABLATIONS, *arguments)
-                self.assertEqual(result.returncode, 2, result.stderr)
-                self.assertIn(part, result.stderr)
+                self.assert_refused(self.call(ABLATIONS, *arguments), part)
         self.assertIn("ecology.robot: skipped", self.run_ok("--only", "ecology.robot", "--out", out))
         self.assertFalse(out.exists())
 
     def test_flip_table(self):
         out = self.folder / "out"
         self.run_ok("--only", "base", "floor.floor", *sorted(GROUPS), "--duration", 600, "--replicates", 6, "--shadow", "--out", out)
-        result = call(TROPHIC, "ablation-table", out, "--jobs", 2, "--out", self.folder / "table")
-        self.assertEqual(result.returncode, 0, result.stderr)
-        with open(self.folder / "table/ablations.csv", newline="") as file:
-            rows = list(csv.DictReader(file))
+        super().run_ok(TROPHIC, "ablation-table", out, "--jobs", 2, "--out", "table")
+        rows = self.rows("table/ablations.csv")
         self.assertEqual({row["direction"] for row in rows}, {"from_paper", "from_released", "paper_to_released"})
         self.assertEqual({row["swap"] for row in rows if row["direction"] == "from_paper"}, GROUPS | {"floor.floor"})
         for direction, family in itertools.product(("from_paper", "from_released"), ("over_shadow", "raw")):
@@ -190,9 +174,7 @@ class Ablations(InFolderWithSets):
             self.assertIn(title, text)
 
         (out / "from_paper/floor.floor/replicate-00/manifest.json").unlink()
-        result = call(TROPHIC, "ablation-table", out, "--out", self.folder / "broken")
-        self.assertEqual(result.returncode, 2)
-        self.assertIn("floor.floor", result.stderr)
+        self.assert_refused(self.call(TROPHIC, "ablation-table", out, "--out", "broken"), "floor.floor")
         self.assertFalse((self.folder / "broken").exists())
 
 

@@ -2,10 +2,9 @@
 # SPDX-License-Identifier: MIT
 """contest_test.py PREDATOR_PREY TROPHIC OWN_TABLE ARMS_RACE: contests and lineages across generations, from runs to tables, and what is refused."""
 
-import csv
+import functools
 import json
 import shutil
-import subprocess
 import sys
 import unittest
 
@@ -19,36 +18,24 @@ PREDATOR_PREY = sys.argv.pop(1)
 
 
 class Contest(InFolder):
-    def call(self, program, *arguments):
-        return subprocess.run([program, *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, timeout=300)
-
-    def runs(self, name, *arguments, program=PREDATOR_PREY):
-        made = self.call(program, "--backend", "kinematic", "--duration", 120, "--replicates", 3, "--replay-hz", 0, "--out", name, *arguments)
-        self.assertEqual(made.returncode, 0, made.stderr)
+    def runs(self, name, *arguments, program=PREDATOR_PREY, duration=120, replicates=3):
+        self.run_ok(program, "--backend", "kinematic", "--duration", duration, "--replicates", replicates, "--replay-hz", 0, "--out", name, *arguments)
         return name
 
     def contest(self, *arguments):
-        return self.call(TROPHIC, "contest", *arguments)
+        return self.run_ok(TROPHIC, "contest", *arguments)
 
-    def rows(self, table):
-        with open(self.folder / table, encoding="utf-8") as file:
-            return list(csv.DictReader(file))
-
-    def refused(self, *arguments, says):
-        result = self.contest(*arguments, "--out", "refused")
-        self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
-        self.assertIn(says, result.stderr)
-        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+    def refused(self, *arguments, says, command=("contest",)):
+        self.assert_refused(self.call(TROPHIC, *command, *arguments, "--out", "refused"), says)
         self.assertFalse((self.folder / "refused").exists())
 
     def test_every_pair_of_epochs_meets_in_runs_and_shadow_and_jobs_do_not_matter(self):
         self.runs("study", "--shadow")
         short = ["--duration", 150, "--reach", 3, "--against", "both", "--epochs", "0,60,120", "--team-size", 5]
-        control = self.contest("study/shadow", "--shadow", self.runs("again", "--shadow", "--seed", 9) + "/shadow", *short[:4], "--out", "control")
-        self.assertEqual(control.returncode, 0, control.stderr)  # a shadow is played as if it were real
+        # A shadow is played as if it were real.
+        self.contest("study/shadow", "--shadow", self.runs("again", "--shadow", "--seed", 9) + "/shadow", *short[:4], "--out", "control")
         self.assertEqual({(row["shadow"], row["hunters_run"].split("/")[0]) for row in self.rows("control/contests.csv")}, {("0", "study"), ("1", "again")})
         done = self.contest("study", *short, "--out", "one", "--jobs", 1)
-        self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("3 replicates: no intervals and no conclusions; a test needs 6", done.stdout)
         rows = self.rows("one/contests.csv")
         self.assertEqual(len(rows), 2 * 2 * 3 * 6 * 9)  # shadow, against, replicates, teams, pairs
@@ -63,14 +50,12 @@ class Contest(InFolder):
                           for species in ("predator", "prey")])
         self.assertTrue(all(row["over_shadow_s"] and not row["p_holm"] for row in progress))
         if figures_python.PYTHON:
-            drawn = self.call(TROPHIC, "plot", "one")
-            self.assertEqual(drawn.returncode, 0, drawn.stderr)
+            self.run_ok(TROPHIC, "plot", "one")
             for against in ("own", "others"):
                 self.assertTrue((self.folder / f"one/figures/contests_predator_prey_{against}.png").stat().st_size > 10000)
-        self.assertEqual(self.contest("study", *short, "--out", "two", "--jobs", 2).returncode, 0)
+        self.contest("study", *short, "--out", "two", "--jobs", 2)
         self.assertEqual((self.folder / "one/contests.csv").read_bytes(), (self.folder / "two/contests.csv").read_bytes())
-        on_panel = self.contest("study", "--panel", "again", *short[:4], "--team-size", 5, "--epochs", "0,120", "--out", "panel")
-        self.assertEqual(on_panel.returncode, 0, on_panel.stderr)
+        self.contest("study", "--panel", "again", *short[:4], "--team-size", 5, "--epochs", "0,120", "--out", "panel")
         rows, met = self.rows("panel/contests.csv"), {}
         self.assertEqual(len(rows), 2 * 2 * 3 * 6 * 2)  # shadow, role, replicates, teams, epochs
         for row in rows:
@@ -79,18 +64,14 @@ class Contest(InFolder):
             met.setdefault((row[f"{ours}s_run"][-2:], row["team"], ours), set()).add((row[f"{theirs}s_run"], row[f"{theirs}_epoch_s"]))
         self.assertEqual({len(opponents) for opponents in met.values()}, {1})  # the same in all epochs, and in the shadow
         self.assertEqual([(row["against"], row["species"]) for row in self.rows("panel/progress.csv")], [("panel", "predator"), ("panel", "prey")])
-        other = self.contest("study", *short, "--out", "other", "--seed", 2)
-        self.assertEqual(other.returncode, 0, other.stderr)
+        self.contest("study", *short, "--out", "other", "--seed", 2)
         self.assertNotEqual((self.folder / "one/contests.csv").read_bytes(), (self.folder / "other/contests.csv").read_bytes())
 
     def test_the_program_that_made_the_runs_plays_the_same_contests(self):
         self.runs("study")
         short = ["study", "--duration", 40, "--team-size", 5, "--epochs", "0,120"]
-        here = self.contest(*short, "--out", "here")
-        self.assertEqual(here.returncode, 0, here.stderr)
-        self.assertIn("no shadow", here.stdout)
-        there = self.contest(*short, "--out", "there", "--program", PREDATOR_PREY)
-        self.assertEqual(there.returncode, 0, there.stderr)
+        self.assertIn("no shadow", self.contest(*short, "--out", "here").stdout)
+        self.contest(*short, "--out", "there", "--program", PREDATOR_PREY)
         for table in ("contests.csv", "progress.csv"):
             self.assertEqual((self.folder / "here" / table).read_bytes(), (self.folder / "there" / table).read_bytes())
         self.assertEqual(sorted(path.name for path in (self.folder / "there").iterdir()), ["contests.csv", "progress.csv"])
@@ -98,50 +79,36 @@ class Contest(InFolder):
     def test_runs_of_a_table_of_ones_own_need_their_program(self):
         self.runs("mine", program=OWN_TABLE)
         self.refused("mine", says="rule table ageing: must be paper or released, those of this program; --program names the one that made the runs")
-        done = self.contest("mine", "--program", OWN_TABLE, "--duration", 20, "--team-size", 3, "--epochs", "0,120", "--out", "contests")
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.contest("mine", "--program", OWN_TABLE, "--duration", 20, "--team-size", 3, "--epochs", "0,120", "--out", "contests")
         self.assertEqual(len(self.rows("contests/contests.csv")), 3 * 6 * 4)
 
     def test_one_shadow_serves_all_parent_rules_of_a_base_and_no_table_with_other_deaths(self):
         for table in ("paper", "paper_most_escapes", "paper_ageing"):
-            made = self.call(ARMS_RACE, "--backend", "kinematic", "--duration", 900, "--replicates", 3, "--replay-hz", 0, "--rules", table, "--shadow",
-                             "--out", table)
-            self.assertEqual(made.returncode, 0, made.stderr)
+            self.runs(table, "--rules", table, "--shadow", program=ARMS_RACE, duration=900)
         for name in ("genomes.csv", "agents.csv"):
             own, other = (self.rows(f"{table}/shadow/replicate-01/{name}") for table in ("paper", "paper_most_escapes"))
             self.assertEqual(*([{key: row[key] for key in row if key != "origin"} for row in rows] for rows in (own, other)))
         off = [part for species in ("prey", "predator") for part in ("--set", f"rules.heredity.{species}.inherited=false")]
-        none = self.call(ARMS_RACE, "--backend", "kinematic", "--duration", 900, "--replicates", 2, "--replay-hz", 0, "--rules", "paper_by_side", *off, "--out", "none")
-        self.assertEqual(none.returncode, 0, none.stderr)
+        self.runs("none", "--rules", "paper_by_side", *off, program=ARMS_RACE, duration=900, replicates=2)
         for name in ("genomes.csv", "agents.csv", "events.csv"):  # where neither side inherits, the runs are the shadow
             self.assertEqual(*((self.folder / folder / "replicate-01" / name).read_bytes() for folder in ("none", "paper/shadow")))
         short = ["--shadow", "paper/shadow", "--program", ARMS_RACE, "--duration", 20, "--team-size", 3, "--epochs", "0,900"]
-        done = self.contest("paper_most_escapes", *short, "--out", "contests")
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.contest("paper_most_escapes", *short, "--out", "contests")
         self.refused("paper_ageing", *short, says="paper/shadow/replicate-00: is not a neutral shadow of paper_ageing/replicate-00")
 
     def test_lineages_have_a_shadow_and_drift_and_say_what_they_lack(self):
         self.runs("study", "--shadow", "--senses")
-        lineages = lambda *arguments: self.call(TROPHIC, "analyze", *arguments)
-        done = lineages("study", "--lineages", "--window", 20, "--all", "--html", "page.html", "--out", "measured")
-        self.assertEqual(done.returncode, 0, done.stderr)
+        lineages = ("analyze", "--lineages")
+        done = self.run_ok(TROPHIC, *lineages, "study", "--window", 20, "--all", "--html", "page.html", "--out", "measured")
         for words in ("modes_novelty prey", "activity_excess predator", "descent_roots prey", "= drift", "= shadow"):
             self.assertIn(words, done.stdout)
         self.assertIn("descent_roots", (self.folder / "page.html").read_text())
         rows = [row for row in self.rows("measured/metrics.csv") if not row["time_s"]]
         self.assertEqual(len(rows), 3 * 2 * 23 * 3)  # runs, species, measures; own, drift, shadow
         self.assertEqual({row["baseline"] for row in rows}, {"", "drift", "shadow"})
-        again = lineages("study", "--lineages", "--window", 20, "--jobs", 2, "--out", "again")
-        self.assertEqual(again.returncode, 0, again.stderr)
+        self.run_ok(TROPHIC, *lineages, "study", "--window", 20, "--jobs", 2, "--out", "again")
         self.assertEqual(*((self.folder / name / "metrics.csv").read_bytes() for name in ("measured", "again")))
-
-        def refused(*arguments, says):
-            result = lineages(*arguments, "--lineages", "--out", "refused")
-            self.assertEqual(result.returncode, 2, result.stdout)
-            self.assertIn(says, result.stderr)
-            self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
-            self.assertFalse((self.folder / "refused").exists())
-
+        refused = functools.partial(self.refused, command=lineages)
         refused("study", "--window", 31, says="--window 31: must be > 0 and <= 30, a quarter of the runs")
         refused("study", "--until", 60, says="--lineages: not with")
         refused("study", "--metric", "velocity", says="velocity")

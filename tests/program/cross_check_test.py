@@ -2,34 +2,28 @@
 # SPDX-License-Identifier: MIT
 """cross_check_test.py TROPHIC PREDATOR_PREY: walks and ecologies on two engines, from the command to the figure."""
 
-import csv
-import subprocess
 import sys
 import unittest
 
 import figures_python
-from in_folder import InFolderWithSets
+from in_folder import InFolderWithSets, run_ok
 
 TROPHIC, PREDATOR_PREY = (sys.argv.pop(1) for _ in range(2))
 
 
 class CrossCheck(InFolderWithSets):
+    program = (TROPHIC, "cross-check")
+
     @classmethod
     def make_sets(cls):
         for rules, duration in (("paper", 1200), ("released", 1200), ("paper", 600)):
-            made = subprocess.run([PREDATOR_PREY, "--backend", "kinematic", "--rules", rules, "--duration", str(duration),
-                                   "--replicates", "10", "--out", f"{rules}-{duration}"], capture_output=True, text=True, cwd=cls.sets)
-            assert made.returncode == 0, made.stderr
-
-    def call(self, *arguments):
-        return subprocess.run([TROPHIC, "cross-check", *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, timeout=300)
+            run_ok(PREDATOR_PREY, "--backend", "kinematic", "--rules", rules, "--duration", duration, "--replicates", 10,
+                   "--out", f"{rules}-{duration}", cwd=cls.sets)
 
     def test_from_walks_and_runs_to_a_figure(self):
         paper = self.sets / "paper-1200"
-        result = self.call("--seconds", 10, "--runs", paper, paper, "--out", "out")
-        self.assertEqual(result.returncode, 0, result.stderr)
-        with open(self.folder / "out/cross_check.csv", newline="") as table:
-            rows = list(csv.DictReader(table))
+        self.run_ok("--seconds", 10, "--runs", paper, paper, "--out", "out")
+        rows = self.rows("out/cross_check.csv")
         walks = [r for r in rows if r["part"] == "gait"]
         self.assertEqual(len(walks), 3 * 10 * 6)
         speeds = {r["engine"]: float(r["mean"]) for r in walks
@@ -41,8 +35,7 @@ class CrossCheck(InFolderWithSets):
         self.assertIn("equivalent", {r["conclusion"] for r in metrics})
         if not figures_python.PYTHON:
             self.skipTest("the figure needs matplotlib and pandas")
-        drawn = subprocess.run([TROPHIC, "plot", self.folder / "out"], capture_output=True, text=True)
-        self.assertEqual(drawn.returncode, 0, drawn.stderr)
+        run_ok(TROPHIC, "plot", self.folder / "out")
         self.assertGreater((self.folder / "out/figures/cross_check.png").stat().st_size, 10_000)
 
     def test_refusals(self):
@@ -58,16 +51,12 @@ class CrossCheck(InFolderWithSets):
             (["--out", "new", "--runs", paper, self.sets / "released-1200"], ["released", "must be \"paper\""]),
             (["--out", "new", "--runs", paper, self.sets / "paper-600"], ["600 of 600 s", "must be as status \"complete\" at 1200 of 1200 s"]),
             (["--out", "new", "--robot", "gecko", "--gait", "spider_published"], ["gait"]),
+            (["--out", "new", "--runs", paper, "nosuch"], ["nosuch"]),
+            (["--out", "new", "--robot", "nosuch"], ["nosuch"]),
         ]:
             with self.subTest(arguments=arguments):
-                result = self.call(*arguments)
-                self.assertEqual(result.returncode, 2, result.stdout + result.stderr)
-                for part in parts:
-                    self.assertIn(part, result.stderr)
+                self.assert_refused(self.call(*arguments), *parts)
                 self.assertFalse((self.folder / "new").exists())
-        self.assertEqual(self.call("--out", "new", "--runs", paper, "nosuch").returncode, 2)
-        self.assertEqual(self.call("--out", "new", "--robot", "nosuch").returncode, 2)
-        self.assertFalse((self.folder / "new").exists())
 
 
 if __name__ == "__main__":

@@ -3,11 +3,9 @@
 """export_test.py PREDATOR_PREY TROPHIC: a stretch of a run as glTF: which robots are in it, where and when, and bad requests."""
 
 import base64
-import csv
 import json
 import os
 import struct
-import subprocess
 import sys
 import unittest
 
@@ -16,7 +14,7 @@ import system_python
 system_python.need("numpy")
 
 import numpy  # noqa: E402
-from in_folder import InFolderWithSets  # noqa: E402
+from in_folder import InFolderWithSets, run_ok  # noqa: E402
 
 PROGRAM, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
 
@@ -68,31 +66,26 @@ class Gltf:
 class Exports(InFolderWithSets):
     @classmethod
     def make_sets(cls):
-        done = subprocess.run([PROGRAM, "--backend", "kinematic", "--duration", "300", "--seed", "3", "--out", str(cls.sets / "run")],
-                              capture_output=True, text=True, timeout=300)
-        assert done.returncode == 0, done.stderr
+        run_ok(PROGRAM, "--backend", "kinematic", "--duration", 300, "--seed", 3, "--out", cls.sets / "run")
 
     def export(self, *arguments):
-        command = [TROPHIC, "export", str(self.sets / "run"), *map(str, arguments)]
-        return subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=300)
+        return self.call(TROPHIC, "export", self.sets / "run", *arguments)
 
     def scene(self, name, *arguments):
         result = self.export(*arguments, "-o", name)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         return Gltf(self.folder / name)
 
-    def rows(self, time_s):
-        with open(self.sets / "run/agents.csv", newline="") as table:
-            return [row for row in csv.DictReader(table) if float(row["time_s"]) == time_s]
+    def rows_at(self, time_s):
+        return [row for row in self.rows(self.sets, "run/agents.csv") if float(row["time_s"]) == time_s]
 
     def test_the_living_are_seen_at_their_rows_positions_and_no_other_robot_is(self):
         scene = self.scene("all.glb")
         robots = scene.robots()
-        with open(self.sets / "run/phylogeny.csv", newline="") as table:
-            self.assertEqual(set(robots), {int(row["id"]) for row in csv.DictReader(table)})
+        self.assertEqual(set(robots), {int(row["id"]) for row in self.rows(self.sets, "run/phylogeny.csv")})
         self.assertGreater(len(robots), 30)
         for time_s in range(0, 299, 14):
-            alive = {int(row["id"]): row for row in self.rows(time_s)}
+            alive = {int(row["id"]): row for row in self.rows_at(time_s)}
             for robot, node in robots.items():
                 self.assertEqual(scene.value(node, "scale", time_s)[0], 1.0 if robot in alive else 0.0, (robot, time_s))
             for robot, row in alive.items():
@@ -100,11 +93,10 @@ class Exports(InFolderWithSets):
                 self.assertLess(numpy.hypot(place[0] - float(row["x_m"]), place[1] - float(row["y_m"])), 0.002)
 
     def test_robots_that_die_in_the_last_frame_are_gone_there(self):
-        with open(self.sets / "run/events.csv", newline="") as table:
-            death = next(row for row in csv.DictReader(table) if row["event"] == "death" and float(row["time_s"]) >= 20)
+        death = next(row for row in self.rows(self.sets, "run/events.csv") if row["event"] == "death" and float(row["time_s"]) >= 20)
         end = float(death["time_s"])
         scene = self.scene("end.glb", "--from", end - 10, "--to", end)
-        alive = {int(row["id"]) for row in self.rows(end)}
+        alive = {int(row["id"]) for row in self.rows_at(end)}
         for robot, node in scene.robots().items():
             self.assertEqual(scene.value(node, "scale", 10)[0], 1.0 if robot in alive else 0.0, robot)
         self.assertEqual(scene.value(scene.robots()[int(death["id"])], "scale", 9.7)[0], 1.0)
@@ -123,7 +115,7 @@ class Exports(InFolderWithSets):
         moment = self.scene("moment.glb", "--from", 20, "--to", 20)
         self.assertNotIn("animations", moment.json)
         self.assertEqual(len(moment.robots()), 30)
-        robot = int(self.rows(100.0)[3]["id"])
+        robot = int(self.rows_at(100.0)[3]["id"])
         alone = self.scene("alone.gltf", "--from", 100, "--to", 110, "--follow", robot)
         self.assertEqual(list(alone.robots()), [robot])
         self.assertEqual(len(alone.json["materials"]), 6)
@@ -134,7 +126,7 @@ class Exports(InFolderWithSets):
             linear = next(m for m in scene.json["materials"] if m["name"] == name)["pbrMetallicRoughness"]["baseColorFactor"][:3]
             screen = [12.92 * c if c <= 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055 for c in linear]
             self.assertEqual(tuple(round(255 * c) for c in screen), rgb)
-        for row in self.rows(0.0):
+        for row in self.rows_at(0.0):
             node = scene.json["nodes"][scene.robots()[int(row["id"])]]
             self.assertEqual(node["extras"]["species"], row["species"])
             meshes = {scene.json["nodes"][child].get("mesh") for child in node["children"]} - {None}
@@ -151,21 +143,16 @@ class Exports(InFolderWithSets):
         ):
             with self.subTest(arguments):
                 result = self.export(*arguments)
-                self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
-                self.assertTrue(result.stderr.startswith(f"trophic export: {sentence}"), result.stderr)
-                self.assertEqual(len(result.stderr.splitlines()), 1)
-        result = self.export("-o", "none/x.glb")
-        self.assertEqual(result.returncode, 1)
-        self.assertIn("none/x.glb", result.stderr)
-        self.assertEqual(len(result.stderr.splitlines()), 1)
+                self.assert_refused(result, f"trophic export: {sentence}")
+                self.assertEqual(result.stdout, "")
+        self.assert_refused(self.export("-o", "none/x.glb"), "none/x.glb", code=1)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["mine.glb"])
         self.assertEqual((self.folder / "mine.glb").read_text(), "mine")
 
     @unittest.skipIf(os.geteuid() == 0, "root writes everywhere")
     def test_a_folder_that_cannot_be_written(self):
         self.folder.chmod(0o555)
-        result = self.export("-o", "x.glb", "--to", 2)
-        self.assertEqual((result.returncode, len(result.stderr.splitlines())), (1, 1))
+        self.assert_refused(self.export("-o", "x.glb", "--to", 2), code=1)
 
 
 if __name__ == "__main__":

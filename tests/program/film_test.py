@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: MIT
 """film_test.py PREDATOR_PREY TROPHIC OWN_BODIES: pictures and films of a recorded run, and bad requests."""
 
-import csv
 import json
 import pathlib
 import re
@@ -17,7 +16,7 @@ import system_python
 system_python.need("numpy", "PIL")
 
 import numpy  # noqa: E402
-from in_folder import InFolderWithSets  # noqa: E402
+from in_folder import InFolderWithSets, run_ok  # noqa: E402
 from PIL import Image  # noqa: E402
 
 PROGRAM, TROPHIC, OWN_BODIES = sys.argv.pop(1), sys.argv.pop(1), sys.argv.pop(1)
@@ -32,16 +31,12 @@ def near(picture, colour, reach=70):
 class Films(InFolderWithSets):
     @classmethod
     def make_sets(cls):
-        done = subprocess.run([PROGRAM, "--backend", "kinematic", "--duration", "200", "--seed", "3", "--out", str(cls.sets / "run")],
-                              capture_output=True, text=True, timeout=300)
-        assert done.returncode == 0, done.stderr
+        run_ok(PROGRAM, "--backend", "kinematic", "--duration", 200, "--seed", 3, "--out", cls.sets / "run")
         for modules in (3, 14):
-            command = [OWN_BODIES, "--duration", "4", "--seed", "3", "--set", f"rules.body_plan.first_modules={modules}", "--out", str(cls.sets / f"bodies-{modules}")]
-            subprocess.run(command, capture_output=True, check=True, timeout=300)
+            run_ok(OWN_BODIES, "--duration", 4, "--seed", 3, "--set", f"rules.body_plan.first_modules={modules}", "--out", cls.sets / f"bodies-{modules}")
 
     def film(self, *arguments, run="run", **how):
-        command = [TROPHIC, "film", str(self.sets / run), *map(str, arguments)]
-        return subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=300, **how)
+        return self.call(TROPHIC, "film", self.sets / run, *arguments, **how)
 
     def draw(self, *arguments, run="run"):
         result = self.film(*arguments, "-o", "picture.png", run=run)
@@ -50,9 +45,8 @@ class Films(InFolderWithSets):
         (self.folder / "picture.png").unlink()
         return picture
 
-    def rows(self, time_s):
-        with open(self.sets / "run/agents.csv", newline="") as table:
-            return [row for row in csv.DictReader(table) if float(row["time_s"]) == time_s]
+    def rows_at(self, time_s):
+        return [row for row in self.rows(self.sets, "run/agents.csv") if float(row["time_s"]) == time_s]
 
     def test_a_picture_has_both_species_and_changes_with_time(self):
         picture = self.draw("--from", 100, "--size", "640x360")
@@ -65,16 +59,16 @@ class Films(InFolderWithSets):
 
     def test_the_followed_robot_is_in_the_middle(self):
         for species, colour in (("prey", BLUE), ("predator", ORANGE)):
-            row = next(row for row in self.rows(100.0) if row["species"] == species and row["active"] == "1")
+            row = next(row for row in self.rows_at(100.0) if row["species"] == species and row["active"] == "1")
             picture = self.draw("--from", 100, "--follow", row["id"], "--size", "640x480")
             self.assertGreater(near(picture[200:280, 270:370], colour, 110), 400, species)
 
     def test_from_above_robots_are_at_their_rows_positions(self):
         picture = self.draw("--from", 100, "--view", "top", "--size", "800x800").astype(int)
-        half = json.loads((self.sets / "run/manifest.json").read_text())["arena"]["half_side_m"]
+        half = self.manifest(self.sets, "run")["arena"]["half_side_m"]
         # The camera is 3.255 half sides high and sees 38 degrees.
         scale = 400 / (3.255 * half * numpy.tan(numpy.radians(19)))
-        for row in self.rows(100.0):
+        for row in self.rows_at(100.0):
             near_wall = max(abs(float(row["x_m"])), abs(float(row["y_m"]))) > 0.9 * half
             if row["active"] == "0" or near_wall:
                 continue
@@ -83,8 +77,7 @@ class Films(InFolderWithSets):
             self.assertGreater(near(part, BLUE if row["species"] == "prey" else ORANGE, 110), 4, row)
 
     def draw_robot(self, *arguments):
-        command = [TROPHIC, "film", *map(str, arguments), "-o", "robot.png"]
-        result = subprocess.run(command, capture_output=True, text=True, cwd=self.folder, timeout=120)
+        result = self.call(TROPHIC, "film", *arguments, "-o", "robot.png")
         self.assertEqual((result.returncode, result.stderr, result.stdout), (0, "", "robot.png: 1 picture\n"))
         picture = numpy.array(Image.open(self.folder / "robot.png"))
         (self.folder / "robot.png").unlink()
@@ -105,16 +98,15 @@ class Films(InFolderWithSets):
             (["-o", "x.png"], "either the folder of a run, or --robot and a robot file"),
         ):
             with self.subTest(arguments):
-                result = subprocess.run([TROPHIC, "film", *arguments], capture_output=True, text=True, cwd=self.folder)
-                self.assertEqual((result.returncode, result.stdout, len(result.stderr.splitlines())), (2, "", 1), result.stderr)
-                self.assertIn(sentence, result.stderr)
+                result = self.call(TROPHIC, "film", *arguments)
+                self.assert_refused(result, sentence)
+                self.assertEqual(result.stdout, "")
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_individuals_with_bodies_of_their_own(self):
         drawn = []
         for modules in (3, 14):
-            with open(self.sets / f"bodies-{modules}/bodies.csv", newline="") as table:
-                founder = next(row for row in csv.DictReader(table) if row["species"] == "predator")
+            founder = next(row for row in self.rows(self.sets, f"bodies-{modules}/bodies.csv") if row["species"] == "predator")
             self.assertEqual(int(founder["modules"]), modules)
             picture = self.draw("--from", 1, "--follow", founder["id"], "--size", "640x480", "--lines", "off", "--legend", "off", run=f"bodies-{modules}")
             drawn.append(near(picture[165:360, 200:440], ORANGE, 110))  # below the name
@@ -139,8 +131,7 @@ class Films(InFolderWithSets):
             self.assertGreater(numpy.nonzero(wall)[0].min(), 2)
 
     def catches(self):
-        with open(self.sets / "run/events.csv", newline="") as table:
-            rows = list(csv.DictReader(table))
+        rows = self.rows(self.sets, "run/events.csv")
         lives = {row["id"]: row for row in rows if row["event"] == "birth"}
         return [(row, lives[row["victim_id"]]) for row in rows if row["event"] == "catch"]
 
@@ -155,9 +146,7 @@ class Films(InFolderWithSets):
         row, _ = self.catches()[0]
         before = self.draw("--from", float(row["time_s"]) - 1, "--follow", row["id"], "--size", "640x480", "--lines", "off")
         self.assertLess(near(before[100:420], RED), 30)
-        result = self.film("--catch", count + 1, "-o", "x.png")
-        self.assertEqual(result.returncode, 2)
-        self.assertIn(f"has {count} catches" if count > 1 else "has one catch", result.stderr)
+        self.assert_refused(self.film("--catch", count + 1, "-o", "x.png"), f"has {count} catches" if count > 1 else "has one catch")
 
     def test_the_best_catch_has_whole_lives_before_it_and_is_named(self):
         result = self.film("--catch", "best", "--sheet", "2x2", "--size", "320x240", "-o", "strip.png")
@@ -189,7 +178,7 @@ class Films(InFolderWithSets):
             pictures = f"{name}: {11 * 5 + 1 + 6} pictures, 12.4 s; "  # 8 s before, 3 s after, 1.2 s still
             self.assertTrue(result.stdout.startswith(pictures), result.stdout)
             asked = ["ffprobe", "-v", "error", "-show_entries", "stream=codec_name,width", "-of", "json", name]
-            stream = json.loads(subprocess.run(asked, capture_output=True, text=True, cwd=self.folder, check=True).stdout)["streams"][0]
+            stream = json.loads(self.run_ok(*asked).stdout)["streams"][0]
             self.assertEqual((stream["codec_name"], stream["width"]), (codec, 320))
 
     @unittest.skipUnless(shutil.which("ffmpeg"), "no ffmpeg")
@@ -202,7 +191,7 @@ class Films(InFolderWithSets):
         result = self.film("--from", 50, "--to", 60, "--speed", 10, "--fps", 10, "--size", "320x180", "-o", "film.mp4")
         self.assertEqual((result.returncode, result.stderr, result.stdout), (0, "", "film.mp4: 11 pictures, 1.1 s\n"))
         asked = ["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=width,height,nb_read_frames,codec_name", "-of", "json"]
-        stream = json.loads(subprocess.run([*asked, "film.mp4"], capture_output=True, text=True, cwd=self.folder, check=True).stdout)["streams"][0]
+        stream = json.loads(self.run_ok(*asked, "film.mp4").stdout)["streams"][0]
         self.assertEqual((stream["codec_name"], stream["width"], stream["height"], stream["nb_read_frames"]), ("h264", 320, 180, "11"))
 
     def test_a_killed_film_leaves_no_file(self):
@@ -214,8 +203,7 @@ class Films(InFolderWithSets):
         program.kill()
         program.wait()
         self.assertEqual([path.name for path in self.folder.iterdir()], ["film.mp4.part"])
-        done = self.film(*arguments)  # while the other's ffmpeg still finishes
-        self.assertEqual(done.returncode, 0, done.stderr)
+        self.run_ok(TROPHIC, "film", self.sets / "run", *arguments)  # while the other's ffmpeg still finishes
         self.assertEqual([path.name for path in self.folder.iterdir()], ["film.mp4"])
 
     def test_without_ffmpeg(self):
@@ -228,7 +216,7 @@ class Films(InFolderWithSets):
         shutil.copytree(self.sets / "run", self.folder / "run")
         events = (self.folder / "run/events.csv").read_text().splitlines(keepends=True)
         (self.folder / "run/events.csv").write_text("".join([*events[:-1], events[-1].replace(",", ",9", 2)]))
-        result = subprocess.run([TROPHIC, "film", "run", "-o", "x.png"], capture_output=True, text=True, cwd=self.folder)
+        result = self.call(TROPHIC, "film", "run", "-o", "x.png")
         self.assertEqual((result.returncode, result.stdout, (self.folder / "x.png").exists()), (2, "", False))
         self.assertRegex(result.stderr, r"^trophic film: run/events.csv: has checksum \d+: must be \d+, as its manifest says; .*\n$")
 
@@ -253,9 +241,8 @@ class Films(InFolderWithSets):
         ):
             with self.subTest(arguments):
                 result = self.film(*arguments)
-                self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
-                self.assertTrue(result.stderr.startswith(f"trophic film: {sentence}"), result.stderr)
-                self.assertEqual(len(result.stderr.splitlines()), 1)
+                self.assert_refused(result, f"trophic film: {sentence}")
+                self.assertEqual(result.stdout, "")
         self.assertEqual([path.name for path in self.folder.iterdir()], ["mine.png"])
         self.assertEqual((self.folder / "mine.png").read_text(), "mine")
         result = self.film("-o", "none/x.png")

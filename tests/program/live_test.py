@@ -4,12 +4,11 @@
 own page alone."""
 
 import contextlib
-import csv
-import json
 import os
 import pathlib
 import random
 import resource
+import shutil
 import socket
 import subprocess
 import sys
@@ -27,11 +26,6 @@ RUN = [PROGRAM, "--backend", "kinematic", "--seed", "5"]
 def files_of(folder):
     """Name and bytes of the files of a run that have no times of the clock on the wall."""
     return {path.name: path.read_bytes() for path in pathlib.Path(folder).iterdir() if path.suffix in (".csv", ".trp")}
-
-
-def rows_of(path):
-    return list(csv.DictReader(path.read_text().splitlines()))
-
 
 
 def changed(page, number=1):
@@ -69,12 +63,10 @@ class Live(InFolder):
 
     def test_live_run_with_two_changes_is_made_again_to_the_byte(self):
         live = self.drive()
-        rows = rows_of(live / "changes.csv")
+        rows = self.rows(live / "changes.csv")
         self.assertEqual([(row["number"], row["value"]) for row in rows], [("rules.capture.reach_m", "0.5"), ("rules.mutation.sd", "0.7")])
-        again = [*RUN, "--duration", "60", "--changes", str(live / "changes.csv"), "--out", "again"]
-        subprocess.run(again, cwd=self.folder, check=True, capture_output=True)
-        without = [*RUN, "--duration", "60", "--out", "without"]
-        subprocess.run(without, cwd=self.folder, check=True, capture_output=True)
+        self.run_ok(*RUN, "--duration", 60, "--changes", live / "changes.csv", "--out", "again")
+        self.run_ok(*RUN, "--duration", 60, "--out", "without")
         made = files_of(self.folder / "again")
         self.assertEqual(files_of(live), made)
         self.assertNotEqual(files_of(self.folder / "without")["agents.csv"], made["agents.csv"])
@@ -192,8 +184,7 @@ class Live(InFolder):
             page.until(lambda message: message["kind"] == "state" and message["over"])
         self.assertEqual(run.wait()[0], 0)
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["run", "run-1", "run-2"])
-        alone = [*RUN[:3], "--seed", "10", "--rules", "released", "--duration", "20", "--out", "alone"]
-        subprocess.run(alone, cwd=self.folder, check=True, capture_output=True)
+        self.run_ok(*RUN[:3], "--seed", 10, "--rules", "released", "--duration", 20, "--out", "alone")
         made = files_of(self.folder / "run-2")
         self.assertEqual(made.pop("changes.csv"), b"time_s,tick,number,value,before\n")
         self.assertEqual(files_of(self.folder / "alone"), made)
@@ -207,10 +198,10 @@ class Live(InFolder):
             page.until(lambda message: message["kind"] == "state" and message["paused"])
             run.process.terminate()
             self.assertEqual(run.wait()[0], 3)
-        subprocess.run([*RUN, "--duration", "60", "--out", "run", "--resume"], cwd=self.folder, check=True, capture_output=True)
-        subprocess.run([*RUN, "--duration", "60", "--out", "again", "--changes", "run/changes.csv"], cwd=self.folder, check=True, capture_output=True)
+        self.run_ok(*RUN, "--duration", 60, "--out", "run", "--resume")
+        self.run_ok(*RUN, "--duration", 60, "--out", "again", "--changes", "run/changes.csv")
         self.assertEqual(files_of(self.folder / "run"), files_of(self.folder / "again"))
-        resumed, again = (json.loads((self.folder / f"{name}/manifest.json").read_text()) for name in ("run", "again"))
+        resumed, again = map(self.manifest, ("run", "again"))
         self.assertEqual([resumed[key] for key in ("identity", "description")], [again[key] for key in ("identity", "description")])
         self.assertEqual([one["value"] for one in resumed["description"]["changes"]], ["0.5"])
 
@@ -231,16 +222,10 @@ class Live(InFolder):
         self.assertIn("cannot write to standard output", done.stderr)
         self.assertFalse((self.folder / "run").exists())
 
-    def refused(self, words, *options):
-        done = subprocess.run([*RUN, *options], cwd=self.folder, capture_output=True, text=True, timeout=60)
-        self.assertEqual(done.returncode, 2, done.stderr)
-        self.assertEqual(len(done.stderr.splitlines()), 1)
-        self.assertIn(words, done.stderr)
-
     def test_wrong_options_are_refused(self):
-        self.refused("--live: not with --replicates", "--live", "--replicates", "2")
-        self.refused("--live-port: needs --live", "--live-port", "4000")
-        self.refused("--live-port 80: must be >= 1024", "--live", "--live-port", "80")
+        self.assert_refused(self.call(*RUN, "--live", "--replicates", 2), "--live: not with --replicates")
+        self.assert_refused(self.call(*RUN, "--live-port", 4000), "--live-port: needs --live")
+        self.assert_refused(self.call(*RUN, "--live", "--live-port", 80), "--live-port 80: must be >= 1024")
 
 
 class Sessions(InFolder):
@@ -276,14 +261,15 @@ class Sessions(InFolder):
                 page.send({"do": "play"})
                 is_over or page.until(lambda message: message["kind"] == "state" and message["over"])
             code, errors = run.wait()
-        done = subprocess.run([*options, "--changes", "live/changes.csv", "--out", "again"], cwd=self.folder, capture_output=True, text=True)
+        done = self.call(*options, "--changes", "live/changes.csv", "--out", "again")
         self.assertEqual((done.returncode, done.stderr.replace("again", "live")), (code, errors))
         live, again = (files_of(self.folder / name) for name in ("live", "again"))
         self.assertEqual([name for name in live if live[name] != again[name]], [])
-        said = [json.loads((self.folder / name / "manifest.json").read_text()) for name in ("live", "again")]
+        said = [self.manifest(name) for name in ("live", "again")]
         self.assertEqual([said[0][key] for key in ("identity", "description", "remarks")], [said[1][key] for key in ("identity", "description", "remarks")])
-        changes = len(rows_of(self.folder / "live/changes.csv"))
-        subprocess.run(["rm", "-r", self.folder / "live", self.folder / "again"], check=True)
+        changes = len(self.rows("live/changes.csv"))
+        for name in ("live", "again"):
+            shutil.rmtree(self.folder / name)
         return changes, code
 
     def test_random_sessions_are_made_again_to_the_byte(self):
@@ -296,8 +282,7 @@ class Sessions(InFolder):
 class Changes(InFolder):
     def run_with(self, text, *options):
         (self.folder / "changes.csv").write_text(text)
-        command = [*RUN, "--duration", "40", "--changes", "changes.csv", "--out", "run", *options]
-        return subprocess.run(command, cwd=self.folder, capture_output=True, text=True, timeout=60)
+        return self.call(*RUN, "--duration", 40, "--changes", "changes.csv", "--out", "run", *options)
 
     def test_wrong_files_are_refused_before_any_work(self):
         head = "time_s,number,value\n"
@@ -315,32 +300,29 @@ class Changes(InFolder):
             (head + "40,rules.capture.reach_m,1\n", "time_s = 40: must be <= 38, the last moment that a decision step follows"),
         ]:
             with self.subTest(text=text):
-                done = self.run_with(text)
-                self.assertEqual(done.returncode, 2, done.stderr)
-                self.assertIn(words, done.stderr)
-                self.assertEqual(len(done.stderr.splitlines()), 1)
+                self.assert_refused(self.run_with(text), words)
                 self.assertFalse((self.folder / "run").exists())
 
     def test_replicates_and_their_shadow_change_as_one_run_does(self):
         text = "time_s,number,value\n20,rules.capture.reach_m,0.5\n"
         self.assertEqual(self.run_with(text, "--replicates", "2", "--shadow").returncode, 0)
         for folder in ("replicate-00", "replicate-01", "shadow/replicate-00", "shadow/replicate-01"):
-            rows = rows_of(self.folder / "run" / folder / "changes.csv")
+            rows = self.rows("run", folder, "changes.csv")
             self.assertEqual([(row["time_s"], row["value"], row["before"]) for row in rows], [("20", "0.5", "1")])
 
     def test_as_many_changes_as_a_page_made_are_made_again(self):
         values = [str((index % 97 + 1) / 100) for index in range(2500)]
         text = "time_s,number,value\n" + "".join(f"{2 * (index // 150)},rules.capture.reach_m,{value}\n" for index, value in enumerate(values))
         self.assertEqual(self.run_with(text).returncode, 0)
-        self.assertEqual([row["value"] for row in rows_of(self.folder / "run/changes.csv")], values)
-        done = subprocess.run([*RUN, "--duration", "40", "--changes", "run/changes.csv", "--out", "again"], cwd=self.folder, capture_output=True, text=True)
-        self.assertEqual((done.returncode, files_of(self.folder / "run")), (0, files_of(self.folder / "again")))
+        self.assertEqual([row["value"] for row in self.rows("run/changes.csv")], values)
+        self.run_ok(*RUN, "--duration", 40, "--changes", "run/changes.csv", "--out", "again")
+        self.assertEqual(files_of(self.folder / "run"), files_of(self.folder / "again"))
 
     def test_of_a_number_that_changes_again_the_last_change_counts(self):
         reach, sd = "rules.capture.reach_m", "rules.mutation.sd"
         text = f"time_s,number,value\n4,{reach},0.5\n8,{sd},0.7\n8,{reach},0.4\n20,{sd},0.6\n20,{reach},1\n"
         self.assertEqual(self.run_with(text).returncode, 0)
-        rows = rows_of(self.folder / "run" / "changes.csv")
+        rows = self.rows("run/changes.csv")
         self.assertEqual([(row["value"], row["before"]) for row in rows if row["number"] == reach], [("0.5", "1"), ("0.4", "0.5"), ("1", "0.4")])
         self.assertEqual([(row["value"], row["before"]) for row in rows if row["number"] == sd][1:], [("0.6", "0.7")])
 

@@ -13,7 +13,7 @@ import subprocess
 import sys
 import unittest
 
-from in_folder import InFolderWithSets
+from in_folder import InFolderWithSets, run_ok
 
 PREDATOR_PREY, TROPHIC, ABLATIONS = (sys.argv.pop(1) for _ in range(3))
 ALL = "--all" in sys.argv
@@ -56,7 +56,7 @@ def limits():
 def options_of(command):
     """The options that take a value, as --help lists them."""
     program = command[:2] if command[0] == TROPHIC else command[:1]
-    text = subprocess.run([*program, "--help"], capture_output=True, text=True, check=True).stdout
+    text = run_ok(*program, "--help").stdout
     return re.findall(r"^  (?:-\w,)?(--[a-z-]+) (?:N|X|TEXT)\b", text, re.M)
 
 
@@ -72,7 +72,7 @@ class Options(InFolderWithSets):
     def make_sets(cls):
         run = [PREDATOR_PREY, "--backend", "kinematic", "--duration", "60", "--out"]
         for out in (["run"], ["set", "--replicates", "2"]):
-            subprocess.run([*run, *out], cwd=cls.sets, check=True, capture_output=True)
+            run_ok(*run, *out, cwd=cls.sets)
 
     def setUp(self):
         super().setUp()
@@ -111,15 +111,14 @@ class Options(InFolderWithSets):
                              "--changes changes.csv: must be left out, as the run in run has no changes.csv")):
             with self.subTest(words):
                 before = self.files()
-                done = subprocess.run(words, cwd=self.folder, capture_output=True, text=True, timeout=60, preexec_fn=limits)
+                done = self.call(*words, preexec_fn=limits)
                 if "without pictures" in done.stderr:
                     continue
-                self.assertEqual((done.returncode, len(done.stderr.splitlines())), (2, 1), done.stderr)
-                self.assertIn(said, done.stderr)
+                self.assert_refused(done, said)
                 self.assertEqual(self.files(), before)
 
     def test_every_option(self):
-        there = subprocess.run([TROPHIC, "--help"], capture_output=True, text=True, check=True).stdout
+        there = run_ok(TROPHIC, "--help").stdout
         self.ends, self.longest_s = {}, 0.0
         for name, command in COMMANDS.items():
             if command[0] == TROPHIC and f"\n  {name} " not in there:

@@ -6,12 +6,11 @@ Exit code 77, skipped, without pdflatex (Debian: texlive-latex-base texlive-late
 
 import re
 import shutil
-import subprocess
 import sys
 import unittest
 
 import figures_python
-from in_folder import InFolderWithSets
+from in_folder import InFolderWithSets, call, run_ok
 
 PREDATOR_PREY, TROPHIC = (sys.argv.pop(1) for _ in range(2))
 if shutil.which("pdflatex") is None:
@@ -43,14 +42,11 @@ class PaperTables(InFolderWithSets):
 
     @classmethod
     def call(cls, *arguments):
-        done = subprocess.run([*map(str, arguments)], capture_output=True, text=True, cwd=cls.sets)
-        assert done.returncode == 0, done.stderr
-        return done.stdout
+        return run_ok(*arguments, cwd=cls.sets).stdout
 
     def compiled(self, options, environment, table, preamble=""):
         (self.folder / "paper.tex").write_text(DOCUMENT % (options, preamble, environment, table, environment))
-        done = subprocess.run(["pdflatex", "-interaction=nonstopmode", "paper.tex"], cwd=self.folder, capture_output=True, text=True, timeout=120)
-        self.assertEqual(done.returncode, 0, done.stdout[-2000:])
+        done = self.run_ok("pdflatex", "-interaction=nonstopmode", "paper.tex")
         self.assertEqual(re.findall(r"^(?:Overfull|LaTeX Warning: Float too large).*", done.stdout, re.M), [], f"{table} in {environment}")
 
     def test_rule_tables_fit_a_column_and_a_page(self):
@@ -72,9 +68,7 @@ class PaperTables(InFolderWithSets):
         same = self.call(PREDATOR_PREY, "--rules", "paper", "--print-table", "markdown", "--unlike", "paper", "--set", "rules.mutation.sd=0.123")
         self.assertEqual(same.splitlines()[2:], ["| reproduction | mutation | " + same.splitlines()[2].split(" | ")[2] + " | sd = 0.123 | "
                                                  + same.splitlines()[2].split(" | ")[4]])
-        wrong = subprocess.run([PREDATOR_PREY, "--print-table", "latex", "--unlike", "releasd"], capture_output=True, text=True)
-        self.assertEqual(wrong.returncode, 2)
-        self.assertIn("did you mean released?", wrong.stderr)
+        self.assert_refused(call(PREDATOR_PREY, "--print-table", "latex", "--unlike", "releasd"), "did you mean released?")
 
     def test_results_fit_a_page(self):
         for table in ("means", "differences"):

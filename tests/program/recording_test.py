@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: MIT
 """recording_test.py PREDATOR_PREY TROPHIC: a run's replay.trp as users read it: with the Python package and the code of docs/recording.md."""
 
-import csv
 import json
 import math
 import pathlib
@@ -10,7 +9,6 @@ import re
 import resource
 import shutil
 import struct
-import subprocess
 import sys
 import unittest
 import zlib
@@ -20,11 +18,11 @@ import system_python
 system_python.need("numpy")
 
 import numpy  # noqa: E402
-from in_folder import InFolderWithSets, sealed_text  # noqa: E402
+from in_folder import InFolderWithSets, call, run_ok, sealed_text  # noqa: E402
 
 PROGRAM, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-HAS_MUJOCO = ", mujoco" in subprocess.run([PROGRAM, "--help"], capture_output=True, text=True).stdout
+HAS_MUJOCO = ", mujoco" in call(PROGRAM, "--help").stdout
 sys.path.insert(0, str(ROOT / "tools/python"))
 from trophic import RecordingError, read_replay  # noqa: E402
 
@@ -41,8 +39,7 @@ class Recordings(InFolderWithSets):
 
     @classmethod
     def make(cls, name, *options):
-        done = subprocess.run([PROGRAM, "--out", str(cls.sets / name), *map(str, options)], capture_output=True, text=True, timeout=300)
-        assert done.returncode == 0, done.stderr
+        run_ok(PROGRAM, "--out", cls.sets / name, *options)
 
     def names(self):
         return sorted(path.name for path in self.sets.iterdir())
@@ -53,8 +50,7 @@ class Recordings(InFolderWithSets):
                 recording = read_replay(self.sets / name)
                 self.assertTrue(recording.complete)
                 per_tick = recording.head["frames_per_tick"]
-                with open(self.sets / name / "agents.csv", newline="") as file:
-                    rows = list(csv.DictReader(file))
+                rows = self.rows(self.sets, name, "agents.csv")
                 frames = numpy.array([int(row["tick"]) * per_tick for row in rows])
                 bodies = numpy.array([int(row["body"]) for row in rows])
                 self.assertEqual(frames.max() + 1, len(recording.time_s))
@@ -77,7 +73,7 @@ class Recordings(InFolderWithSets):
 
     def test_a_rewound_run_has_the_frames_of_its_past_and_its_own_identity(self):
         whole, rewound = read_replay(self.sets / "kinematic"), read_replay(self.sets / "rewound")
-        manifest = json.loads((self.sets / "rewound" / "manifest.json").read_text())
+        manifest = self.manifest(self.sets, "rewound")
         for key in ("fingerprint", "seed"):
             self.assertEqual(rewound.head[key], manifest[key])
             self.assertNotEqual(rewound.head[key], whole.head[key])
@@ -196,17 +192,17 @@ class Pages(InFolderWithSets):
         Recordings.make.__func__(cls, "set", "--backend", "kinematic", "--duration", 20, "--replicates", 2)
 
     def show(self, *arguments):
-        return subprocess.run([TROPHIC, "show", *map(str, arguments)], capture_output=True, text=True, cwd=self.folder, timeout=120)
+        return self.call(TROPHIC, "show", *arguments)
 
     def copy(self, name="run"):
         copied = self.folder / "copy"
-        subprocess.run(["cp", "-r", str(self.sets / name), str(copied)], check=True)
+        shutil.copytree(self.sets / name, copied)
         return copied
 
-    def assert_refused(self, sentence, *arguments):
+    def refused(self, sentence, *arguments):
         result = self.show(*arguments, "-o", "page.html")
-        self.assertEqual((result.returncode, result.stdout), (2, ""), result.stderr)
-        self.assertEqual(len(result.stderr.strip().splitlines()), 1, result.stderr)
+        self.assert_refused(result)
+        self.assertEqual(result.stdout, "")
         self.assertRegex(result.stderr, sentence)
         self.assertFalse((self.folder / "page.html").exists())
 
@@ -235,10 +231,10 @@ class Pages(InFolderWithSets):
         self.assertEqual((self.folder / "page.html").read_text(), "mine")
 
     def test_folders_without_a_recorded_run_are_refused(self):
-        self.assert_refused(r"none: does not exist", "none")
-        self.assert_refused(r"unrecorded/replay.trp: is not there; a run with --replay-hz 0 leaves none", self.sets / "unrecorded")
-        self.assert_refused(r"thinned/agents.csv: has the ticks that are multiples of 2: must have all to be shown", self.sets / "thinned")
-        self.assert_refused(r"10 runs: must be <= 9", *[self.sets / "run"] * 10)
+        self.refused(r"none: does not exist", "none")
+        self.refused(r"unrecorded/replay.trp: is not there; a run with --replay-hz 0 leaves none", self.sets / "unrecorded")
+        self.refused(r"thinned/agents.csv: has the ticks that are multiples of 2: must have all to be shown", self.sets / "thinned")
+        self.refused(r"10 runs: must be <= 9", *[self.sets / "run"] * 10)
 
     def test_damaged_and_foreign_recordings_are_refused(self):
         run = self.copy()
@@ -250,13 +246,13 @@ class Pages(InFolderWithSets):
             ((self.sets / "other" / "replay.trp").read_bytes(), r"manifest.json: fingerprint \w+, seed 1, but replay.trp next to it is of .* two runs"),
         ):
             (run / "replay.trp").write_bytes(damaged)
-            self.assert_refused(sentence, run)
+            self.refused(sentence, run)
 
     def test_tables_of_another_run_are_refused(self):
         run = self.copy()
         (run / "events.csv").write_bytes((self.sets / "other" / "events.csv").read_bytes())
         self.forget_sums(run)
-        self.assert_refused(r"events.csv:2: body 0 at 0 s is at .* in the recording next to it elsewhere; they are of two runs", run)
+        self.refused(r"events.csv:2: body 0 at 0 s is at .* in the recording next to it elsewhere; they are of two runs", run)
 
     def test_each_table_of_another_run_with_the_same_start_is_refused(self):
         """A run of the same seed with other rules begins alike: rows that belong to it alone are found."""
@@ -269,9 +265,9 @@ class Pages(InFolderWithSets):
             with self.subTest(table):
                 run = self.copy()
                 (run / table).write_bytes((self.sets / "sister" / table).read_bytes())
-                self.assert_refused(sentence, run)
+                self.refused(sentence, run)
                 self.forget_sums(run)
-                self.assert_refused(rf"{table}:\d+: ", run)  # row by row
+                self.refused(rf"{table}:\d+: ", run)  # row by row
                 shutil.rmtree(run)
 
     def forget_sums(self, run):
@@ -285,9 +281,9 @@ class Pages(InFolderWithSets):
         run = self.copy("sensed")
         own, foreign = ((self.sets / name / "senses.csv").read_bytes() for name in ("sensed", "sensed-2"))
         (run / "senses.csv").write_bytes(foreign)
-        self.assert_refused(r"senses.csv: has checksum \d+: must be \d+, as its manifest says", run)
+        self.refused(r"senses.csv: has checksum \d+: must be \d+, as its manifest says", run)
         self.forget_sums(run)
-        self.assert_refused(r"senses.csv:\d+: is not of the robot and tick in that row of agents.csv; they are of two runs", run)
+        self.refused(r"senses.csv:\d+: is not of the robot and tick in that row of agents.csv; they are of two runs", run)
         for cut_off in (own, own[:-1000]):
             (run / "senses.csv").write_bytes(cut_off)
             shown = self.show(run, "-o", "page.html")
@@ -309,7 +305,7 @@ class Pages(InFolderWithSets):
             for column, cell in changes.items():
                 row[column] = cell
             (run / "events.csv").write_text("".join([events[0], ",".join(row), *events[2:]]))
-            self.assert_refused(sentence, run)
+            self.refused(sentence, run)
             if 13 in changes:
                 self.forget_sums(run)
 
@@ -340,8 +336,8 @@ class Pages(InFolderWithSets):
         whole, part = self.show(self.sets / "run", "-o", "whole.html"), self.show(self.sets / "run", "--from", 20, "--to", 30, "-o", "part.html")
         self.assertEqual((whole.returncode, part.returncode), (0, 0), part.stderr)
         self.assertLess((self.folder / "part.html").stat().st_size, (self.folder / "whole.html").stat().st_size)
-        self.assert_refused(r"time 61 s: must be between 0 and 60", self.sets / "run", "--to", 61)
-        self.assert_refused(r"--from 30: must be <= --to, 20", self.sets / "run", "--from", 30, "--to", 20)
+        self.refused(r"time 61 s: must be between 0 and 60", self.sets / "run", "--to", 61)
+        self.refused(r"--from 30: must be <= --to, 20", self.sets / "run", "--from", 30, "--to", 20)
 
     def test_a_folder_that_cannot_be_written_is_an_error(self):
         result = self.show(self.sets / "run", "-o", "none/page.html")

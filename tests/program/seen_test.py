@@ -4,10 +4,8 @@
 
 import base64
 import csv
-import io
 import json
 import re
-import subprocess
 import sys
 import unittest
 import zlib
@@ -17,7 +15,7 @@ import system_python
 system_python.need("numpy", "PIL")
 
 import numpy  # noqa: E402
-from in_folder import InFolderWithSets  # noqa: E402
+from in_folder import InFolderWithSets, call, run_ok  # noqa: E402
 from live_page import LiveRun  # noqa: E402
 from PIL import Image  # noqa: E402
 
@@ -30,17 +28,16 @@ RUN = [WORLDS, "--rules", "pond", "--backend", "kinematic", "--seed", "4", *(wor
 class Seen(InFolderWithSets):
     @classmethod
     def make_sets(cls):
-        subprocess.run([*RUN, "--duration", "1000", "--out", str(cls.sets / "run")], capture_output=True, check=True, timeout=300)
-        cls.agents, cls.events, cls.energy = (cls.rows((cls.sets / f"run/{name}.csv").read_text()) for name in ("agents", "events", "energy"))
+        run_ok(*RUN, "--duration", 1000, "--out", cls.sets / "run")
+        cls.agents, cls.events, cls.energy = (cls.rows_of((cls.sets / f"run/{name}.csv").read_text()) for name in ("agents", "events", "energy"))
         cls.alive = {time_s: {int(row["id"]): row for row in cls.agents if float(row["time_s"]) == time_s} for time_s in range(0, 1001, 20)}
 
     @staticmethod
-    def rows(text):
-        return list(csv.DictReader(io.StringIO(text)))
+    def rows_of(text):
+        return list(csv.DictReader(text.splitlines()))
 
     def make(self, command, out, *options):
-        done = subprocess.run([TROPHIC, command, str(self.sets / "run"), "-o", out, *map(str, options)], capture_output=True, text=True, cwd=self.folder, timeout=300)
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(self.run_ok(TROPHIC, command, self.sets / "run", "-o", out, *options).stderr, "")
         return self.folder / out
 
     def test_the_run_goes_up_and_down(self):
@@ -54,7 +51,7 @@ class Seen(InFolderWithSets):
         tables = {}
         for name in ("agents", "energy", "food"):
             packed = re.search(rf'data-file="{name}">([^<]*)<', page)[1]
-            tables[name] = self.rows(zlib.decompress(base64.b64decode(packed)).decode())
+            tables[name] = self.rows_of(zlib.decompress(base64.b64decode(packed)).decode())
         wanted = [(row["tick"], row["body"], row["id"]) for row in self.agents if 298 < float(row["time_s"]) <= 500]
         self.assertEqual([(row["tick"], row["body"], row["id"]) for row in tables["agents"]], wanted)
         stock_J = [float(row["stock_J"]) for row in self.energy if 298 < float(row["time_s"]) <= 500]
@@ -99,7 +96,7 @@ class Seen(InFolderWithSets):
         self.assertLess(areas[:, 1].sum(), 0.99 * areas[:, 0].sum())
 
     def test_a_film_shows_the_living_and_less_food_when_it_is_eaten(self):
-        if subprocess.run([TROPHIC, "film", "--help"], capture_output=True, text=True).returncode != 0:
+        if call(TROPHIC, "film", "--help").returncode != 0:
             self.skipTest("built without films")
         blue, green = [], []
         for time_s in (0, 420, 1000):

@@ -20,7 +20,7 @@ import sys
 import time
 import unittest
 
-from in_folder import InFolderWithSets
+from in_folder import InFolderWithSets, call, run_ok
 
 PARSER = argparse.ArgumentParser()
 PARSER.add_argument("program")
@@ -77,9 +77,8 @@ class Sweeps(InFolderWithSets):
     @classmethod
     def make(cls, text):
         (cls.sets / "sweep.toml").write_text(text)
-        words = [OPTIONS.program, "--sweep", "sweep.toml", "--out", "one", "--jobs", "1"]
         began = time.monotonic()
-        subprocess.run(words, cwd=cls.sets, check=True, capture_output=True, timeout=3600)
+        run_ok(OPTIONS.program, "--sweep", "sweep.toml", "--out", "one", "--jobs", 1, cwd=cls.sets, timeout=3600)
         cls.whole_s = time.monotonic() - began
 
     def setUp(self):
@@ -90,17 +89,17 @@ class Sweeps(InFolderWithSets):
     def write(self, name, text):
         (self.folder / name).write_text(text)
 
-    def run_words(self, *words, **more):
-        return subprocess.run(words, cwd=self.folder, capture_output=True, text=True, timeout=3600, **more)
+    def call(self, *words, **how):
+        return super().call(*words, timeout=3600, **how)
 
-    def sweep(self, *arguments, file="sweep.toml", out="out"):
-        return self.run_words(OPTIONS.program, "--sweep", file, "--out", out, *arguments)
+    def run_ok(self, *words, **how):
+        return super().run_ok(*words, timeout=3600, **how)
+
+    def sweep(self, *arguments, file="sweep.toml", out="out", run=None):
+        return (run or self.run_ok)(OPTIONS.program, "--sweep", file, "--out", out, *arguments)
 
     def start(self, *words):
         return subprocess.Popen(words, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-
-    def assert_done(self, done):
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
     def assert_same(self, out="out"):
         one, two = self.sets / "one", self.folder / out
@@ -146,13 +145,13 @@ class Ways(Sweeps):
             self.assertEqual(times, {0.0, 4.0, 8.0})
 
     def test_jobs(self):
-        self.assert_done(self.sweep("--jobs", "2"))
+        self.sweep("--jobs", "2")
         self.assert_same()
 
     def test_again_runs_nothing(self):
         times = lambda: {path: path.stat().st_mtime_ns for path in (self.sets / "one").rglob("*.csv")}
         before = times()
-        self.assert_done(self.sweep(out=self.sets / "one"))
+        self.sweep(out=self.sets / "one")
         self.assertEqual(before, times())
 
     def runs(self, out="one"):
@@ -160,17 +159,17 @@ class Ways(Sweeps):
 
     def test_runs_by_their_numbers_in_any_order(self):
         numbers = [str(i) for i in random.sample(range(self.runs()), self.runs())]
-        self.assert_done(self.sweep("--run", *numbers[:3]))
+        self.sweep("--run", *numbers[:3])
         self.assertEqual(len(list(self.folder.glob("out/cell-*/*/manifest.json"))), 3)
         for number in numbers:  # the first three are complete
-            self.assert_done(self.sweep("--run", number))
+            self.sweep("--run", number)
         self.assert_same()
 
     def test_programs_that_make_the_same_runs_at_once(self):
         words = [OPTIONS.program, "--sweep", "sweep.toml", "--out", "out", "--jobs", "1"]
         programs = [self.start(*words, *more) for more in ([], [], ["--run", "0"], ["--run", "0"])]
         self.assertLessEqual({program.wait(3600) for program in programs}, {0, 1})
-        self.assert_done(self.run_words(*words))
+        self.run_ok(*words)
         self.assert_same()
 
     @unittest.skipUnless(shutil.which("mpirun"), "needs MPI")
@@ -178,22 +177,22 @@ class Ways(Sweeps):
         for ranks in (2, 3):
             out = f"ranks-{ranks}"
             words = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--mca", "orte_abort_on_non_zero_status", "0", "-n", str(ranks)]
-            self.assert_done(self.run_words(*words, OPTIONS.sweeps / "mpi.sh", OPTIONS.program, "sweep.toml", out))
+            self.run_ok(*words, OPTIONS.sweeps / "mpi.sh", OPTIONS.program, "sweep.toml", out)
             self.assert_same(out)
 
     @unittest.skipUnless(shutil.which("parallel"), "needs GNU parallel")
     def test_gnu_parallel_and_its_log(self):
-        self.assert_done(self.sweep("--plan"))
+        self.sweep("--plan")
         def by_parallel(guard):
             command = f"{guard}{OPTIONS.program} --sweep sweep.toml --out out --run {{}}"
-            return self.run_words("bash", "-c", f"seq 0 {self.runs() - 1} | parallel --jobs 2 --joblog log --resume-failed '{command}'")
+            return self.call("bash", "-c", f"seq 0 {self.runs() - 1} | parallel --jobs 2 --joblog log --resume-failed '{command}'")
         self.assertEqual(by_parallel("[ {} -ne 1 ] && ").returncode, 1)
-        self.assert_done(by_parallel(""))
+        self.assertEqual(by_parallel("").returncode, 0)
         self.assert_same()
 
     def test_printed_slurm_script_by_array_ids(self):
-        printed = self.run_words(OPTIONS.program, "--sweep", "sweep.toml", "--out", "out", "--sbatch", "3")
-        self.assertEqual((printed.returncode, printed.stderr), (0, ""))
+        printed = self.sweep("--sbatch", 3)
+        self.assertEqual(printed.stderr, "")
         self.assertFalse((self.folder / "out").exists())
         for line in (r"#SBATCH --array=1-3", r"#SBATCH --time=\d+:\d\d:00", r"#SBATCH --mem=\d+M", r"#SBATCH --output=slurm-%A_%a.log",
                      r"#SBATCH --signal=B:TERM@120", r"# \d+ runs in \d+ cells, about .* of one core"):
@@ -202,26 +201,24 @@ class Ways(Sweeps):
         self.write("base0.sh", printed.stdout.replace("--out 'out'", "--out 'base0'"))
         for job, tasks in (("job.sh", (2, 1, 3)), ("base0.sh", (0, 1, 2))):
             for task in tasks:
-                self.assert_done(self.run_words("bash", "-c", f"cd / && bash '{self.folder / job}'", env={**os.environ, "SLURM_ARRAY_TASK_ID": str(task)}))
+                self.run_ok("bash", "-c", f"cd / && bash '{self.folder / job}'", env={**os.environ, "SLURM_ARRAY_TASK_ID": str(task)})
         self.assert_same()
         self.assert_same("base0")
-        most = self.run_words(OPTIONS.program, "--sweep", "sweep.toml", "--out", "out", "--sbatch", "1000")
+        most = self.sweep("--sbatch", 1000)
         self.assertIn(f"#SBATCH --array=1-{self.runs()}\n", most.stdout)
 
     @unittest.skipUnless(shutil.which("snakemake"), "needs Snakemake")
     def test_snakemake(self):
         words = ["snakemake", "--cores", "2", "--snakefile", OPTIONS.sweeps / "Snakefile", "--config", "sweep=sweep.toml",
                  "out=out", f"program={OPTIONS.program}", "analyze=mkdir -p out.analysis; true"]
-        self.assert_done(self.run_words(*words, env={**os.environ, "HOME": str(self.folder)}))
+        self.run_ok(*words, env={**os.environ, "HOME": str(self.folder)})
         self.assert_same()
 
     def test_a_signal_of_slurm_ends_a_task_well(self):
-        printed = self.run_words(OPTIONS.program, "--sweep", "killed.toml", "--out", "signalled", "--sbatch", "1").stdout
-        self.write("job.sh", printed)
+        self.write("job.sh", self.sweep("--sbatch", 1, file="killed.toml", out="signalled").stdout)
         running = subprocess.Popen(["bash", "job.sh"], cwd=self.folder, env={**os.environ, "SLURM_ARRAY_TASK_ID": "1"},
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        while not list(self.folder.glob("signalled/cell-*/*/agents.csv")) and running.poll() is None:
-            time.sleep(0.01)
+        self.wait_for("signalled/cell-*/*/agents.csv", running)
         running.send_signal(signal.SIGTERM)
         said = running.communicate(timeout=60)
         self.assertEqual(running.returncode, 3, said)
@@ -229,10 +226,10 @@ class Ways(Sweeps):
 
     @unittest.skipUnless(shutil.which("slurmctld", path=os.environ["PATH"] + ":/usr/sbin") and shutil.which("sbatch"), "needs Slurm")
     def test_slurm(self):
-        self.write("job.sh", self.run_words(OPTIONS.program, "--sweep", "sweep.toml", "--out", "out", "--sbatch", "3").stdout)
+        self.write("job.sh", self.sweep("--sbatch", 3).stdout)
         self.write("base0.sh", (self.folder / "job.sh").read_text().replace("--out 'out'", "--out 'base0'"))
         with Slurm(self.folder) as environment:
-            done = [self.run_words("sbatch", "--wait", *words, env=environment) for words in (["job.sh"], ["--array=0-2", "base0.sh"])]
+            done = [self.call("sbatch", "--wait", *words, env=environment) for words in (["job.sh"], ["--array=0-2", "base0.sh"])]
         said = "".join(path.read_text() for path in self.folder.glob("slurm-*.log"))
         self.assertEqual([each.returncode for each in done], [0, 0], str(done) + said)
         self.assert_same()
@@ -254,7 +251,7 @@ class Slurm:
     def __enter__(self):
         self.folder.mkdir()
         host = socket.gethostname()
-        user = subprocess.run(["id", "-un"], capture_output=True, text=True).stdout.strip()
+        user = run_ok("id", "-un").stdout.strip()
         numbers = {
             "ClusterName": "one", "SlurmctldHost": f"{host}(127.0.0.1)", "AuthType": "auth/none", "CredType": "cred/none",
             "SlurmUser": user, "SlurmdUser": user, "SlurmctldPort": self.free_port(), "SlurmdPort": self.free_port(),
@@ -277,7 +274,7 @@ class Slurm:
                 words = [shutil.which(daemon, path=paths), "-D"]
                 self.programs.append(subprocess.Popen(words, env=environment, stdout=log, stderr=log))
         for _ in range(100):
-            state = subprocess.run(["sinfo", "--noheader", "--format=%T"], env=environment, capture_output=True, text=True)
+            state = call("sinfo", "--noheader", "--format=%T", env=environment)
             if state.stdout.strip() == "idle":
                 return environment
             time.sleep(0.1)
@@ -312,12 +309,12 @@ class Killed(Sweeps):
             self.wait_for_work()
             program.kill()
             program.wait()
-        self.assert_done(self.run_words(*words))
+        self.run_ok(*words)
         self.assert_same()
 
     def status(self):
-        done = self.run_words(OPTIONS.program, "--status", "--out", "out")
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        done = self.run_ok(OPTIONS.program, "--status", "--out", "out")
+        self.assertEqual(done.stderr, "")
         return done.stdout
 
     def test_status_says_what_runs_is_interrupted_and_is_done(self):
@@ -333,7 +330,7 @@ class Killed(Sweeps):
         killed = self.status()
         self.assertRegex(killed, r"0 done, 0 running, 0 failed, [12] interrupted, [23] missing\n")
         self.assertIn("  interrupted: cell-00", killed)
-        self.assert_done(self.run_words(*words))
+        self.run_ok(*words)
         self.assertEqual(self.status(), "out: 4 runs: 4 done, 0 running, 0 failed, 0 interrupted, 0 missing\n")
         shutil.rmtree(self.folder / "out/cell-001/replicate-01")
         self.assertRegex(self.status(), r"3 done, 0 running, 0 failed, 0 interrupted, 1 missing\nleft: about .* of one core \(0.\d+ core-hours\)")
@@ -345,22 +342,21 @@ class Killed(Sweeps):
         dies.kill()
         dies.wait()
         self.assertIn(lives.wait(600), (0, 1))
-        self.assert_done(self.run_words(*words))
+        self.run_ok(*words)
         self.assert_same()
 
     def test_a_run_that_is_made_is_refused_and_one_that_was_killed_resumes(self):
         words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--checkpoint-s", "50", "--run", "2"]
         program = self.start(*words)
-        while not list(self.folder.glob("out/cell-001/replicate-00.making/checkpoint.bin")):
-            time.sleep(0.005)
-        refused = self.run_words(*words)
+        self.wait_for("out/cell-001/replicate-00.making/checkpoint.bin", program)
+        refused = self.call(*words)
         self.assertEqual(refused.returncode, 1, refused.stdout)
         self.assertIn("cell-001/replicate-00: another program is making it\n", refused.stderr)
         program.kill()
         program.wait()
-        self.assert_done(self.run_words(*words))
+        self.run_ok(*words)
         self.assertIn("continued", json.loads((self.folder / "out/cell-001/replicate-00/manifest.json").read_text()))
-        self.assert_done(self.sweep("--checkpoint-s", "50", file="killed.toml"))
+        self.sweep("--checkpoint-s", "50", file="killed.toml")
         self.assert_same()
 
     def test_stopped_program_prints_how_to_continue(self):
@@ -371,15 +367,14 @@ class Killed(Sweeps):
         said = program.communicate(timeout=600)
         self.assertEqual(program.returncode, 3, said)
         self.assertIn("the same command resumes these and no others", said[1])
-        self.assert_done(self.run_words(*words))
+        self.run_ok(*words)
         self.assert_same()
 
 
 class Refusals(Sweeps):
     def refused(self, *arguments, file="sweep.toml", out="out"):
-        done = self.sweep(*arguments, file=file, out=out)
-        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
-        self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+        done = self.sweep(*arguments, file=file, out=out, run=self.call)
+        self.assert_refused(done)
         self.assertFalse((self.folder / out / "cell-000").exists())
         return done.stderr
 
@@ -403,7 +398,7 @@ class Refusals(Sweeps):
     def test_cell_that_diverges_prints_no_advice_to_resume(self):
         self.write("diverges.toml", 'engine = "mujoco"\nreplicates = 1\n[set]\necology.duration_s = 600.0\n'
                                     "physics.timestep_s = 0.02\necology.control_hz = 50\n[grid]\nrules.capture.reach_m = [1.0]\n")
-        done = self.sweep(file="diverges.toml")
+        done = self.sweep(file="diverges.toml", run=self.call)
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("1 diverged, as they will again with the same parameters\n", done.stderr)
         self.assertNotIn("resume", done.stderr)
@@ -411,9 +406,9 @@ class Refusals(Sweeps):
     def test_status_of_another_folder(self):
         (self.folder / "out").mkdir()
         for arguments, says in (([], "--status: needs --out"), (["--out", "out", "--jobs", "2"], "--jobs: needs"), (["--out", "out"], "out: is not a sweep's folder: it has no plan.jsonl"), (["--out", "none"], "none: does not exist")):
-            done = self.run_words(OPTIONS.program, "--status", *arguments)
-            self.assertEqual((done.returncode, done.stdout, done.stderr.count("\n")), (2, "", 1))
-            self.assertIn(says, done.stderr)
+            done = self.call(OPTIONS.program, "--status", *arguments)
+            self.assert_refused(done, says)
+            self.assertEqual(done.stdout, "")
 
     def test_options(self):
         for arguments, says in {
@@ -431,34 +426,29 @@ class Refusals(Sweeps):
             ("--resume",): "--resume: not with --sweep",
         }.items():
             self.assertIn(says, self.refused(*arguments), arguments)
-        done = self.run_words(OPTIONS.program, "--sweep", "sweep.toml")
-        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1))
-        self.assertIn("needs --out", done.stderr)
+        self.assert_refused(self.call(OPTIONS.program, "--sweep", "sweep.toml"), "needs --out")
         for arguments in (["--run", "1"], ["--plan"], ["--dry-run"]):
-            done = self.run_words(OPTIONS.program, "--backend", "kinematic", *arguments)
-            self.assertEqual(done.returncode, 2)
-            self.assertIn(": needs --sweep\n", done.stderr)
+            self.assert_refused(self.call(OPTIONS.program, "--backend", "kinematic", *arguments), ": needs --sweep\n")
 
     def test_plan_that_changed_half_way_is_refused(self):
         self.write("small.toml", "engine = \"kinematic\"\nreplicates = 1\n[set]\necology.duration_s = 10.0\n"
                    "[grid]\nrules.mutation.sd = [0.05, 0.2]\n")
-        self.assert_done(self.sweep(file="small.toml", out="small"))
+        self.sweep(file="small.toml", out="small")
         text = (self.folder / "small.toml").read_text()
         self.write("small.toml", text.replace("0.2", "0.3"))
-        done = self.sweep(file="small.toml", out="small")
-        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
-        self.assertIn("small/plan.jsonl:2: the folder holds another plan", done.stderr)
+        other = dict(file="small.toml", out="small", run=self.call)
+        self.assert_refused(self.sweep(**other), "small/plan.jsonl:2: the folder holds another plan")
         for keeps in ("replay_hz = 5.0", "agents_every = 2", "senses = true"):
             self.write("small.toml", f"{keeps}\n{text}")
-            self.assertIn("small/plan.jsonl:1: the folder holds another plan", self.sweep(file="small.toml", out="small").stderr)
+            self.assert_refused(self.sweep(**other), "small/plan.jsonl:1: the folder holds another plan")
 
     def test_sweep_gets_longer_and_more_to_the_same_bytes(self):
         text = "engine = \"kinematic\"\nshadow = true\nreplicates = {}\n[set]\necology.duration_s = {}\n[grid]\nrules.mutation.sd = [0.05, 0.2{}]\n"
         for name, *values in (("small", 1, 20.0, ""), ("whole", 2, 40.0, ", 0.8")):
             self.write(f"{name}.toml", text.format(*values))
-            self.assert_done(self.sweep(file=f"{name}.toml", out=name))
+            self.sweep(file=f"{name}.toml", out=name)
         plan = [json.loads(line) for line in (self.folder / "small/plan.jsonl").read_text().splitlines()]
-        self.assert_done(self.sweep(file="whole.toml", out="small"))
+        self.sweep(file="whole.toml", out="small")
         for path in (self.folder / "whole").rglob("*"):
             if path.suffix == ".csv" or path.name == "replicates.json":
                 self.assertEqual(path.read_bytes(), (self.folder / "small" / path.relative_to(self.folder / "whole")).read_bytes(), path)
@@ -469,26 +459,25 @@ class Refusals(Sweeps):
                                         ("40.0", "30.0", "until_s = 40.0 there, 30.0 here"), ("replicates = 2", "replicates = 1", "replicate = 1 there, 0 here"),
                                         ("[grid]\nrules.mutation.sd", '"rule_table" = "released"\n[grid]\nrules.mutation.half_width', 'rule_table = "paper" there, "released" here; ')):
             self.write("whole.toml", text.format(2, 40.0, ", 0.8").replace(before, after))
-            self.assertIn(sentence, self.sweep(file="whole.toml", out="small").stderr)
+            self.assert_refused(self.sweep(file="whole.toml", out="small", run=self.call), sentence)
 
     def test_set_gets_longer_to_the_same_bytes(self):
         words = [OPTIONS.program, "--backend", "kinematic", "--replicates", "2", "--shadow", "--neutral", "--duration"]
-        self.assert_done(self.run_words(*words, "200", "--out", "set"))
-        self.assert_done(self.run_words(*words, "400", "--out", "whole"))
-        self.assert_done(self.run_words(*words, "400", "--out", "set", "--resume"))
+        self.run_ok(*words, "200", "--out", "set")
+        self.run_ok(*words, "400", "--out", "whole")
+        self.run_ok(*words, "400", "--out", "set", "--resume")
         for path in (self.folder / "whole").rglob("*.csv"):
             self.assertEqual(path.read_bytes(), (self.folder / "set" / path.relative_to(self.folder / "whole")).read_bytes(), path)
-        self.assertIn("until_s = 400.0: must be 200.0", self.run_words(*words, "200", "--out", "set", "--resume").stderr)
+        self.assertIn("until_s = 400.0: must be 200.0", self.call(*words, "200", "--out", "set", "--resume").stderr)
         if "mujoco" in ENGINES:
-            self.assertIn("engine = \"kinematic 1\" there, \"mujoco", self.run_words(*words[:1], *words[3:], "400", "--out", "set", "--resume").stderr)
+            self.assertIn("engine = \"kinematic 1\" there, \"mujoco", self.call(*words[:1], *words[3:], "400", "--out", "set", "--resume").stderr)
 
     def test_folder_of_something_else_is_refused(self):
         (self.folder / "out").mkdir()
         self.assertIn("is not a sweep's folder", self.refused())
 
     def test_dry_run_prints_what_would_be_run(self):
-        done = self.run_words(OPTIONS.program, "--sweep", "sweep.toml", "--dry-run")
-        self.assert_done(done)
+        done = self.run_ok(OPTIONS.program, "--sweep", "sweep.toml", "--dry-run")
         self.assertIn("rules.capture.reach_m=0.5 rules.mutation.sd=0.05", done.stdout)
         self.assertRegex(done.stdout, r"\d+ runs in \d+ cells, about .* of one core \(.* core-hours\)")
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["killed.toml", "sweep.toml"])
@@ -497,8 +486,7 @@ class Refusals(Sweeps):
         self.write("long.toml", "engine = \"kinematic\"\nreplicates = 1\n[set]\necology.duration_s = 1e8\n[grid]\nrules.mutation.sd = [0.05, 0.2]\n")
         environment = {**os.environ, "TMPDIR": str(self.folder)}
         run = subprocess.Popen([OPTIONS.program, "--sweep", "long.toml", "--dry-run"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
-        while run.poll() is None and not list(self.folder.glob("*-probe*/run/events.csv")):
-            time.sleep(0.005)
+        self.wait_for("*-probe*/run/events.csv", run)
         run.send_signal(signal.SIGINT)
         printed, errors = run.communicate(timeout=60)
         self.assertEqual(run.returncode, 3, errors)
@@ -506,8 +494,7 @@ class Refusals(Sweeps):
         self.assertEqual(list(self.folder.glob("*-probe*")), [])
 
     def test_the_example(self):
-        done = self.run_words(OPTIONS.program, "--sweep", OPTIONS.sweeps / "inheritance.toml", "--dry-run")
-        self.assert_done(done)
+        done = self.run_ok(OPTIONS.program, "--sweep", OPTIONS.sweeps / "inheritance.toml", "--dry-run")
         self.assertIn("1200 runs in 60 cells", done.stdout)
 
 

@@ -3,7 +3,6 @@
 """worlds_test.py WORLDS: living worlds against independent programs, and what a run of changing numbers writes. Needs pandas: skipped without."""
 
 import re
-import subprocess
 import sys
 import unittest
 
@@ -117,9 +116,7 @@ class Worlds(InFolder):
         """The folder of the runs, or of the only run, and what was printed."""
         self.number = getattr(self, "number", 0) + 1
         folder = self.folder / str(self.number)
-        words = [WORLDS, "--rules", rules, "--backend", backend, "--replay-hz", 0, "--checkpoint-s", 0, "--agents-every", 1000, "--out", folder, *options]
-        made = subprocess.run([*map(str, words)], capture_output=True, text=True, timeout=300)
-        self.assertEqual(made.returncode, 0, made.stderr)
+        made = self.run_ok(WORLDS, "--rules", rules, "--backend", backend, "--replay-hz", 0, "--checkpoint-s", 0, "--agents-every", 1000, "--out", folder, *options)
         return folder, made.stdout
 
     def runs(self, rules, replicates, ticks, *options):

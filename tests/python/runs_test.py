@@ -15,9 +15,8 @@ sys.path[:0] = [str(ROOT / "tests/program"), str(ROOT / "tools/python")]
 import figures_python  # noqa: E402
 
 figures_python.continue_with_pandas()
-import pandas  # noqa: E402
 import trophic.runs as runs  # noqa: E402
-from in_folder import sealed_text  # noqa: E402
+from in_folder import run_ok, sealed_text  # noqa: E402
 
 PREDATOR_PREY, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
 
@@ -25,8 +24,7 @@ PREDATOR_PREY, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
 class Runs(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.temporary = tempfile.TemporaryDirectory()
-        cls.folder = pathlib.Path(cls.temporary.name)
+        cls.folder = pathlib.Path(cls.enterClassContext(tempfile.TemporaryDirectory()))
         for name, rules in (("set", "paper"), ("study/one", "paper"), ("study/two", "released")):
             count = "6" if name == "set" else "1"
             duration = "1200" if name == "set" else "60"
@@ -35,14 +33,8 @@ class Runs(unittest.TestCase):
         cls.call(TROPHIC, "analyze", "set", "--out", "analysis")
 
     @classmethod
-    def tearDownClass(cls):
-        cls.temporary.cleanup()
-
-    @classmethod
     def call(cls, *command):
-        done = subprocess.run(command, cwd=cls.folder, capture_output=True, text=True)
-        if done.returncode != 0:
-            raise AssertionError(f"{command}: {done.stderr}")
+        run_ok(*command, cwd=cls.folder)
 
     def test_a_run_with_senses(self):
         self.call(PREDATOR_PREY, "--backend", "kinematic", "--duration", "60", "--senses", "--out", "sensing")

@@ -5,9 +5,7 @@
 import os
 import pathlib
 import re
-import subprocess
 import sys
-import tempfile
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -17,21 +15,17 @@ import figures_python  # noqa: E402
 figures_python.continue_with_pandas()
 import pandas  # noqa: E402
 import trophic  # noqa: E402
+from in_folder import InFolder  # noqa: E402
 
 PREDATOR_PREY, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
 os.environ["TROPHIC_BIN"] = str(pathlib.Path(TROPHIC).parent)
 
 
-class Start(unittest.TestCase):
-    def setUp(self):
-        temporary = tempfile.TemporaryDirectory()
-        self.addCleanup(temporary.cleanup)
-        self.folder = pathlib.Path(temporary.name)
-
+class Start(InFolder):
     def test_a_run_is_that_of_the_program(self):
         run = trophic.run("released", backend="kinematic", set={"rules.mutation.half_width": 0.3}, duration=60, seed=7, out=self.folder / "mine")
-        subprocess.run([PREDATOR_PREY, "--rules", "released", "--backend", "kinematic", "--set", "rules.mutation.half_width=0.3", "--duration", "60",
-                        "--seed", "7", "--out", self.folder / "its"], check=True, capture_output=True)
+        self.run_ok(PREDATOR_PREY, "--rules", "released", "--backend", "kinematic", "--set", "rules.mutation.half_width=0.3", "--duration", 60,
+                    "--seed", 7, "--out", "its")
         self.assertEqual((run.seed, run.manifest["rule_table"], run.complete), (7, "released", True))
         for name in ("events", "agents", "genomes"):
             self.assertEqual((self.folder / f"mine/{name}.csv").read_bytes(), (self.folder / f"its/{name}.csv").read_bytes())

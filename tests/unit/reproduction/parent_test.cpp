@@ -260,7 +260,7 @@ std::optional<IndividualId> parent_by(const Rule& rule, BodyIndex body, const Ha
 
 }  // namespace
 
-TEST_CASE("nearest active victim: an inactive prey is closer -> the closest active prey, whatever the tags") {
+TEST_CASE("nearest victim: any tags and activity -> closest prey, nearest active victim -> closest active prey") {
   const HandPopulation robots{{{.species = predator},
                                {.species = prey, .x_m = 3.0, .tag = 1},
                                {.species = prey, .y_m = -2.0, .tag = -1, .active = false},
@@ -310,45 +310,27 @@ TEST_CASE("nearest conspecific: any tags and activity -> closest of the species,
   CHECK_FALSE(rule.parent({.body = 1, .cause = Cause::senescence, .successor = predator}, robots.view(), rng));
 }
 
-namespace {
-
-std::optional<IndividualId> parent_of(BodyIndex body, const HandPopulation& robots,
-                                      const reproduction::parent::NearestVictim& rule = {}) {
-  Rng rng{1, Stream::parent};
-  const auto parent = rule.parent({.body = body, .cause = Cause::starved, .killer = {}}, robots.view(), rng);
-  return parent ? std::optional{parent->id} : std::nullopt;
-}
-
-}  // namespace
-
-TEST_CASE("nearest victim: any tags and activity -> closest prey") {
-  const HandPopulation robots{{{.species = predator},
-                               {.species = prey, .x_m = 3.0, .tag = 1},
-                               {.species = prey, .y_m = -2.0, .tag = -1, .active = false},
-                               {.species = predator, .x_m = 0.5}}};
-  CHECK(parent_of(0, robots) == 2);
-}
-
 TEST_CASE("nearest victim: distance equal to the range -> within it") {
   HandPopulation robots{{{.species = predator}, {.species = prey, .x_m = 4.0}}};
-  CHECK(parent_of(0, robots) == 1);
+  CHECK(parent_by(NearestVictim{}, 0, robots) == 1);
   robots.poses[1].x_m = 4.0000001;
-  CHECK(parent_of(0, robots) == std::nullopt);
-  CHECK(parent_of(0, robots, {{.range_m = 5.0}}) == 1);
+  CHECK(parent_by(NearestVictim{}, 0, robots) == std::nullopt);
+  CHECK(parent_by(NearestVictim{{.range_m = 5.0}}, 0, robots) == 1);
 }
 
 TEST_CASE("nearest victim: equal distance -> lower body, no prey -> none") {
-  CHECK(parent_of(1, HandPopulation{{{.species = prey, .x_m = -1.0}, {.species = predator}, {.species = prey, .x_m = 1.0}}}) ==
-        0);
-  CHECK(parent_of(0, HandPopulation{{{.species = predator}, {.species = predator, .x_m = 1.0}}}) == std::nullopt);
+  CHECK(parent_by(NearestVictim{}, 1,
+                  HandPopulation{{{.species = prey, .x_m = -1.0}, {.species = predator}, {.species = prey, .x_m = 1.0}}}) == 0);
+  CHECK(parent_by(NearestVictim{}, 0, HandPopulation{{{.species = predator}, {.species = predator, .x_m = 1.0}}}) ==
+        std::nullopt);
 }
 
 TEST_CASE("nearest victim: food chain -> only species that the dead individual ate") {
   const HandPopulation robots{{{.species = plant, .x_m = 2.0}, {.species = grazer, .x_m = 1.0}, {.species = hunter}},
                               chain_web()};
-  CHECK(parent_of(2, robots) == 1);
-  CHECK(parent_of(1, robots) == 0);
-  CHECK(parent_of(0, robots) == std::nullopt);
+  CHECK(parent_by(NearestVictim{}, 2, robots) == 1);
+  CHECK(parent_by(NearestVictim{}, 1, robots) == 0);
+  CHECK(parent_by(NearestVictim{}, 0, robots) == std::nullopt);
 }
 
 TEST_CASE("nearest victim: random populations -> closest prey, any order of bodies") {
@@ -357,8 +339,8 @@ TEST_CASE("nearest victim: random populations -> closest prey, any order of bodi
     const auto order = random_order(seed, 15);
     const HandPopulation moved = robots.reordered(order);
     for (BodyIndex body = 0; body < 15; ++body) {
-      const auto parent = parent_of(order[body], robots);
-      RC_ASSERT(parent == parent_of(body, moved));
+      const auto parent = parent_by(NearestVictim{}, order[body], robots);
+      RC_ASSERT(parent == parent_by(NearestVictim{}, body, moved));
       bool any_in_range = false;
       for (BodyIndex other = 0; other < 15; ++other) {
         const bool eaten = robots.web.eats(robots.individuals[order[body]].species, robots.individuals[other].species);
