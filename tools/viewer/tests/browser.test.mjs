@@ -59,8 +59,15 @@ async function leave(opened) {
   await opened.page.close();
 }
 
-test("page: run of 6000 s -> opens within 3 s of processor time and draws both species", async () => {
-  const opened = await browser.open(at("long.html"));
+/** A test of one page, opened at a moment. */
+const onPage = (name, [page, moment], look) =>
+  test(name, async () => {
+    const opened = await browser.open(at(page), moment);
+    await look(opened);
+    await leave(opened);
+  });
+
+onPage("page: run of 6000 s -> opens within 3 s of processor time and draws both species", ["long.html"], async (opened) => {
   const busy = await opened.busySeconds();
   assert.ok(busy < 3, `${busy} s`);
   await opened.seek(1000);
@@ -69,11 +76,9 @@ test("page: run of 6000 s -> opens within 3 s of processor time and draws both s
     assert.ok(pixels > 100, `${pixels} pixels of ${species}`);
   }
   assert.match(await opened.page.title(), /long/);
-  await leave(opened);
 });
 
-test("page: requested stretch of a run -> begins and ends there, with the individuals that live then", async () => {
-  const opened = await browser.open(at("part.html"));
+onPage("page: requested stretch of a run -> begins and ends there, with the individuals that live then", ["part.html"], async (opened) => {
   assert.deepEqual(await opened.evaluate(() => [window.trophic.firstTime, window.trophic.lastTime]), [75, 130.5]);
   for (const [time, tick] of [[75, 37], [100, 50], [130.5, 65]]) {
     const shown = await opened.evaluate((moment) => {
@@ -82,11 +87,9 @@ test("page: requested stretch of a run -> begins and ends there, with the indivi
     }, time);
     assert.deepEqual(shown, rows("short", "agents.csv").filter((row) => Number(row.tick) === tick).map((row) => Number(row.id)));
   }
-  await leave(opened);
 });
 
-test("page: parameters that changed -> marks on the bar of time and on the curves, and the run's own name", async () => {
-  const opened = await browser.open(at("changed.html"));
+onPage("page: parameters that changed -> marks on the bar of time and on the curves, and the run's own name", ["changed.html"], async (opened) => {
   const { page } = opened;
   assert.match(await page.locator(".view figcaption").innerText(), /^changed paper \(3 changes\), kinematic/);
   const hover = async (selector, time, place) => {
@@ -106,11 +109,9 @@ test("page: parameters that changed -> marks on the bar of time and on the curve
     return [r, g, b];
   });
   assert.deepEqual(marked, [0x8a, 0x2b, 0xe2]);
-  await leave(opened);
 });
 
-test("page: world of 400 m -> drawn as any other, and a press on it changes nothing else", async () => {
-  const opened = await browser.open(at("wide.html"));
+onPage("page: world of 400 m -> drawn as any other, and a press on it changes nothing else", ["wide.html"], async (opened) => {
   await opened.settle();
   const pixels = await opened.pixels("#0072b2");
   assert.ok(pixels > 20, `${pixels} pixels of prey`);
@@ -122,7 +123,6 @@ test("page: world of 400 m -> drawn as any other, and a press on it changes noth
   });
   await opened.click(".view canvas", 40, 40);
   assert.equal(await opened.evaluate(() => window.shownTrees), 0);
-  await leave(opened);
 });
 
 /** At a moment of the page: (individual, hinges of the body in which it is drawn), and how many boxes are drawn. */
@@ -154,8 +154,7 @@ test("page: individuals with bodies of their own -> each is drawn in its own, in
   }
 });
 
-test("page: newborn with a body of its own -> appears where it is set down, without a glide from the body before", async () => {
-  const opened = await browser.open(at("bodies.html"));
+onPage("page: newborn with a body of its own -> appears where it is set down, without a glide from the body before", ["bodies.html"], async (opened) => {
   const births = rows("bodies", "events.csv").filter((row) => row.event === "birth" && Number(row.time_s) > 0).slice(0, 20);
   const places = await opened.evaluate(async (wanted) => {
     const { run } = window.trophic;
@@ -172,11 +171,9 @@ test("page: newborn with a body of its own -> appears where it is set down, with
   }, births.map((row) => ({ time: Number(row.time_s), body: Number(row.body) })));
   for (const [death, between] of places) assert.deepEqual(between, death);
   assert.ok(places.some(([death, , born]) => Math.hypot(death[0] - born[0], death[1] - born[1]) > 0.001));
-  await leave(opened);
 });
 
-test("page: three events -> the drawn robot is at the place in events.csv, to 2 mm", async () => {
-  const opened = await browser.open(at("long.html"));
+onPage("page: three events -> the drawn robot is at the place in events.csv, to 2 mm", ["long.html"], async (opened) => {
   const catches = rows("long", "events.csv").filter((row) => row.event === "catch");
   for (const event of [catches[0], catches[Math.floor(catches.length / 2)], catches[catches.length - 1]]) {
     await opened.seek(Number(event.time_s));
@@ -184,11 +181,9 @@ test("page: three events -> the drawn robot is at the place in events.csv, to 2 
     const off = Math.hypot(x - event.x_m, y - event.y_m);
     assert.ok(off < 0.002, `${off} m at ${event.time_s} s`);
   }
-  await leave(opened);
 });
 
-test("page: numbers go from 10 to 70 and down to 20 -> the living are drawn at their places and no others, with curves of energy and food on the floor", async () => {
-  const opened = await browser.open(at("pond.html"), "#t=0&view=top");
+onPage("page: numbers go from 10 to 70 and down to 20 -> the living are drawn at their places and no others, with curves of energy and food on the floor", ["pond.html", "#t=0&view=top"], async (opened) => {
   const green = [];
   for (const time of [0, 60, 420, 425.9, 1000]) {
     await opened.seek(time);
@@ -206,11 +201,9 @@ test("page: numbers go from 10 to 70 and down to 20 -> the living are drawn at t
   const energy = rows("pond", "energy.csv").filter((row) => row.species === "prey").map((row) => Number(row.stock_J));
   assert.equal(shown[1].length, energy.length);
   energy.forEach((stock_J, i) => assert.ok(Math.abs(shown[1][i] - stock_J) <= 1e-3 * stock_J));
-  await leave(opened);
 });
 
-test("page: click on the time bar -> jumps, click on an event -> selects its individual", async () => {
-  const opened = await browser.open(at("long.html"));
+onPage("page: click on the time bar -> jumps, click on an event -> selects its individual", ["long.html"], async (opened) => {
   const [x, y] = await opened.evaluate(() => [window.trophic.timebar.xOf(4321), window.trophic.timebar.canvas.clientHeight - 6]);
   await opened.click(".timebar canvas", x, y);
   assert.ok(Math.abs((await opened.evaluate(() => window.trophic.time)) - 4321) < 6);
@@ -220,11 +213,9 @@ test("page: click on the time bar -> jumps, click on an event -> selects its ind
   const [time, selected] = await opened.evaluate(() => [window.trophic.time, window.trophic.selected]);
   const there = rows("long", "events.csv").some((row) => row.event === "catch" && Number(row.time_s) === time && Number(row.id) === selected);
   assert.ok(there, `${selected} at ${time} s`);
-  await leave(opened);
 });
 
-test("page: click on a robot -> selected and its branch highlighted, click on its branch -> selects it again", async () => {
-  const opened = await browser.open(at("long.html"), "#t=3000&view=top");
+onPage("page: click on a robot -> selected and its branch highlighted, click on its branch -> selects it again", ["long.html", "#t=3000&view=top"], async (opened) => {
   const [body, x, y] = await opened.evaluate(() => {
     const { worlds, runs } = window.trophic;
     const places = Array.from({ length: runs[0].robots }, (_, one) => worlds[0].onScreen(one));
@@ -244,11 +235,9 @@ test("page: click on a robot -> selected and its branch highlighted, click on it
   const again = await opened.evaluate(() => window.trophic.selected);
   const rowOf = (id) => opened.evaluate((one) => window.trophic.run.individuals.get(one)?.row, id);
   assert.ok(Math.abs((await rowOf(again)) - (await rowOf(Number(living.id)))) <= 4, `${again} for ${living.id}`);
-  await leave(opened);
 });
 
-test("page: branch selected in the tree -> its living robots are highlighted in the world", async () => {
-  const opened = await browser.open(at("long.html"), "#t=3000&view=top");
+onPage("page: branch selected in the tree -> its living robots are highlighted in the world", ["long.html", "#t=3000&view=top"], async (opened) => {
   assert.equal(await opened.pixels("#e8b400"), 0);
   await opened.evaluate(() => {
     const { run, time } = window.trophic;
@@ -258,7 +247,6 @@ test("page: branch selected in the tree -> its living robots are highlighted in 
   });
   await opened.settle();
   assert.ok((await opened.pixels("#e8b400")) > 5);
-  await leave(opened);
 });
 
 /** The catches of a run, with the victim's origin and age at its death. */
@@ -270,8 +258,7 @@ function catches(name) {
   });
 }
 
-test("page: no moment in its address -> plays the first catch without a flaw by one that inherited its genome, from inside the arena", async () => {
-  const opened = await browser.open(at("long.html"), "");
+onPage("page: no moment in its address -> plays the first catch without a flaw by one that inherited its genome, from inside the arena", ["long.html", ""], async (opened) => {
   const event = await opened.evaluate(() => ({ ...window.trophic.event, playing: window.trophic.playing, speed: window.trophic.speed, now: window.openedAt }));
   const births = new Map(rows("long", "events.csv").filter((row) => row.event === "birth").map((row) => [row.id, row]));
   const all = await opened.evaluate(() => window.trophic.run.catches.map(({ id, other, time, scene }) => ({ id, other, time, remark: scene.remark })));
@@ -283,11 +270,9 @@ test("page: no moment in its address -> plays the first catch without a flaw by 
   assert.ok(Math.max(Math.abs(eye[0]), Math.abs(eye[1])) < half, `${eye}`);
   assert.deepEqual([event.playing, event.speed], [true, 1]);
   assert.ok(event.now >= first.time - 8 && event.now < first.time, `${event.now} s`);
-  await leave(opened);
 });
 
-test("next catch begins before it, plays at 1x, names both and shows the victim in its body when it is caught", async () => {
-  const opened = await browser.open(at("long.html"), "#t=1000");
+onPage("next catch begins before it, plays at 1x, names both and shows the victim in its body when it is caught", ["long.html", "#t=1000"], async (opened) => {
   const next = catches("long").find((one) => one.time > 1000);
   assert.equal(await opened.pixels("#c2002f"), 0);
   await opened.page.keyboard.press("n");
@@ -325,11 +310,9 @@ test("next catch begins before it, plays at 1x, names both and shows the victim 
   assert.ok((await opened.evaluate(() => window.stood.ms)) >= 1000, "the moment stands still");
   await opened.until(() => window.trophic.scene === null);
   assert.deepEqual(await opened.evaluate(() => [window.trophic.playing, window.trophic.speed]), [false, 10]);
-  await leave(opened);
 });
 
-test("n and p go through the catches one by one, and Esc ends the scene", async () => {
-  const opened = await browser.open(at("long.html"), "#t=0");
+onPage("n and p go through the catches one by one, and Esc ends the scene", ["long.html", "#t=0"], async (opened) => {
   const times = catches("long").map((one) => one.time);
   const at_ = () => opened.evaluate(() => window.trophic.event.time);
   for (const expected of [times[0], times[1], times[2]]) {
@@ -340,11 +323,9 @@ test("n and p go through the catches one by one, and Esc ends the scene", async 
   assert.equal(await at_(), times[1]);
   await opened.page.keyboard.press("Escape");
   assert.deepEqual(await opened.evaluate(() => [window.trophic.scene, window.trophic.speed, window.trophic.playing]), [null, 10, false]);
-  await leave(opened);
 });
 
-test("a click on a catch in the bar of time shows the victim still in its body", async () => {
-  const opened = await browser.open(at("long.html"));
+onPage("a click on a catch in the bar of time shows the victim still in its body", ["long.html"], async (opened) => {
   const event = catches("long")[5];
   await opened.evaluate((time) => window.trophic.show(window.trophic.run.catches.find((one) => one.time === time)), event.time);
   await opened.settle();
@@ -352,11 +333,9 @@ test("a click on a catch in the bar of time shows the victim still in its body",
   assert.equal(shown, Number(event.victim_id));
   assert.equal((await opened.page.locator(".banner.happened").innerText()).split(" · ")[0], event.text);
   assert.ok((await opened.pixels("#c2002f")) > 10);
-  await leave(opened);
 });
 
-test("the list of events has every catch, is searched by words, and a line plays its catch", async () => {
-  const opened = await browser.open(at("long.html"));
+onPage("the list of events has every catch, is searched by words, and a line plays its catch", ["long.html"], async (opened) => {
   await opened.page.keyboard.press("e");
   const all = catches("long");
   assert.equal(await opened.page.locator(".events .hint").innerText(), `${all.length} events`);
@@ -369,11 +348,9 @@ test("the list of events has every catch, is searched by words, and a line plays
   assert.equal(await opened.evaluate(() => window.trophic.scene.scene.time_s), all[7].time);
   await opened.page.locator(".events select").selectOption("birth");
   assert.match(await opened.page.locator(".events .hint").innerText(), /^0 events$|^\d+ events?$/);
-  await leave(opened);
 });
 
-test("keys: help, speed, start, end", async () => {
-  const opened = await browser.open(at("short.html"), "#t=100");
+onPage("keys: help, speed, start, end", ["short.html", "#t=100"], async (opened) => {
   const { page } = opened;
   await page.keyboard.press("?");
   assert.equal(await page.locator("dialog.help").isVisible(), true);
@@ -393,15 +370,12 @@ test("keys: help, speed, start, end", async () => {
     await page.keyboard.press(key);
     assert.equal(await opened.evaluate(() => window.trophic.view), view);
   }
-  await leave(opened);
 });
 
-test("every mark is in the legend, with how many live now", async () => {
-  const opened = await browser.open(at("short.html"), "#t=100");
+onPage("every mark is in the legend, with how many live now", ["short.html", "#t=100"], async (opened) => {
   const words = await opened.page.$$eval("header .legend li", (items) => items.map((item) => item.textContent));
   const alive = (species) => rows("short", "agents.csv").filter((row) => row.time_s === "100" && row.species === species).length;
   assert.deepEqual(words, [`prey ${alive("prey")}`, `predator ${alive("predator")}`, "tag +1", "tag -1", "not yet active", "caught", "other death", "becomes active", "selected", "its branch", "trail", "perceives"]);
-  await leave(opened);
 });
 
 test("in dark surroundings page and world are dark, and turn light again", async () => {
@@ -433,8 +407,7 @@ test("on a phone controls take two rows, and a sheet from below has the rest", a
   await leave(opened);
 });
 
-test("extinct branches are collapsed: lines of those who have living descendants remain", async () => {
-  const opened = await browser.open(at("long.html"), "#t=6000");
+onPage("extinct branches are collapsed: lines of those who have living descendants remain", ["long.html", "#t=6000"], async (opened) => {
   const whole = await opened.evaluate(() => window.trophic.phylogeny.lines);
   const taxa = rows("long", "phylogeny.csv");
   assert.equal(whole, taxa.length);
@@ -448,11 +421,9 @@ test("extinct branches are collapsed: lines of those who have living descendants
   assert.equal(await opened.evaluate(() => window.trophic.phylogeny.lines), kept.size);
   await opened.page.getByText("collapse extinct branches").click();
   assert.equal(await opened.evaluate(() => window.trophic.phylogeny.lines), whole);
-  await leave(opened);
 });
 
-test("the inspector says in words where the one is that a robot perceives", async () => {
-  const opened = await browser.open(at("long.html"), "#t=3000");
+onPage("the inspector says in words where the one is that a robot perceives", ["long.html", "#t=3000"], async (opened) => {
   const row = rows("long", "agents.csv").find((one) => one.time_s === "3000" && one.adversary_id !== "");
   await opened.seek(3000, Number(row.id));
   const said = await opened.inspected();
@@ -463,7 +434,6 @@ test("the inspector says in words where the one is that a robot perceives", asyn
   const size = Math.abs(off);
   const words = size < 15 ? "straight ahead" : size < 65 ? `ahead ${side}` : size < 115 ? side : size < 165 ? `behind ${side}` : "straight behind";
   assert.equal(said.perceives, `${other.species} ${other.id}, ${Math.hypot(other.x_m - row.x_m, other.y_m - row.y_m).toFixed(1)} m ${words}`);
-  await leave(opened);
 });
 
 test("a browser without WebGL says so and still shows curves, phylogeny, events and the robot", async () => {
@@ -484,18 +454,15 @@ test("a browser without WebGL says so and still shows curves, phylogeny, events 
   await opened.page.close();
 });
 
-test("lanes with more events than fit are drawn by density", async () => {
-  const opened = await browser.open(at("long.html"), "#t=100");
+onPage("lanes with more events than fit are drawn by density", ["long.html", "#t=100"], async (opened) => {
   const many = rows("long", "events.csv").filter((row) => row.event === "birth").length;
   const width = await opened.evaluate(() => window.trophic.timebar.canvas.clientWidth);
   assert.deepEqual(await opened.evaluate(() => window.trophic.timebar.denseLanes), many > 0.5 * (width - 118) ? ["births"] : []);
   await opened.page.setViewportSize({ width: 640, height: 800 });
   await opened.until(() => window.trophic.timebar.denseLanes.includes("births"));
-  await leave(opened);
 });
 
-test("a link opens at its moment, robot and view, playing continues from there, and the address follows", async () => {
-  const opened = await browser.open(at("long.html"), "#t=1234&robot=17&view=top");
+onPage("a link opens at its moment, robot and view, playing continues from there, and the address follows", ["long.html", "#t=1234&robot=17&view=top"], async (opened) => {
   assert.deepEqual(await opened.evaluate(() => [window.trophic.time, window.trophic.selected, window.trophic.worlds[0].view]), [1234, 17, "top"]);
   assert.equal(await opened.evaluate(() => window.trophic.link()), "#t=1234&robot=17&view=top");
   await opened.page.keyboard.press("ArrowRight");
@@ -507,11 +474,9 @@ test("a link opens at its moment, robot and view, playing continues from there, 
   assert.equal(await opened.evaluate(() => window.trophic.playing), false);
   await opened.seek(140, 5);
   await opened.until(() => location.hash === "#t=140&robot=5&view=top");
-  await leave(opened);
 });
 
-test("page: several runs -> side by side on one time bar", async () => {
-  const opened = await browser.open(at("two.html"));
+onPage("page: several runs -> side by side on one time bar", ["two.html"], async (opened) => {
   assert.equal(await opened.page.locator(".view").count(), 2);
   assert.equal(await opened.evaluate(() => window.trophic.lastTime), 6000);
   await opened.seek(120);
@@ -522,20 +487,16 @@ test("page: several runs -> side by side on one time bar", async () => {
     const drawn = await opened.evaluate((one) => [...window.trophic.worlds[one].drawn], number);
     rowsThen.forEach((row, body) => assert.ok(Math.hypot(drawn[3 * body] - row.x_m, drawn[3 * body + 1] - row.y_m) < 0.002));
   }
-  await leave(opened);
 });
 
-test("two runs of one name are labelled by their folders, and a shadow is labelled as one", async () => {
-  const opened = await browser.open(at("pair.html"), "#t=10");
+onPage("two runs of one name are labelled by their folders, and a shadow is labelled as one", ["pair.html", "#t=10"], async (opened) => {
   const captions = await opened.page.locator("figcaption").allInnerTexts();
   assert.match(captions[0], /^set\/replicate-00 paper, kinematic/);
   assert.match(captions[1], /^shadow\/replicate-00 .* neutral shadow$/);
   assert.equal(captions[0].includes("shadow"), false);
-  await leave(opened);
 });
 
-test("300 robots stay usable", async () => {
-  const opened = await browser.open(at("crowd.html"));
+onPage("300 robots stay usable", ["crowd.html"], async (opened) => {
   const start = await opened.busySeconds();
   const pictures = 4;
   for (let i = 1; i <= pictures; ++i) {
@@ -544,7 +505,6 @@ test("300 robots stay usable", async () => {
   const each = ((await opened.busySeconds()) - start) / pictures;
   assert.ok(each < 0.12, `${each} s of work a picture`);
   assert.equal(await opened.evaluate(() => window.trophic.worlds[0].drawn.length), 900);
-  await leave(opened);
 });
 
 test("page: damaged -> shows an error", async () => {
@@ -557,8 +517,7 @@ test("page: damaged -> shows an error", async () => {
   await opened.page.close();
 });
 
-test("inspector: run with senses.csv -> a brain's inputs, outputs and wanted tag as in the table", async () => {
-  const opened = await browser.open(at("sensing.html"));
+onPage("inspector: run with senses.csv -> a brain's inputs, outputs and wanted tag as in the table", ["sensing.html"], async (opened) => {
   const inputs = JSON.parse(readFileSync(join(at("sensing"), "manifest.json"), "utf8")).senses.inputs;
   const fixed = (text) => Number(text).toFixed(2);
   for (const wish of ["denied", "kept", "switched"]) {
@@ -570,7 +529,6 @@ test("inspector: run with senses.csv -> a brain's inputs, outputs and wanted tag
     assert.equal(said["wants tag"], `${Number(row.chosen_tag) > 0 ? "+" : ""}${row.chosen_tag}, ${{ denied: "denied", kept: "as before", switched: "switched now" }[wish]}`);
     assert.equal(said.touches, undefined); // points have no bodies
   }
-  await leave(opened);
 });
 
 test("a page of an analysis has its table, sorts it, gives its data, and replays a run in a frame of its own", async () => {
