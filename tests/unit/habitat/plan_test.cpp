@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <stdexcept>
-#include <string>
+#include <support/temporary_folder.hpp>
 #include <trophic/habitat/body/variation.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <unit/habitat/hand_bodies.hpp>
@@ -40,13 +39,8 @@ TEST_CASE("plan: modules attached in another order -> same genes and text") {
 }
 
 TEST_CASE("plan: genes of no plan -> error that names the gene") {
-  const auto message = [](const std::vector<double>& genes) -> std::string {
-    try {
-      (void)tree_of(genes);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "none";
+  const auto message = [](const std::vector<double>& genes) {
+    return test::message_of<std::invalid_argument>([&] { (void)tree_of(genes); });
   };
   CHECK(message({0, 0, 1}) == "3 body genes: must be a multiple of 4 and < 4000");
   CHECK(message(std::vector<double>(4000, 0.0)) == "4000 body genes: must be a multiple of 4 and < 4000");
@@ -59,13 +53,8 @@ TEST_CASE("plan: genes of no plan -> error that names the gene") {
 }
 
 TEST_CASE("plan: text of no plan -> error that names the character") {
-  const auto message = [](const std::string& text) -> std::string {
-    try {
-      (void)read_plan(text);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "none";
+  const auto message = [](const std::string& text) {
+    return test::message_of<std::invalid_argument>([&] { (void)read_plan(text); });
   };
   CHECK(message("") == "body plan \"\", character 1: must be core");
   CHECK(message("core[]") == "body plan \"core[]\", character 6: must be a face");
