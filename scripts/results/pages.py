@@ -357,17 +357,18 @@ def evolved_lives(rows):
 QUEEN = {"gene_change": "gene_change", "turn_change": "turn_change", "progress_late": "progress, late, s", "progress_early": "progress, early, s"}
 
 
-def queen(rows, table_name, primary):
-    """Differences of a side between worlds in which the other one inherits and does not; * after Holm's correction for the family."""
+def queen(rows, primary, *names):
+    """Differences of a side between worlds in which the other one inherits and does not, in these tables; * after Holm's correction for the family."""
     lines = []
     for row in rows:
-        if row["table"] != table_name or (row["family"] == "primary") != primary or row["measure"].startswith("mutation"):
+        name = row["table"].removesuffix("_by_side")
+        if name not in names or (row["family"] == "primary") != primary or row["measure"].startswith("mutation"):
             continue
         star = "*" if row["p_holm"] and float(row["p_holm"]) <= 0.05 else ""
         words = QUEEN.get(row["measure"], row["measure"].replace("_all", " of `turns_to`").replace("_late", " of `turns_to`, last third"))
-        lines.append([words, {"predator": "predators"}.get(row["side"], row["side"]), *(row[key] and f"{float(row[key]):+.3g}" for key in ("both", row["side"])),
+        lines.append([f"`{name}`", words, {"predator": "predators"}.get(row["side"], row["side"]), *(row[key] and f"{float(row[key]):+.3g}" for key in ("both", row["side"])),
                       signed(row, ("difference", "lower", "upper")) + star, p_text(row["p_holm"]), row["detectable"] and f"{float(row['detectable']):.2g}", row["runs"]])
-    return table(["measure", "side", "both inherit", "this side alone", "both less alone", "p (Holm)", "found in 80 %", "runs"], lines)
+    return table(["table", "measure", "side", "both inherit", "this side alone", "both less alone", "p (Holm)", "found in 80 %", "runs"], lines)
 
 
 def meetings(rows):
@@ -468,10 +469,8 @@ def tables(data, choices):
     made["evolved lives"] = lambda: evolved_lives(data("evolution_lives"))
     for name in EVOLVED:
         made[f"evolved {name}"] = lambda name=name: evolved(data("evolution"), name)
-    for name in ("paper", "pond"):
-        for words, primary in (("primary", True), ("other", False)):
-            made[f"queen {name} {words}"] = lambda name=name, primary=primary: queen(data("red_queen"), f"{name}_by_side", primary)
-    made |= {"queen meetings": lambda: meetings(data("red_queen_meetings")), "living": lambda: living(data("no_criterion")), "living settings": lambda: settings(data("no_criterion")),
+    made |= {"queen primary": lambda: queen(data("red_queen"), True, "paper", "pond", "growing"), "queen other": lambda: queen(data("red_queen"), False, "paper")}
+    made |= {"queen meetings": lambda: meetings([row for row in data("red_queen_meetings") if row["table"] != "growing_by_side"]), "living": lambda: living(data("no_criterion")), "living settings": lambda: settings(data("no_criterion")),
              "living selection": lambda: selected(data("no_criterion_selection")), "living progress": lambda: raced(data("no_criterion_progress"))}
     for name in ("arms_race", "ranges", "room", "mujoco", "mujoco_brains"):
         made[f"race {name}"] = lambda name=name: race(data(f"race_{name}"))
