@@ -40,9 +40,8 @@ Forest drift_of(const Forest& forest, Rng& rng) {
     std::erase_if(living, [&](std::size_t one) { return forest[one].death_s <= born.birth_s; });
     if (born.parent) {
       candidates.clear();
-      for (const std::size_t one : living) {
+      for (const std::size_t one : living)
         if (forest[one].species == born.species && forest[one].birth_s < born.birth_s) candidates.push_back(one);
-      }
       const auto draw = [&](std::size_t& parent) {
         std::swap(candidates[rng.index(candidates.size())], candidates.back());
         parent = candidates.back();

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <tools/reading/checked_rows.hpp>
+#include <tools/reading/epoch_genomes.hpp>
 #include <trophic/io/tables.hpp>
 #include <trophic/params/params.hpp>
 #include <unordered_map>
@@ -28,10 +29,7 @@ constexpr std::array lineage_tables{"phylogeny.csv", "genomes.csv"};
 }  // namespace
 
 void check_lineages(const RunManifest& run) {
-  if (!run.reached_s) {
-    throw std::invalid_argument{(run.folder / "manifest.json").string() + ": status \"" + run.status +
-                                "\": phylogeny.csv has those alive only at a run's end; resume the run"};
-  }
+  check_epoch(run, 0.0);
   for (const std::string_view name : lineage_tables) {
     if (std::filesystem::exists(run.folder / name)) continue;
     throw std::invalid_argument{(run.folder / name).string() + ": is missing: lineage measures need phylogeny and genomes"};

@@ -25,9 +25,8 @@ void add_met(const RunManifest& run, Met& met) {
     if (size == 0 || table.text(1).empty()) continue;  // the brain was not asked
     Inputs inputs;                                     // cells beyond those of a species are empty
     for (std::size_t i = 0; i < size && !table.text(i + 1).empty(); ++i) inputs.push_back(table.get<double>(i + 1));
-    for (Species species = 0; species < run.web.size(); ++species) {
+    for (Species species = 0; species < run.web.size(); ++species)
       if (run.web.name(species) == table.text(0)) met[species].insert(inputs);
-    }
   }
   if (table.truncated()) throw std::invalid_argument{path.string() + ": the last line is truncated; resume the run"};
 }

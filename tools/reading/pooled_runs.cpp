@@ -83,9 +83,8 @@ std::string why_not_pooled(const RunManifest& manifest, const RunManifest& other
 PooledRuns pooled_runs(std::span<const std::filesystem::path> paths, bool is_cut, bool any_build) {
   PooledRuns pooled;
   std::vector<std::filesystem::path> folders;
-  for (const std::filesystem::path& path : paths) {
+  for (const std::filesystem::path& path : paths)
     for (auto& folder : run_folders(path, pooled.remarks)) folders.push_back(std::move(folder));
-  }
   for (const std::filesystem::path& folder : folders) {
     RunManifest manifest;
     try {

@@ -49,6 +49,17 @@ TEST_CASE("epoch genomes: living after the epoch's tick, with the weights that a
   CHECK(living[3].size() == 2);
 }
 
+TEST_CASE("epoch genomes: brains that grow -> the genes of genes.csv, those of a shared genome at that time") {
+  const test::TemporaryFolder folder;
+  const RunManifest run = written(folder.path());
+  std::ofstream{folder.path() / "genomes.csv"} << "id,genome_id,time_s\n0,0,0\n1,1,0\n2,1,10\n";
+  std::ofstream{folder.path() / "genes.csv"}
+      << "id,part,index,value\n0,brain,0,3\n0,gait,0,7\n1,brain,0,0\n2,brain,0,1\n2,brain,1,0.5\n";
+  const auto living = living_genomes(run, std::vector{0.0, 10.0});
+  CHECK((living[0][0].weights == Weights{3.0} && living[0][1].weights == Weights{0.0}));
+  CHECK((living[1][1].weights == Weights{1.0, 0.5} && living[1][2].weights == Weights{1.0, 0.5}));
+}
+
 TEST_CASE("epoch genomes: what a run cannot give -> error that names file and reason") {
   const test::TemporaryFolder folder;
   RunManifest run = written(folder.path());
