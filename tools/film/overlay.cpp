@@ -106,19 +106,21 @@ void write_plate(const Overlay& overlay, double x, double y, const std::string& 
   overlay.text(x, y, text, paper, is_large);
 }
 
-/// Next to its robot, and below `top`.
-void write_name(const Overlay& overlay, const Name& name, const Camera& camera, double top, bool is_large) {
+/// Next to its robot, below `top`, and to the right of the caption instead of under it.
+void write_name(const Overlay& overlay, const Name& name, const Camera& camera, double top, const Picture& picture) {
   const auto point = seen_at(camera, name.at_m);
   if (!point) return;
-  const double line = overlay.line_height(is_large);
+  const double line = overlay.line_height(picture.is_small);
   const Sight sight{camera};
   const double depth_m = (name.at_m - sight.eye_m).dot(sight.forward);
   const double radius = 1.2 * name.radius_m * 0.5 * overlay.height() / (half_height() * depth_m);
-  const double width = overlay.width_of(name.text, is_large);
+  const double width = overlay.width_of(name.text, picture.is_small);
   const double x = 0.5 * (overlay.width() + point->x * overlay.height() - width);
   const double y = 0.5 * (1.0 + point->y) * overlay.height() + (name.is_below ? -radius - 1.1 * line : radius + 0.4 * line);
-  write_plate(overlay, std::clamp(x, 0.4 * line, std::max(0.4 * line, overlay.width() - width - 0.4 * line)),
-              std::min(y, top - 1.2 * line), name.text, name.colour, is_large);
+  const bool is_beside_caption = !picture.caption.empty() && y < 0.018 * overlay.height() + 1.5 * line;
+  const double left = 0.4 * line + (is_beside_caption ? overlay.width_of(picture.caption, picture.is_small) + 1.2 * line : 0.0);
+  write_plate(overlay, std::clamp(x, left, std::max(left, overlay.width() - width - 0.4 * line)), std::min(y, top - 1.2 * line),
+              name.text, name.colour, picture.is_small);
 }
 
 }  // namespace
@@ -182,7 +184,7 @@ void write_over(const Overlay& overlay, const Picture& picture, const Camera& ca
     top -= 1.25 * line;
   }
   if (!picture.legend.empty()) top = draw_legend(overlay, picture.legend, top);
-  for (const Name& name : picture.names) write_name(overlay, name, camera, top, picture.is_small);
+  for (const Name& name : picture.names) write_name(overlay, name, camera, top, picture);
   if (picture.has_scale) draw_scale(overlay, camera);
   if (!picture.curves.empty()) draw_curves(overlay, picture);
   if (picture.caption.empty()) return;
