@@ -28,9 +28,7 @@ Command ablation_table() {
       .options = {{"runs", &options->runs, "the OUT of the study", {}, 0, true},
                   {"--jobs", &options->jobs, "runs measured at a time (1); results do not depend on it"},
                   {"--out", &options->out, "new folder for the tables (swaps)"}},
-      .work = {},
-      .subcommands = {},
-      .version = {}};
+      .work = {}};
   return python_command("trophic", std::move(command), [options](Json&) {
     if (options->jobs == 0) throw std::invalid_argument{"--jobs 0: must be >= 1"};
   });

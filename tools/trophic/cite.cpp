@@ -17,8 +17,6 @@ Command cite() {
           "seed from its manifest, and BibTeX entries. Needs Python with pandas.",
       .options = {{.name = "run", .target = folder.get(), .help = "folder of a run or of replicates", .required = true}},
       .work = {},
-      .subcommands = {},
-      .version = {},
       .examples = {"trophic cite runs/paper"}};
   return python_command("trophic", std::move(command), [folder](Json&) {});
 }

@@ -290,8 +290,6 @@ Command contest_command() {
                   {"--out", &options->out,
                    "new folder for contests.csv and progress.csv (the next free contests, contests-1, ...)"}},
       .work = [options] { return detail::contest_command::run(*options); },
-      .subcommands = {},
-      .version = {},
       .examples = {"trophic contest runs/study", "trophic contest runs/study --against both --epochs 0,2000,4000,6000",
                    "trophic contest runs/mine --program build/my_experiment"}};
 }

@@ -61,8 +61,6 @@ Command convert_body() {
                       {.name = "--out", .target = &options->out, .help = "new robot file, ROBOT.toml", .required = true},
                       {.name = "--name", .target = &options->name, .help = "name of the robot (of the file)"}},
           .work = [options] { return detail::convert_body::run(*options); },
-          .subcommands = {},
-          .version = {},
           .examples = {"trophic convert starfish.txt --out starfish.toml"}};
 }
 

@@ -59,9 +59,7 @@ Command export_run() {
                   {.name = "--from", .target = &options->window.from_s, .help = "the start, seconds (the run's)"},
                   {.name = "--to", .target = &options->window.to_s, .help = "the end, seconds (the run's); as --from: one pose"},
                   {.name = "--follow", .target = &options->follow, .help = "only the individual of that id"}},
-      .work = [options] { return detail::export_run::run(*options); },
-      .subcommands = {},
-      .version = {}};
+      .work = [options] { return detail::export_run::run(*options); }};
 }
 
 }  // namespace trophic::command

@@ -78,8 +78,6 @@ Command help(const std::function<Command()>& program) {
         words.push_back("--help");
         return run_command(static_cast<int>(words.size()), words.data(), all);
       },
-      .subcommands = {},
-      .version = {},
       .examples = {"trophic help analyze", "trophic help slots", "trophic help mutation", "trophic help normal_mutation"}};
 }
 

@@ -57,8 +57,6 @@ Command plot() {
             .help = "for a sweep: draw only these; METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP"},
            {.name = "--axes", .target = &options->axes, .help = "for a sweep: what to draw along x, as lines and as panels"}},
       .work = {},
-      .subcommands = {},
-      .version = {},
       .examples = {"trophic plot analysis", "trophic plot analysis --style ieee --out figures",
                    "trophic plot analysis/sweep --metric velocity:predator:inherited"}};
   return python_command("trophic", std::move(command), [options](Json&) {

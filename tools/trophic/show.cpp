@@ -80,8 +80,6 @@ Command show() {
                   {.name = "--from", .target = &options->window.from_s, .help = "show only what comes after, seconds"},
                   {.name = "--to", .target = &options->window.to_s, .help = "show only what comes before, seconds"}},
       .work = [options] { return detail::show::run(*options); },
-      .subcommands = {},
-      .version = {},
       .examples = {"trophic show runs/quickstart-1 -o run.html"}};
 }
 
