@@ -10,5 +10,5 @@ int main(int argc, char** argv) {
   return trophic::experiment<Paper, PaperLastEscapee, PaperMostEscapes, PaperFastestEscape, PaperAgeing, PaperLastEscapeeAgeing,
                              PaperMostEscapesAgeing, PaperFastestEscapeAgeing, PaperAfterEscapes, Released, ReleasedMostEscapes,
                              ReleasedAgeing, ReleasedMostEscapesAgeing, PaperRoom, PaperMostEscapesRoom, PaperBySide,
-                             ReleasedBySide, PondBySide>(argc, argv);
+                             ReleasedBySide, PondBySide, GrowingBySide>(argc, argv);
 }

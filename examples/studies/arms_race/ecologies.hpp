@@ -29,5 +29,6 @@ extern template class Ecology<arms_race::PaperMostEscapesRoom>;
 extern template class Ecology<arms_race::PaperBySide>;
 extern template class Ecology<arms_race::ReleasedBySide>;
 extern template class Ecology<arms_race::PondBySide>;
+extern template class Ecology<arms_race::GrowingBySide>;
 
 }  // namespace trophic

@@ -7,3 +7,4 @@ using namespace trophic::arms_race;
 template class trophic::Ecology<PaperBySide>;
 template class trophic::Ecology<ReleasedBySide>;
 template class trophic::Ecology<PondBySide>;
+template class trophic::Ecology<GrowingBySide>;

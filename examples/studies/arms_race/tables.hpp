@@ -3,6 +3,7 @@
 // with one side that evolves alone.
 #pragma once
 
+#include <trophic/control/brain/growing_brain.hpp>
 #include <trophic/reproduction/heredity/switched.hpp>
 #include <trophic/reproduction/parent/fastest_escape.hpp>
 #include <trophic/reproduction/parent/last_escapee.hpp>
@@ -62,5 +63,9 @@ using BySide = with_heredity<Base, rules::by_species<reproduction::heredity::Swi
 using PaperBySide = named<BySide<Paper>, "paper_by_side">;
 using ReleasedBySide = named<BySide<Released>, "released_by_side">;
 using PondBySide = named<BySide<worlds::Pond>, "pond_by_side">;
+
+/// Nine senses, and neurons and links that evolve from the paper's three neurons.
+using GrowingBySide =
+    named<BySide<with_brain<with_sensors<Paper, RoomySensors>, control::brain::GrowingBrain>>, "growing_by_side">;
 
 }  // namespace trophic::arms_race

@@ -5,13 +5,14 @@ those of earlier times meet a panel, and writes what a species does more where t
 
     red_queen.py --program build/my_program --rules my_table --trophic build/trophic --out runs/queen
 
-The table has `by_species<Switched<...>>` as its Heredity and the paper's brain. A stopped command continues. docs/results/red-queen.md defines measures and families."""
+The table has `by_species<Switched<...>>` as its Heredity and a brain that change.py reads. A stopped command continues. docs/results/red-queen.md defines measures and families."""
 import argparse
 import itertools
 import pathlib
 import subprocess
 import sys
 
+import numpy
 import pandas
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -63,9 +64,10 @@ def measured(options, world):
         for period, times in (("early", (0, end_s / 3)), ("late", (end_s / 3, end_s))):
             found[f"progress_{period}", side] = contests.progress_of_runs(of_role, role, contests.epochs_of(played), *times)
     runs = selection.read_sets([options.out / world], None, Measuring())[0]["runs"]
-    terms = pandas.concat([selection.measure(["turns_to"], run) for run in runs], axis=1).T["turns_to"]
+    traits = [(selection.events_of(run), change.turns_to(run), run.lived_s) for run in runs]
     for side in SIDES:
-        found |= {(f"{term}_{name}", side): terms[side, term, period].to_numpy(float) for term in ("survival", "parenthood", "mutation")
+        terms = [selection.terms(events, z, side, end_s) for events, z, end_s in traits]
+        found |= {(f"{term}_{name}", side): numpy.array([of[term, period] for of in terms]) for term in ("survival", "parenthood", "mutation")
                   for name, period in (("all", "all"), ("late", "third"))}
     return found
 
