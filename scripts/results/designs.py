@@ -212,16 +212,9 @@ def cells_of(sweep, grid):
     for line in (pathlib.Path(sweep) / "plan.jsonl").read_text().splitlines():
         run = json.loads(line)
         of_run = {**run["settings"], "rule_table": run["rule_table"]}
-        words = [str(of_run[key]) if key == "rule_table" else f"{key.split('.')[-1]} {of_run[key]:.4g}" for key in axes_of(grid)]
+        words = [str(of_run[key]) if key == "rule_table" else f"{key.split('.')[-1]} {of_run[key]:.4g}" for key, _ in flat(grid)]
         cells[run["cell"]] = ", ".join(words)
     return sorted(cells.items())
-
-
-def axes_of(grid, path=""):
-    """The keys of a grid, also of nested tables."""
-    for key, value in grid.items():
-        name = f"{path}.{key}" if path else key
-        yield from axes_of(value, name) if isinstance(value, dict) else [name]
 
 
 def flat(table, path=""):
