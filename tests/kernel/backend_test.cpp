@@ -4,6 +4,7 @@
 
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/backend/mujoco/islands.hpp>
+#include <trophic/backend/mujoco/lane_step.hpp>
 #include <trophic/habitat/body/build.hpp>
 #include <trophic/habitat/load/arena.hpp>
 #include <trophic/habitat/load/robot.hpp>
@@ -177,7 +178,8 @@ TEST_CASE("kernel backend: six legs on a trunk, links numbered in any order -> s
 TEST_CASE("kernel backend: bodies that change -> unused kinds and models dropped") {
   const RobotModel spider = load_robot("spider");
   Arena arena;
-  backend::mujoco::Islands islands{spider, arena, {}, 1, true, BoxDepth::engine};
+  backend::mujoco::Islands islands{
+      spider, arena, {}, 1, BoxDepth::engine, std::make_unique<backend::mujoco::Lanes>(BoxDepth::engine, 1)};
   backend::mujoco::RobotStates states{islands.layout(), 3};
   for (std::size_t i = 0; i < 3; ++i)
     states.set_root(i, {{2.0 * static_cast<double>(i), 0.0, 1.0}, Eigen::Quaterniond::Identity()});

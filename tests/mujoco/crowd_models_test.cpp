@@ -12,6 +12,7 @@
 #include <trophic/backend/mujoco/compiled_model.hpp>
 #include <trophic/backend/mujoco/group_step.hpp>
 #include <trophic/backend/mujoco/islands.hpp>
+#include <trophic/backend/mujoco/lane_step.hpp>
 #include <trophic/backend/mujoco/robot_states.hpp>
 #include <vector>
 
@@ -23,6 +24,12 @@ namespace engine = backend::mujoco;
 namespace {
 
 constexpr std::size_t robots = 33;  ///< too many in one island for the kernel
+
+/// Spiders on the square, stepped by the kernel where it can (`fast`) or by MuJoCo.
+engine::Islands islands_of(std::size_t threads, bool fast) {
+  auto lanes = fast ? std::make_unique<engine::Lanes>(engine::BoxDepth::engine, threads) : nullptr;
+  return {spider, square, {}, threads, engine::BoxDepth::engine, std::move(lanes)};
+}
 
 /// Robots in a row, as far from each other as this.
 engine::RobotStates in_a_row(engine::Islands& islands, double distance_m, std::size_t count = robots) {
@@ -69,7 +76,7 @@ TEST_CASE("crowd models: crowd that dissolved -> model dropped, and made again t
   const engine::Rows targets_rad = all_targets(robots, 0.4);
   for (const bool fast : {true, false}) {
     CAPTURE(fast);
-    engine::Islands islands{spider, square, {}, 1, fast, engine::BoxDepth::engine};
+    engine::Islands islands = islands_of(1, fast);
     const engine::RobotStates crowd = in_a_row(islands, 1.2 * spider.bounding_radius_m);
     const engine::RobotStates apart = in_a_row(islands, 2.0);
 
@@ -98,7 +105,7 @@ TEST_CASE("crowd models: crowd that dissolved -> model dropped, and made again t
 #ifndef __SANITIZE_ADDRESS__  // whose allocator keeps what is freed
 TEST_CASE("crowd models: dropped below other memory -> memory returned to the system") {
   std::vector<char>(std::size_t{31} << 20);  // glibc no longer maps what is smaller, once such a block was freed
-  engine::Islands islands{spider, square, {}, 1, false, engine::BoxDepth::engine};
+  engine::Islands islands = islands_of(1, false);
   const auto advance = [&](double distance_m, std::size_t many, std::size_t steps) {
     const engine::RobotStates from = in_a_row(islands, distance_m, many);
     engine::RobotStates to = from;
@@ -154,7 +161,7 @@ TEST_CASE("crowd models: all working memories in use -> a thread waits") {
 TEST_CASE("crowd models: kernel's remainder -> one working memory a model, no kernel -> one a thread") {
   constexpr std::size_t threads = 3;
   const auto memories = [&](bool fast, std::size_t together) {
-    engine::Islands islands{spider, square, {}, threads, fast, engine::BoxDepth::engine};
+    engine::Islands islands = islands_of(threads, fast);
     const engine::RobotStates crowd = in_a_row(islands, 1.2 * spider.bounding_radius_m, together);
     engine::RobotStates next = crowd;
     const engine::Rows targets_rad = all_targets(together, 0.4);

@@ -4,12 +4,10 @@
 #include <doctest/doctest.h>
 
 #include <filesystem>
-#include <regression/golden.hpp>
+#include <regression/pen.hpp>
 #include <trophic/backend/mujoco.hpp>
-#include <trophic/backend/mujoco/islands.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
-#include <trophic/habitat/load/robot.hpp>
 #include <trophic/io/event_log.hpp>
 #include <trophic/observe/tally.hpp>
 #include <trophic/rules/paper.hpp>
@@ -56,36 +54,6 @@ void check_run(backend::Mujoco::Stepping stepping, const std::string& mode, std:
   test::check_golden(name);
 }
 
-/// A hash of all numbers of six spiders in a pen as narrow as they are, each second. No function of the C library is in it.
-test::FileLines pen(std::size_t threads, backend::kernel::StepFunction step) {
-  const RobotModel robot = load_robot("spider");
-  Arena arena;
-  arena.half_side_m = 0.6;
-  backend::mujoco::Islands islands{robot, arena, Physics{}, threads, true, backend::mujoco::BoxDepth::engine, step};
-  backend::mujoco::RobotStates states{islands.layout(), 6};
-  backend::mujoco::Rows targets_rad{6, robot.hinges.size()};
-  for (std::size_t i = 0; i < 6; ++i) {
-    const Eigen::Vector3d place_m{0.4 * static_cast<double>(i / 2) - 0.4, i % 2 == 0 ? 0.25 : -0.25, robot.rest_height_m};
-    states.set_root(i, {place_m, Eigen::Quaterniond::Identity()});
-  }
-  test::FileLines hashes;
-  for (int tick = 1; tick <= 1200; ++tick) {
-    for (std::size_t i = 0; i < 6 * robot.hinges.size(); ++i) {
-      const auto [one, hinge] = std::pair{i % 6, i / 6};
-      const double turns = tick * (0.011 + 0.001 * static_cast<double>(one)) + 0.3 * static_cast<double>(hinge);
-      targets_rad[one][hinge] = 2.4 * std::abs(turns - std::floor(turns) - 0.5) - 0.6;
-    }
-    backend::mujoco::RobotStates next = states;
-    REQUIRE(islands.advance(states, targets_rad, 14, next).end == backend::mujoco::GroupResult::End::done);
-    states = std::move(next);
-    const auto* const bytes = reinterpret_cast<const char*>(states.values().data());
-    if (tick % 60 == 0) hashes.push_back(hash_text({bytes, states.values().size() * sizeof(double)}));
-  }
-  const auto [apart, alone, pairs, more, by_mujoco] = islands.counts();
-  CHECK(pairs + more > apart + alone);
-  return hashes;
-}
-
 }  // namespace
 
 TEST_CASE("golden: MuJoCo run until robots touch -> same events") {
@@ -93,17 +61,9 @@ TEST_CASE("golden: MuJoCo run until robots touch -> same events") {
 }
 
 TEST_CASE("golden: screening until robots touch -> same events") {
-  check_run(backend::Mujoco::Stepping::screening, "_screening", 1000);
+  check_run(backend::Mujoco::Stepping::screening, "_screening", 13);
 }
 
 TEST_CASE("golden: MuJoCo robots that touch for long, each instruction set of the kernel -> same numbers") {
-  if (backend::Mujoco::version() != "2.2.2") return;
-  const test::FileLines hashes = pen(1, backend::kernel::fastest_step());
-  CHECK(pen(2, backend::kernel::step_portable) == hashes);
-#if defined(__x86_64__) && !defined(__AVX2__)
-  if (__builtin_cpu_supports("avx2")) CHECK(pen(2, backend::kernel::step_avx2) == hashes);
-#endif
-  std::filesystem::create_directory(test::written_folder("mujoco_touching"));
-  test::write_lines(std::filesystem::path{WRITTEN_DIR} / "mujoco_touching" / "hashes.txt", hashes);
-  test::check_golden("mujoco_touching");
+  check_pen("mujoco_touching", 0.0012, 14);
 }

@@ -47,7 +47,7 @@ class Mujoco : public WithEngine<mujoco::State> {
     fast,       ///< as islands; a kernel with the results of mj_step steps the robots
     islands,    ///< robots that cannot touch are stepped separately, in several threads
     one_model,  ///< all in one model, stepped by mj_step in one thread: the reference
-    screening   ///< as fast, with longer steps: for quick looks, not for results
+    screening   ///< as fast, in single precision and with longer steps: for quick looks, not for results
   };
   friend constexpr std::array<std::string_view, 4> enum_names(Stepping) { return {"fast", "islands", "one_model", "screening"}; }
 
@@ -63,7 +63,7 @@ class Mujoco : public WithEngine<mujoco::State> {
     static constexpr auto fields() {
       return std::tuple{
           field("stepping", &Params::stepping,
-                "fast, islands (MuJoCo only), one_model (the reference) or screening (steps of 0.002 s)"),
+                "fast, islands (MuJoCo only), one_model (the reference) or screening (single precision, steps of 0.002 s)"),
           field("threads", &Params::threads, between(1, 1024), "threads for fast and islands; results do not depend on it"),
           field("box_depth", &Params::box_depth,
                 "reported depth of box-face contacts: engine (half, up to MuJoCo 3.3.7) or whole")};

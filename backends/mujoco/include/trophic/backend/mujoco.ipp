@@ -10,6 +10,7 @@
 #include <trophic/backend/body_hash.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/backend/mujoco/islands.hpp>
+#include <trophic/backend/mujoco/lane_step.hpp>
 #include <trophic/backend/mujoco/one_model.hpp>
 #include <trophic/backend/mujoco/robot_states.hpp>
 #include <trophic/backend/mujoco/save_mjcf.hpp>
@@ -166,8 +167,9 @@ class Mujoco::Simulation final : public Engine<State> {
     const auto counts = std::get<mujoco::Islands>(stepper_).counts();
     const auto all = std::max<std::uint64_t>(1, counts[0] + counts[1] + counts[2] + counts[3]);
     const auto share = [&](std::size_t k) { return number_text(static_cast<double>(1000 * counts.at(k) / all) / 10.0) + " % "; };
-    return std::to_string(all) + " steps of four robots or fewer: " + share(0) + "apart, " + share(1) +
-           "one touches itself or heights, " + share(2) + "two touch, " + share(3) + "more";
+    return std::to_string(all) + " steps of " + (stepping_ == Stepping::screening ? "eight" : "four") +
+           " robots or fewer: " + share(0) + "apart, " + share(1) + "one touches itself or heights, " + share(2) + "two touch, " +
+           share(3) + "more";
   }
 
   static const Physics& checked(const Physics& physics, const Params& params, std::size_t robots) {
@@ -183,11 +185,16 @@ class Mujoco::Simulation final : public Engine<State> {
 
   [[nodiscard]] bool by_kernel() const { return stepping_ == Stepping::fast || stepping_ == Stepping::screening; }
 
+  [[nodiscard]] std::unique_ptr<mujoco::LaneStepper> make_lanes(std::size_t threads) const {
+    if (stepping_ == Stepping::fast) return std::make_unique<mujoco::Lanes>(box_depth_, threads);
+    return stepping_ == Stepping::screening ? mujoco::lanes_in_single(box_depth_, threads) : nullptr;
+  }
+
   [[nodiscard]] Stepper make_stepper(const RobotModel& robot, std::size_t robots, std::size_t threads) const {
     if (stepping_ == Stepping::one_model) {
       return Stepper{std::in_place_type<mujoco::OneModel>, robot, arena_, physics_, robots, box_depth_};
     }
-    return Stepper{std::in_place_type<mujoco::Islands>, robot, arena_, physics_, threads, by_kernel(), box_depth_};
+    return Stepper{std::in_place_type<mujoco::Islands>, robot, arena_, physics_, threads, box_depth_, make_lanes(threads)};
   }
 
   void advance(std::size_t steps) {
@@ -214,12 +221,20 @@ class Mujoco::Simulation final : public Engine<State> {
   mutable mujoco::Rows angles_rad_;  ///< those that were asked for, in the order of the hinges
 };
 
+#if TROPHIC_HEADER_ONLY || defined(TROPHIC_FEW_KERNELS)
+inline std::unique_ptr<mujoco::LaneStepper> mujoco::lanes_in_single(BoxDepth, std::size_t) {
+  throw std::invalid_argument{
+      "backend.stepping = screening: this program has no kernel for it; build trophic with TROPHIC_ALL_KERNELS"};
+}
+#endif
+
 TROPHIC_INLINE std::string Mujoco::version() {
   return mj_versionString();
 }
 
 TROPHIC_INLINE std::string Mujoco::Params::prescribe(Physics& physics, const Physics& table) const {
   if (stepping != Stepping::screening) return {};
+  static_cast<void>(mujoco::lanes_in_single(box_depth, 1));  // throws in a program without it, before any work
   const std::string step = number_text(screening_timestep_s);
   const auto refuse_if = [](bool is_refused, const std::string& what, const std::string& must) {
     if (is_refused) throw std::invalid_argument{"physics." + what + " with backend.stepping = screening: must be " + must};
@@ -228,8 +243,8 @@ TROPHIC_INLINE std::string Mujoco::Params::prescribe(Physics& physics, const Phy
   refuse_if(physics.timestep_s != table.timestep_s && physics.timestep_s != screening_timestep_s,
             "timestep_s = " + number_text(physics.timestep_s), step);
   physics.timestep_s = screening_timestep_s;
-  return "backend.stepping = screening: steps of " + step + " s, the table's have " + number_text(table.timestep_s) +
-         " s; for quick looks: make results with backend.stepping = fast";
+  return "backend.stepping = screening: single precision and steps of " + step + " s, the table's have " +
+         number_text(table.timestep_s) + " s; for quick looks: make results with backend.stepping = fast";
 }
 
 TROPHIC_INLINE Mujoco::Mujoco(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,

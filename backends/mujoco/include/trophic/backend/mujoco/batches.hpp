@@ -10,7 +10,7 @@
 #include <trophic/backend/mujoco/kernel/batch.hpp>
 #include <vector>
 
-namespace trophic::backend::mujoco {
+namespace trophic::backend::mujoco::TROPHIC_LANES {
 
 /// The lanes of robots in a batch. Bodies of a pack have one shape; robots that may touch are in one batch.
 struct BatchPlan {
@@ -130,4 +130,8 @@ class BatchPlanner {
   std::vector<OpenPacks> open_;
 };
 
-}  // namespace trophic::backend::mujoco
+}  // namespace trophic::backend::mujoco::TROPHIC_LANES
+
+namespace trophic::backend::mujoco {
+using namespace TROPHIC_LANES;
+}

@@ -8,12 +8,11 @@
 #include <map>
 #include <memory>
 #include <mutex>
-#include <optional>
 #include <span>
 #include <trophic/backend/clusters.hpp>
 #include <trophic/backend/mujoco/give_back_pages.hpp>
-#include <trophic/backend/mujoco/group_step.hpp>
-#include <trophic/backend/mujoco/lane_step.hpp>
+#include <trophic/backend/mujoco/kernel/model.hpp>
+#include <trophic/backend/mujoco/lane_stepper.hpp>
 #include <trophic/support/thread_pool.hpp>
 #include <utility>
 #include <vector>
@@ -27,11 +26,14 @@ namespace trophic::backend::mujoco {
 /// disc, the block is repeated with twice the slack for it. The result does not depend on the number of threads.
 class Islands {
  public:
-  /// `fast`: the kernel steps robots, by `step`, if it supports all features of their models.
-  Islands(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t threads, bool fast, BoxDepth box_depth,
-          kernel::StepFunction step = kernel::fastest_step())
-      : arena_{arena}, physics_{physics}, box_depth_{box_depth}, pool_{std::make_unique<ThreadPool>(threads)} {
-    if (fast) lanes_.emplace(box_depth, threads, step);
+  /// `lanes`: the kernel, which steps robots if it supports all features of their models; none: MuJoCo steps all.
+  Islands(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t threads, BoxDepth box_depth,
+          std::unique_ptr<LaneStepper> lanes = nullptr)
+      : arena_{arena},
+        physics_{physics},
+        box_depth_{box_depth},
+        pool_{std::make_unique<ThreadPool>(threads)},
+        lanes_{std::move(lanes)} {
     static_cast<void>(find_kind(robot));
   }
 
@@ -181,20 +183,19 @@ class Islands {
     std::stable_partition(first_lone, lone_.end(), [&](std::size_t robot) { return near_wall(discs_[robot]); });
     models_of_groups_.clear();
     for (const std::vector<std::size_t>& group : by_mujoco) models_of_groups_.push_back(&model_of(group, states));
-    const std::span<const BatchPlan> batches =
-        planner_.plan({first_of_kernel, groups.end()}, discs_,
-                      [&](std::size_t robot) { return kinds_[states.kind(robot)].shape; }, {first_lone, lone_.end()});
+    const std::size_t batches =
+        lanes_ ? lanes_->plan({first_of_kernel, groups.end()}, {first_lone, lone_.end()}, discs_, kinds_, states) : 0;
     const LaneStepper::ModelOf model_of_declined = [&](std::span<const std::size_t> robots) -> CompiledModel& {
       return model_of(robots, states);
     };
 
     for (const std::vector<std::size_t>& group : by_mujoco) group_robot_steps_ += group.size() * steps;
-    results_.assign(by_mujoco.size() + batches.size(), {});
+    results_.assign(by_mujoco.size() + batches, {});
     pool_->run(results_.size(), [&](std::size_t i, std::size_t thread) {
       results_[i] = i < by_mujoco.size()
                         ? step_group(*models_of_groups_[i], by_mujoco[i], targets_rad, slack_m_, steps, states, next)
-                        : lanes_->advance(batches[i - by_mujoco.size()], kinds_, thread, targets_rad, slack_m_, steps, states,
-                                          next, model_of_declined);
+                        : lanes_->advance(i - by_mujoco.size(), kinds_, thread, targets_rad, slack_m_, steps, states, next,
+                                          model_of_declined);
     });
     return repair(fastest_m_s * static_cast<double>(steps) * physics_.timestep_s);
   }
@@ -247,12 +248,11 @@ class Islands {
   std::uint64_t advances_ = 0;
   std::uint64_t robot_steps_ = 0;
   std::uint64_t group_robot_steps_ = 0;  ///< those of groups that MuJoCo steps as a whole
-  std::optional<LaneStepper> lanes_;
+  std::unique_ptr<LaneStepper> lanes_;
   std::vector<double> slack_m_;
   std::vector<Disc> discs_;
   std::vector<std::size_t> lone_;
   std::vector<CompiledModel*> models_of_groups_;
-  BatchPlanner planner_{pool_->threads()};
   std::vector<GroupResult> results_;
 };
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <memory>
 #include <trophic/backend/mujoco/compiled_model.hpp>
-#include <trophic/backend/mujoco/kernel/lane_model.hpp>
+#include <trophic/backend/mujoco/kernel/body.hpp>
 #include <trophic/habitat/robot_model.hpp>
 
 namespace trophic::backend::mujoco {

@@ -6,31 +6,23 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <span>
 #include <trophic/backend/mujoco/batches.hpp>
-#include <trophic/backend/mujoco/group_step.hpp>
 #include <trophic/backend/mujoco/kernel/step.hpp>
-#include <trophic/backend/mujoco/kinds.hpp>
+#include <trophic/backend/mujoco/lane_stepper.hpp>
 #include <utility>
 #include <vector>
 
-namespace trophic::backend::mujoco {
+namespace trophic::backend::mujoco::TROPHIC_LANES {
 
-/// The kernel with the working memory of each thread.
-class LaneStepper {
+/// A LaneStepper with as many lanes as TROPHIC_LANES has.
+class Lanes final : public LaneStepper {
  public:
-  /// Returns the model in which MuJoCo steps these robots; any thread may call it.
-  using ModelOf = std::function<CompiledModel&(std::span<const std::size_t> robots)>;
+  Lanes(BoxDepth box_depth, std::size_t threads, kernel::StepFunction step = kernel::fastest_step())
+      : box_depth_{box_depth}, step_{step}, scratch_(threads), planner_{threads} {}
 
-  LaneStepper(BoxDepth box_depth, std::size_t threads, kernel::StepFunction step)
-      : box_depth_{box_depth}, step_{step}, scratch_(threads) {}
-
-  /// Steps so far: of packs, by the robots in the largest island of their batch (none, one, two, more), then those of robots that
-  /// MuJoCo took because the kernel declined them.
-  using Counts = std::array<std::uint64_t, 5>;
-  [[nodiscard]] Counts counts() const {
+  [[nodiscard]] Counts counts() const override {
     Counts sum{};
     for (const auto& scratch : scratch_) {
       for (std::size_t i = 0; scratch && i < sum.size(); ++i) sum[i] += scratch->counts[i];
@@ -38,10 +30,17 @@ class LaneStepper {
     return sum;
   }
 
-  /// Takes `steps` steps of the robots of a batch. Otherwise as `step_group`.
-  [[nodiscard]] GroupResult advance(const BatchPlan& plan, const Kinds& kinds, std::size_t thread, const Rows& targets_rad,
+  [[nodiscard]] std::size_t plan(std::span<const std::vector<std::size_t>> groups, std::span<const std::size_t> lone,
+                                 std::span<const Disc> discs, const Kinds& kinds, const RobotStates& states) override {
+    plans_ = planner_.plan(
+        groups, discs, [&](std::size_t robot) { return kinds[states.kind(robot)].shape; }, lone);
+    return plans_.size();
+  }
+
+  [[nodiscard]] GroupResult advance(std::size_t batch_index, const Kinds& kinds, std::size_t thread, const Rows& targets_rad,
                                     std::span<const double> slack_m, std::size_t steps, const RobotStates& from, RobotStates& to,
-                                    const ModelOf& model_of) {
+                                    const ModelOf& model_of) override {
+    const BatchPlan& plan = plans_[batch_index];
     Scratch& scratch = load(plan, kinds, thread, targets_rad, slack_m, from);
     kernel::Batch& batch = scratch.batch;
     for (std::size_t step = 0; step < steps; ++step) {
@@ -157,6 +156,8 @@ class LaneStepper {
   BoxDepth box_depth_;
   kernel::StepFunction step_;
   std::vector<std::unique_ptr<Scratch>> scratch_;
+  BatchPlanner planner_;
+  std::span<const BatchPlan> plans_;
 };
 
-}  // namespace trophic::backend::mujoco
+}  // namespace trophic::backend::mujoco::TROPHIC_LANES

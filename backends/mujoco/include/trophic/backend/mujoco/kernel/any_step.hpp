@@ -7,7 +7,7 @@
 #include <trophic/backend/mujoco/kernel/proximity.hpp>
 #include <trophic/backend/mujoco/kernel/search.hpp>
 
-namespace trophic::backend::kernel {
+namespace trophic::backend::kernel::TROPHIC_LANES {
 
 /// Copies the trial point as MuJoCo's qacc in the lanes of `taken`.
 TROPHIC_LANES_INLINE void take_trial(const Workspace& work, const Mask& taken, LaneArray& acceleration) {
@@ -172,4 +172,4 @@ TROPHIC_LANES_INLINE void any_step(Batch& batch) {
   }
 }
 
-}  // namespace trophic::backend::kernel
+}  // namespace trophic::backend::kernel::TROPHIC_LANES

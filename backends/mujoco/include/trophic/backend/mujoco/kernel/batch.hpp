@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Robots that are stepped together: packs of four robots of one shape, and contacts between robots of any of them.
+// Robots that are stepped together: packs of robots of one shape, and contacts between robots of any of them.
 #pragma once
 
 #include <algorithm>
@@ -17,9 +17,9 @@
 #include <utility>
 #include <vector>
 
-namespace trophic::backend::kernel {
+namespace trophic::backend::kernel::TROPHIC_LANES {
 
-/// Up to four robots whose bodies have one shape, one per lane.
+/// Robots whose bodies have one shape, one per lane at most.
 struct Pack {
   LaneModel model;
   LaneState state;
@@ -74,8 +74,8 @@ struct LinkContact {
 
 /// The motion of a link in world axes, or a force; the fourth lane is 0.
 struct Motion {
-  Real angular;
-  Real linear;
+  Four angular;
+  Four linear;
 
   TROPHIC_LANES_INLINE friend Motion operator+(const Motion& a, const Motion& b) {
     return {a.angular + b.angular, a.linear + b.linear};
@@ -88,7 +88,7 @@ struct TouchingLinks {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::array<LaneIndex, 2> at{};
   std::array<std::size_t, 2> link{};
-  Real apart_m{};  ///< from the origin of the first robot's root to that of the second's
+  Four apart_m{};  ///< from the origin of the first robot's root to that of the second's
   bool on_field = false;
   double mu = 0.0;
   double inverse_weight_per_kg = 0.0;
@@ -206,4 +206,4 @@ struct Batch {
   }
 };
 
-}  // namespace trophic::backend::kernel
+}  // namespace trophic::backend::kernel::TROPHIC_LANES

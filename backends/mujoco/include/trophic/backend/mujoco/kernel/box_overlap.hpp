@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <trophic/backend/mujoco/kernel/lanes.hpp>
+#include <trophic/backend/mujoco/kernel/four.hpp>
 #include <tuple>
 #include <utility>
 
@@ -29,10 +29,10 @@ struct PlacedBox {
 }
 
 /// A vector in three lanes.
-[[nodiscard]] TROPHIC_LANES_INLINE Real lanes3(const Point3& a) {
-  return Real{a[0], a[1], a[2], 0.0};
+[[nodiscard]] TROPHIC_LANES_INLINE Four lanes3(const Point3& a) {
+  return Four{a[0], a[1], a[2], 0.0};
 }
-[[nodiscard]] TROPHIC_LANES_INLINE Real cross3(const Real& a, const Real& b) {
+[[nodiscard]] TROPHIC_LANES_INLINE Four cross3(const Four& a, const Four& b) {
   return __builtin_shufflevector(a, a, 1, 2, 0, 3) * __builtin_shufflevector(b, b, 2, 0, 1, 3) -
          __builtin_shufflevector(a, a, 2, 0, 1, 3) * __builtin_shufflevector(b, b, 1, 2, 0, 3);
 }
@@ -59,24 +59,24 @@ class BoxOverlap {
 
   /// Whether the boxes overlap by less than `least_m` along an axis; else finds the least overlap.
   [[nodiscard]] TROPHIC_LANES_INLINE bool separated(double least_m) {
-    const Real ax[3] = {lanes_of(a_.axis, 0), lanes_of(a_.axis, 1), lanes_of(a_.axis, 2)};
-    const Real bx[3] = {lanes_of(b_.axis, 0), lanes_of(b_.axis, 1), lanes_of(b_.axis, 2)};
-    Real row[3];     // cosines of one axis of the first with those of the second
-    Real column[3];  // and the reverse
+    const Four ax[3] = {lanes_of(a_.axis, 0), lanes_of(a_.axis, 1), lanes_of(a_.axis, 2)};
+    const Four bx[3] = {lanes_of(b_.axis, 0), lanes_of(b_.axis, 1), lanes_of(b_.axis, 2)};
+    Four row[3];     // cosines of one axis of the first with those of the second
+    Four column[3];  // and the reverse
     for (std::size_t k = 0; k < 3; ++k) {
       row[k] = a_.axis[k][0] * bx[0] + a_.axis[k][1] * bx[1] + a_.axis[k][2] * bx[2];
       column[k] = ax[0] * b_.axis[k][0] + ax[1] * b_.axis[k][1] + ax[2] * b_.axis[k][2];
     }
     const Point3 to_b = minus(at_b_, at_a_);
     const Point3 to_a = minus(at_a_, at_b_);
-    const Real b_from_a = ax[0] * to_b[0] + ax[1] * to_b[1] + ax[2] * to_b[2];
-    const Real a_from_b = bx[0] * to_a[0] + bx[1] * to_a[1] + bx[2] * to_a[2];
-    const Real reach_b = abs(column[0]) * b_.half_m[0] + abs(column[1]) * b_.half_m[1] + abs(column[2]) * b_.half_m[2];
-    const Real reach_a = abs(row[0]) * a_.half_m[0] + abs(row[1]) * a_.half_m[1] + abs(row[2]) * a_.half_m[2];
-    const Real over_a = Real{a_.half_m[0], a_.half_m[1], a_.half_m[2]} - abs(b_from_a) + reach_b;
-    const Real over_b = Real{b_.half_m[0], b_.half_m[1], b_.half_m[2]} - abs(a_from_b) + reach_a;
-    const Real least_face = select(over_a < over_b, over_a, over_b);
-    if ((lane_bits(least_face < least_m) & 7u) != 0) return true;
+    const Four b_from_a = ax[0] * to_b[0] + ax[1] * to_b[1] + ax[2] * to_b[2];
+    const Four a_from_b = bx[0] * to_a[0] + bx[1] * to_a[1] + bx[2] * to_a[2];
+    const Four reach_b = abs(column[0]) * b_.half_m[0] + abs(column[1]) * b_.half_m[1] + abs(column[2]) * b_.half_m[2];
+    const Four reach_a = abs(row[0]) * a_.half_m[0] + abs(row[1]) * a_.half_m[1] + abs(row[2]) * a_.half_m[2];
+    const Four over_a = Four{a_.half_m[0], a_.half_m[1], a_.half_m[2]} - abs(b_from_a) + reach_b;
+    const Four over_b = Four{b_.half_m[0], b_.half_m[1], b_.half_m[2]} - abs(a_from_b) + reach_a;
+    const Four least_face = select(over_a < over_b, over_a, over_b);
+    if ((four_bits(least_face < least_m) & 7u) != 0) return true;
     for (std::size_t i = 0; i < 3; ++i) {
       least_ += a_.half_m[i] * 3 + b_.half_m[i] * 3;
       b_from_a_[i] = b_from_a[i];
@@ -103,31 +103,31 @@ class BoxOverlap {
   static constexpr double rounding = 1e-12;
   static constexpr double tiny = 1e-15;  ///< mjMINVAL
 
-  [[nodiscard]] TROPHIC_LANES_INLINE static Real lanes_of(const std::array<Point3, 3>& axis, std::size_t i) {
-    return Real{axis[0][i], axis[1][i], axis[2][i], 0.0};
+  [[nodiscard]] TROPHIC_LANES_INLINE static Four lanes_of(const std::array<Point3, 3>& axis, std::size_t i) {
+    return Four{axis[0][i], axis[1][i], axis[2][i], 0.0};
   }
 
   /// The nine products of edges; those of one edge of the first box are worked on at once.
-  [[nodiscard]] TROPHIC_LANES_INLINE bool cross_edges(const Real (&row)[3], double least_m) {
-    const Real size_low = {b_.half_m[1], b_.half_m[0], b_.half_m[0], 0.0};
-    const Real size_high = {b_.half_m[2], b_.half_m[2], b_.half_m[1], 0.0};
+  [[nodiscard]] TROPHIC_LANES_INLINE bool cross_edges(const Four (&row)[3], double least_m) {
+    const Four size_low = {b_.half_m[1], b_.half_m[0], b_.half_m[0], 0.0};
+    const Four size_high = {b_.half_m[2], b_.half_m[2], b_.half_m[1], 0.0};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t u = i == 0 ? 1 : 0;
       const std::size_t v = i == 2 ? 1 : 2;
       const double sign = i == 1 ? -1.0 : 1.0;
-      const Real along_u = row[v] * -sign;
-      const Real along_v = row[u] * sign;
-      const Real length = sqrt(along_u * along_u + along_v * along_v);
-      const Mask known = length >= tiny;
-      const Real scale = 1.0 / length;
-      const Real tu = along_u * scale;
-      const Real tv = along_v * scale;
-      const Real between = b_from_a_[u] * tu + b_from_a_[v] * tv;
-      const Real cosines = abs(row[i]);
-      const Real over = a_.half_m[u] * abs(tu) + a_.half_m[v] * abs(tv) +
+      const Four along_u = row[v] * -sign;
+      const Four along_v = row[u] * sign;
+      const Four length = sqrt(along_u * along_u + along_v * along_v);
+      const FourMask known = length >= tiny;
+      const Four scale = 1.0 / length;
+      const Four tu = along_u * scale;
+      const Four tv = along_v * scale;
+      const Four between = b_from_a_[u] * tu + b_from_a_[v] * tv;
+      const Four cosines = abs(row[i]);
+      const Four over = a_.half_m[u] * abs(tu) + a_.half_m[v] * abs(tv) +
                         size_low * __builtin_shufflevector(cosines, cosines, 2, 2, 1, 3) / length +
                         size_high * __builtin_shufflevector(cosines, cosines, 1, 0, 0, 3) / length - abs(between);
-      if ((lane_bits(known & (over < least_m)) & 7u) != 0) return true;
+      if ((four_bits(known & (over < least_m)) & 7u) != 0) return true;
       for (std::size_t j = 0; j < 3; ++j) {
         if (known[j] == 0 || !(over[j] < least_ * (1 - rounding))) continue;
         std::tie(least_, axis_, inwards_) = std::tuple{over[j], 6 + 3 * i + j, between[j] < 0.0};
@@ -160,12 +160,12 @@ class BoxOverlap {
 
   /// The sides of a parallelogram as lines: from a corner along s and t, and those across from them.
   struct Lines {
-    Real start[3];
-    Real way[3];
+    Four start[3];
+    Four way[3];
     TROPHIC_LANES_INLINE Lines(const Point3& corner, const Point3& s, const Point3& t) {
       for (std::size_t j = 0; j < 3; ++j) {
-        start[j] = Real{corner[j], corner[j], corner[j] + s[j], corner[j] + t[j]};
-        way[j] = Real{s[j], t[j], t[j], s[j]};
+        start[j] = Four{corner[j], corner[j], corner[j] + s[j], corner[j] + t[j]};
+        way[j] = Four{s[j], t[j], t[j], s[j]};
       }
     }
   };
@@ -174,16 +174,16 @@ class BoxOverlap {
   /// along the line, and its other coordinate there.
   template <class Take>
   TROPHIC_LANES_INLINE static void cut(const Lines& lines, std::size_t count, const Point3& half, const Take& take) {
-    Real part[2][2];
-    Real other[2][2];
+    Four part[2][2];
+    Four other[2][2];
     unsigned hits[2][2];
     for (std::size_t q = 0; q < 2; ++q) {
-      const Real inverse = 1.0 / lines.way[q];
+      const Four inverse = 1.0 / lines.way[q];
       for (std::size_t side = 0; side < 2; ++side) {
         part[q][side] = ((side == 0 ? -half[q] : half[q]) - lines.start[q]) * inverse;
         other[q][side] = lines.start[1 - q] + lines.way[1 - q] * part[q][side];
-        const Mask missed = (part[q][side] < 0.0) | (part[q][side] > 1.0) | (abs(other[q][side]) > half[1 - q]);
-        hits[q][side] = lane_bits((abs(lines.way[q]) > tiny) & ~missed);
+        const FourMask missed = (part[q][side] < 0.0) | (part[q][side] > 1.0) | (abs(other[q][side]) > half[1 - q]);
+        hits[q][side] = four_bits((abs(lines.way[q]) > tiny) & ~missed);
       }
     }
     for (std::size_t line = 0; line < count; ++line) {

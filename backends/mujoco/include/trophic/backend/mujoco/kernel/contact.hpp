@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <trophic/backend/mujoco/kernel/workspace.hpp>
 
-namespace trophic::backend::kernel {
+namespace trophic::backend::kernel::TROPHIC_LANES {
 
 /// A row residual that no acceleration turns negative: the row of a lane without contact is never active.
 inline constexpr double out_of_reach = 1e30;
@@ -56,6 +56,9 @@ TROPHIC_LANES_INLINE void limit_joints(const LaneModel& model, const LaneState& 
   return (corner >> axis & 1u) != 0 ? 1.0 : -1.0;
 }
 
+/// A bit for each corner and lane.
+using Corners = std::conditional_t<lane_count == four, std::uint32_t, std::uint64_t>;
+
 /// Finds the contacts of one link with plane `index`, MuJoCo's plane-box rule: of the corners that are not above the box's centre
 /// those below the plane, four at most in the order of the corners' sign bits; the contact point lies half the depth above the
 /// corner. Returns their largest number in any lane.
@@ -88,7 +91,7 @@ TROPHIC_LANES_INLINE std::size_t collide(const LaneModel& model, const LaneLink&
       const Real* axis = box.axes + 3 * k;
       half[k] = (box.aligned ? pose.rotation.column[k] : rotate(pose.rotation, axis)) * box.half_extents_m[k];
     }
-    std::uint32_t hits = 0;  // bit corner * lane_count + lane: this corner is in contact in this lane
+    Corners hits = 0;  // bit corner * lane_count + lane: this corner is in contact in this lane
     Real distances_m[8];
     Mask doubtful{};
 #pragma GCC unroll 8
@@ -96,7 +99,7 @@ TROPHIC_LANES_INLINE std::size_t collide(const LaneModel& model, const LaneLink&
       const Real below_m = sign_of(corner, 0) * rise[0] + sign_of(corner, 1) * rise[1] + sign_of(corner, 2) * rise[2];
       distances_m[corner] = centre_m + below_m;
       doubtful |= abs(distances_m[corner]) < doubtful_m;
-      hits |= lane_bits((below_m <= 0.0) & (distances_m[corner] < 0.0)) << (corner * lane_count);
+      hits |= Corners{lane_bits((below_m <= 0.0) & (distances_m[corner] < 0.0))} << (corner * lane_count);
     }
     work.doubtful |= doubtful;
     std::size_t found[lane_count] = {};
@@ -184,4 +187,4 @@ TROPHIC_LANES_INLINE void find_contacts(const LaneModel& model, const LaneState&
   }
 }
 
-}  // namespace trophic::backend::kernel
+}  // namespace trophic::backend::kernel::TROPHIC_LANES

@@ -7,7 +7,7 @@
 #include <trophic/backend/mujoco/kernel/batch.hpp>
 #include <trophic/backend/mujoco/kernel/solver.hpp>
 
-namespace trophic::backend::kernel {
+namespace trophic::backend::kernel::TROPHIC_LANES {
 
 // The problem is that of solver.hpp, but a contact between links adds to the inertia of two links at once, so that there is no
 // tree to recurse over. Its hinges are those between a touching link and its robot's root; all others are eliminated as in
@@ -137,22 +137,16 @@ class Island {
     for (std::size_t k = pair.first; k != TouchingLinks::none; k = own_.contacts[k].next) visit(own_.contacts[k]);
   }
 
-  [[nodiscard]] static Real pick(const Vec3& vector, std::size_t lane) {
-    return Real{vector[0][lane], vector[1][lane], vector[2][lane], 0.0};
+  [[nodiscard]] static Four pick(const Vec3& vector, std::size_t lane) {
+    return Four{vector[0][lane], vector[1][lane], vector[2][lane], 0.0};
   }
-  /// Sums of lanes.
-  [[nodiscard]] static Real wholes(const Real& a, const Real& b, const Real& c) {
-    const Real ab = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
-    const Real cc = __builtin_shufflevector(c, Real{}, 0, 4, 2, 6) + __builtin_shufflevector(c, Real{}, 1, 5, 3, 7);
-    return __builtin_shufflevector(ab, cc, 0, 1, 4, 5) + __builtin_shufflevector(ab, cc, 2, 3, 6, 7);
-  }
-  [[nodiscard]] static double whole(const Real& a) { return (a[0] + a[1]) + (a[2] + a[3]); }
+  [[nodiscard]] static double whole(const Four& a) { return (a[0] + a[1]) + (a[2] + a[3]); }
   [[nodiscard]] static double dot(const Motion& a, const Motion& b) { return whole(a.angular * b.angular + a.linear * b.linear); }
 
   /// A motion at one side of a pair, given from its own root's origin: the second link's is positive.
   [[nodiscard]] static Motion motion_of(const TouchingLinks& pair, std::size_t side, const Spatial& motion) {
-    const Real angular = pick(motion.angular, pair.at[side].lane);
-    const Real linear = pick(motion.linear, pair.at[side].lane);
+    const Four angular = pick(motion.angular, pair.at[side].lane);
+    const Four linear = pick(motion.linear, pair.at[side].lane);
     if (side == 0) return {-angular, -linear};
     return {angular, linear + cross3(pair.apart_m, angular)};
   }
@@ -334,9 +328,9 @@ class Island {
     for (std::size_t k = 0; k < 6; ++k) {
       if (two) add(own_.system.column(first + k) + first, roots.inertia[k]);
       if (two) add(own_.system.column(first + k) + second, on_second(pair, roots.inertia[k]) * -1.0);
-      Real unit{};
+      Four unit{};
       unit[k % 3] = 1.0;
-      const Motion moved = k < 3 ? roots.inertia[k] + roots.times({Real{}, cross3(pair.apart_m, unit)}) : roots.inertia[k];
+      const Motion moved = k < 3 ? roots.inertia[k] + roots.times({Four{}, cross3(pair.apart_m, unit)}) : roots.inertia[k];
       add(own_.system.column(second + k) + second, on_second(pair, moved));
     }
   }
@@ -397,4 +391,4 @@ class Island {
   IslandWork& own_;
 };
 
-}  // namespace trophic::backend::kernel
+}  // namespace trophic::backend::kernel::TROPHIC_LANES

@@ -6,7 +6,7 @@
 #include <trophic/backend/mujoco/kernel/island.hpp>
 #include <trophic/backend/mujoco/kernel/search.hpp>
 
-namespace trophic::backend::kernel {
+namespace trophic::backend::kernel::TROPHIC_LANES {
 
 /// Robots in one island; more of them are MuJoCo's, whose work grows less with their number.
 inline constexpr std::size_t largest_island = 32;
@@ -54,13 +54,6 @@ TROPHIC_LANES_INLINE void take_kept_trial(Workspace& work) {
     work.links[i].trial = work.island_links[i].link;
     if (i > 0) work.hinges[i - 1].trial = work.island_links[i].hinge;
   }
-}
-
-/// The robots of an island, as lanes of pack `index`.
-[[nodiscard]] inline unsigned lanes_in(const IslandWork& island, std::size_t index) {
-  unsigned lanes = 0;
-  for (const LaneIndex& at : island.lanes) lanes |= at.pack == index ? 1u << at.lane : 0u;
-  return lanes;
 }
 
 /// Eliminates the hinges of a pack that are not unknowns of islands.
@@ -159,4 +152,4 @@ TROPHIC_LANES_INLINE void minimise_islands(Batch& batch) {
   }
 }
 
-}  // namespace trophic::backend::kernel
+}  // namespace trophic::backend::kernel::TROPHIC_LANES

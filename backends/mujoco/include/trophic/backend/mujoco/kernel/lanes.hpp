@@ -1,65 +1,48 @@
 // SPDX-License-Identifier: MIT
-// Four numbers side by side, one per robot: the arithmetic type of the robot kernel.
+// Numbers side by side, one per robot: the arithmetic type of the robot kernel, in double or in single precision.
 #pragma once
 
-#include <cmath>
-#include <cstddef>
 #include <numbers>
+#include <trophic/backend/mujoco/kernel/four.hpp>
 #include <vector>
-#if defined(__SSE2__)
-#include <emmintrin.h>
-#endif
 
-/// Every kernel function is inlined into its entry points, so that the same source is compiled once per instruction set.
-#define TROPHIC_LANES_INLINE [[gnu::always_inline]] inline
+/// Every source of the kernel is compiled in two namespaces: in_double, and in_single, which only `src/single.cpp` chooses.
+#ifdef TROPHIC_LANES
+#include <trophic/backend/mujoco/kernel/single_lanes.hpp>
+#else
+#define TROPHIC_LANES in_double
 
-// g++ notes at the end of the translation unit that functions returning lanes would be called differently with AVX; they are
-// all inlined, so there is no call.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
-namespace trophic::backend::kernel {
+namespace trophic::backend::kernel::in_double {
 
 /// Robots stepped together.
-inline constexpr std::size_t lane_count = 4;
+inline constexpr std::size_t lane_count = four;
 
-/// One double per robot. Each lane is computed by the same IEEE operations in the same order whatever the other lanes hold, so a
+/// One number per robot. Each lane is computed by the same IEEE operations in the same order whatever the other lanes hold, so a
 /// robot's result does not depend on the other lanes nor on the instruction set.
-using Real = double __attribute__((vector_size(lane_count * sizeof(double)), aligned(lane_count * sizeof(double))));
-/// All bits of a lane are set where a comparison holds.
-using Mask = long long __attribute__((vector_size(lane_count * sizeof(double)), aligned(lane_count * sizeof(double))));
+using Real = Four;
+using Mask = FourMask;
+using kernel::select;  // which that of vectors would hide
+
+/// Largest |angle| that `sine_cosine` is made for, rad; beyond it its error grows above one unit in the last place.
+inline constexpr double largest_angle_rad = 1e4;
+/// Adding it leaves the nearest integer in the low bits of the mantissa.
+inline constexpr double to_nearest = 0x1.8p52;
+/// pi/2 = sum of three parts; the products of the first two with up to 2^20 are exact.
+inline constexpr double right_angle[3] = {0x1.921fb544p+0, 0x1.0b4611a6p-34, 0x1.3198a2e037073p-69};
+inline constexpr int sign_bit = 63;
 
 [[nodiscard]] TROPHIC_LANES_INLINE Real broadcast(double value) {
   return Real{} + value;
 }
-
-[[nodiscard]] TROPHIC_LANES_INLINE Real select(const Mask& mask, const Real& yes, const Real& no) {
-  return mask ? yes : no;
+[[nodiscard]] TROPHIC_LANES_INLINE Mask mask_from(const Real& bits) {
+  return (Mask)bits;
 }
-
-/// `value` where the mask holds, 0 elsewhere.
-[[nodiscard]] TROPHIC_LANES_INLINE Real where(const Mask& mask, const Real& value) {
-  return (Real)((Mask)value & mask);
+[[nodiscard]] TROPHIC_LANES_INLINE Real real_from(const Mask& bits) {
+  return (Real)bits;
 }
-
-[[nodiscard]] TROPHIC_LANES_INLINE Real abs(const Real& value) {
-  return (Real)((Mask)value & 0x7fff'ffff'ffff'ffffLL);
-}
-
-/// Bit i is set where lane i of the mask holds.
 [[nodiscard]] TROPHIC_LANES_INLINE unsigned lane_bits(const Mask& mask) {
-#if defined(__SSE2__)
-  const Real bits = (Real)mask;
-  return static_cast<unsigned>(_mm_movemask_pd(__builtin_shufflevector(bits, bits, 0, 1)) |
-                               (_mm_movemask_pd(__builtin_shufflevector(bits, bits, 2, 3)) << 2));
-#else
-  unsigned bits = 0;
-  for (std::size_t lane = 0; lane < lane_count; ++lane) bits |= (mask[lane] != 0 ? 1u : 0u) << lane;
-  return bits;
-#endif
+  return four_bits(mask);
 }
-
-/// Bits of all lanes.
-inline constexpr unsigned all_lanes = (1u << lane_count) - 1;
 
 /// Bit i set: lane i of a mask is all ones.
 [[nodiscard]] TROPHIC_LANES_INLINE Mask mask_of(unsigned lanes) {
@@ -68,33 +51,32 @@ inline constexpr unsigned all_lanes = (1u << lane_count) - 1;
   return (all & bits) != 0;
 }
 
-[[nodiscard]] TROPHIC_LANES_INLINE Real sqrt(const Real& value) {
-#if defined(__SSE2__)
-  const __m128d low = _mm_sqrt_pd(__builtin_shufflevector(value, value, 0, 1));
-  const __m128d high = _mm_sqrt_pd(__builtin_shufflevector(value, value, 2, 3));
-  return __builtin_shufflevector(low, high, 0, 1, 2, 3);
-#else
-  Real root{};
-  for (std::size_t lane = 0; lane < lane_count; ++lane) root[lane] = std::sqrt(value[lane]);
-  return root;
-#endif
+/// Sums of lanes.
+[[nodiscard]] TROPHIC_LANES_INLINE Four wholes(const Real& a, const Real& b, const Real& c) {
+  const Real ab = __builtin_shufflevector(a, b, 0, 4, 2, 6) + __builtin_shufflevector(a, b, 1, 5, 3, 7);
+  const Real cc = __builtin_shufflevector(c, Real{}, 0, 4, 2, 6) + __builtin_shufflevector(c, Real{}, 1, 5, 3, 7);
+  return __builtin_shufflevector(ab, cc, 0, 1, 4, 5) + __builtin_shufflevector(ab, cc, 2, 3, 6, 7);
 }
 
-/// Largest |angle| that `sine_cosine` is made for, rad; beyond it its error grows above one unit in the last place.
-inline constexpr double largest_angle_rad = 1e4;
+}  // namespace trophic::backend::kernel::in_double
+#endif
+
+namespace trophic::backend::kernel {
+using namespace TROPHIC_LANES;
+}
+
+namespace trophic::backend::kernel::TROPHIC_LANES {
+
+/// Bits of all lanes.
+inline constexpr unsigned all_lanes = (1u << lane_count) - 1;
 
 /// Sine and cosine: reduction to |r| <= pi/4 by multiples of pi/2 in three parts (Cody and Waite), Taylor series up to r^17 and
 /// r^16, whose first omitted terms are below 1e-18.
 TROPHIC_LANES_INLINE void sine_cosine(const Real& angle_rad, Real& sine, Real& cosine) {
-  constexpr double rounding = 0x1.8p52;  // adding it leaves the nearest integer in the low bits of the mantissa
-  const Real shifted = angle_rad * (2.0 / std::numbers::pi) + rounding;
-  const Mask quadrant = (Mask)shifted;
-  const Real turns = shifted - rounding;
-  // pi/2 = sum of three parts; the products of the first two with |turns| < 2^20 are exact.
-  constexpr double part_1 = 0x1.921fb544p+0;
-  constexpr double part_2 = 0x1.0b4611a6p-34;
-  constexpr double part_3 = 0x1.3198a2e037073p-69;
-  const Real r = ((angle_rad - turns * part_1) - turns * part_2) - turns * part_3;
+  const Real shifted = angle_rad * (2.0 / std::numbers::pi) + to_nearest;
+  const Mask quadrant = mask_from(shifted);
+  const Real turns = shifted - to_nearest;
+  const Real r = ((angle_rad - turns * right_angle[0]) - turns * right_angle[1]) - turns * right_angle[2];
   const Real x = r * r;
   const Real odd =
       r + r * x *
@@ -110,10 +92,10 @@ TROPHIC_LANES_INLINE void sine_cosine(const Real& angle_rad, Real& sine, Real& c
                            x * (1.0 / 40320 - x * (1.0 / 3628800 - x * (1.0 / 479001600 - x * (1.0 / 87178291200 -
                                                                                                x * (1.0 / 20922789888000))))))));
   const Mask swapped = (quadrant & 1) != 0;
-  const Mask sine_sign = (quadrant & 2) << 62;
-  const Mask cosine_sign = ((quadrant + 1) & 2) << 62;
-  sine = (Real)((Mask)select(swapped, even, odd) ^ sine_sign);
-  cosine = (Real)((Mask)select(swapped, odd, even) ^ cosine_sign);
+  const Mask sine_sign = (quadrant & 2) << (sign_bit - 1);
+  const Mask cosine_sign = ((quadrant + 1) & 2) << (sign_bit - 1);
+  sine = real_from(mask_from(select(swapped, even, odd)) ^ sine_sign);
+  cosine = real_from(mask_from(select(swapped, odd, even)) ^ cosine_sign);
 }
 
 /// A sequence of lanes on the heap, aligned for every instruction set.
@@ -133,4 +115,4 @@ class LaneArray {
   std::vector<Cell> cells_;
 };
 
-}  // namespace trophic::backend::kernel
+}  // namespace trophic::backend::kernel::TROPHIC_LANES

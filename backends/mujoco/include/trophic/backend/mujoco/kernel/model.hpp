@@ -1,117 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The kernel's model of a robot, its ground and its solver: constants that robots of one body share, read once from MuJoCo's
-// model.
+// Reads the constants of a body from MuJoCo's model.
 #pragma once
 
 #include <mujoco/mujoco.h>
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstddef>
-#include <memory>
 #include <optional>
 #include <trophic/backend/mujoco/box_test.hpp>
 #include <trophic/backend/mujoco/engine.hpp>
+#include <trophic/backend/mujoco/kernel/body.hpp>
 #include <trophic/backend/mujoco/versions.hpp>
 #include <vector>
 
 namespace trophic::backend::kernel {
-
-/// Softness of contacts and joint limits: MuJoCo's solimp (impedance as a function of depth, power 2), and the reference
-/// acceleration that its solref stands for.
-struct ContactLaw {
-  double impedance_min;
-  double impedance_max;
-  double width_m;
-  double midpoint;
-  double damping_per_s;     ///< B of aref = -B v - K imp r
-  double stiffness_per_s2;  ///< K of the same
-  friend bool operator==(const ContactLaw&, const ContactLaw&) = default;
-};
-
-/// The half space sign * x[axis] < offset_m is solid; `axis` 0, 1, 2 is world x, y, z.
-struct Plane {
-  int axis;
-  double sign;
-  double offset_m;
-};
-
-/// The ground as a height field: a MuJoCo model of it and a box, whose test finds its contacts.
-struct Field {
-  std::shared_ptr<const mjModel> model;
-  int geom;
-  int box;  ///< any box
-};
-
-struct KernelBox {
-  std::array<double, 3> centre_m;
-  std::array<double, 3> half_extents_m;
-  std::array<double, 9> axes;  ///< column-major: directions of the box's axes in the link's frame
-  bool aligned;                ///< axes are the link's own
-  double radius_m;             ///< of the sphere around its centre that holds it
-  /// Half extents and axes as MuJoCo's model has them: which points its tests report depends on their order.
-  std::array<double, 3> geom_half_extents_m;
-  std::array<double, 9> geom_axes;
-};
-
-/// A link in the kernel's own frame: origin in the hinge's anchor, third axis along the hinge. The root keeps its frame.
-struct KernelLink {
-  std::size_t parent;
-  std::array<double, 3> offset_m;  ///< anchor in the parent's frame
-  std::array<double, 9> rotation;  ///< column-major: own axes at joint angle 0 in the parent's frame
-  double mass_kg;
-  std::array<double, 3> centre_of_mass_m;
-  std::array<double, 6> inertia_kgm2;  ///< about the centre of mass: xx, yy, zz, xy, xz, yz
-  std::size_t first_box;
-  std::size_t boxes;
-  std::array<double, 3> sphere_centre_m;  ///< of a sphere that holds all boxes
-  double sphere_radius_m;
-  double own_inverse_weight_per_kg;  ///< body_invweight0: mean diagonal of J M^-1 J' at the centre of mass
-  double inverse_weight_per_kg;      ///< the same with that of the ground
-};
-
-/// Joint and servo: torque = gain * clipped target + bias + angle_gain * angle + rate_gain * rate.
-struct KernelHinge {
-  double lower_rad;
-  double upper_rad;
-  double damping;         ///< N m s, of the joint itself
-  double inverse_weight;  ///< dof_invweight0: diagonal entry of M^-1 at joint angles 0
-  double gain;
-  double bias;
-  double angle_gain;
-  double rate_gain;
-  double lowest_target_rad;
-  double highest_target_rad;
-  std::size_t servo;  ///< the hinge's number in the RobotModel, whose order MuJoCo's joints need not have
-};
-
-/// Two links that can collide: neither is the other's parent.
-struct LinkPair {
-  std::size_t first;
-  std::size_t second;
-};
-
-/// The kernel's constants of one body in one arena. Link 0 is the root; link i > 0 is joined to its parent by hinge i - 1, which
-/// is number 7 + i - 1 of qpos.
-struct KernelModel {
-  std::vector<KernelLink> links;
-  std::vector<KernelHinge> hinges;
-  std::vector<KernelBox> boxes;
-  std::vector<LinkPair> pairs;
-  std::vector<Plane> planes;
-  std::optional<Field> field;
-  double bounding_radius_m = 0.0;  ///< no box point is farther from the root's origin
-  double friction = 0.0;           ///< of a link on the ground
-  double link_friction = 0.0;      ///< of two links
-  double timestep_s = 0.0;
-  double gravity_m_s2 = 0.0;
-  bool runge_kutta = false;
-  mujoco::BoxDepth box_depth = mujoco::BoxDepth::engine;
-  bool damped = false;  ///< any joint damping, which Euler's method takes implicitly
-  ContactLaw law{};
-};
 
 /// Reads a KernelModel from MuJoCo's model of one robot; see `read_model`.
 class ModelReader {
@@ -316,17 +219,17 @@ class ModelReader {
     const mjtNum* bias = m_.actuator_biasprm + mjNBIAS * servo;
     const bool biased = m_.actuator_biastype[servo] == mjBIAS_AFFINE;
     const bool clipped = m_.actuator_ctrllimited[servo] != 0;
-    kernel_.hinges.push_back({.lower_rad = m_.jnt_range[2 * joint],
-                              .upper_rad = m_.jnt_range[2 * joint + 1],
-                              .damping = m_.dof_damping[dof],
-                              .inverse_weight = m_.dof_invweight0[dof],
-                              .gain = m_.actuator_gainprm[mjNGAIN * servo],
-                              .bias = biased ? bias[0] : 0.0,
-                              .angle_gain = biased ? bias[1] : 0.0,
-                              .rate_gain = (biased ? bias[2] : 0.0) - m_.dof_damping[dof],
-                              .lowest_target_rad = clipped ? m_.actuator_ctrlrange[2 * servo] : -mjMAXVAL,
-                              .highest_target_rad = clipped ? m_.actuator_ctrlrange[2 * servo + 1] : mjMAXVAL,
-                              .servo = static_cast<std::size_t>(servo)});
+    kernel_.hinges.push_back({{.lower_rad = m_.jnt_range[2 * joint],
+                               .upper_rad = m_.jnt_range[2 * joint + 1],
+                               .damping = m_.dof_damping[dof],
+                               .inverse_weight = m_.dof_invweight0[dof],
+                               .gain = m_.actuator_gainprm[mjNGAIN * servo],
+                               .bias = biased ? bias[0] : 0.0,
+                               .angle_gain = biased ? bias[1] : 0.0,
+                               .rate_gain = (biased ? bias[2] : 0.0) - m_.dof_damping[dof],
+                               .lowest_target_rad = clipped ? m_.actuator_ctrlrange[2 * servo] : -mjMAXVAL,
+                               .highest_target_rad = clipped ? m_.actuator_ctrlrange[2 * servo + 1] : mjMAXVAL},
+                              static_cast<std::size_t>(servo)});
     kernel_.damped |= m_.dof_damping[dof] > 0.0;
   }
 

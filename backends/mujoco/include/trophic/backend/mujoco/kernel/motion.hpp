@@ -4,7 +4,7 @@
 
 #include <trophic/backend/mujoco/kernel/workspace.hpp>
 
-namespace trophic::backend::kernel {
+namespace trophic::backend::kernel::TROPHIC_LANES {
 
 /// Scales the quaternion in a position to length 1.
 TROPHIC_LANES_INLINE void normalize_quaternion(LaneArray& position) {
@@ -107,4 +107,4 @@ TROPHIC_LANES_INLINE void move_links(const LaneModel& model, LaneState& state, W
   }
 }
 
-}  // namespace trophic::backend::kernel
+}  // namespace trophic::backend::kernel::TROPHIC_LANES

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <trophic/backend/mujoco/kernel/batch.hpp>
 
-namespace trophic::backend::kernel {
+namespace trophic::backend::kernel::TROPHIC_LANES {
 
 /// One lane of the rotation times a vector.
 [[nodiscard]] TROPHIC_LANES_INLINE double rotated(const Mat3& rotation, const double* a, int i, std::size_t lane) {
@@ -243,4 +243,4 @@ TROPHIC_LANES_INLINE void invalidate_step_sets(Batch& batch) {
   }
 }
 
-}  // namespace trophic::backend::kernel
+}  // namespace trophic::backend::kernel::TROPHIC_LANES

@@ -4,7 +4,7 @@
 
 #include <trophic/backend/mujoco/kernel/solver.hpp>
 
-namespace trophic::backend::kernel {
+namespace trophic::backend::kernel::TROPHIC_LANES {
 
 /// Full steps tried before the line search, which makes the search finite, and the bound of all steps.
 inline constexpr int full_steps = 6;
@@ -180,4 +180,4 @@ TROPHIC_LANES_INLINE void remember_rows(Workspace& work, unsigned lanes) {
   return lane_bits(changed) & lanes;
 }
 
-}  // namespace trophic::backend::kernel
+}  // namespace trophic::backend::kernel::TROPHIC_LANES

@@ -5,7 +5,7 @@
 #include <trophic/backend/mujoco/kernel/contact.hpp>
 #include <trophic/backend/mujoco/kernel/workspace.hpp>
 
-namespace trophic::backend::kernel {
+namespace trophic::backend::kernel::TROPHIC_LANES {
 
 // MuJoCo minimises over accelerations x, with x_s the acceleration without constraints,
 //   cost(x) = 1/2 (x - x_s)' M (x - x_s) + sum over rows of 1/2 D min(0, J x - aref)^2,
@@ -311,4 +311,4 @@ TROPHIC_LANES_INLINE void accept_trial(const LaneModel& model, Workspace& work) 
   for_each_contact(model, work, AcceptContact{});
 }
 
-}  // namespace trophic::backend::kernel
+}  // namespace trophic::backend::kernel::TROPHIC_LANES

@@ -4,7 +4,7 @@
 
 #include <trophic/backend/mujoco/kernel/lanes.hpp>
 
-namespace trophic::backend::kernel {
+namespace trophic::backend::kernel::TROPHIC_LANES {
 
 struct Vec3 {
   Real v[3];
@@ -94,15 +94,6 @@ struct Sym3 {
            s.v[4] * a[0] + s.v[5] * a[1] + s.v[2] * a[2]}};
 }
 
-/// s += scale a a'.
-TROPHIC_LANES_INLINE void add_square(Sym3& s, const Vec3& a, const Real& scale) {
-  const Vec3 b = a * scale;
-  for (int i = 0; i < 3; ++i) s.v[i] += b[i] * a[i];
-  s.v[3] += b[0] * a[1];
-  s.v[4] += b[0] * a[2];
-  s.v[5] += b[1] * a[2];
-}
-
 /// Inverse by cofactors; the matrix must be positive definite.
 [[nodiscard]] TROPHIC_LANES_INLINE Sym3 inverse(const Sym3& s) {
   const Real xx = s.v[1] * s.v[2] - s.v[5] * s.v[5];
@@ -155,17 +146,6 @@ TROPHIC_LANES_INLINE void expand(const RigidInertia& inertia, Inertia6& to) {
   }
 }
 
-/// to += inertia.
-TROPHIC_LANES_INLINE void add(const Inertia6& inertia, Inertia6& to) {
-  for (int i = 0; i < 6; ++i) {
-    to.angular.v[i] += inertia.angular.v[i];
-    to.linear.v[i] += inertia.linear.v[i];
-  }
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) to.coupling[i][j] += inertia.coupling[i][j];
-  }
-}
-
 [[nodiscard]] TROPHIC_LANES_INLINE Spatial operator*(const Inertia6& inertia, const Spatial& v) {
   const auto& c = inertia.coupling;
   Spatial f = {inertia.angular * v.angular, inertia.linear * v.linear};
@@ -176,4 +156,4 @@ TROPHIC_LANES_INLINE void add(const Inertia6& inertia, Inertia6& to) {
   return f;
 }
 
-}  // namespace trophic::backend::kernel
+}  // namespace trophic::backend::kernel::TROPHIC_LANES

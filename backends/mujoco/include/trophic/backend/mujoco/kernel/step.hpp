@@ -2,9 +2,10 @@
 // The kernel's entry points: one source, built once for each instruction set.
 #pragma once
 
+#include <trophic/backend/mujoco/kernel/lanes.hpp>
 #include <trophic/support/linkage.hpp>
 
-namespace trophic::backend::kernel {
+namespace trophic::backend::kernel::TROPHIC_LANES {
 
 struct Batch;
 
@@ -24,7 +25,7 @@ void step_portable(Batch& batch);
 /// The fastest that this processor has.
 [[nodiscard]] StepFunction fastest_step();
 
-}  // namespace trophic::backend::kernel
+}  // namespace trophic::backend::kernel::TROPHIC_LANES
 
 #if TROPHIC_HEADER_ONLY
 #include <trophic/backend/mujoco/kernel/step.ipp>

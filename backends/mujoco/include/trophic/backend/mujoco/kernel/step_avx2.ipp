@@ -7,11 +7,11 @@
 #include <trophic/backend/mujoco/kernel/step.hpp>
 
 #if defined(__x86_64__) && !defined(__AVX2__)
-namespace trophic::backend::kernel {
+namespace trophic::backend::kernel::TROPHIC_LANES {
 
 [[gnu::flatten, gnu::target("avx2")]] TROPHIC_INLINE void step_avx2(Batch& batch) {
   any_step(batch);
 }
 
-}  // namespace trophic::backend::kernel
+}  // namespace trophic::backend::kernel::TROPHIC_LANES
 #endif

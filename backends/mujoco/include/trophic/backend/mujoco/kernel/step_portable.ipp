@@ -5,7 +5,7 @@
 #include <trophic/backend/mujoco/kernel/any_step.hpp>
 #include <trophic/backend/mujoco/kernel/step.hpp>
 
-namespace trophic::backend::kernel {
+namespace trophic::backend::kernel::TROPHIC_LANES {
 
 // Most processors use step_avx2. Header-only programs compile this one with less optimisation: fully optimised it takes
 // longest of all functions to compile.
@@ -17,4 +17,4 @@ step_portable(Batch& batch) {
   any_step(batch);
 }
 
-}  // namespace trophic::backend::kernel
+}  // namespace trophic::backend::kernel::TROPHIC_LANES

@@ -5,18 +5,18 @@
 #include <cstddef>
 #include <cstring>
 #include <span>
-#include <trophic/backend/mujoco/kernel/lanes.hpp>
+#include <trophic/backend/mujoco/kernel/four.hpp>
 #include <vector>
 
 namespace trophic::backend::kernel {
 
 /// Neighbouring entries of a column, worked on at once.
-[[nodiscard]] TROPHIC_LANES_INLINE Real load_block(const double* from) {
-  Real block;
+[[nodiscard]] TROPHIC_LANES_INLINE Four load_block(const double* from) {
+  Four block;
   std::memcpy(&block, from, sizeof block);
   return block;
 }
-TROPHIC_LANES_INLINE void store_block(double* to, const Real& block) {
+TROPHIC_LANES_INLINE void store_block(double* to, const Four& block) {
   std::memcpy(to, &block, sizeof block);
 }
 
@@ -43,7 +43,7 @@ class SymmetricSystem {
     solution_.resize(stride_);
     for (std::size_t p = 0; p < n_; ++p) {
       column(p)[n_] = b[p];  // a row more, so that it is eliminated as well
-      store_block(factor(p) + block_start(p), Real{});
+      store_block(factor(p) + block_start(p), Four{});
     }
     for (std::size_t p = 0; p < n_; ++p) {
       const double* const pivot = column(p);
@@ -71,7 +71,7 @@ class SymmetricSystem {
  private:
   /// Columns are worked on in blocks of this many entries: what a block holds above the diagonal, or after the end, means
   /// nothing.
-  static constexpr std::size_t block = lane_count;
+  static constexpr std::size_t block = four;
   [[nodiscard]] static constexpr std::size_t block_start(std::size_t i) { return i / block * block; }
   /// Row k of L, left of the diagonal.
   [[nodiscard]] double* factor(std::size_t k) { return factor_.data() + k * stride_; }

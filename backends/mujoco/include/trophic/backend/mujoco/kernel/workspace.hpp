@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The states of four robots of one shape and the scratch memory of their step.
+// The states of robots of one shape and the scratch memory of their step.
 #pragma once
 
 #include <algorithm>
@@ -12,18 +12,16 @@
 #include <trophic/backend/mujoco/kernel/spatial.hpp>
 #include <vector>
 
-namespace trophic::backend::kernel {
+namespace trophic::backend::kernel::TROPHIC_LANES {
 
-/// States of four robots, laid out as in MuJoCo: position (root position, quaternion, joint angles), velocity (root linear
-/// velocity in world axes, angular in the root's, joint velocities), acceleration of the last step (MuJoCo's qacc_warmstart).
+/// States of the robots in the lanes, laid out as in MuJoCo: position (root position, quaternion, joint angles), velocity (root
+/// linear velocity in world axes, angular in the root's, joint velocities), acceleration of the last step (MuJoCo's
+/// qacc_warmstart).
 struct LaneState {
   LaneArray position;
   LaneArray velocity;
   LaneArray acceleration;
   LaneArray target;
-
-  LaneState() = default;
-  explicit LaneState(const KernelModel& model) { fit(model); }
 
   void fit(const KernelModel& model) {
     const std::size_t hinges = model.hinges.size();
@@ -94,7 +92,7 @@ struct HingeWork {
   Real trial;
 };
 
-/// One contact in up to four robots, at most one per lane. Coordinates are cyclic from the plane's axis: (a, a + 1, a + 2) mod 3.
+/// One contact per lane at most. Coordinates are cyclic from the plane's axis: (a, a + 1, a + 2) mod 3.
 struct ContactWork {
   Vec3 point;
   Real depth;      ///< signed distance, m, negative in contact
@@ -151,12 +149,6 @@ struct Workspace {
   LaneState stage;  ///< start and sums of a Runge-Kutta step
   LaneState sum;
 
-  Workspace() = default;
-  explicit Workspace(const KernelModel& model) {
-    fit(model);
-    forget_rows();
-  }
-
   /// Makes room for robots of this shape.
   void fit(const KernelModel& model) {
     const std::size_t boxes = model.boxes.size();
@@ -180,4 +172,4 @@ struct Workspace {
   }
 };
 
-}  // namespace trophic::backend::kernel
+}  // namespace trophic::backend::kernel::TROPHIC_LANES
