@@ -11,6 +11,7 @@
 #include <trophic/io/recording.hpp>
 #include <trophic/run/checkpoint/checkpoint_writer.hpp>
 #include <trophic/support/rng.hpp>
+#include <trophic/support/whole_file.hpp>
 #include <vector>
 
 namespace {
@@ -87,15 +88,20 @@ TEST_CASE("write the corpus's binary files" * doctest::skip()) {
   io::Recording recording{place("recording"), io::default_replay_hz};
   ecology.run_until(40.0, recording);
   ecology.run_until(200.0);
-  const auto moment = checkpoint::take(ecology, ecology.describe(200.0));
+  const TemporaryFolder folder;
+  const auto moment_of = [&](Simulation& any) {
+    checkpoint::write(folder.path(), any, any.describe(200.0));
+    return checkpoint::read_last(folder.path());
+  };
+  const std::string ecology_bytes = moment_of(ecology).section(checkpoint::ecology_section);
   const auto write = [&](std::string_view folder, const std::string& bytes) {
     std::ofstream{place(folder), std::ios::binary} << bytes;
   };
-  write("checkpoint", to_bytes(moment));
-  write("ecology", moment.section(checkpoint::ecology_section));
+  write("checkpoint", read_whole_file(folder.path() / checkpoint::file_name));
+  write("ecology", ecology_bytes);
   auto recruited = recruited_ecology();
   recruited.run_until(200.0);
-  write("recruited", checkpoint::take(recruited, recruited.describe(200.0)).section(checkpoint::ecology_section));
+  write("recruited", moment_of(recruited).section(checkpoint::ecology_section));
 }
 
 TEST_CASE("readers: each corpus -> at least one file is read to its end") {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
 #include <tools/gait_evolution/cppn_gait.hpp>
 #include <tools/gait_evolution/lineage.hpp>
 #include <tools/gait_evolution/tables.hpp>

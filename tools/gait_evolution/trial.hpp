@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cmath>
-#include <functional>
 #include <numbers>
 #include <tools/gait_evolution/track.hpp>
 #include <trophic/backend/backend_choice.hpp>

@@ -60,6 +60,12 @@ inline void check_began_at(const Moment& moment, const std::filesystem::path& fo
       "; it can be resumed, but not begin at " + number_text(moment.at_s) + " s of " + moment.run.string()};
 }
 
+[[nodiscard]] inline FolderLock make_and_lock(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  check_no_link(folder);
+  return FolderLock{folder};
+}
+
 }  // namespace detail
 
 std::optional<double> last_moment_s(const std::filesystem::path& run) {
@@ -71,16 +77,6 @@ std::filesystem::path snapshot_folder(const std::filesystem::path& out, const Mo
   return without_slash(out).string() + ".snapshot-" + moment.fingerprint + "-seed-" + std::to_string(moment.seed) + "-" +
          number_text(moment.at_s) + "-s/run";
 }
-
-namespace detail {
-
-[[nodiscard]] inline FolderLock make_and_lock(const std::filesystem::path& folder) {
-  std::filesystem::create_directories(folder);
-  check_no_link(folder);
-  return FolderLock{folder};
-}
-
-}  // namespace detail
 
 SnapshotFolder::SnapshotFolder(const Snapshot& snapshot)
     : folder_{snapshot.folder.parent_path()}, lock_{detail::make_and_lock(folder_)} {}

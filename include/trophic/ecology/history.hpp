@@ -2,7 +2,6 @@
 // The events of a run, for a run that repeats them.
 #pragma once
 
-#include <functional>
 #include <trophic/observe/event.hpp>
 #include <trophic/params/archive.hpp>
 

@@ -2,7 +2,6 @@
 // An ecology whose rules and backend are type-erased.
 #pragma once
 
-#include <functional>
 #include <trophic/backend/any_backend.hpp>
 #include <trophic/observe/audience.hpp>
 #include <trophic/observe/run_description.hpp>

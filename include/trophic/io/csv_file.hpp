@@ -21,8 +21,11 @@ class LineFile {
     flush();
   }
 
-  /// The text that the next flush writes.
-  [[nodiscard]] std::string& buffer() { return buffer_; }
+  /// The text that the next flush writes, which is soon if it is long. Asked for at the beginning of a line.
+  [[nodiscard]] std::string& buffer() {
+    if (buffer_.size() > (std::size_t{1} << 16U)) flush();
+    return buffer_;
+  }
 
   /// Passes all text so far to the system.
   void flush() {

@@ -23,9 +23,9 @@ class StateLog {
 
   void on_tick(const View& view) {
     if (view.tick % every_ticks_ != 0) return;
-    std::string& row = file_.buffer();
     for (BodyIndex body = 0; body < view.robots.size(); ++body) {
       if (!view.robots[body].lives()) continue;
+      std::string& row = file_.buffer();
       detail::append_cell(row, view.time_s, seconds);
       row.push_back(',');
       detail::append_cell(row, view.tick);

@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstring>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stdexcept>
@@ -66,6 +67,8 @@ class Archive {
   Archive() = default;
   /// Reads these bytes, which must outlive the archive.
   explicit Archive(std::string_view bytes) : left_{bytes}, reads_{true} {}
+  /// Writes, and passes the bytes on in pieces, the last one in `finish`.
+  explicit Archive(std::function<void(std::string_view piece)> pass_on) : pass_on_{std::move(pass_on)} {}
 
   [[nodiscard]] bool reads() const { return reads_; }
 
@@ -81,9 +84,10 @@ class Archive {
   /// Returns true if all bytes have been read.
   [[nodiscard]] bool at_end() const { return left_.empty(); }
 
-  /// Throws std::invalid_argument if bytes are left unread.
-  void finish() const {
+  /// Throws std::invalid_argument if bytes are left unread. Passes on those that are left to write.
+  void finish() {
     if (reads_ && !left_.empty()) throw std::invalid_argument{std::to_string(left_.size()) + " bytes too many"};
+    if (pass_on_) pass_on_(std::exchange(written_, {}));
   }
 
   /// Throws std::invalid_argument with a description of a value that was read and is wrong.
@@ -133,8 +137,11 @@ class Archive {
   [[gnu::noinline]] void raw(void* value, std::size_t size) {
     if (size == 0) return;  // an empty vector has no address to copy from or to
     if (!reads_) {
-      written_.append(static_cast<const char*>(value), size);
-      return;
+      constexpr std::size_t piece_bytes = std::size_t{1} << 16U;
+      const std::string_view bytes{static_cast<const char*>(value), size};
+      if (!pass_on_ || written_.size() + size <= piece_bytes) return static_cast<void>(written_.append(bytes));
+      finish();
+      return pass_on_(bytes);
     }
     require(left_.size() >= size, "it ends too early");
     std::memcpy(value, left_.data(), size);
@@ -234,6 +241,7 @@ class Archive {
   }
 
   std::string written_;
+  std::function<void(std::string_view)> pass_on_;
   std::string_view left_;
   bool reads_ = false;
   std::unordered_map<const void*, std::uint64_t> numbers_;

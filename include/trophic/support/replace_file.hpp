@@ -3,16 +3,24 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string_view>
 #include <trophic/support/linkage.hpp>
 
 namespace trophic {
 
-/// Writes `text` to a new file "PATH.part", then renames it: what is linked from either name is left as it is. Both the text and
+/// Writes a text at a place of a file.
+using PutText = std::function<void(std::string_view text, std::uint64_t at)>;
+
+/// Fills a new file "PATH.part" by `write`, then renames it: what is linked from either name is left as it is. Both the text and
 /// the name are on the disk when this returns, so that a power failure leaves the old file or the new one, too. Throws
 /// std::runtime_error naming the file; the old one then stands. The old file is kept under the name `predecessor`, if that is not
 /// empty; a program that dies may leave only this one.
-void replace_file(const std::filesystem::path& path, std::string_view text, const std::filesystem::path& predecessor = {});
+void replace_file(const std::filesystem::path& path, const std::function<void(const PutText& put)>& write,
+                  const std::filesystem::path& predecessor = {});
+inline void replace_file(const std::filesystem::path& path, std::string_view text) {
+  replace_file(path, [text](const PutText& put) { put(text, 0); });
+}
 
 /// Waits until what was written to a file is on the disk. Throws std::runtime_error naming it.
 void sync_file(const std::filesystem::path& path);

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdio>
 #include <cstring>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <trophic/support/replace_file.hpp>
@@ -38,26 +39,21 @@ namespace detail {
   return good;
 }
 
-/// Writes a new file and puts it on the disk. False, with errno, if the system refuses.
-[[nodiscard]] inline bool write_onto_disk(const std::string& path, std::string_view text) {
-  const int file = open_fresh(path);
-  if (file < 0) return false;
-  const bool good = write_all(file, text) && ::fsync(file) == 0;
-  const int reason = errno;
-  ::close(file);
-  errno = reason;
-  return good;
-}
-
 }  // namespace detail
 
-TROPHIC_INLINE void replace_file(const std::filesystem::path& path, std::string_view text,
+TROPHIC_INLINE void replace_file(const std::filesystem::path& path, const std::function<void(const PutText& put)>& write,
                                  const std::filesystem::path& predecessor) {
   const auto require = [&](bool good) {
     if (!good) throw std::runtime_error{"cannot write " + path.string() + ": " + std::strerror(errno)};
   };
   const std::string temporary = path.string() + ".part";
-  require(detail::write_onto_disk(temporary, text));
+  const int file = detail::open_fresh(temporary);
+  require(file >= 0);
+  const std::shared_ptr<void> closed{nullptr, [file](void*) { ::close(file); }};
+  write([&](std::string_view text, std::uint64_t at) {
+    require(::lseek(file, static_cast<::off_t>(at), SEEK_SET) >= 0 && detail::write_all(file, text));
+  });
+  require(::fsync(file) == 0);
   if (!predecessor.empty()) require(std::rename(path.c_str(), predecessor.c_str()) == 0 || errno == ENOENT);
   require(std::rename(temporary.c_str(), path.c_str()) == 0);
   // The new name is an entry of the folder. Some file systems cannot sync a folder; the system then writes it later.

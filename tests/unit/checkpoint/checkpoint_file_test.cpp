@@ -26,10 +26,16 @@ checkpoint::Checkpoint moment(std::int64_t tick) {
           .sections = {{"ecology", std::string(50, '\0')}, {"files", "abc"}}};
 }
 
+std::string bytes_of(const checkpoint::Checkpoint& moment, const checkpoint::Parts& parts = {}) {
+  const TemporaryFolder folder;
+  checkpoint::write(folder.path(), moment, parts);
+  return read_whole_file(folder.path() / checkpoint::file_name);
+}
+
 }  // namespace
 
 TEST_CASE("checkpoint file: written -> reads back, and cut or changed in any byte -> refused") {
-  const std::string bytes = to_bytes(moment(5));
+  const std::string bytes = bytes_of(moment(5));
   const auto back = checkpoint::from_bytes(bytes, "it");
   CHECK(back.tick == 5);
   CHECK(back.time_s == 10.0);
@@ -47,11 +53,26 @@ TEST_CASE("checkpoint file: written -> reads back, and cut or changed in any byt
   }
 }
 
+TEST_CASE("checkpoint file: sections written in pieces -> the bytes of whole ones") {
+  std::vector<double> numbers(20'000, 0.1);
+  std::vector<std::string> texts(20'000, "more than a piece");
+  const checkpoint::Parts parts{{"ecology", [&](Archive& archive) { archive(texts, numbers, texts); }},
+                                {"nothing", [](Archive&) {}},
+                                {"files", [&](Archive& archive) { archive(numbers); }}};
+  checkpoint::Checkpoint whole = moment(5);
+  for (const checkpoint::Part& part : parts) {
+    Archive archive;
+    part.persist(archive);
+    whole.sections.push_back({std::string{part.section}, archive.bytes()});
+  }
+  CHECK(bytes_of(moment(5), parts) == bytes_of(whole));
+}
+
 TEST_CASE("checkpoint file: missing, of another format or version -> errors name the file and its fault") {
   const auto refusal = [](const std::string& bytes) {
     return message_of<std::invalid_argument>([&] { static_cast<void>(checkpoint::from_bytes(bytes, "x.bin")); });
   };
-  const std::string bytes = to_bytes(moment(5));
+  const std::string bytes = bytes_of(moment(5));
   CHECK(refusal("") == "x.bin: is not a checkpoint of trophic");
   CHECK(refusal("trophic checkpoint\n12") == "x.bin: is cut short");
   CHECK(refusal(bytes + "x") == "x.bin: is cut short or damaged: its checksum is another");

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <functional>
 #include <tools/gait_evolution/tables.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/experiment.hpp>

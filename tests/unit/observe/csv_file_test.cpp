@@ -19,4 +19,9 @@ TEST_CASE("csv: file exists or full disk -> error") {
   CHECK(test::content(other) == "header\n");  // not before it is flushed
   file.flush();
   CHECK(test::content(other) == "header\nrow\n");
+  for (int row = 0; row < 20'000; ++row) file.buffer() += "a row\n";
+  CHECK(test::content(other).size() > 50'000);  // a long text goes sooner, by whole lines
+  CHECK(test::content(other).ends_with("a row\n"));
+  file.flush();
+  CHECK(file.sum().rows == 20'001);
 }

@@ -17,7 +17,14 @@ inline constexpr std::string_view file_name = "checkpoint.bin";
 /// The previous checkpoint, in case that the last one cannot be read.
 inline constexpr std::string_view predecessor_name = "checkpoint.old.bin";
 
-/// A part of a checkpoint that one object wrote and only this object reads.
+/// What one object writes to a checkpoint or reads from it, under this name. Refers to the object.
+struct Part {
+  std::string_view section;
+  std::function<void(Archive& archive)> persist;
+};
+using Parts = std::vector<Part>;
+
+/// The bytes of such a part.
 struct Section {
   std::string name;
   std::string bytes;
@@ -49,16 +56,14 @@ struct Checkpoint {
   }
 };
 
-/// As a file: a line that names the format, its version, the content, and the CRC-32 of all of it.
-[[nodiscard]] std::string to_bytes(Checkpoint checkpoint);
-
-/// The inverse. `name` stands for the bytes in errors. Throws std::invalid_argument for bytes that are not a checkpoint, of
-/// another format, cut short or damaged.
+/// The checkpoint in a file's bytes. `name` stands for the bytes in errors. Throws std::invalid_argument for bytes that are not a
+/// checkpoint, of another format, cut short or damaged.
 [[nodiscard]] Checkpoint from_bytes(std::string_view bytes, const std::string& name);
 
-/// Writes checkpoint.bin in a folder: next to the old one, onto the disk, then under its name; the old one stays as predecessor.
-/// If the program dies at any moment, one of the two is whole. Throws std::runtime_error.
-void write(const std::filesystem::path& folder, Checkpoint checkpoint);
+/// Writes checkpoint.bin in a folder: a line that names the format, its version, the content with `parts` after the sections of
+/// `moment`, and the CRC-32 of it all. Parts are never in memory as a whole. The file is next to the old one until it is on the
+/// disk; the old one stays as predecessor. If the program dies at any moment, one is whole. Throws std::runtime_error.
+void write(const std::filesystem::path& folder, Checkpoint moment, const Parts& parts = {});
 
 /// Whether there is a checkpoint in a folder, whole or not.
 [[nodiscard]] inline bool exists(const std::filesystem::path& folder) {
@@ -71,12 +76,6 @@ void write(const std::filesystem::path& folder, Checkpoint checkpoint);
 
 /// All whole checkpoints, the last one first. Skips others without an exception; throws UnreadableFile.
 [[nodiscard]] std::vector<Checkpoint> read_all(const std::filesystem::path& folder);
-
-/// Removes the predecessor, for a run that has ended.
-inline void remove_predecessor(const std::filesystem::path& folder) {
-  std::error_code ignored;
-  std::filesystem::remove(folder / predecessor_name, ignored);
-}
 
 }  // namespace trophic::checkpoint
 

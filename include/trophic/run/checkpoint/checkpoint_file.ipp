@@ -2,8 +2,8 @@
 // Definitions of checkpoint_file.hpp.
 #pragma once
 
-#include <cerrno>
-#include <cstdio>
+#include <zlib.h>
+
 #include <system_error>
 #include <trophic/run/checkpoint/checkpoint_file.hpp>
 #include <trophic/support/checksum.hpp>
@@ -57,19 +57,6 @@ inline constexpr std::string_view first_line = "trophic checkpoint\n";
 
 }  // namespace detail
 
-TROPHIC_INLINE std::string to_bytes(Checkpoint checkpoint) {
-  Archive archive;
-  std::uint32_t version = format_version;
-  archive(version, checkpoint);
-  std::string bytes{detail::first_line};
-  bytes += archive.bytes();
-  Archive sum;
-  std::uint32_t crc = checksum(bytes);
-  sum(crc);
-  bytes += sum.bytes();
-  return bytes;
-}
-
 TROPHIC_INLINE Checkpoint from_bytes(std::string_view bytes, const std::string& name) {
   const auto require = [&](bool good, const std::string& why) {
     if (!good) throw std::invalid_argument{name + ": " + why};
@@ -99,10 +86,40 @@ TROPHIC_INLINE Checkpoint from_bytes(std::string_view bytes, const std::string& 
   return checkpoint;
 }
 
-TROPHIC_INLINE void write(const std::filesystem::path& folder, Checkpoint checkpoint) {
-  const std::filesystem::path path = folder / file_name;
-  const std::string bytes = to_bytes(std::move(checkpoint));
-  replace_file(path, bytes, folder / predecessor_name);
+TROPHIC_INLINE void write(const std::filesystem::path& folder, Checkpoint moment, const Parts& parts) {
+  const auto fill = [&](const PutText& put) {
+    std::uint64_t length = 0;
+    std::uint32_t sum = 0;
+    const auto append = [&](std::string_view bytes) {
+      put(bytes, std::exchange(length, length + bytes.size()));
+      sum = checksum(bytes, sum);
+    };
+    append(detail::first_line);
+    Archive archive{append};
+    std::uint32_t version = format_version;
+    std::uint64_t sections = moment.sections.size() + parts.size();
+    archive(version, moment.fingerprint, moment.program_version, moment.code, moment.seed, moment.tick, moment.time_s, sections);
+    for (Section& section : moment.sections) archive(section);
+    for (const Part& part : parts) {
+      std::string name{part.section};
+      archive(name);
+      archive.finish();
+      const std::uint32_t before = std::exchange(sum, 0);
+      const std::uint64_t at = std::exchange(length, length + sizeof(length));
+      Archive section{append};
+      part.persist(section);
+      section.finish();
+      Archive number;  // its length, which stands before it
+      std::uint64_t size = length - at - sizeof(length);
+      number(size);
+      put(number.bytes(), at);
+      sum = static_cast<std::uint32_t>(crc32_combine(checksum(number.bytes(), before), sum, static_cast<z_off_t>(size)));
+    }
+    archive.finish();
+    archive(sum);
+    archive.finish();
+  };
+  replace_file(folder / file_name, fill, folder / predecessor_name);
 }
 
 TROPHIC_INLINE Checkpoint read_last(const std::filesystem::path& folder) {

@@ -18,13 +18,6 @@ concept Checkpointed = Persists<O> && requires {
   { O::section } -> std::convertible_to<std::string_view>;
 };
 
-/// The part of an observer in checkpoints: its section, and how that is written and read. Refers to the observer.
-struct Part {
-  std::string_view section;
-  std::function<void(Archive& archive)> persist;
-};
-using Parts = std::vector<Part>;
-
 /// The parts of the participating observers, in order.
 template <class... Observers>
 [[nodiscard]] Parts parts_of(Observers&... observers) {
@@ -39,8 +32,8 @@ template <class... Observers>
 /// The section of the ecology itself.
 inline constexpr std::string_view ecology_section = "ecology";
 
-/// The present moment of an ecology and its participating observers, between two ticks.
-[[nodiscard]] Checkpoint take(Simulation& ecology, const observe::RunDescription& run, const Parts& parts = {});
+/// Writes the present moment of an ecology and its participating observers into a folder, between two ticks.
+void write(const std::filesystem::path& folder, Simulation& ecology, const observe::RunDescription& run, const Parts& parts = {});
 
 /// Throws std::invalid_argument naming the difference if a checkpoint is not of this run or of another program's code.
 void check_same_run(const Checkpoint& checkpoint, const observe::RunDescription& run);
@@ -68,16 +61,14 @@ class CheckpointWriter {
   void between_ticks(Simulation& ecology, bool last) {
     if (!last && !due(ecology.time_s())) return;
     const double before_s = watch_.elapsed_s();
-    write(folder_, take(ecology, run_, parts_));
-    if (last && (ecology.time_s() >= run_.until_s || ecology.view().is_over)) remove_predecessor(folder_);
+    write(folder_, ecology, run_, parts_);
+    std::error_code ignored;
+    if (last && (ecology.time_s() >= run_.until_s || ecology.view().is_over))
+      std::filesystem::remove(folder_ / predecessor_name, ignored);
     written_s_ = watch_.elapsed_s();
     cost_s_ = written_s_ - before_s;
     last_s_ = ecology.time_s();
-    ++written_;
   }
-
-  /// Number of written checkpoints.
-  [[nodiscard]] std::uint64_t written() const { return written_; }
 
  private:
   [[nodiscard]] bool due(double time_s) const {
@@ -93,7 +84,6 @@ class CheckpointWriter {
   double last_s_ = 0.0;
   double written_s_ = 0.0;
   double cost_s_ = 0.0;
-  std::uint64_t written_ = 0;
 };
 
 }  // namespace trophic::checkpoint

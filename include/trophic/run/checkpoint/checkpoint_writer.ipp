@@ -16,12 +16,6 @@ inline void same(const std::string& what, const std::string& there, const std::s
                               ", as of the run that is to be resumed"};
 }
 
-[[nodiscard]] inline Section section_of(const Part& part) {
-  Archive archive;
-  part.persist(archive);
-  return {std::string{part.section}, std::move(archive).bytes()};
-}
-
 inline void read_section(const Checkpoint& from, const Part& part) {
   const std::string& bytes = from.section(part.section);
   try {
@@ -39,16 +33,19 @@ inline void read_section(const Checkpoint& from, const Part& part) {
 
 }  // namespace detail
 
-TROPHIC_INLINE Checkpoint take(Simulation& ecology, const observe::RunDescription& run, const Parts& parts) {
-  Checkpoint moment{.fingerprint = run.fingerprint,
-                    .program_version = std::string{version},
-                    .code = program_code(),
-                    .seed = run.seed,
-                    .tick = ecology.tick(),
-                    .time_s = ecology.time_s(),
-                    .sections = {detail::section_of(detail::part_of(ecology))}};
-  for (const Part& part : parts) moment.sections.push_back(detail::section_of(part));
-  return moment;
+TROPHIC_INLINE void write(const std::filesystem::path& folder, Simulation& ecology, const observe::RunDescription& run,
+                          const Parts& parts) {
+  Parts all{detail::part_of(ecology)};
+  all.insert(all.end(), parts.begin(), parts.end());
+  write(folder,
+        {.fingerprint = run.fingerprint,
+         .program_version = std::string{version},
+         .code = program_code(),
+         .seed = run.seed,
+         .tick = ecology.tick(),
+         .time_s = ecology.time_s(),
+         .sections = {}},
+        all);
 }
 
 TROPHIC_INLINE void check_same_run(const Checkpoint& checkpoint, const observe::RunDescription& run) {
