@@ -40,6 +40,7 @@ struct Disc {
   };
 
   std::vector<GroundPose> centres;
+  centres.reserve(discs.size());
   double largest_m = 0.0;
   for (const Disc& disc : discs) {
     centres.push_back({disc.x_m, disc.y_m});

@@ -2,12 +2,9 @@
 // The sighting of a robot at a tick, and the decision of its brain.
 #pragma once
 
-#include <trophic/control/brain/contract.hpp>
 #include <trophic/ecology/population.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/perception/adversary.hpp>
-#include <trophic/perception/visibility/contract.hpp>
-#include <trophic/rules/table.hpp>
 
 namespace trophic {
 
@@ -36,12 +33,17 @@ class Moment {
     return perception::ask::perceives(rules_.visibility, population_.states().visibility[self], self, other, now_, rng);
   }
 
-  /// The choice of one robot. `common`: the sensors that are the same for all robots.
-  template <class Common>
-  [[nodiscard]] Choice<Rules> choice(BodyIndex body, const Common& common, WithoutTarget without_target) const {
+  /// The adversary that one robot sees.
+  [[nodiscard]] std::optional<Sighting> sighting(BodyIndex body) const {
     const auto horizon = perception::ask::horizon(rules_.visibility, population_[body]);
-    const auto sees_other = [&](BodyIndex self, BodyIndex other) { return sees(self, other); };
-    Choice<Rules> choice{.sighting = perception::adversary(body, now_, sees_other, horizon), .decision = std::nullopt};
+    return perception::adversary(body, now_, std::bind_front(&Moment::sees, this), horizon);
+  }
+
+  /// The choice of a robot that sees this. `common`: the sensors that are the same for all robots.
+  template <class Common>
+  [[nodiscard]] Choice<Rules> choice(BodyIndex body, const std::optional<Sighting>& sighting, const Common& common,
+                                     WithoutTarget without_target) const {
+    Choice<Rules> choice{.sighting = sighting, .decision = std::nullopt};
     if (!choice.sighting && without_target == WithoutTarget::keeps_decision) return choice;
     const auto rng_of = [&](std::size_t sensor) { return Rng{seed_, Stream::sensors, population_[body].id, tick(), sensor}; };
     choice.inputs = rules_.sensors.sense(population_.states().sensors[body], body, choice.sighting, now_, common, rng_of);

@@ -3,11 +3,8 @@
 #pragma once
 
 #include <trophic/ecology/choice.hpp>
-#include <trophic/ecology/population.hpp>
-#include <trophic/habitat/ecology_params.hpp>
 #include <trophic/observe/audience.hpp>
 #include <trophic/perception/tag_switch/contract.hpp>
-#include <trophic/rules/table.hpp>
 
 namespace trophic {
 
@@ -26,9 +23,14 @@ class Decisions {
     const auto common = rules_.sensors.sense_common(now);
     choices_.resize(population_.individuals().size());
     const bool in_turn = params_.decision_order == DecisionOrder::in_turn;
-    for (std::size_t i = 0; i < choices_.size(); ++i) {
-      const BodyIndex body = in_turn || now.tree == nullptr ? i : now.tree->by_place(i);  // neighbours look at the same robots
-      choices_[body] = population_[body].lives() ? moment.choice(body, common, params_.without_target) : Choice<Rules>{};
+    for (std::size_t i = 0; i < choices_.size() && !in_turn; ++i) {
+      const BodyIndex body = now.tree == nullptr ? i : now.tree->by_place(i);  // neighbours look at the same robots
+      if (population_[body].lives()) choices_[body].sighting = moment.sighting(body);
+    }
+    for (BodyIndex body = 0; body < choices_.size(); ++body) {
+      if (!population_[body].lives()) continue;
+      const auto sighting = in_turn ? moment.sighting(body) : choices_[body].sighting;
+      choices_[body] = moment.choice(body, sighting, common, params_.without_target);
       if (in_turn) act(audience, body, choices_[body], now);
     }
     for (BodyIndex body = 0; body < choices_.size() && !in_turn; ++body) act(audience, body, choices_[body], now);

@@ -237,9 +237,7 @@ class Ecology final : public Simulation {
     detail::check_captures(captures, population_.individuals());
     for (const death::Capture& capture : captures) {
       const Individual& hunter = population_[capture.hunter];
-      const bool hunter_was_caught = hunter.id >= first_newborn;
-      const bool victim_was_caught = population_[capture.victim].id >= first_newborn;
-      if (hunter_was_caught || victim_was_caught) continue;
+      if (std::max(hunter.id, population_[capture.victim].id) >= first_newborn) continue;  // one was caught
       detail::check_prey(web_, capture.hunter, hunter.species, capture.victim, population_[capture.victim].species);
       if (!death::ask::may_die(rules_.floor, population_[capture.victim].species, view())) continue;
       population_.feed(capture.hunter, capture.victim, view());

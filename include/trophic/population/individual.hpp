@@ -46,30 +46,30 @@ struct Genome {
 struct Ancestor {
   IndividualId id = 0;
   Species species = 0;
-  std::shared_ptr<Genome> genome;
+  std::shared_ptr<Genome> genome = {};
   friend bool operator==(const Ancestor&, const Ancestor&) = default;
   static constexpr auto saved() { return std::tuple{&Ancestor::id, &Ancestor::species, &Ancestor::genome}; }
 };
 
 /// One living individual, or a spare body without one. The `Population` holds one per body and is its only writer.
 struct Individual {
-  IndividualId id = 0;
-  std::vector<IndividualId> parents;  ///< none, one or more; the first one is also the `parent_id` of tables
-  std::shared_ptr<Genome> genome;
+  IndividualId id = 0;  // what searches read of others stands together
   Species species = 0;
+  int tag = 0;         ///< one of the brain's tags
+  bool active = true;  ///< a newborn of a hunted species is inactive: it cannot be caught and hunters do not perceive it
   Origin origin = Origin::random;
+  std::vector<IndividualId> parents = {};  ///< none, one or more; the first one is also the `parent_id` of tables
+  std::shared_ptr<Genome> genome = {};
   double mutation_distance = 0.0;  ///< Euclidean distance of its weights at birth from those of the nearest parent before that
   double energy_J = 0.0;           ///< 0 in a table without a rule Metabolism
 
-  bool active = true;  ///< a newborn of a hunted species is inactive: it cannot be caught and hunters do not perceive it
   double born_s = 0.0;
   double age_from_s = 0.0;    ///< start of its age: birth, or activation if the rule restarts it
   std::int64_t fed_tick = 0;  ///< tick of birth or of its last catch
 
-  int tag = 0;               ///< one of the brain's tags
   double tag_since_s = 0.0;  ///< start of the current tag clock: birth, or the last restart by TagSwitch
 
-  std::optional<BodyIndex> adversary;                                      ///< closest perceivable opponent at the last tick
+  std::optional<BodyIndex> adversary = {};                                 ///< closest perceivable opponent at the last tick
   double adversary_distance_m = std::numeric_limits<double>::quiet_NaN();  ///< at the last tick; NaN without adversary
   double target_angle_rad = 0.0;                                           ///< the brain's last decision, positive to the right
 
@@ -103,13 +103,7 @@ struct Individual {
 
 /// A body without an individual, with the tag and the target angle of its last one.
 [[nodiscard]] inline Individual spare_body(int tag, double target_angle_rad) {
-  Individual none;
-  none.id = no_individual;
-  none.species = no_species;
-  none.active = false;
-  none.tag = tag;
-  none.target_angle_rad = target_angle_rad;
-  return none;
+  return {.id = no_individual, .species = no_species, .tag = tag, .active = false, .target_angle_rad = target_angle_rad};
 }
 
 }  // namespace trophic

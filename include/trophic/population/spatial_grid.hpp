@@ -27,26 +27,26 @@ class SpatialGrid {
     cell_m_ = side_m / static_cast<double>(cells_);
     rounding_m_ = 1e-9 * (std::abs(low_x_m_) + std::abs(low_y_m_) + side_m);
     starts_.assign(static_cast<std::size_t>(cells_ * cells_) + 1, 0);
-    for (const GroundPose& pose : poses) ++starts_[index(column(pose), row(pose)) + 1];
+    std::vector<std::size_t> cells;  // of the bodies
+    cells.reserve(poses.size());
+    for (const GroundPose& pose : poses) ++starts_[cells.emplace_back(index(column(pose), row(pose))) + 1];
     for (std::size_t cell = 1; cell < starts_.size(); ++cell) starts_[cell] += starts_[cell - 1];
     bodies_.resize(poses.size());
     std::vector<std::size_t> next(starts_.begin(), starts_.end() - 1);
-    for (BodyIndex body = 0; body < poses.size(); ++body) {
-      bodies_[next[index(column(poses[body]), row(poses[body]))]++] = body;
-    }
+    for (BodyIndex body = 0; body < poses.size(); ++body) bodies_[next[cells[body]]++] = body;
   }
 
   /// Cells in a row, and the cell of a robot; outside the box the closest cell.
   [[nodiscard]] std::ptrdiff_t side() const { return cells_; }
   [[nodiscard]] std::ptrdiff_t column(const GroundPose& pose) const { return cell_of(pose.x_m - low_x_m_); }
   [[nodiscard]] std::ptrdiff_t row(const GroundPose& pose) const { return cell_of(pose.y_m - low_y_m_); }
-  /// The bodies in a cell, ascending.
-  [[nodiscard]] std::span<const BodyIndex> bodies_in(std::ptrdiff_t column, std::ptrdiff_t row) const {
+  /// The bodies, cell by cell, in each ascending; and what stands for those of a cell in a list in that order.
+  [[nodiscard]] std::span<const BodyIndex> bodies() const { return bodies_; }
+  template <class T>
+  [[nodiscard]] std::span<T> in_cell(std::span<T> ordered, std::ptrdiff_t column, std::ptrdiff_t row) const {
     const std::size_t cell = index(column, row);
-    return std::span{bodies_}.subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
+    return ordered.subspan(starts_[cell], starts_[cell + 1] - starts_[cell]);
   }
-  /// Number of bodies in the cells before this one.
-  [[nodiscard]] std::size_t first_in(std::ptrdiff_t column, std::ptrdiff_t row) const { return starts_[index(column, row)]; }
   /// Returns false only if every body in the given square of `cells` x `cells` cells is farther than `distance_m`.
   [[nodiscard]] bool may_reach(const GroundPose& from, double distance_m, std::ptrdiff_t column, std::ptrdiff_t row,
                                std::ptrdiff_t cells) const {
@@ -61,6 +61,16 @@ class SpatialGrid {
     return dx * dx + dy * dy <= reach_m * reach_m;
   }
 
+  /// Returns true only if every body within `distance_m` is in the given square.
+  [[nodiscard]] bool encloses(const GroundPose& from, double distance_m, std::ptrdiff_t column, std::ptrdiff_t row,
+                              std::ptrdiff_t cells) const {
+    const double half_m = 0.5 * static_cast<double>(cells) * cell_m_;
+    const auto off_m = [&](double offset_m, std::ptrdiff_t at) {
+      return std::abs(offset_m - half_m * static_cast<double>(2 * at + 1));
+    };
+    return std::max(off_m(from.x_m - low_x_m_, column), off_m(from.y_m - low_y_m_, row)) < half_m - distance_m - rounding_m_;
+  }
+
   /// Calls `visit(body)` once for every body within `radius_m` of a point, and for some that are farther away.
   template <class Visit>
   void for_each_near(double x_m, double y_m, double radius_m, Visit&& visit) const {
@@ -68,8 +78,7 @@ class SpatialGrid {
     const std::ptrdiff_t last_row = cell_of(y_m + radius_m - low_y_m_);
     for (std::ptrdiff_t row = cell_of(y_m - radius_m - low_y_m_); row <= last_row; ++row) {
       for (std::ptrdiff_t column = cell_of(x_m - radius_m - low_x_m_); column <= last_column; ++column) {
-        const std::size_t cell = index(column, row);
-        for (std::size_t i = starts_[cell]; i < starts_[cell + 1]; ++i) visit(bodies_[i]);
+        for (const BodyIndex body : in_cell(bodies(), column, row)) visit(body);
       }
     }
   }

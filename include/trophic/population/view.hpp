@@ -10,10 +10,8 @@
 #include <trophic/population/energy_flow.hpp>
 #include <trophic/population/phenotype.hpp>
 #include <trophic/population/resource_field.hpp>
-#include <trophic/population/search.hpp>
 #include <trophic/population/search_tree.hpp>
 #include <trophic/support/clock.hpp>
-#include <trophic/support/units.hpp>
 
 namespace trophic {
 
