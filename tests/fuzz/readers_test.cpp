@@ -88,16 +88,16 @@ TEST_CASE("write the corpus's binary files" * doctest::skip()) {
   io::Recording recording{place("recording"), io::default_replay_hz};
   ecology.run_until(40.0, recording);
   ecology.run_until(200.0);
-  const TemporaryFolder folder;
+  const TemporaryFolder run;
   const auto moment_of = [&](Simulation& any) {
-    checkpoint::write(folder.path(), any, any.describe(200.0));
-    return checkpoint::read_last(folder.path());
+    checkpoint::write(run.path(), any, any.describe(200.0));
+    return checkpoint::read_last(run.path());
   };
   const std::string ecology_bytes = moment_of(ecology).section(checkpoint::ecology_section);
   const auto write = [&](std::string_view folder, const std::string& bytes) {
     std::ofstream{place(folder), std::ios::binary} << bytes;
   };
-  write("checkpoint", read_whole_file(folder.path() / checkpoint::file_name));
+  write("checkpoint", read_whole_file(run.path() / checkpoint::file_name));
   write("ecology", ecology_bytes);
   auto recruited = recruited_ecology();
   recruited.run_until(200.0);

@@ -19,7 +19,7 @@ void for_each_image(const GroundPose& place, double period_m, Visit&& visit) {
 }
 
 /// A grid of robots under squares of 2 x 2 cells, 4 x 4, ..., each of which holds the marks of the robots in it. A search goes
-/// outwards from the robot's own cell, as far as anybody can be closer, and skips squares without the marks: it hardly takes
+/// outwards from the robot's own cell, as far as a closer one can be, and skips squares without the marks: it hardly takes
 /// longer among more robots. It gives exactly the result of visiting every robot, ties included. Positions are stored cell by
 /// cell, because neighbouring robots are far apart in memory.
 class SearchTree {
@@ -99,7 +99,7 @@ class SearchTree {
     std::ptrdiff_t own_column = 0;
     std::ptrdiff_t own_row = 0;
 
-    /// From its own cell outwards, until nobody beyond a square can be closer.
+    /// Looks from its own cell outwards, until no body beyond a square can be closer.
     void look_around() {
       look(0, own_column, own_row);
       for (std::size_t level = 0; level + 1 < tree.levels_.size(); ++level) {

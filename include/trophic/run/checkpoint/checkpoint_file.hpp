@@ -17,7 +17,7 @@ inline constexpr std::string_view file_name = "checkpoint.bin";
 /// The previous checkpoint, in case that the last one cannot be read.
 inline constexpr std::string_view predecessor_name = "checkpoint.old.bin";
 
-/// What one object writes to a checkpoint or reads from it, under this name. Refers to the object.
+/// An object writes its part of a checkpoint, which only it reads. Refers to the object.
 struct Part {
   std::string_view section;
   std::function<void(Archive& archive)> persist;
