@@ -140,6 +140,8 @@ def read_set(paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | Non
     inherited = metrics.inherited(shipped, how)
     if inherited and NEUTRAL not in nulls:
         remarks.append(f"{pooled[0].path}: {NO_NEUTRAL}")
+    if how.bodies is None and how.lineages is None and (lost := metrics.lost_to_thinning(pooled[0].every_ticks)):
+        remarks.append(lost)
     for run in every:
         for column in how.columns:
             own.check_column(column, run)  # type: ignore[arg-type]

@@ -106,8 +106,6 @@ def measure_run(run: PooledRun, how: Measuring) -> RunValues:
     status = run.manifest["status"]
     remarks = [] if status == "complete" else [f'{run.path}/manifest.json: status "{status}": the run did not reach its end']
     events, agents = run.load("events.csv", EVENTS, remarks), run.load("agents.csv", AGENTS, remarks)
-    if how.bodies is None and (lost := lost_to_thinning(run.every_ticks)):
-        remarks.append(f"{run.path}/{lost}")
     agents = motion.with_contacts(agents, run, remarks)
     if how.bodies is not None:
         from . import bodies
