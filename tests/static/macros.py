@@ -45,6 +45,7 @@ REASONS = {
     "TROPHIC_SENTENCE_*": "a contract's sentence next to its concept, joined with other literals in a static_assert",
     "TROPHIC_HEADER_ONLY": "decides which files are included",
     "TROPHIC_INLINE": "a specifier that is there or not, for definitions that are included or compiled",
+    "TROPHIC_LANES": "the namespace into which a source of the kernel is compiled, once with four lanes and once with eight",
     "TROPHIC_LANES_INLINE": "an attribute and a specifier in one, for every function of the kernel",
     "R123_USE_*": "a setting of Random123, which its headers read",
     "TOML_ASSERT": "a setting of toml++, which its headers read",
