@@ -4,6 +4,7 @@
 
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/nursery.hpp>
+#include <trophic/population/individual.hpp>
 #include <trophic/population/null.hpp>
 #include <trophic/reproduction/genome_source/contract.hpp>
 #include <vector>

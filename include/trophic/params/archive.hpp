@@ -81,9 +81,6 @@ class Archive {
   [[nodiscard]] const std::string& bytes() const& { return written_; }
   [[nodiscard]] std::string bytes() && { return std::move(written_); }
 
-  /// Returns true if all bytes have been read.
-  [[nodiscard]] bool at_end() const { return left_.empty(); }
-
   /// Throws std::invalid_argument if bytes are left unread. Passes on those that are left to write.
   void finish() {
     if (reads_ && !left_.empty()) throw std::invalid_argument{std::to_string(left_.size()) + " bytes too many"};
