@@ -69,7 +69,9 @@ def turns_to(run):
 
 @trophic.metric(inherited=True)
 def gene_change(run):
-    genes = numpy.array([[len(each) // 3] for each in genes]) if isinstance(genes := genes_of(run), list) else genes
+    genes = genes_of(run)
+    if isinstance(genes, list):
+        genes = numpy.array([[len(each) // 3] for each in genes])
     return pandas.DataFrame(moved(run, genes), columns=["species", "gene_change"])
 
 

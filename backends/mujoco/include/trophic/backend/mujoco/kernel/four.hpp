@@ -11,16 +11,16 @@
 /// Every kernel function is inlined into its entry points, so that the same source is compiled once per instruction set.
 #define TROPHIC_LANES_INLINE [[gnu::always_inline]] inline
 
-// g++ notes at the end of the translation unit that functions returning lanes would be called differently with AVX; they are
-// all inlined, so there is no call.
+// g++ notes at the end of the translation unit that functions returning lanes would be called differently with AVX; all
+// are inlined, so none is called.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace trophic::backend::kernel {
 
 inline constexpr std::size_t four = 4;
 
-/// One double per robot. Each lane is computed by the same IEEE operations in the same order whatever the other lanes hold, so a
-/// robot's result does not depend on the other lanes nor on the instruction set.
+/// One double per robot, or three of a point and a fourth. Each lane is computed by the same IEEE operations in the same order
+/// whatever the other lanes hold, so a robot's result does not depend on the other lanes nor on the instruction set.
 using Four = double __attribute__((vector_size(four * sizeof(double)), aligned(four * sizeof(double))));
 /// All bits of a lane are set where a comparison holds.
 using FourMask = long long __attribute__((vector_size(four * sizeof(double)), aligned(four * sizeof(double))));
