@@ -7,7 +7,6 @@
 #include <trophic/population/individual.hpp>
 #include <trophic/population/null.hpp>
 #include <trophic/reproduction/genome_source/contract.hpp>
-#include <vector>
 
 namespace trophic {
 
