@@ -20,9 +20,6 @@ struct Taxon {
   Species species = 0;
   std::vector<double> weights = {};      ///< of its genome
   std::vector<std::size_t> others = {};  ///< the places of its further parents
-
-  /// Whether it is alive after the rules of the tick at this time.
-  [[nodiscard]] bool lives_at(double time_s) const { return birth_s <= time_s && death_s > time_s; }
 };
 
 /// Individuals in the order of their births: each parent is before its offspring.

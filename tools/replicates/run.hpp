@@ -19,7 +19,6 @@ struct Outcome {
   std::size_t kept = 0;                 ///< complete at the start
   std::size_t complete = 0;             ///< completed by this call
   std::vector<std::string> unfinished;  ///< a sentence for each that failed, was stopped or was not started
-  [[nodiscard]] bool all_complete() const { return unfinished.empty(); }
 };
 
 /// Makes one run of a set, in its folder.
