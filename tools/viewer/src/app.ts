@@ -43,7 +43,6 @@ export class App {
   private drawing = false;
   private last = 0;
   private addressAt = 0;
-  private pictureTimes: number[] = [];
   private counts: HTMLElement[] = [];
   private readonly legend = make("ul", "legend");
   private readonly views = make("div", "views");
@@ -437,7 +436,6 @@ export class App {
     const { time, rowTime } = this;
     const within = (run: Run, moment: number): number => Math.min(run.lastTime, Math.max(run.firstTime, moment));
     await Promise.all(this.runs.map((run) => run.recording.prepare(run.recording.frameAt(within(run, time)))));
-    const start = performance.now();
     this.worlds.forEach((world, number) => {
       if (!world) return;
       const { run } = world;
@@ -459,8 +457,6 @@ export class App {
     this.timebar.draw(time);
     this.side.at(time);
     this.showTexts(within(this.run, rowTime));
-    this.pictureTimes.push(performance.now() - start);
-    if (this.pictureTimes.length > 30) this.pictureTimes.shift();
     this.drawing = false;
   }
 
@@ -486,11 +482,6 @@ export class App {
     const ahead = event.time - this.time;
     this.banner.textContent = sentence(run, event) + (ahead > 0 ? ` (in ${Math.ceil(ahead)} s)` : "") + (event.scene?.remark ? ` · ${event.scene.remark}` : "");
     this.banner.classList.toggle("happened", ahead <= 0 && (event.kind === "catch" || event.kind === "death"));
-  }
-
-  /** Durations of the last pictures, ms each. */
-  get pictureMs(): number[] {
-    return [...this.pictureTimes];
   }
 
   /** Whether what is drawn is the moment that was asked for. */
