@@ -45,8 +45,9 @@ def make_contests(options, world, panel, epochs, teams):
     out = options.out / f"contests/{world}-{panel}"
     if not (out / "progress.csv").exists():
         out.parent.mkdir(exist_ok=True)
-        call(options.trophic, "contest", options.out / world, "--panel", options.out / panel, "--program", options.program, "--jobs", options.jobs, "--teams",
-             teams, "--team-size", options.team_size, "--epochs", ",".join(map(str, epochs)), "--split", epochs[-2], "--out", out)
+        call(options.trophic, "contest", options.out / world, "--panel", options.out / panel, "--program", options.program,
+             "--backend", options.contests_on or options.backend, "--jobs", options.jobs, "--teams", teams, "--team-size", options.team_size,
+             "--epochs", ",".join(map(str, epochs)), "--split", epochs[-2], "--out", out)
     return pandas.read_csv(out / "contests.csv", dtype={"hunters_run": str, "victims_run": str})
 
 
@@ -114,6 +115,7 @@ def main():
     parser.add_argument("--backend", default="kinematic")
     for name, default in (("replicates", 30), ("duration", 6000), ("seed", 1), ("jobs", 1), ("team-size", 15)):
         parser.add_argument(f"--{name}", type=int, default=default)
+    parser.add_argument("--contests-on", metavar="BACKEND", help="that of the contests, if it is not the runs'")
     parser.add_argument("--no-neutral", action="store_true", help="for a table whose genomes are shared")
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
