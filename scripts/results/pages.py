@@ -471,6 +471,7 @@ def tables(data, choices):
         made[f"evolved {name}"] = lambda name=name: evolved(data("evolution"), name)
     made |= {"queen primary": lambda: queen(data("red_queen"), True, "paper", "pond", "growing"), "queen other": lambda: queen(data("red_queen"), False, "paper")}
     made |= {"queen meetings": lambda: meetings([row for row in data("red_queen_meetings") if row["table"] != "growing_by_side"]), "living": lambda: living(data("no_criterion")), "living settings": lambda: settings(data("no_criterion")),
+             "living mujoco": lambda: living([row for row in data("no_criterion_mujoco") if row["metric"] in ("velocity", "generation_time")]),
              "living selection": lambda: selected(data("no_criterion_selection")), "living progress": lambda: raced(data("no_criterion_progress"))}
     for name in ("arms_race", "ranges", "room", "mujoco", "mujoco_brains"):
         made[f"race {name}"] = lambda name=name: race(data(f"race_{name}"))
