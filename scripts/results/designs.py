@@ -5,6 +5,11 @@ import itertools
 import json
 import math
 import pathlib
+import sys
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "tools/python"))
+from trophic import statistics
+from trophic.statistics import holm
 
 # Metrics of the screening design: (metric, species, group, over the shadow).
 SCREENED = [("velocity", "prey", "inherited", True), ("velocity", "predator", "inherited", True),
@@ -56,35 +61,12 @@ def mean(values):
     return sum(values) / len(values)
 
 
-def interval(values):
-    """Mean, 95 % interval of Student's t and p of no effect."""
-    from scipy import stats
-
-    middle = mean(values)
-    if len(values) < 2:
-        return middle, math.nan, math.nan, math.nan
-    error = math.sqrt(sum((value - middle) ** 2 for value in values) / (len(values) - 1) / len(values))
-    reach = stats.t.ppf(0.975, len(values) - 1) * error
-    p = 2.0 * stats.t.sf(abs(middle) / error, len(values) - 1) if error > 0.0 else float(middle == 0.0)
-    return middle, middle - reach, middle + reach, p
-
-
 def welch(ours, theirs):
     """Difference of two means, each given as mean, deviation and number of runs, with Welch's 95 % interval."""
-    from scipy import stats
-
     variances = [deviation**2 / count for _, deviation, count in (ours, theirs)]
     freedom = sum(variances) ** 2 / sum(variance**2 / (count - 1) for variance, (_, _, count) in zip(variances, (ours, theirs)))
-    middle, reach = ours[0] - theirs[0], stats.t.ppf(0.975, freedom) * math.sqrt(sum(variances))
-    return middle, middle - reach, middle + reach
-
-
-def holm(p_values):
-    """p values with Holm's correction."""
-    order = sorted(range(len(p_values)), key=p_values.__getitem__)
-    steps = (min(1.0, (len(p_values) - rank) * p_values[place]) for rank, place in enumerate(order))
-    corrected = dict(zip(order, itertools.accumulate(steps, max)))
-    return [corrected[place] for place in range(len(p_values))]
+    middle = ours[0] - theirs[0]
+    return middle, *statistics.interval_of(statistics.Contrast(middle, math.sqrt(sum(variances)), freedom))
 
 
 def named(key):
@@ -110,14 +92,15 @@ def effect_rows(names, cells):
     for key in SCREENED:
         runs = [values[key] for _, values in cells]
         count = min(map(len, runs))
-        if count < 2:
+        if count < statistics.MIN_RUNS_FOR_TEST:
             continue
         for factor, name in enumerate(names):
             signs = [1 if levels[factor] else -1 for levels, _ in cells]
             effects = [2.0 * mean([sign * values[seed] for sign, values in zip(signs, runs)]) for seed in range(count)]
-            middle, lower, upper, p = interval(effects)
-            rows.append({**named(key), "choice": name, "runs": count, "effect": f"{middle:.6g}", "lower": f"{lower:.6g}",
-                         "upper": f"{upper:.6g}", "p": p})
+            of = statistics.contrast((1.0, effects))
+            (lower, upper), p = statistics.interval_of(of), statistics.p_value(of)
+            rows.append({**named(key), "choice": name, "runs": count, "effect": f"{of.value:.6g}", "lower": f"{lower:.6g}",
+                         "upper": f"{upper:.6g}", "p": 1.0 if p is None else p})
     for row, p in zip(rows, holm([row["p"] for row in rows])):
         row["p"] = f"{row['p']:.3g}"
         row["p_holm"] = f"{p:.3g}"

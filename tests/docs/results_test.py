@@ -34,7 +34,7 @@ class Pages(unittest.TestCase):
     def test_a_changed_digit_in_a_page_is_found(self):
         with tempfile.TemporaryDirectory() as folder:
             copy = pathlib.Path(folder)
-            for part in ("scripts", "docs/results/data", "examples/readings"):
+            for part in ("scripts", "docs/results/data", "examples/readings", "tools/python/trophic"):
                 shutil.copytree(ROOT / part, copy / part)
             for page in pages.PAGES:
                 (copy / page).parent.mkdir(parents=True, exist_ok=True)
