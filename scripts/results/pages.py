@@ -316,7 +316,7 @@ def lineages(rows):
 
 
 EVOLVED = {"brains": ["walked", "open_speed", "wall_contact", "brain_genes"], "gaits": ["walked", "gait_genes"],
-           "bodies": ["walked", "body_modules", "body_hinges", "body_mass", "body_proportion", "body_coverage", "body_symmetry", "body_plans", "body_change"]}
+           "bodies": ["walked", "body_modules", "body_hinges", "body_proportion", "body_symmetry", "body_plans", "body_change"]}
 
 
 def evolved(rows, study):
@@ -385,7 +385,7 @@ def living(rows):
     """Measures of the pond and of its nulls."""
     lines, nulls = [], [null for null in ("shadow", "clones", "mean_field") if any(row[null] for row in rows)]
     for row in rows:
-        if row["set"] != "pond" or not row["mean"] or row["metric"] == "persists" or row["species"] == "prey" and row["metric"] == "trophic_efficiency":
+        if row["set"] != "pond" or not row["mean"] or row["metric"] in ("persists", "trophic_efficiency", "pyramid_numbers", "search_rate_holling", "handling_time"):
             continue
         scale, unit = (100.0, "cm/s") if row["unit"] == "m/s" else (1.0, "" if row["unit"] == "1" else row["unit"])
 

@@ -36,6 +36,14 @@ class Bodies(InFolder):
         self.assertEqual(list(captions), ["measures", "morphospace", "plans"])
         self.assertRegex(captions["plans"], rf"\(\d+ of {len({row['plan'] for row in bodies})} plans\)")
 
+    def test_a_pond_begets_bodies_and_gaits_in_growing_numbers(self):
+        few = [*FEW[:2], "--set", "ecology.robots=20", *FEW[4:6], *FEW[-2:], "--set", "rules.recruitment.spare_bodies=12", "--set", "rules.recruitment.birth_J=25"]
+        self.run_ok(BODIES, "--rules", "evolving_pond", "--backend", "mujoco", *few, "--out", "run")
+        born = [row for row in self.rows("run/bodies.csv") if row["parent_plan"]]
+        self.assertEqual({row["species"] for row in born}, {"prey", "predator"})
+        self.assertTrue(any(float(row["edit_distance"]) > 0 for row in born))
+        self.assertEqual(int(self.rows("run/energy.csv")[-1]["tick"]), 4)
+
     def test_bodies_that_diverge_again_and_again_do_not_stop_the_neutral_null(self):
         diverging = ("physics.timestep_s=0.012", "physics.integrator=rk4", "rules.viability.trial_s=0.01", "rules.body_plan.prey.first_robot=spider",
                      "rules.gait.prey.gait=spider_published")

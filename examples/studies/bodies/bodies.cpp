@@ -6,5 +6,6 @@
 
 int main(int argc, char** argv) {
   using namespace trophic::bodies_study;
-  return trophic::experiment<EvolvingBodies, EvolvingBodiesBySurvival, EvolvingBrains, EvolvingBrainsBySurvival>(argc, argv);
+  return trophic::experiment<EvolvingBodies, EvolvingBodiesBySurvival, EvolvingPond, EvolvingBrains, EvolvingBrainsBySurvival>(
+      argc, argv);
 }

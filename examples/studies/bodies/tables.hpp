@@ -17,6 +17,8 @@
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/with_part.hpp>
 
+#include "worlds/pond.hpp"
+
 namespace trophic::bodies_study {
 
 using reproduction::parent::AnySurvivor;
@@ -51,7 +53,6 @@ using WithBodies = with_viability<with_body_plan<with_gait<with_embodiment<Base,
 /// Spiders hunt geckos. Limits keep bodies of the size of the walkers: a larger body costs more time. Ten seconds in the nursery
 /// refuse most of the bodies that diverge.
 inline constexpr auto spiders_hunt_geckos = [](auto& params) {
-  turnover(params);
   params.gait.template get<0>().gait = "gecko_steered";
   params.body_plan.template get<0>().first_robot = "gecko";
   params.viability.bodies.limits.most_modules = 14;
@@ -63,8 +64,10 @@ using Bodies = with_params<WithBodies<Base>, spiders_hunt_geckos>;
 template <class Base>
 using Brains = with_params<with_brain<Base, control::brain::GrowingBrain>, turnover>;
 
-using EvolvingBodies = named<Bodies<Lineages>, "evolving_bodies">;
-using EvolvingBodiesBySurvival = named<Bodies<LineagesBySurvival>, "evolving_bodies_by_survival">;
+using EvolvingBodies = named<with_params<Bodies<Lineages>, turnover>, "evolving_bodies">;
+using EvolvingBodiesBySurvival = named<with_params<Bodies<LineagesBySurvival>, turnover>, "evolving_bodies_by_survival">;
+/// No criterion selects: energy decides who lives and who has offspring.
+using EvolvingPond = named<Bodies<worlds::Pond>, "evolving_pond">;
 using EvolvingBrains = named<Brains<Lineages>, "evolving_brains">;
 using EvolvingBrainsBySurvival = named<Brains<LineagesBySurvival>, "evolving_brains_by_survival">;
 
