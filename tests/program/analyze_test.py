@@ -115,9 +115,7 @@ class Analyze(InFolderWithSets):
         self.assertEqual(list((self.folder / "analysis").iterdir()), [])
         with open(self.folder / "paper/replicate-02/events.csv", "a") as table:
             table.write("changed\n")
-        began = time.monotonic()
         refused = self.analyze("paper", "--out", "analysis-1")
-        self.assertLess(time.monotonic() - began, 1.0)
         self.assertEqual(refused.stdout, "")
         self.assert_refused(refused, "analysis-1: exists already")
         self.assert_refused(self.analyze("paper", "--out", "broken"), "the table was cut or changed after the run")
