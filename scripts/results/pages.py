@@ -469,7 +469,8 @@ def tables(data, choices):
     made["evolved lives"] = lambda: evolved_lives(data("evolution_lives"))
     for name in EVOLVED:
         made[f"evolved {name}"] = lambda name=name: evolved(data("evolution"), name)
-    made |= {"queen primary": lambda: queen(data("red_queen"), True, "paper", "pond", "growing"), "queen other": lambda: queen(data("red_queen"), False, "paper")}
+    made |= {"queen primary": lambda: queen(data("red_queen"), True, "paper", "pond", "growing"), "queen other": lambda: queen(data("red_queen"), False, "paper"),
+             "queen mujoco": lambda: queen(data("red_queen_mujoco"), True, "released")}
     made |= {"queen meetings": lambda: meetings([row for row in data("red_queen_meetings") if row["table"] != "growing_by_side"]), "living": lambda: living(data("no_criterion")), "living settings": lambda: settings(data("no_criterion")),
              "living mujoco": lambda: living([row for row in data("no_criterion_mujoco") if row["metric"] in ("velocity", "generation_time")]),
              "living selection": lambda: selected(data("no_criterion_selection")), "living progress": lambda: raced(data("no_criterion_progress"))}
