@@ -300,7 +300,7 @@ LINEAGES = ["modes_change", "modes_novelty", "modes_ecology", "modes_complexity"
 
 
 def lineages(rows):
-    """Lineage measures of each cell with their difference from the null that fits: drift for types, the shadow for descent."""
+    """Lineage measures of each cell that differ significantly from the null that fits: drift for types, the shadow for descent."""
     lines = []
     for cell in dict.fromkeys(row["cell"] for row in rows):
         for measure in LINEAGES:
@@ -311,7 +311,7 @@ def lineages(rows):
                 star = "*" if row["p_holm"] and float(row["p_holm"]) <= 0.05 else ""
                 line.append(f"{float(row['mean']):.3g}" if row["mean"] else "")
                 line.append(signed(row, ("difference", "lower", "upper")) + star if row["lower"] else "")
-            lines.append(line)
+            lines += [line] if "*" in "".join(line) else []
     return table(["cell", "measure", "null", "prey", "prey over the null", "predators", "predators over the null"], lines)
 
 
@@ -371,16 +371,6 @@ def queen(rows, primary, *names):
     return table(["table", "measure", "side", "both inherit", "this side alone", "both less alone", "p (Holm)", "found in 80 %", "runs"], lines)
 
 
-def meetings(rows):
-    """Contact times of the last living hunters and victims of different worlds of each rule table."""
-    worlds, cells = ("both", "predator", "prey", "none"), {(row["table"], row["hunters"], row["victims"]): row for row in rows}
-    lines = []
-    for name, hunters in dict.fromkeys((row["table"], row["hunters"]) for row in rows):
-        met = [cells.get((name, hunters, victims)) for victims in worlds]
-        lines.append([f"`{name}`", hunters, *(f"{float(row['contact_s']):.0f} [{float(row['lower']):.0f}, {float(row['upper']):.0f}]" if row else "" for row in met)])
-    return table(["table", "predators of", *(f"prey of {world}" for world in worlds)], lines)
-
-
 def living(rows):
     """Measures of the pond and of its nulls."""
     lines, nulls = [], [null for null in ("shadow", "clones", "mean_field") if any(row[null] for row in rows)]
@@ -412,10 +402,11 @@ def settings(rows):
 
 
 def selected(rows, of="pond"):
-    """Price's terms over their null: the neutral null's, or zero for behaviour. With generations they are cm/s a generation."""
+    """Price's terms over their null: the neutral null's, or zero for behaviour. With generations they are cm/s a generation, otherwise in the trait's unit."""
     keys, lines = ("runs_mean", "neutral_mean", "difference", "difference_lower", "difference_upper"), []
     for row in (row for row in rows if row["p"]):
-        each = {key: row[key] and str(float(row[key]) * (100.0 / float(row["generations"]) if "generations" in row else 1.0)) for key in keys}
+        scale = 100.0 / float(row["generations"]) if "generations" in row else 100.0 if row["unit"] == "m/s" else 1.0
+        each = {key: row[key] and str(float(row[key]) * scale) for key in keys}
         lines.append([row["species"], row["term"], *(each[key] and f"{float(each[key]):+.3g}" for key in keys[:2]), signed(each, keys[2:]), p_text(row["p_holm"])])
     return table(["species", "term", of, "neutral null", "difference", "p (Holm)"], lines)
 
@@ -471,9 +462,11 @@ def tables(data, choices):
         made[f"evolved {name}"] = lambda name=name: evolved(data("evolution"), name)
     made |= {"queen primary": lambda: queen(data("red_queen"), True, "paper", "pond", "growing"), "queen other": lambda: queen(data("red_queen"), False, "paper"),
              "queen mujoco": lambda: queen(data("red_queen_mujoco"), True, "released")}
-    made |= {"queen meetings": lambda: meetings([row for row in data("red_queen_meetings") if row["table"] != "growing_by_side"]), "living": lambda: living(data("no_criterion")), "living settings": lambda: settings(data("no_criterion")),
-             "living mujoco": lambda: living([row for row in data("no_criterion_mujoco") if row["metric"] in ("velocity", "generation_time")]),
+    made |= {"living": lambda: living(data("no_criterion")), "living settings": lambda: settings(data("no_criterion")),
              "living selection": lambda: selected(data("no_criterion_selection")), "living progress": lambda: raced(data("no_criterion_progress"))}
+    for name in ("mujoco", "gaits", "bodies"):
+        made[f"living {name}"] = lambda name=name: living([row for row in data(f"no_criterion_{name}") if row["metric"] in ("velocity", "generation_time")])
+        made[f"selected {name}"] = lambda name=name: selected(data(f"no_criterion_{name}_selection"))
     for name in ("arms_race", "ranges", "room", "mujoco", "mujoco_brains"):
         made[f"race {name}"] = lambda name=name: race(data(f"race_{name}"))
     for backend in ("kinematic", "mujoco"):
