@@ -15,19 +15,21 @@ NINE = numpy.column_stack([INPUTS[:, 0], BANDS, INPUTS[:, 2], numpy.tile((0.0, 0
 
 
 def moved(run, values):
-    """A frame with the distance of each species. `values`: of each individual, shape (individuals, values), in the order of genomes.csv."""
+    """A frame with the distance of each species. `values`: of each row of genomes.csv, shape (rows, values). A genome that several share has them from
+    the time of its row until that of its next."""
     lives, end_s = run.table("phylogeny"), run.manifest["result"]["reached_s"]
-    lives = lives.set_index("id").loc[run.table("genomes")["id"]]
-    rows = []
+    rows = run.table("genomes")[["id", "genome_id", "time_s"]].rename_axis("row").reset_index()
+    rows["until_s"] = rows.groupby("genome_id")["time_s"].shift(-1, fill_value=numpy.inf)
+    held = rows[["id", "genome_id"]].merge(rows.drop(columns="id"), on="genome_id").merge(lives, on="id")
+    begins, ends = held[["origin_time", "time_s"]].max(axis=1), held[["destruction_time", "until_s"]].min(axis=1)  # an individual's time with a row's values
+    found = []
     for species in run.manifest["species"]:
         means = []
-        for from_s in (end_s / 3.0, end_s * 5.0 / 6.0):
-            until_s = from_s + end_s / 6.0
-            lived_s = (lives["destruction_time"].clip(upper=until_s) - lives["origin_time"].clip(lower=from_s)).clip(lower=0.0).to_numpy()
-            weights = lived_s * (lives["species"] == species).to_numpy()
-            means.append(weights @ values / weights.sum() if weights.sum() > 0.0 else numpy.full(values.shape[1], numpy.nan))
-        rows.append((species, float(numpy.sqrt(numpy.mean((means[1] - means[0]) ** 2)))))
-    return rows
+        for from_s, until_s in ((end_s / 3.0, end_s / 2.0), (end_s * 5.0 / 6.0, end_s)):
+            weights = (ends.clip(upper=until_s) - begins.clip(lower=from_s)).clip(lower=0.0).to_numpy() * (held["species"] == species).to_numpy()
+            means.append(weights @ values[held["row"]] / weights.sum() if weights.sum() > 0.0 else numpy.full(values.shape[1], numpy.nan))
+        found.append((species, float(numpy.sqrt(numpy.mean((means[1] - means[0]) ** 2)))))
+    return found
 
 
 def genes_of(run):

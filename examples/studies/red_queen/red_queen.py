@@ -55,9 +55,9 @@ def measured(options, world):
     """The values of each run of a world, by (measure, species)."""
     found = {}
     for metric in (change.gene_change, change.turn_change):
-        own, *null = (pandas.concat([metric(run).set_index("species")[metric.metric] for run in trophic.read_runs(str(folder))], axis=1)
-                      for folder in (options.out / world, options.out / world / "neutral") if folder.exists())
-        found |= {(metric.metric, side): own.loc[side].to_numpy() - (null[0].loc[side].to_numpy() if null else 0.0) for side in SIDES}
+        own, null = (pandas.concat([metric(run).set_index("species")[metric.metric] for run in trophic.read_runs(str(folder))], axis=1)
+                     for folder in (options.out / world, options.out / world / "neutral"))
+        found |= {(metric.metric, side): own.loc[side].to_numpy() - null.loc[side].to_numpy() for side in SIDES}
     end_s = options.duration
     played = make_contests(options, world, "panel", [0, end_s / 3, end_s], 6)
     for side, role in zip(SIDES, ("victim", "hunter")):
@@ -116,11 +116,10 @@ def main():
     for name, default in (("replicates", 30), ("duration", 6000), ("seed", 1), ("jobs", 1), ("team-size", 15)):
         parser.add_argument(f"--{name}", type=int, default=default)
     parser.add_argument("--contests-on", metavar="BACKEND", help="that of the contests, if it is not the runs'")
-    parser.add_argument("--no-neutral", action="store_true", help="for a table whose genomes are shared")
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
     for world, inherited in WORLDS.items():
-        make_runs(options, world, inherited, options.seed, options.replicates, *([] if options.no_neutral else ["--neutral"]))
+        make_runs(options, world, inherited, options.seed, options.replicates, "--neutral")
     make_runs(options, "panel", (True, True), options.seed + 1000, options.replicates)
     for name, frame in (("red_queen", differences({world: measured(options, world) for world in WORLDS})), ("meetings", meetings(options))):
         frame.to_csv(options.out / f"{name}.csv", index=False, float_format="%.6g", lineterminator="\n")
