@@ -30,7 +30,7 @@ namespace trophic {
 template <class Rules>
 class Bodies final : public BodyReading {
  public:
-  /// `population` holds the founders. All arguments outlive the bodies.
+  /// `population` holds the founders: embody_founders() comes next. All arguments outlive the bodies.
   Bodies(const Experiment<Rules>& params, const BackendChoice& choice, const Habitat& habitat, const Policies<Rules>& rules,
          Population<Rules>& population)
       : rules_{rules},
@@ -53,9 +53,6 @@ class Bodies final : public BodyReading {
     if (phenotypes_differ) locomotion_.separate();
     if (paces_differ && !backend_->has_joints()) backend_->set_pace(0, 1.0);
     population_.stand_at(poses_);
-    for (BodyIndex body = 0; body < poses_.size(); ++body) {
-      if (!population_[body].lives()) backend_->take_away(body);
-    }
   }
 
   [[nodiscard]] std::span<const GroundPose> poses() const { return poses_; }
@@ -87,9 +84,13 @@ class Bodies final : public BodyReading {
     }
     if (phenotypes_differ) walk_by(body);
   }
+  /// Embodies the founders. Bodies that no individual has yet have their shape, as in a resumed run, and are away.
   void embody_founders() {
-    for (BodyIndex body = 0; phenotypes_differ && body < poses_.size(); ++body) {
-      if (population_[body].lives()) embody(body, body);
+    for (BodyIndex body = 0; body < poses_.size(); ++body) {
+      const bool lives = population_[body].lives();
+      if (phenotypes_differ && lives) embody(body, body);
+      if (phenotypes_differ && !lives) take_shape(body);
+      if (!lives) take_away(body);
     }
   }
 

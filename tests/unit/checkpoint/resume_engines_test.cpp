@@ -11,6 +11,7 @@
 #include <trophic/initialization/embodiment/stands_up.hpp>
 #include <trophic/reproduction/body_plan/inherited_modules.hpp>
 #include <trophic/reproduction/parent/nearest_conspecific.hpp>
+#include <trophic/reproduction/recruitment/after_escapes.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/rules/by_species.hpp>
 #include <trophic/rules/released.hpp>
@@ -43,13 +44,20 @@ using Mixed =
                              control::gait::InheritedCppn>,
                    reproduction::viability::ModuleLimits>;
 
-template <class BackendParams>
+/// The same with bodies that no individual has at the start.
+using MixedWithSpare = with_recruitment<Mixed, reproduction::recruitment::AfterEscapes>;
+
+template <class Rules, class BackendParams>
 void check_mixed(const BackendParams& backend, double duration_s, double every_s, std::int64_t cut) {
   const auto uniform = crowd("walled_square", 0.8, duration_s);
-  Experiment<Mixed> mixed{.seed = uniform.seed, .ecology = uniform.ecology};
+  Experiment<Rules> mixed{.seed = uniform.seed, .ecology = uniform.ecology};
+  if constexpr (std::same_as<Rules, MixedWithSpare>) {
+    mixed.ecology.robots = 8;
+    mixed.rules.recruitment.spare_bodies = 2;
+  }
   mixed.rules.community.predators = 3;
   mixed.rules.placement.half_extent_m = 0.8;
-  mixed.rules.body_plan.get<test::prey>().first_modules = 7;
+  mixed.rules.body_plan.template get<test::prey>().first_modules = 7;
   mixed.rules.gait.first = control::gait::FirstGait::random;
   mixed.rules.senescence.max_age_s = 6.0;
   mixed.physics = {.timestep_s = 0.001, .integrator = Integrator::semi_implicit_euler};  // random gaits are fast
@@ -57,7 +65,7 @@ void check_mixed(const BackendParams& backend, double duration_s, double every_s
   check_resumed(mixed, backend, folder.path(), {cut}, every_s,
                 [](std::size_t part, auto& numbers) { numbers.threads = part % 2 == 0 ? 2 : 1; });
   const std::string bodies = content(folder.path() / "whole" / "bodies.csv");
-  CHECK(bodies.find(",prey,6,") != std::string::npos);  // seven plans
+  CHECK(bodies.find(std::same_as<Rules, Mixed> ? ",prey,6," : ",prey,2,") != std::string::npos);  // seven plans; three founders
   CHECK(content(folder.path() / "whole" / "events.csv").find(",death,") != std::string::npos);
 }
 
@@ -89,10 +97,12 @@ TEST_CASE("resume: ODE, robots that touch, another number of threads -> the same
 TEST_CASE("resume: MuJoCo, inherited bodies and gaits of robots that touch -> the same bytes") {
   for (const auto stepping : {backend::Mujoco::Stepping::fast, backend::Mujoco::Stepping::islands}) {
     CAPTURE(stepping);
-    check_mixed(backend::Mujoco::Params{.stepping = stepping}, 12.0, 4.0, 4);
+    check_mixed<Mixed>(backend::Mujoco::Params{.stepping = stepping}, 12.0, 4.0, 4);
   }
+  check_mixed<MixedWithSpare>(backend::Mujoco::Params{}, 12.0, 4.0, 4);
 }
 
 TEST_CASE("resume: ODE, inherited bodies and gaits of robots that touch -> the same bytes") {
-  check_mixed(backend::Ode::Params{}, 12.0, 4.0, 4);
+  check_mixed<Mixed>(backend::Ode::Params{}, 12.0, 4.0, 4);
+  check_mixed<MixedWithSpare>(backend::Ode::Params{}, 12.0, 4.0, 4);
 }
