@@ -313,11 +313,9 @@ class Bodies final : public BodyReading {
 
   void walk_by(BodyIndex body) { locomotion_.walk_by(body, robot(body), *population_.phenotypes()[body].gait); }
 
-  /// Gives the backend the body, in any pose, and the gait.
+  /// Gives the backend the body, where the robot stands, and the gait.
   void take_shape(BodyIndex body) {
-    const RobotModel& model = robot(body);
-    const Pose any{.position_m = {0.0, 0.0, model.rest_height_m}, .orientation = Eigen::Quaterniond::Identity()};
-    if (bodies_differ) backend_->embody(body, model, any);
+    if (bodies_differ) backend_->embody(body, robot(body), backend_->pose(body));
     walk_by(body);
   }
 
