@@ -116,9 +116,12 @@ class Killed(InFolder):
                 run = self.start(*self.command(out, 7))
                 self.wait_for(f"{out}/agents.csv", run)
                 time.sleep(0.05)
+                before = resource.getrusage(resource.RUSAGE_CHILDREN)
                 for one in signals:
                     run.send_signal(one)
                 printed, errors = run.communicate(timeout=60)
+                after = resource.getrusage(resource.RUSAGE_CHILDREN)
+                self.assertLess(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, 5.0)  # the run's whole processor time
                 self.assertEqual(run.returncode, STOPPED, errors)
                 self.assertIn("stopping: finished work is kept", errors)
                 self.assertIn(f"--resume --out {out} resumes it", printed)
