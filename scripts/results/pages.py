@@ -466,6 +466,7 @@ def tables(data, choices):
              "living selection": lambda: selected(data("no_criterion_selection")), "living progress": lambda: raced(data("no_criterion_progress"))}
     for name in ("mujoco", "gaits", "bodies"):
         made[f"living {name}"] = lambda name=name: living([row for row in data(f"no_criterion_{name}") if row["metric"] in ("velocity", "generation_time")])
+    for name in ("gaits", "bodies"):
         made[f"selected {name}"] = lambda name=name: selected(data(f"no_criterion_{name}_selection"))
     for name in ("arms_race", "ranges", "room", "mujoco", "mujoco_brains"):
         made[f"race {name}"] = lambda name=name: race(data(f"race_{name}"))
