@@ -468,6 +468,7 @@ def tables(data, choices):
         made[f"living {name}"] = lambda name=name: living([row for row in data(f"no_criterion_{name}") if row["metric"] in ("velocity", "generation_time")])
     for name in ("gaits", "bodies"):
         made[f"selected {name}"] = lambda name=name: selected(data(f"no_criterion_{name}_selection"))
+        made[f"progress {name}"] = lambda name=name: raced(data(f"no_criterion_{name}_progress"))
     for name in ("arms_race", "ranges", "room", "mujoco", "mujoco_brains"):
         made[f"race {name}"] = lambda name=name: race(data(f"race_{name}"))
     for backend in ("kinematic", "mujoco"):

@@ -43,6 +43,9 @@ class Bodies(InFolder):
         self.assertEqual({row["species"] for row in born}, {"prey", "predator"})
         self.assertTrue(any(float(row["edit_distance"]) > 0 for row in born))
         self.assertEqual(int(self.rows("run/energy.csv")[-1]["tick"]), 4)
+        short = ["--against", "own", "--epochs", "0,8", "--team-size", 2, "--teams", 2, "--duration", 100, "--reach", 2.5]
+        self.run_ok(TROPHIC, "contest", "run", "--program", BODIES, *short, "--out", "met")
+        self.assertGreater(len({row["contact_s"] for row in self.rows("met/contests.csv")}), 2)
 
     def test_bodies_that_diverge_again_and_again_do_not_stop_the_neutral_null(self):
         diverging = ("physics.timestep_s=0.012", "physics.integrator=rk4", "rules.viability.trial_s=0.01", "rules.body_plan.prey.first_robot=spider",

@@ -63,10 +63,7 @@ Lineup lineup_of(const Plan& plan, const Match& match) {
   Lineup lineup;
   for (const std::size_t number : {match.hunters, match.victims}) {
     const Team& team = plan.teams.at(number);
-    for (std::size_t i = 0; i < team.genomes.size(); ++i) {
-      lineup.push_back({.species = team.species, .genome = {.weights = team.genomes[i]}});
-      if (!team.traits.empty()) lineup.back().genome.traits = team.traits[i];
-    }
+    for (const Genome& genome : team.genomes) lineup.push_back({.species = team.species, .genome = genome});
   }
   return lineup;
 }
@@ -88,8 +85,11 @@ std::string text_of(const Plan& plan) {
             {"fingerprint", plan.fingerprint}, {"params", plan.params},
             {"duration_s", plan.duration_s},   {"reach_m", plan.reach_m},
             {"teams", Json::array()},          {"matches", Json::array()}};
-  for (const Team& team : plan.teams)
-    json["teams"].push_back({{"species", team.species}, {"genomes", team.genomes}, {"traits", team.traits}});
+  for (const Team& team : plan.teams) {
+    Json genomes = Json::array();
+    for (const Genome& one : team.genomes) genomes.push_back({one.weights, one.gait_genes, one.body_genes, one.traits});
+    json["teams"].push_back({{"species", team.species}, {"genomes", std::move(genomes)}});
+  }
   for (const Match& match : plan.matches) json["matches"].push_back({match.hunters, match.victims, match.places});
   return json_text(json) + "\n";
 }
@@ -108,10 +108,9 @@ Plan read_plan(const std::filesystem::path& path) {
               .duration_s = json.at("duration_s").get<double>(),
               .reach_m = json.at("reach_m").get<double>()};
     for (const Json& team : json.at("teams")) {
-      using Genes = std::vector<std::vector<double>>;
-      read.teams.push_back({.species = whole_number<Species>(team, "species"),
-                            .genomes = team.at("genomes").get<Genes>(),
-                            .traits = team.value("traits", Genes{})});
+      read.teams.push_back({.species = whole_number<Species>(team, "species")});
+      for (const auto& [weights, gait, body, traits] : team.at("genomes").get<std::vector<std::array<std::vector<double>, 4>>>())
+        read.teams.back().genomes.push_back({.weights = weights, .gait_genes = gait, .body_genes = body, .traits = traits});
     }
     for (const Json& match : json.at("matches")) {
       read.matches.push_back({.hunters = match.at(0).get<std::size_t>(),
@@ -128,7 +127,6 @@ Plan read_plan(const std::filesystem::path& path) {
   }
   for (const Team& team : plan.teams) {
     if (team.genomes.empty()) refuse("teams: one without individuals");
-    if (!team.traits.empty() && team.traits.size() != team.genomes.size()) refuse("teams: traits: must be of each individual");
   }
   return plan;
 }

@@ -10,11 +10,10 @@
 
 namespace trophic::contest {
 
-/// Individuals of one species, by their genomes.
+/// Individuals of one species, by their genomes, whose ids have no meaning.
 struct Team {
   Species species = 0;
-  std::vector<std::vector<double>> genomes = {};  ///< the weights of each
-  std::vector<std::vector<double>> traits = {};   ///< of each; empty in a table without traits
+  std::vector<Genome> genomes = {};
 };
 
 /// Two teams in an arena, at places drawn from a seed.

@@ -34,10 +34,11 @@ std::vector<std::vector<LivingGenome>> living_genomes(const RunManifest& run, st
       living[epoch].push_back({.id = row.id, .species = row.species});
     }
   });
-  std::unordered_map<IndividualId, std::vector<double>> grown;  // brains that grow have a table of their own
+  std::unordered_map<IndividualId, Genome> parts;  // gaits, bodies and brains that grow have a table of their own
   if (std::filesystem::exists(run.folder / "genes.csv")) {
+    constexpr std::array genes{&Genome::weights, &Genome::gait_genes, &Genome::body_genes};  // in the order of io::GenomePart
     for_each_row<io::GeneRow>(run, "genes.csv", [&](const io::GeneRow& row) {
-      if (row.part == io::GenomePart::brain) grown[row.id].push_back(row.value);
+      (parts[row.id].*genes.at(static_cast<std::size_t>(row.part))).push_back(row.value);
     });
   }
   for_each_row<io::GenomeRow>(run, "genomes.csv", [&](const io::GenomeRow& row) {
@@ -45,13 +46,14 @@ std::vector<std::vector<LivingGenome>> living_genomes(const RunManifest& run, st
     if (found == wanted.end()) return;
     for (const auto& [epoch, place] : found->second) {
       if (row.time_s > epochs_s[epoch]) continue;
-      living[epoch][place].weights = grown.contains(row.id) ? grown[row.id] : row.weights;
-      living[epoch][place].traits = row.traits.values;
+      Genome& genome = living[epoch][place].genome = parts.contains(row.id) ? parts[row.id] : Genome{};
+      if (genome.weights.empty()) genome.weights = row.weights;
+      genome.traits = row.traits.values;
     }
   });
   for (std::vector<LivingGenome>& at_epoch : living) {
     for (const LivingGenome& one : at_epoch)
-      if (one.weights.empty())
+      if (one.genome.weights.empty())
         throw std::invalid_argument{(run.folder / "genomes.csv").string() + ": has no genome of individual " +
                                     std::to_string(one.id)};
     std::ranges::sort(at_epoch, {}, &LivingGenome::id);

@@ -8,13 +8,12 @@
 
 namespace trophic::analysis {
 
-/// An individual at an epoch. `weights` are those that its genome had at that time: a genome that several individuals share
-/// changes at later births, and the last row of genomes.csv up to the epoch counts.
+/// An individual at an epoch, with its genome at that time: one that several individuals share changes at later births, and the
+/// last row of genomes.csv up to the epoch counts.
 struct LivingGenome {
   IndividualId id = 0;
   Species species = 0;
-  std::vector<double> weights = {};
-  std::vector<double> traits = {};  ///< in the order of genomes.csv
+  Genome genome = {};
 };
 
 /// The individuals that were alive after the rules of each epoch's tick, by id. Throws std::invalid_argument, a sentence that

@@ -30,7 +30,7 @@ contest::Plan small_plan() {
   contest::Plan plan{.rule_table = "paper", .engine = "kinematic", .fingerprint = "", .duration_s = 200.0, .reach_m = 1.0};
   for (const Species species : {predator, prey}) {
     contest::Team team{.species = species};
-    for (std::size_t i = 0; i < 10; ++i) team.genomes.push_back(Weights(15, 0.1 * static_cast<double>(i) - 0.4));
+    for (std::size_t i = 0; i < 10; ++i) team.genomes.push_back({.weights = Weights(15, 0.1 * static_cast<double>(i) - 0.4)});
     plan.teams.push_back(team);
   }
   plan.matches = {{.hunters = 0, .victims = 1, .places = 7}, {.hunters = 0, .victims = 1, .places = 8}};
@@ -68,12 +68,13 @@ TEST_CASE("contest: table with traits -> individuals have those of their teams, 
   using Rules = with_traits<rules::Paper, reproduction::traits::List<Sight>>;
   const auto make = TableExperiment<Rules>{backend::Kinematic::Params{}}.contests();
   contest::Plan plan = small_plan();
-  for (contest::Team& team : plan.teams) team.traits.assign(10, {5.0 + static_cast<double>(team.species)});
+  for (contest::Team& team : plan.teams)
+    for (Genome& genome : team.genomes) genome.traits = {5.0 + static_cast<double>(team.species)};
   const auto arena = make(7, contest::lineup_of(plan, plan.matches[0]));
   arena->run_until(2.0);
   for (const Individual& one : arena->view().robots) CHECK(one.genome->traits == Weights{5.0 + static_cast<double>(one.species)});
   for (const Weights& wrong : {Weights{}, Weights{1.0, 2.0}}) {
-    plan.teams[1].traits[3] = wrong;
+    plan.teams[1].genomes[3].traits = wrong;
     CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(contest::play(make, plan, plan.matches[0])); }) ==
           "a contest of genomes without some parts: must have the table's gaits, bodies and traits");
   }
@@ -81,7 +82,7 @@ TEST_CASE("contest: table with traits -> individuals have those of their teams, 
 
 TEST_CASE("contest: genomes of another size -> error that names both sizes") {
   contest::Plan plan = small_plan();
-  plan.teams[0].genomes[3].push_back(0.0);
+  plan.teams[0].genomes[3].weights.push_back(0.0);
   const auto make = TableExperiment<rules::Paper>{backend::Kinematic::Params{}}.contests();
   CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(contest::play(make, plan, plan.matches[0])); }) ==
         "a contest of genomes of 16 weights: must have a genome of 15 weights, as the table's brain takes it");
@@ -109,14 +110,14 @@ TEST_CASE("contest: plan and outcomes -> the same after writing and reading, err
   const auto path = folder.path() / "plan.json";
   contest::Plan plan = small_plan();
   plan.params = {{"rules", {{"floor", {{"floor", 7}}}}}};
-  plan.teams[1].genomes[0][0] = 0.1 + 0.2;
-  plan.teams[1].traits.assign(10, {0.1, 7.0});
+  plan.teams[1].genomes[0] = {
+      .weights = {0.1 + 0.2}, .gait_genes = {1.0 / 3.0}, .body_genes = {2.0, -1e-300}, .traits = {0.1, 7.0}};
   plan.matches[0].places = (std::uint64_t{1} << 48U) - 1;
   write_new_file(path, contest::text_of(plan));
   const contest::Plan read = contest::read_plan(path);
   CHECK(contest::text_of(read) == contest::text_of(plan));
-  CHECK(read.teams[1].genomes == plan.teams[1].genomes);
-  CHECK((read.teams[0].traits.empty() && read.teams[1].traits == plan.teams[1].traits));
+  for (const auto part : {&Genome::weights, &Genome::gait_genes, &Genome::body_genes, &Genome::traits})
+    for (std::size_t one = 0; one < 10; ++one) CHECK(read.teams[1].genomes[one].*part == plan.teams[1].genomes[one].*part);
   CHECK(read.matches[0].places == plan.matches[0].places);
 
   const auto outcomes = folder.path() / "outcomes";

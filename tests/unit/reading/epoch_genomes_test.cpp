@@ -39,25 +39,28 @@ TEST_CASE("epoch genomes: living after the epoch's tick, with the weights that a
   const auto living = living_genomes(run, std::vector{0.0, 10.0, 20.0, 30.0});
   REQUIRE(living.size() == 4);
   REQUIRE(living[0].size() == 2);
-  CHECK((living[0][0].species == 0 && living[0][0].weights == Weights{0.25, 0.5}));
-  CHECK((living[0][1].id == 1 && living[0][1].weights == Weights{1.0, 2.0}));
+  CHECK((living[0][0].species == 0 && living[0][0].genome.weights == Weights{0.25, 0.5}));
+  CHECK((living[0][1].id == 1 && living[0][1].genome.weights == Weights{1.0, 2.0}));
   REQUIRE(living[1].size() == 3);
-  CHECK(living[1][1].weights == Weights{3.0, 4.0});
-  CHECK(living[1][2].weights == Weights{3.0, 4.0});
-  CHECK((living[0][0].traits == Weights{6.0} && living[0][1].traits == Weights{7.0} && living[1][1].traits == Weights{8.0}));
+  CHECK(living[1][1].genome.weights == Weights{3.0, 4.0});
+  CHECK(living[1][2].genome.weights == Weights{3.0, 4.0});
+  CHECK((living[0][0].genome.traits == Weights{6.0} && living[0][1].genome.traits == Weights{7.0} &&
+         living[1][1].genome.traits == Weights{8.0}));
   CHECK(living[2].size() == 2);
   CHECK(living[3].size() == 2);
 }
 
-TEST_CASE("epoch genomes: brains that grow -> the genes of genes.csv, those of a shared genome at that time") {
+TEST_CASE("epoch genomes: gaits, bodies and brains that grow -> the genes of genes.csv, those of a shared genome at that time") {
   const test::TemporaryFolder folder;
   const RunManifest run = written(folder.path());
   std::ofstream{folder.path() / "genomes.csv"} << "id,genome_id,time_s\n0,0,0\n1,1,0\n2,1,10\n";
   std::ofstream{folder.path() / "genes.csv"}
-      << "id,part,index,value\n0,brain,0,3\n0,gait,0,7\n1,brain,0,0\n2,brain,0,1\n2,brain,1,0.5\n";
+      << "id,part,index,value\n0,brain,0,3\n0,gait,0,7\n1,brain,0,0\n2,brain,0,1\n2,brain,1,0.5\n2,body,0,4\n2,body,1,5\n";
   const auto living = living_genomes(run, std::vector{0.0, 10.0});
-  CHECK((living[0][0].weights == Weights{3.0} && living[0][1].weights == Weights{0.0}));
-  CHECK((living[1][1].weights == Weights{1.0, 0.5} && living[1][2].weights == Weights{1.0, 0.5}));
+  CHECK((living[0][0].genome.weights == Weights{3.0} && living[0][1].genome.weights == Weights{0.0}));
+  CHECK((living[1][1].genome.weights == Weights{1.0, 0.5} && living[1][2].genome.weights == Weights{1.0, 0.5}));
+  CHECK((living[0][0].genome.gait_genes == Weights{7.0} && living[0][0].genome.body_genes.empty()));
+  CHECK((living[0][1].genome.body_genes.empty() && living[1][1].genome.body_genes == Weights{4.0, 5.0}));
 }
 
 TEST_CASE("epoch genomes: what a run cannot give -> error that names file and reason") {

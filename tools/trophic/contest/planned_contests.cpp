@@ -48,10 +48,8 @@ class Teams {
                                   number_text(size_.epochs_s[name.epoch]) + " s, an epoch"};
     }
     contest::Team team{.species = name.species};
-    for (const std::size_t i : design_.members(name, is_shadow_, members.size(), size_.team_size)) {
-      team.genomes.push_back(members[i]->weights);
-      if (!members[i]->traits.empty()) team.traits.push_back(members[i]->traits);
-    }
+    for (const std::size_t i : design_.members(name, is_shadow_, members.size(), size_.team_size))
+      team.genomes.push_back(members[i]->genome);
     return team;
   }
 
