@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Tables of the documents between <!-- table: NAME --> and <!-- /table -->, from docs/results/data."""
+import itertools
 import pathlib
 import re
 import sys
@@ -46,10 +47,14 @@ def ranged(row, keys, sign=False):
     return middle if lower == "" else f"{middle} [{lower}, {upper}]"
 
 
-def signed(row, keys):
+def signed(row, keys, scale=1.0, sign="+"):
     """A difference with its interval, to three figures; alone if it has no interval."""
-    middle, lower, upper = (row[key] and f"{float(row[key]):+.3g}" for key in keys)
+    middle, lower, upper = (row[key] and f"{scale * float(row[key]):{sign}.3g}" for key in keys)
     return middle + (f" [{lower}, {upper}]" if lower else "")
+
+
+def star(p):
+    return "*" if p and float(p) <= 0.05 else ""
 
 
 def title(row):
@@ -183,9 +188,8 @@ def effects(rows):
         line = [f"`{name}`"]
         for key in EFFECTS:
             row = next(row for row in rows if row["choice"] == name and (row["metric"], row["species"], row["group"], row["over_shadow"]) == key)
-            star = "*" if float(row["p_holm"]) <= 0.05 else ""
-            line.append(digits(row, row["effect"], True) + star)
-            sizes[name] = sizes.get(name, 0) + bool(star)
+            line.append(digits(row, row["effect"], True) + star(row["p_holm"]))
+            sizes[name] = sizes.get(name, 0) + line[-1].endswith("*")
         lines.append(line)
     lines.sort(key=lambda line: -sizes[line[0].strip("`")])
     return table(["choice", *EFFECT_HEADS], lines)
@@ -245,7 +249,7 @@ def inheritance(rows):
         line = [f"`{axis}`", f"{float(reference):.3g} -> {float(value):.3g}"]
         for metric in metrics:
             row = next(row for row in cells if (row["metric"], row["species"], row["group"], row["over_shadow"]) == metric)
-            line.append(ranged(row, ("difference", "lower", "upper"), True) + ("*" if row["p_holm"] and float(row["p_holm"]) <= 0.05 else ""))
+            line.append(ranged(row, ("difference", "lower", "upper"), True) + star(row["p_holm"]))
         lines.append(line)
     heads = []
     for metric in metrics:
@@ -308,9 +312,8 @@ def lineages(rows):
             line = [f"`{cell}`", f"{measure}, {group}", null]
             for species in ("prey", "predator"):
                 row = next(row for row in rows if (row["cell"], row["measure"], row["species"], row["group"], row["null"]) == (cell, measure, species, group, null))
-                star = "*" if row["p_holm"] and float(row["p_holm"]) <= 0.05 else ""
                 line.append(f"{float(row['mean']):.3g}" if row["mean"] else "")
-                line.append(signed(row, ("difference", "lower", "upper")) + star if row["lower"] else "")
+                line.append(signed(row, ("difference", "lower", "upper")) + star(row["p_holm"]) if row["lower"] else "")
             lines += [line] if "*" in "".join(line) else []
     return table(["cell", "measure", "null", "prey", "prey over the null", "predators", "predators over the null"], lines)
 
@@ -322,19 +325,16 @@ EVOLVED = {"brains": ["walked", "open_speed", "wall_contact", "brain_genes"], "g
 def evolved(rows, study):
     """Measures of the late half of the runs, over survival alone, the shadow and, if it was run, the neutral null; * after Holm's correction for all
     measures of a comparison."""
-    def over(row, keys, p):
-        star = "*" if row[p] and float(row[p]) <= 0.05 else ""
-        return signed(row, keys) + star
-
     lines, has_neutral = [], any(row["neutral"] for row in rows if row["study"] == study)
     for metric in EVOLVED[study]:
         for species in ("predator", "prey"):
             found = [row for row in rows if (row["study"], row["metric"], row["species"], row["group"]) == (study, metric, species, "late")]
             for row in found:
-                neutral = over(row, ("over_neutral", "neutral_lower", "neutral_upper"), "neutral_p_holm") if row["neutral"] else ""
+                neutral = signed(row, ("over_neutral", "neutral_lower", "neutral_upper")) + star(row["neutral_p_holm"]) if row["neutral"] else ""
                 lines.append([f"{metric}, {row['unit']}" if row["unit"] != "1" else metric, {"predator": "predators"}.get(species, species),
-                              f"{float(row['mean']):.3g}", f"{float(row['survival']):.3g}", over(row, ("over_survival", "lower", "upper"), "p_holm"),
-                              row["shadow"] and f"{float(row['shadow']):.3g}", over(row, ("over_shadow", "shadow_lower", "shadow_upper"), "shadow_p_holm"),
+                              f"{float(row['mean']):.3g}", f"{float(row['survival']):.3g}", signed(row, ("over_survival", "lower", "upper")) + star(row["p_holm"]),
+                              row["shadow"] and f"{float(row['shadow']):.3g}",
+                              signed(row, ("over_shadow", "shadow_lower", "shadow_upper")) + star(row["shadow_p_holm"]),
                               *([neutral] if has_neutral else []), f"{row['runs']} + {row['survival_runs']}"])
     return table(["measure, late half", "of", "inheritance", "survival alone", "over survival alone", "shadow", "over the shadow",
                   *(["over the neutral null"] if has_neutral else []), "runs"], lines)
@@ -364,10 +364,9 @@ def queen(rows, primary, *names):
         name = row["table"].removesuffix("_by_side")
         if name not in names or (row["family"] == "primary") != primary or row["measure"].startswith("mutation"):
             continue
-        star = "*" if row["p_holm"] and float(row["p_holm"]) <= 0.05 else ""
         words = QUEEN.get(row["measure"], row["measure"].replace("_all", " of `turns_to`").replace("_late", " of `turns_to`, last third"))
         lines.append([f"`{name}`", words, {"predator": "predators"}.get(row["side"], row["side"]), *(row[key] and f"{float(row[key]):+.3g}" for key in ("both", row["side"])),
-                      signed(row, ("difference", "lower", "upper")) + star, p_text(row["p_holm"]), row["detectable"] and f"{float(row['detectable']):.2g}", row["runs"]])
+                      signed(row, ("difference", "lower", "upper")) + star(row["p_holm"]), p_text(row["p_holm"]), row["detectable"] and f"{float(row['detectable']):.2g}", row["runs"]])
     return table(["table", "measure", "side", "both inherit", "this side alone", "both less alone", "p (Holm)", "found in 80 %", "runs"], lines)
 
 
@@ -378,14 +377,9 @@ def living(rows):
         if row["set"] != "pond" or not row["mean"] or row["metric"] in ("persists", "trophic_efficiency", "pyramid_numbers", "search_rate_holling", "handling_time"):
             continue
         scale, unit = (100.0, "cm/s") if row["unit"] == "m/s" else (1.0, "" if row["unit"] == "1" else row["unit"])
-
-        def shown(keys, sign=""):
-            middle, lower, upper = (row[key] and f"{scale * float(row[key]):{sign}.3g}" for key in keys)
-            return middle + (f" [{lower}, {upper}]" if lower else "")
-
         name = ", ".join(filter(None, [row["metric"] + (" (inherited)" if unit == "cm/s" else ""), unit]))
-        lines.append([name, row["species"], shown(("mean", "lower", "upper")), *(row[null] and f"{scale * float(row[null]):.3g}" for null in nulls),
-                      shown(("difference", "difference_lower", "difference_upper"), "+"), p_text(row["p_holm"])])
+        lines.append([name, row["species"], signed(row, ("mean", "lower", "upper"), scale, ""), *(row[null] and f"{scale * float(row[null]):.3g}" for null in nulls),
+                      signed(row, ("difference", "difference_lower", "difference_upper"), scale), p_text(row["p_holm"])])
     return table(["measure", "of", "pond", *(null.replace("_", " ") for null in nulls), "over the shadow", "p (Holm)"], lines)
 
 
@@ -406,15 +400,17 @@ def selected(rows, of="pond"):
     keys, lines = ("runs_mean", "neutral_mean", "difference", "difference_lower", "difference_upper"), []
     for row in (row for row in rows if row["p"]):
         scale = 100.0 / float(row["generations"]) if "generations" in row else 100.0 if row["unit"] == "m/s" else 1.0
-        each = {key: row[key] and str(float(row[key]) * scale) for key in keys}
-        lines.append([row["species"], row["term"], *(each[key] and f"{float(each[key]):+.3g}" for key in keys[:2]), signed(each, keys[2:]), p_text(row["p_holm"])])
+        lines.append([row["species"], row["term"], *(row[key] and f"{scale * float(row[key]):+.3g}" for key in keys[:2]), signed(row, keys[2:], scale), p_text(row["p_holm"])])
     return table(["species", "term", of, "neutral null", "difference", "p (Holm)"], lines)
 
 
-def raced(rows):
-    """Progress in contests, over the shadow."""
-    return table(["progress", "species", "over the shadow, s", "p (Holm)", "runs"],
-                 [[row["measure"], row["species"], seconds(row), p_text(row["p_holm"]), row["runs"]] for row in rows])
+def evolving_ponds(data):
+    """Velocities over the shadow and Price's terms of speed of ponds in which gaits, or bodies too, evolve; * after Holm's correction."""
+    lines = []
+    for name, species in itertools.product(("gaits", "bodies"), ("prey", "predator")):
+        rows = [row for part in ("", "_selection") for row in data(f"no_criterion_{name}{part}") if row["species"] == species and row["p_holm"]]
+        lines.append([name, species, *(signed(row, ("difference", "difference_lower", "difference_upper"), 100.0) + star(row["p_holm"]) for row in rows)])
+    return table(["evolve", "species", "velocity over the shadow, cm/s", "survival", "parenthood", "mutation"], lines)
 
 
 def draw_atlas(rows, path):
@@ -463,12 +459,9 @@ def tables(data, choices):
     made |= {"queen primary": lambda: queen(data("red_queen"), True, "paper", "pond", "growing"), "queen other": lambda: queen(data("red_queen"), False, "paper"),
              "queen mujoco": lambda: queen(data("red_queen_mujoco"), True, "released")}
     made |= {"living": lambda: living(data("no_criterion")), "living settings": lambda: settings(data("no_criterion")),
-             "living selection": lambda: selected(data("no_criterion_selection")), "living progress": lambda: raced(data("no_criterion_progress"))}
-    for name in ("mujoco", "gaits", "bodies"):
-        made[f"living {name}"] = lambda name=name: living([row for row in data(f"no_criterion_{name}") if row["metric"] in ("velocity", "generation_time")])
-    for name in ("gaits", "bodies"):
-        made[f"selected {name}"] = lambda name=name: selected(data(f"no_criterion_{name}_selection"))
-        made[f"progress {name}"] = lambda name=name: raced(data(f"no_criterion_{name}_progress"))
+             "living selection": lambda: selected(data("no_criterion_selection"))}
+    made["living mujoco"] = lambda: living([row for row in data("no_criterion_mujoco") if row["metric"] == "velocity"])
+    made["living evolving"] = lambda: evolving_ponds(data)
     for name in ("arms_race", "ranges", "room", "mujoco", "mujoco_brains"):
         made[f"race {name}"] = lambda name=name: race(data(f"race_{name}"))
     for backend in ("kinematic", "mujoco"):
