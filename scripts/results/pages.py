@@ -401,7 +401,7 @@ def selected(rows, of="pond"):
     for row in (row for row in rows if row["p"]):
         scale = 100.0 / float(row["generations"]) if "generations" in row else 100.0 if row["unit"] == "m/s" else 1.0
         lines.append([row["species"], row["term"], *(row[key] and f"{scale * float(row[key]):+.3g}" for key in keys[:2]), signed(row, keys[2:], scale), p_text(row["p_holm"])])
-    return table(["species", "term", of, "neutral null", "difference", "p (Holm)"], lines)
+    return table(["species", "term", of, "neutral null", "over zero" if "zero" in {row["null"] for row in rows} else "over the neutral null", "p (Holm)"], lines)
 
 
 def evolving_ponds(data):
