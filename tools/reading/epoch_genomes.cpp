@@ -46,7 +46,7 @@ std::vector<std::vector<LivingGenome>> living_genomes(const RunManifest& run, st
     if (found == wanted.end()) return;
     for (const auto& [epoch, place] : found->second) {
       if (row.time_s > epochs_s[epoch]) continue;
-      Genome& genome = living[epoch][place].genome = parts.contains(row.id) ? parts[row.id] : Genome{};
+      Genome& genome = living[epoch][place].genome = parts[row.id];
       if (genome.weights.empty()) genome.weights = row.weights;
       genome.traits = row.traits.values;
     }
