@@ -39,14 +39,7 @@ class Document:
     spans: list[tuple[int, str]]
     tables: list[Table]
     paragraphs: list[tuple[int, str]]  # prose only: no code, tables, headings, comments
-    notes: list[tuple[int, str, str]]  # <!-- KEY: VALUE -->, for the tests
     anchors: set[str]  # of headings, and those written <a id="...">
-
-    def section_start(self, line: int) -> int:
-        return max((heading.line for heading in self.headings if heading.line <= line), default=1)
-
-    def noted(self, key: str) -> str:
-        return " ".join(value for _, noted, value in self.notes if noted == key)
 
 
 def slug(text: str) -> str:
@@ -56,7 +49,7 @@ def slug(text: str) -> str:
 
 
 def parse(path: pathlib.Path) -> Document:
-    document = Document(path, [], [], [], [], [], [], [], set())
+    document = Document(path, [], [], [], [], [], [], set())
     taken, paragraph, paragraph_line, fence, above, in_comment = {}, [], 0, None, ("", ""), False
 
     def end_paragraph():
@@ -81,7 +74,6 @@ def parse(path: pathlib.Path) -> Document:
             continue
         if in_comment or line.lstrip().startswith("<!--"):
             if note := re.match(r"\s*<!--\s*(\w+):? ?(.*?)\s*-->\s*$", line):
-                document.notes.append((number, note[1], note[2]))
                 above = (note[1], note[2])
             in_comment = "-->" not in line
             continue
