@@ -13,7 +13,7 @@ import tempfile
 
 INSTALLED = ("trophic", "trophic-predator-prey", "trophic-ablations", "trophic-readings", "trophic-worlds")
 SYSTEM = {
-    "apt-get", "bash", "cat", "cd", "clang-format", "cp", "docker", "export", "for", "do", "done", "git", "head", "less", "ls", "mkdir", "mv",
+    "apt-get", "bash", "black", "cat", "cd", "clang-format", "cp", "docker", "export", "for", "do", "done", "git", "head", "less", "ls", "mkdir", "mv",
     "parallel", "pip", "pre-commit", "rm", "run-clang-tidy", "sbatch", "simulate", "snakemake", "source", "squeue", "srun", "sudo", "tar", "doxygen",
     "dpkg-buildpackage", "lintian", "pkg-config", "g++", "clang++", "mpirun", "xdg-open", "CXX=clang++",
 }  # fmt: skip
