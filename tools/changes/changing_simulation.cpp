@@ -3,7 +3,7 @@
 #include <exception>
 #include <set>
 #include <tools/changes/changing_simulation.hpp>
-#include <tools/replicates/rewind.hpp>
+#include <tools/changes/may_follow.hpp>
 #include <trophic/ecology/describe.hpp>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/params/named_params.hpp>
@@ -124,7 +124,7 @@ observe::RunDescription ChangingSimulation::describe(double until_s) const {
   const auto remark_on = [&](const std::string& number, double time_s) {
     if (!seen.insert(number).second) return;
     const bool needs_joints = !backend().has_joints() && acts_through_joints(number);
-    if (!needs_joints && !checkpoint::acts_at_start(number)) return;
+    if (!needs_joints && !acts_at_start(number)) return;
     run.remarks.push_back(number + ": its change at " + number_text(time_s) + " s has no effect: it acts " +
                           (needs_joints ? "through joints, which " + run.backend + " lacks" : "at the start of a run alone"));
   };
@@ -247,7 +247,7 @@ std::unique_ptr<Simulation> ChangingSimulation::changed(Values values, std::span
       throw std::invalid_argument{change.number + ": cannot change during a run; must be a number of a rule (rules. ...)"};
     }
   }
-  checkpoint::check_may_follow(first_, run, false);
+  check_may_follow(first_, run, false);
   return ecology;
 }
 

@@ -5,6 +5,7 @@
 #include <thread>
 #include <tools/changes/change.hpp>
 #include <tools/changes/changing_simulation.hpp>
+#include <tools/changes/may_follow.hpp>
 #include <tools/command/output.hpp>
 #include <tools/command/read_parameters.hpp>
 #include <tools/command/run_command.hpp>
@@ -109,7 +110,7 @@ namespace detail {
 /// they cannot begin there, before anything is made.
 [[nodiscard]] inline checkpoint::Snapshot snapshot_of(const ExperimentOptions& options, const OriginRun& origin,
                                                       const observe::RunDescription& run) {
-  checkpoint::check_may_follow(origin.description, run);
+  changes::check_may_follow(origin.description, run);
   if (!(origin.moment.at_s <= run.until_s)) {
     throw std::invalid_argument{"--at " + number_text(origin.moment.at_s) + ": must be <= " + number_text(run.until_s) +
                                 ", the duration of the run that begins there"};
