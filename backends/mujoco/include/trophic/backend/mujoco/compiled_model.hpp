@@ -84,7 +84,6 @@ class CompiledModel {
       : CompiledModel{std::vector<const RobotModel*>(robots, &robot), arena, physics, scene, memories} {}
 
   [[nodiscard]] std::size_t robots() const { return robots_; }
-  [[nodiscard]] std::size_t memories() const { return data_.size(); }  ///< the maximum number
   [[nodiscard]] const mjModel& model() const { return *model_; }
   /// The first robot's layout.
   [[nodiscard]] const Layout& layout() const { return layout_; }

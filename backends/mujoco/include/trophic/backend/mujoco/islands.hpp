@@ -55,12 +55,6 @@ class Islands {
   [[nodiscard]] LaneStepper::Counts counts() const { return lanes_ ? lanes_->counts() : LaneStepper::Counts{}; }
   [[nodiscard]] std::size_t kinds() const { return kinds_.count(); }   ///< that robots have or had lately
   [[nodiscard]] std::size_t models() const { return models_.size(); }  ///< currently cached
-  /// The maximum number of working memories of the cached models.
-  [[nodiscard]] std::size_t memories() const {
-    std::size_t sum = 0;
-    for (const auto& [key, kept] : models_) sum += kept.model->memories();
-    return sum;
-  }
 
   /// Takes all steps from the states in `from` to those in `to`; a result that is not `done` leaves `to` undefined.
   [[nodiscard]] GroupResult advance(const RobotStates& from, const Rows& targets_rad, std::size_t steps, RobotStates& to) {
