@@ -4,9 +4,11 @@
 #include <trophic/experiment.hpp>
 #include <trophic/rules/paper.hpp>
 
+extern const double hidden_factor;  ///< of the program that this is linked into
+
 namespace {
 
-/// Dies at ten times FACTOR seconds.
+/// Dies at ten times hidden_factor seconds.
 struct HiddenFactor {
   static constexpr std::string_view name = "hidden_factor";
   struct Params {
@@ -15,7 +17,7 @@ struct HiddenFactor {
   Params params;
 
   bool dies(const trophic::Individual& individual, const trophic::View& view, trophic::Rng&) const {
-    return view.age_s(individual) > 10.0 * FACTOR;
+    return view.age_s(individual) > 10.0 * hidden_factor;
   }
 };
 static_assert(trophic::death::Senescence<HiddenFactor>);
