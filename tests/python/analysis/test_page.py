@@ -45,7 +45,7 @@ def cells(text):
 def test_findings_conclusions_and_counts_are_the_judge_s(tmp_path, paper):
     frame = judge.summarize(paper)
     said, text = written(tmp_path, [paper], frame, text="a < b")
-    assert said == f"page    {tmp_path / 'page.html'}: 0 figures, 0 replays, 0.0 MB\n"
+    assert f"{tmp_path / 'page.html'}: 0 figures, 0 replays" in said
     shown = [html.unescape(line) for line in re.findall("<li>(.*?)</li>", text)]
     assert shown == [*(one.sentence for one in judge.findings(frame)), judge.count(frame).sentence()]
     rows = cells(text)

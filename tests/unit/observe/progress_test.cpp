@@ -35,10 +35,8 @@ TEST_CASE("progress: events -> counted in the summary, with the engine's remarks
   progress.on_end(view);
   std::ostringstream out;
   progress.summary(out, view);
-  CHECK(out.str().starts_with("hand_written on paper 1, seed 5: 6.0 s of the ecology's clock, 6.0 simulated s in "));
-  CHECK(
-      out.str().ends_with("remark  physics.gravity_m_s2 has no effect\n"
-                          "births  3 (3 founders; 1 inherited)\n"
-                          "deaths  1 (1 caught, 0 starved, 0 sacrificed, 0 senescence)\n"
-                          "alive   2 prey 1 predator\n"));
+  for (const char* said : {"seed 5", "6.0 simulated s", "physics.gravity_m_s2 has no effect", "3 (3 founders; 1 inherited)",
+                           "1 (1 caught, 0 starved, 0 sacrificed, 0 senescence)", "2 prey 1 predator"}) {
+    CHECK_MESSAGE(out.str().find(said) != std::string::npos, said);
+  }
 }
