@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <mujoco/worlds.hpp>
 #include <trophic/backend/mujoco/compiled_model.hpp>
 #include <trophic/backend/mujoco/islands.hpp>
+#include <trophic/backend/mujoco/lane_step.hpp>
 #include <trophic/backend/mujoco/robot_states.hpp>
 
 using namespace trophic;
