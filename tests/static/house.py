@@ -195,7 +195,8 @@ def python_formatted():
     if not tool or not subprocess.run([tool, "--version"], capture_output=True, text=True).stdout.startswith("black, 23."):
         print("black 23 is not installed")
         sys.exit(SKIPPED)
-    scripts = [path for path in sorted((ROOT / "scripts").iterdir()) if path.is_file() and re.match(r"#!.*python", path.read_text())]
+    scripts = [path for folder in ("scripts", "studies") for path in sorted((ROOT / folder).glob("*")) if path.is_file() and not path.suffix]
+    scripts = [path for path in scripts if re.match(r"#!.*python", path.read_text())]
     done = subprocess.run([tool, "--check", "--fast", ROOT, *scripts], cwd=ROOT, capture_output=True, text=True)
     return [f"{line}: run black on it" for line in done.stderr.splitlines() if re.match("would reformat |error: ", line)]
 
