@@ -7,8 +7,8 @@ import subprocess
 
 # A run of each study, its first: about it, program, rule table, length in s, parameters.
 RUNS = {
-    "red_queen": ("In `paper` both species evolve ([the study](@ref page_docs_results_red_queen)).", "trophic-arms-race", "paper_by_side", 6000),
-    "pond": ("A pond without a criterion ([the study](@ref page_docs_results_no_criterion)).", "trophic-worlds", "pond", 12000),
+    "red_queen": ("In `paper` both species evolve ([the study](@ref page_studies_results_red_queen)).", "trophic-arms-race", "paper_by_side", 6000),
+    "pond": ("A pond without a criterion ([the study](@ref page_studies_results_no_criterion)).", "trophic-worlds", "pond", 12000),
     "atlas_flee": ("A cell of its atlas: predators chase and prey flee.", "trophic-worlds", "pond", 6000, "rules.capture.reach_m=0.7", "rules.resource.growth_1_s=0.024"),
     "atlas_approach": ("Predators reach 2 m and food grows slowly.", "trophic-worlds", "pond", 6000, "rules.capture.reach_m=2", "rules.resource.growth_1_s=0.0015"),
     "atlas_end": ("Predators reach 2 m and die out.", "trophic-worlds", "pond", 6000, "rules.capture.reach_m=2", "rules.resource.growth_1_s=0.006"),

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""results_test.py ROOT: the tables of the pages match docs/results/data, and the screening design separates its effects."""
+"""results_test.py ROOT: the tables of the pages match studies/results/data, and the screening design separates its effects."""
 
 import itertools
 import os
@@ -13,19 +13,18 @@ import tempfile
 import unittest
 
 ROOT = pathlib.Path(sys.argv.pop(1)).resolve()
-sys.path[:0] = [str(ROOT / "tests/program"), str(ROOT / "scripts/results")]
+sys.path[:0] = [str(ROOT / "tests/program"), str(ROOT / "studies/python")]
 import system_python
 
 sys.argv[1:1] = [str(ROOT)]
 system_python.need("scipy")
 del sys.argv[1]
 import designs
-import pages
 
 
 class Pages(unittest.TestCase):
     def tables(self, root):
-        return subprocess.run([sys.executable, root / "scripts/reproduce", "--tables", "--check"], capture_output=True, text=True)
+        return subprocess.run([sys.executable, root / "studies/reproduce", "--tables", "--check"], capture_output=True, text=True)
 
     def test_tables_match_the_data(self):
         result = self.tables(ROOT)
@@ -34,12 +33,10 @@ class Pages(unittest.TestCase):
     def test_a_changed_digit_in_a_page_is_found(self):
         with tempfile.TemporaryDirectory() as folder:
             copy = pathlib.Path(folder)
-            for part in ("scripts", "docs/results/data", "examples/readings", "tools/python/trophic"):
+            for part in ("studies", "tools/python/trophic"):
                 shutil.copytree(ROOT / part, copy / part)
-            for page in pages.PAGES:
-                (copy / page).parent.mkdir(parents=True, exist_ok=True)
-                shutil.copy(ROOT / page, copy / page)
-            page = "docs/results/released-on-mujoco.md"
+            shutil.copy(ROOT / "README.md", copy)
+            page = "studies/results/released-on-mujoco.md"
             text = (copy / page).read_text()
             start = text.index("<!-- table:")
             digit = next(place for place in range(text.index("\n|---", start) + 5, len(text)) if text[place] in "123456789")

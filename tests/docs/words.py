@@ -21,9 +21,9 @@ from collections.abc import Iterator
 from documents import all_documents
 
 LONGEST_SENTENCE = 30  # words, in documents
-COMMENTS = ("include", "backends", "examples", "src", "tools", "tests/conformance", "tests/support")
-MESSAGES = ("include", "backends", "examples", "tools")
-SCRIPTS = ("docs", "examples", "packaging", "scripts", "tools")  # in Python
+COMMENTS = ("include", "backends", "examples", "studies", "src", "tools", "tests/conformance", "tests/support")
+MESSAGES = ("include", "backends", "examples", "studies", "tools")
+SCRIPTS = ("docs", "studies", "packaging", "scripts", "tools")  # in Python
 TESTS = ("tests", "tools/viewer/tests")
 
 

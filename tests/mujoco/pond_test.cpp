@@ -2,7 +2,7 @@
 // Runs of the pond on MuJoCo that are killed and resumed.
 #include <doctest/doctest.h>
 
-#include <examples/worlds/pond.hpp>
+#include <trophic/worlds/pond.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <unit/checkpoint/resumed.hpp>

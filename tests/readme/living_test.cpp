@@ -5,7 +5,7 @@
 #include <a-living-world/01_part.cpp>
 #include <a-living-world/02_part.cpp>
 #include <a-living-world/03_part.cpp>
-#include <examples/worlds/pond.hpp>
+#include <trophic/worlds/pond.hpp>
 #include <map>
 #include <regex>
 #include <sstream>

@@ -2,7 +2,7 @@
 // Acts: brains' outputs by name, their values in the view, and what they do.
 #include <doctest/doctest.h>
 
-#include <examples/worlds/pond.hpp>
+#include <trophic/worlds/pond.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/control/acts/signal.hpp>

@@ -2,7 +2,7 @@
 // Worlds in which energy is owned once and numbers change.
 #include <doctest/doctest.h>
 
-#include <examples/worlds/pond.hpp>
+#include <trophic/worlds/pond.hpp>
 #include <map>
 #include <support/energy_auditor.hpp>
 #include <support/hand_population.hpp>
