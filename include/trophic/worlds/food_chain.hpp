@@ -4,7 +4,6 @@
 
 #include <trophic/initialization/community/food_chain.hpp>
 #include <trophic/rules/with.hpp>
-
 #include <trophic/worlds/pond.hpp>
 
 namespace trophic::worlds {
@@ -29,8 +28,8 @@ inline constexpr auto food_chain_ecology = [](EcologyParams& ecology) {
   ecology.duration_s = 4000.0;
 };
 
-/// As in Pond, with apex predators that eat hunters. A meal comes out of the eaten, so each level lives on less than the one
-/// below it has.
+/// Rules: as Pond, with apex predators that eat hunters. A meal is energy of the eaten, so each level lives on less than the one
+/// below it has.   Source: not in the paper. All parameters are free.   Units: J, m, s.
 using FoodChain = named<with_ecology<with_params<with_recruitment<with_community<Pond, initialization::community::FoodChain>,
                                                                   rules::by_species<reproduction::recruitment::AtEnergy>>,
                                                  food_chain_params>,

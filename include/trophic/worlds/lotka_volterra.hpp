@@ -2,8 +2,9 @@
 // Lotka's and Volterra's predators and prey: a well-mixed world without a limit to prey.
 #pragma once
 
+#include <cmath>
+#include <numbers>
 #include <trophic/rules/with.hpp>
-
 #include <trophic/worlds/rosenzweig_macarthur.hpp>
 
 namespace trophic::worlds {
@@ -15,9 +16,9 @@ inline constexpr auto lotka_volterra_params = [](auto& params) {
   params.senescence = {.m = 0.01};
 };
 
-/// The table of Rosenzweig and MacArthur without a limit to prey and without handling [lotka1925] [volterra1926]. Numbers cycle,
-/// with an amplitude that only chance changes. The means over whole periods do not depend on it: N* = m / (a e) and P* = r / a,
-/// here 500 and 500, in periods of about 2 pi / sqrt(r m) = 630 ticks. For the backend `torus`.
+/// Rules: as RosenzweigMacArthur, without a limit to prey and without handling.   Source: [lotka1925] [volterra1926]. Numbers
+/// cycle, with an amplitude that only chance changes. The means over whole periods do not depend on it: N* = m / (a e) and P* = r
+/// / a, here 500 and 500, in periods of about 2 pi / sqrt(r m) = 630 ticks.   For the backend `torus`.
 using LotkaVolterra = named<with_params<RosenzweigMacArthur, lotka_volterra_params>, "lotka_volterra">;
 
 }  // namespace trophic::worlds

@@ -11,10 +11,11 @@
 
 namespace trophic::worlds {
 
-/// Prey graze a field that grows again, predators live on what their prey have, both spend energy on living and walking, starve
-/// without, and share it with an offspring next to them once they have enough. No floor, rescue or
-/// newcomer keeps a number, and either species may die out. Bodies, senses, brains, tags and activation are the paper's. No
-/// criterion selects: who eats more has more offspring.
+/// Rules: prey graze a field that grows again (LogisticField), predators take the energy of the prey that they catch, both spend
+/// energy on living and walking, and starve without (GrazingAndHunting). An individual with `birth_J` shares its energy with an
+/// offspring next to it (AtEnergy). Bodies, senses, brains, tags and activation are those of Paper. No floor, rescue or newcomer
+/// keeps a number, so either species may die out. No criterion selects: who eats more has more offspring.   Source: not in the
+/// paper; a balance of energy as in Polyworld [yaeger1994]. All parameters are free.   Units: J, m, s.
 struct Pond final {
   static constexpr std::string_view name = "pond";
 

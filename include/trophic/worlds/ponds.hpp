@@ -7,21 +7,23 @@
 #include <trophic/death/floor/victim_floor.hpp>
 #include <trophic/death/minimum_predators/sacrifice_random_victim.hpp>
 #include <trophic/reproduction/recruitment/after_escapes.hpp>
-
 #include <trophic/worlds/pond.hpp>
 
 namespace trophic::worlds {
 
-using reproduction::recruitment::AfterEscapes, reproduction::recruitment::AtEnergy;
-
 inline constexpr auto in_refuges = [](EcologyParams& ecology) { ecology.arena = "refuges"; };
 
-/// As Pond, in the arena `refuges`, whose four zones named refuge cover an eighth of the floor: no prey is caught there.
+/// Rules: as Pond, in the arena `refuges`, whose four zones named refuge cover an eighth of the floor: no prey is caught there
+/// (CatchOutsideRefuges).   Source: not in the literature as such.
 using PondWithRefuges =
     named<with_ecology<with_capture<Pond, death::capture::CatchOutsideRefuges>, in_refuges>, "pond_with_refuges">;
 
+namespace conditions {
+
+using reproduction::recruitment::AfterEscapes, reproduction::recruitment::AtEnergy;
+
 /// Rule: births of AtEnergy, of prey only after as many `escapes` since their last offspring as AfterEscapes counts. The body of
-/// a sacrificed prey becomes a predator's at once.   Reads: as both.   Random draws: 0.
+/// a sacrificed prey becomes a predator's at once.   Reads: as both.   Random draws: as AtEnergy.
 struct AtEnergyAfterEscapes {
   using NamesOneParent = AtEnergyAfterEscapes;
   static constexpr std::string_view name = "at_energy_after_escapes";
@@ -51,6 +53,7 @@ struct AtEnergyAfterEscapes {
     return births;
   }
 };
+static_assert(reproduction::Recruitment<AtEnergyAfterEscapes>);
 
 template <class Base>
 using WithFloor =
@@ -60,11 +63,15 @@ inline constexpr auto as_the_pond = [](auto& params) {
   params.floor.floor = params.minimum_predators.below = 0;
 };
 
-/// As Pond, until parameters give the paper's floor and rescue, a criterion for births of prey, or a pace to a species.
+}  // namespace conditions
+
+/// Rules: as Pond, to the byte, until parameters give the paper's floor (`rules.floor.floor`) and rescue
+/// (`rules.minimum_predators.below`), a criterion for births of prey (`rules.recruitment.escapes`), or a species' pace
+/// (`rules.pace.SPECIES.factor`).   Source: not in the literature as such.
 using PondWithConditions =
-    named<with_params<
-              with_pace<WithFloor<with_recruitment<Pond, AtEnergyAfterEscapes>>, rules::by_species<control::pace::ConstantPace>>,
-              as_the_pond>,
+    named<with_params<with_pace<conditions::WithFloor<with_recruitment<Pond, conditions::AtEnergyAfterEscapes>>,
+                                rules::by_species<control::pace::ConstantPace>>,
+                      conditions::as_the_pond>,
           "pond_with_conditions">;
 
 }  // namespace trophic::worlds

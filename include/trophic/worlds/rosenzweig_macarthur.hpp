@@ -13,7 +13,8 @@ namespace trophic::worlds {
 
 namespace well_mixed {
 
-/// A prey bears with probability r (1 - N / K) a tick, N of K prey being there; a predator with probability e after a catch.
+/// Rule: at each tick a prey has an offspring with probability r (1 - N / K) among N prey, a predator with probability e if it
+/// has just caught one.   Reads: species, numbers, hunger.   Random draws: 1 for each individual after the first tick.
 struct Births {
   static constexpr std::string_view name = "logistic_and_by_catches";
   using NamesOneParent = Births;
@@ -43,8 +44,10 @@ struct Births {
     return births;
   }
 };
+static_assert(reproduction::Recruitment<Births>);
 
-/// A predator dies with probability m a tick, a prey never of itself.
+/// Rule: a predator dies with probability m a tick; a prey dies only if it is caught.   Reads: species.   Random draws: 1 of a
+/// predator.
 struct Deaths {
   static constexpr std::string_view name = "deaths_of_predators";
   struct Params {
@@ -56,14 +59,15 @@ struct Deaths {
     return view.web.hunts(self.species) && rng.chance(params.m);
   }
 };
+static_assert(death::Senescence<Deaths>);
 
 }  // namespace well_mixed
 
-/// Prey grow logistically, and predators need h ticks for each that they catch [rosenzweig1963]. A tick: each predator that is
-/// free catches the nearest prey within reach; predators die; prey, and predators that caught, bear. For the backend `torus`,
-/// on which all are anywhere after each tick. With the attack rate a = pi reach^2 / area the equilibrium is N* = m / (a (e - m
-/// h)), P* = r (1 - N* / K) (1 + a h N*) / a; it is stable as long as N* > (K - 1 / (a h)) / 2. So numbers stay near it at K =
-/// 600 and cycle at K = 1600, until a species dies out.
+/// Rules: prey grow logistically, and predators need h ticks for each that they catch. A tick: each predator that is free catches
+/// the nearest prey within reach; predators die; prey, and predators that caught, have offspring.   Source: [rosenzweig1963].
+/// With the attack rate a = pi reach^2 / area the equilibrium is N* = m / (a (e - m h)), P* = r (1 - N* / K) (1 + a h N*) / a; it
+/// is stable as long as N* > (K - 1 / (a h)) / 2. So numbers stay near it at K = 600 and cycle at K = 1600, until a species dies
+/// out.   Units: a tick is 1 s.   For the backend `torus`, on which all are anywhere after each tick.
 struct RosenzweigMacArthur final {
   static constexpr std::string_view name = "rosenzweig_macarthur";
 

@@ -15,6 +15,7 @@ namespace trophic::worlds {
 
 namespace wolf_sheep {
 
+/// Sheep, and wolves that hunt them.
 struct Community {
   static constexpr std::string_view name = "wolves_and_sheep";
   static constexpr std::array<std::string_view, 2> species_names{"sheep", "wolf"};
@@ -25,8 +26,10 @@ struct Community {
     return initialization::community::PredatorPrey{params}.founders(robots);
   }
 };
+static_assert(initialization::Community<Community>);
 
-/// A wolf eats one sheep on its patch; wolves in random order.
+/// Rule: a wolf eats one sheep on its patch, wolves in random order.   Reads: positions, patches.   Random draws: the order of
+/// the wolves, and 1 for each catch.
 struct OnItsPatch {
   static constexpr std::string_view name = "on_its_patch";
   [[nodiscard]] std::vector<death::Capture> captures(const View& view, Rng& rng) const {
@@ -48,14 +51,15 @@ struct OnItsPatch {
     return captures;
   }
 };
+static_assert(death::CaptureRule<OnItsPatch>);
 
 }  // namespace wolf_sheep
 
-/// NetLogo's model Wolf Sheep Predation with grass [wilensky1997], and with its numbers: 100 sheep and 50 wolves on a torus of 51
-/// x 51 patches. A tick: all turn at random and walk one patch, which costs 1; sheep eat a grown patch, worth 4, which is bare
-/// for 30 ticks; a wolf eats a sheep on its patch and gains 20; who has less than 0 dies; each sheep bears with 4 %, each wolf
-/// with 5 %, and halves its energy. For the backend `torus`. The gain of a wolf comes from outside, as in NetLogo, whatever its
-/// sheep had.
+/// Rules: 100 sheep and 50 wolves on a torus of 51 x 51 patches. A tick: all turn at random and walk one patch, which costs 1;
+/// sheep eat a grown patch, worth 4, which is bare for 30 ticks; a wolf eats a sheep on its patch and gains 20; who has less than
+/// 0 dies; each sheep has an offspring with 4 %, each wolf with 5 %, and halves its energy. The gain of a wolf comes from
+/// outside, whatever its sheep had.   Source: NetLogo's model Wolf Sheep Predation with grass, and its numbers [wilensky1997].
+/// Units: a patch is 1 m, a tick 1 s.   For the backend `torus`.
 struct WolfSheep final {
   static constexpr std::string_view name = "wolf_sheep";
 
