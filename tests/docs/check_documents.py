@@ -31,7 +31,7 @@ from documents import Document, all_documents, slug
 
 README_COMMANDS = ["scripts/quickstart", "scripts/run-tests"]
 LONGEST_CELL = 600  # characters
-LONGEST_README, LONGEST_UNRELEASED = 250, 40  # lines
+LONGEST_README, LONGEST_UNRELEASED = 250, 60  # lines
 READ_FILES, READ_LINES = 12, 1520
 HISTORY = {"CHANGELOG.md"}  # mentions names that are gone
 SUFFIXES = ("hpp", "ipp", "cpp", "h", "py", "md", "toml", "csv", "json", "png", "cmake", "txt", "html", "trp", "bin", "bib", "svg", "log", "sh")
