@@ -4,6 +4,7 @@ import csv
 import itertools
 import json
 import math
+import pathlib
 
 import installed
 
