@@ -2,6 +2,7 @@
 """Runs in which bodies, gaits and brains evolve are recorded, measured and met in contests. Those with bodies need MuJoCo."""
 
 import json
+import shutil
 import subprocess
 
 import pytest
@@ -40,7 +41,7 @@ def test_a_pond_begets_bodies_and_gaits_in_growing_numbers(folder):
     assert any(float(row["edit_distance"]) > 0 for row in born)
     assert int(folder.rows("run/energy.csv")[-1]["tick"]) == 4
     short = ["--against", "own", "--epochs", "0,8", "--team-size", 2, "--teams", 2, "--duration", 100, "--reach", 2.5]
-    folder.run("trophic", "contest", "run", "--program", "trophic-bodies", *short, "--out", "met")
+    folder.run("trophic", "contest", "run", "--program", shutil.which("trophic-bodies"), *short, "--out", "met")
     assert len({row["contact_s"] for row in folder.rows("met/contests.csv")}) > 2
 
 

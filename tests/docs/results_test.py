@@ -3,7 +3,6 @@
 """results_test.py ROOT: the tables of the pages match studies/results/data, and the screening design separates its effects."""
 
 import itertools
-import os
 import pathlib
 import random
 import shutil
