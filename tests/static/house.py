@@ -35,9 +35,9 @@ INSTALLED = "trophic/habitat/load/installed_model_dir.hpp"
 
 def library_alone():
     """The library includes no tool and no engine, under no condition: a header of trophic is in include/ or in the backend's own
-    folder, and engines and their parsers are for backends alone."""
+    folder, and engines and their parsers are for backends alone. Studies, too, include only headers that are installed."""
     offences, engines = [], sorted(path.name for path in (ROOT / "backends").iterdir())
-    for folder in ("include", "src", *(f"backends/{engine}" for engine in engines)):
+    for folder in ("include", "src", "studies", *(f"backends/{engine}" for engine in engines)):
         homes = [CORE, *(ROOT / "backends").glob("*/include")] if folder == "src" else [CORE, ROOT / folder / "include"]
         for path in sources(folder):
             for name in re.findall(r'^\s*#\s*include\s*[<"]([^>"]+)', path.read_text(), re.M):
