@@ -29,7 +29,7 @@ foreach(component command mujoco ode compiled mujoco_compiled ode_compiled)
 endforeach()
 
 if(TROPHIC_BUILD_EXAMPLES)
-  install(TARGETS trophic_program predator_prey ablations readings RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS trophic_program predator_prey ablations worlds RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/trophic)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/python DESTINATION ${CMAKE_INSTALL_DATADIR}/trophic FILES_MATCHING PATTERN "*.py" PATTERN "*.j2" PATTERN "*.ipynb")

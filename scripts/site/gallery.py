@@ -5,10 +5,9 @@ import pathlib
 import shutil
 import subprocess
 
-# A run of each study, its first: about it, program, rule table, length in s, parameters.
+# Runs of a study: about it, program, rule table, length in s, parameters.
 RUNS = {
-    "red_queen": ("In `paper` both species evolve ([the study](@ref page_docs_results_red_queen)).", "trophic-arms-race", "paper_by_side", 6000),
-    "pond": ("A pond without a criterion ([the study](@ref page_docs_results_no_criterion)).", "trophic-worlds", "pond", 12000),
+    "pond": ("A pond without a criterion ([the study](@ref page_studies_results_no_criterion)).", "trophic-worlds", "pond", 12000),
     "atlas_flee": ("A cell of its atlas: predators chase and prey flee.", "trophic-worlds", "pond", 6000, "rules.capture.reach_m=0.7", "rules.resource.growth_1_s=0.024"),
     "atlas_approach": ("Predators reach 2 m and food grows slowly.", "trophic-worlds", "pond", 6000, "rules.capture.reach_m=2", "rules.resource.growth_1_s=0.0015"),
     "atlas_end": ("Predators reach 2 m and die out.", "trophic-worlds", "pond", 6000, "rules.capture.reach_m=2", "rules.resource.growth_1_s=0.006"),
@@ -34,7 +33,7 @@ def made_by_programs(root: pathlib.Path, programs: pathlib.Path, images: pathlib
     lines = ["## Runs {#gallery_runs}\n\nRuns without physics, as `trophic show` makes their pages. Each opens at a catch; `?` lists the keys.\n"]
     lines += [f'- @htmlonly<a href="{name}.html">{name}</a>@endhtmlonly: {about}\n' for name, (about, *_) in RUNS.items()]
     lines += [
-        '@htmlonly<iframe class="replay" src="red_queen.html" title="a run of red_queen"></iframe>@endhtmlonly\n',
+        '@htmlonly<iframe class="replay" src="pond.html" title="a run of pond"></iframe>@endhtmlonly\n',
         "## Robots {#gallery_robots}\n\nThe shipped robot files, drawn by `trophic film --robot`.\n",
     ]
     for robot in sorted((root / "models/robots").glob("*.toml")):

@@ -11,7 +11,7 @@ from documents import all_documents, parse
 
 ORDER = [  # what a reader meets in the site's tree, with their parents
     ("README.md", None), ("docs/tutorial.md", None), ("docs/how-to/README.md", None), ("docs/GLOSSARY.md", None),
-    ("docs/results/README.md", None), ("docs/open-choices.md", "docs/results/README.md"), ("docs/performance.md", None),
+    ("studies/results/README.md", None), ("studies/results/open-choices.md", "studies/results/README.md"), ("docs/performance.md", None),
     ("docs/robustness.md", None), ("docs/history/robustness.md", "docs/robustness.md"), ("docs/ARCHITECTURE.md", None),
     ("docs/read-in-an-hour.md", "docs/ARCHITECTURE.md"), ("docs/decisions/README.md", None), ("docs/files.md", None),
     ("docs/tables.md", "docs/files.md"), ("models/README.md", None), ("backends/mujoco/README.md", None),

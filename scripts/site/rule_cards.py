@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A card for each policy: what its doc block and its Params say, which tables use it, and what swapping it changed (docs/results)."""
+"""A card for each policy: what its doc block and its Params say, which tables use it, and what swapping it changed (studies/results)."""
 
 import dataclasses
 import pathlib
@@ -109,7 +109,7 @@ def snake(slot: str) -> str:
 def swaps(root: pathlib.Path) -> list[list[str]]:
     """The rows of the tables of rule swaps: put into, metric, before, after, difference, p."""
     rows = []
-    for table in parse(root / "docs/results/ablations.md").tables:
+    for table in parse(root / "studies/results/ablations.md").tables:
         if table.rows[0][0].startswith("put into"):
             into = re.sub(r"[`\s]|put into", "", table.rows[0][0])
             rows += [[into, *row] for row in table.rows[2:]]
@@ -188,13 +188,13 @@ def page(card: Card, used: dict, swapped: list[list[str]], keys: set[str], slots
         lines += ["**Tables that use it.** None that is shipped.", ""]
     slots = {snake(slot) for _, slot in places}
     told = [row for row in swapped if row[1].split(".")[0] in slots]
-    lines += ["**Significant effects of swapping its slot or one of its parameters**, on the kinematic backend ([ablations](@ref page_docs_results_ablations)):", ""]
+    lines += ["**Significant effects of swapping its slot or one of its parameters**, on the kinematic backend ([ablations](@ref page_studies_results_ablations)):", ""]
     if told:
         lines += ["| into | swapped | metric | before | after | difference | p |", "|---|---|---|---|---|---|---|"]
         lines += ["| " + " | ".join(escaped(cell) for cell in row) + " |" for row in told] + [""]
     else:
         lines[-2] = ("**Swapping its slot or one of its parameters** changes no metric significantly on the kinematic backend; "
-                     "this does not show that it has no effect ([ablations](@ref page_docs_results_ablations)).")
+                     "this does not show that it has no effect ([ablations](@ref page_studies_results_ablations)).")
     lines += [f"The header: [{card.header}](@ref {card.header}).", ""]
     return references.linked("\n".join(lines), keys)
 

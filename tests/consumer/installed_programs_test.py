@@ -13,7 +13,7 @@ import unittest
 
 BIN = pathlib.Path(sys.argv.pop(1))
 MODELS_OF_SOURCES = pathlib.Path(__file__).resolve().parents[2] / "models"
-PROGRAMS = ["trophic", "trophic-ablations", "trophic-predator-prey", "trophic-readings"]
+PROGRAMS = ["trophic", "trophic-ablations", "trophic-predator-prey", "trophic-worlds"]
 
 
 class InstalledPrograms(unittest.TestCase):

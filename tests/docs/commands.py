@@ -11,7 +11,8 @@ import subprocess
 import sys
 import tempfile
 
-INSTALLED = ("trophic", "trophic-predator-prey", "trophic-ablations", "trophic-readings", "trophic-worlds")
+INSTALLED = ("trophic", "trophic-predator-prey", "trophic-ablations", "trophic-worlds")
+STUDIES = ("trophic-arms-race", "trophic-bodies", "trophic-readings")  # of studies/CMakeLists.txt
 SYSTEM = {
     "apt-get", "bash", "black", "cat", "cd", "clang-format", "cp", "docker", "export", "for", "do", "done", "git", "head", "less", "ls", "mkdir", "mv",
     "parallel", "pip", "pre-commit", "rm", "run-clang-tidy", "sbatch", "simulate", "snakemake", "source", "squeue", "srun", "sudo", "tar", "doxygen",
@@ -26,7 +27,7 @@ def is_command(text: str) -> bool:
     first = words[0] if words else ""
     if first in ("cmake", "ctest", "python3", "scripts", "pip", "mpirun"):
         return len(words) > 1
-    return first in INSTALLED and len(words) > 1 or bool(re.match(r"(build/[\w/]+/[\w-]+|scripts/[\w-]+|examples/[\w/]+\.py|docs/[\w/]+\.py)$", first))
+    return first in INSTALLED + STUDIES and len(words) > 1 or bool(re.match(r"(build/[\w/]+/[\w-]+|scripts/[\w-]+|studies/reproduce|(studies|docs)/[\w/]+\.py)$", first))
 
 
 class Programs:
@@ -186,7 +187,7 @@ def parsed(executable: str, arguments: list[str], ask: str, folder: str) -> subp
 def check_ours(tree, programs: Programs, name: str, words: list[str]) -> list[str]:
     for word in words[1:]:
         path = word.split("=")[-1]
-        if re.match(r"(models|examples|tests|docs|scripts)/", path) and not (tree.root / path).exists():
+        if re.match(r"(models|examples|tests|docs|scripts|studies)/", path) and not (tree.root / path).exists():
             return [f"there is no {path}"]
     executable = programs.find(name)
     if executable is None:
@@ -237,14 +238,14 @@ def check_command(tree, programs: Programs, own: str, words: list[str], every_wo
         if first.startswith("build/") and pathlib.PurePath(first).parts[1] not in presets(tree, "configurePresets"):
             return [f"no configure preset '{pathlib.PurePath(first).parts[1]}'"]
         return check_ours(tree, programs, name, words)
-    if re.search(rf"trophic_add_experiment\({re.escape(name)} ", own):
+    if name in STUDIES or re.search(rf"trophic_add_experiment\({re.escape(name)} ", own):
         reference = programs.find("trophic-predator-prey")
         return check_flags(programs.help(reference), words[1:], name) if reference else []
     if re.search(rf"add_executable\({re.escape(name)} ", own):
         return []
     if first.startswith("build/"):
         return check_built(tree, words)
-    if first.startswith(("scripts/", "examples/", "docs/", "tests/")):
+    if first.startswith(("scripts/", "studies/", "docs/", "tests/")):
         return check_script(tree, words)
     if first.startswith("trophic-") or (every_word_known and first not in SYSTEM and first != "python3"):
         return [f"nothing is called '{first}'"]

@@ -17,7 +17,7 @@ import sys
 from documents import all_documents
 
 HERE = pathlib.Path(__file__).parent
-CODE = ("include", "src", "backends", "tools", "examples", "models")
+CODE = ("include", "src", "backends", "tools", "examples", "studies", "models")
 HISTORY = {"CHANGELOG.md"}  # may quote what was wrong
 NAMES_PAPER = re.compile(r'\bSec\. "|\b[Tt]he (paper|text|authors)\b|\b[Dd]raft\b')
 CITATION = re.compile(r'\bSec\. "([^"]*)"')

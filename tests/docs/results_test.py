@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""results_test.py ROOT: the tables of the pages match docs/results/data, and the screening design separates its effects."""
+"""results_test.py ROOT: the tables of the pages match studies/results/data, and the screening design separates its effects."""
 
 import itertools
 import pathlib
@@ -10,7 +10,7 @@ import sys
 import unittest
 
 ROOT = pathlib.Path(sys.argv.pop(1)).resolve()
-sys.path[:0] = [str(ROOT / "tests/program"), str(ROOT / "scripts/results")]
+sys.path[:0] = [str(ROOT / "tests/program"), str(ROOT / "studies/python")]
 import system_python
 
 sys.argv[1:1] = [str(ROOT)]
@@ -21,7 +21,7 @@ import designs
 
 class Pages(unittest.TestCase):
     def test_tables_match_the_data(self):
-        result = subprocess.run([sys.executable, ROOT / "scripts/reproduce", "--tables", "--check"], capture_output=True, text=True)
+        result = subprocess.run([sys.executable, ROOT / "studies/reproduce", "--tables", "--check"], capture_output=True, text=True)
         self.assertEqual(result.returncode, 0, result.stderr)
 
 

@@ -2,9 +2,9 @@
 // Runs of the pond on MuJoCo that are killed and resumed.
 #include <doctest/doctest.h>
 
-#include <examples/worlds/pond.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/mujoco.hpp>
+#include <trophic/worlds/pond.hpp>
 #include <unit/checkpoint/resumed.hpp>
 
 using namespace trophic;

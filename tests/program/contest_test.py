@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""contest_test.py PREDATOR_PREY TROPHIC OWN_TABLE ARMS_RACE: contests and lineages across generations, from runs to tables, and what is refused."""
+"""contest_test.py PREDATOR_PREY TROPHIC OWN_TABLE: contests and lineages across generations, from runs to tables, and what is refused."""
 
 import functools
 import json
@@ -11,7 +11,6 @@ import unittest
 import figures_python
 from in_folder import InFolder, sealed_text
 
-ARMS_RACE = sys.argv.pop(4)
 OWN_TABLE = sys.argv.pop(3)
 TROPHIC = sys.argv.pop(2)
 PREDATOR_PREY = sys.argv.pop(1)
@@ -81,20 +80,6 @@ class Contest(InFolder):
         self.refused("mine", says="rule table ageing: must be paper or released, those of this program; --program names the one that made the runs")
         self.contest("mine", "--program", OWN_TABLE, "--duration", 20, "--team-size", 3, "--epochs", "0,120", "--out", "contests")
         self.assertEqual(len(self.rows("contests/contests.csv")), 3 * 6 * 4)
-
-    def test_one_shadow_serves_all_parent_rules_of_a_base_and_no_table_with_other_deaths(self):
-        for table in ("paper", "paper_most_escapes", "paper_ageing"):
-            self.runs(table, "--rules", table, "--shadow", program=ARMS_RACE, duration=900)
-        for name in ("genomes.csv", "agents.csv"):
-            own, other = (self.rows(f"{table}/shadow/replicate-01/{name}") for table in ("paper", "paper_most_escapes"))
-            self.assertEqual(*([{key: row[key] for key in row if key != "origin"} for row in rows] for rows in (own, other)))
-        off = [part for species in ("prey", "predator") for part in ("--set", f"rules.heredity.{species}.inherited=false")]
-        self.runs("none", "--rules", "paper_by_side", *off, program=ARMS_RACE, duration=900, replicates=2)
-        for name in ("genomes.csv", "agents.csv", "events.csv"):  # where neither side inherits, the runs are the shadow
-            self.assertEqual(*((self.folder / folder / "replicate-01" / name).read_bytes() for folder in ("none", "paper/shadow")))
-        short = ["--shadow", "paper/shadow", "--program", ARMS_RACE, "--duration", 20, "--team-size", 3, "--epochs", "0,900"]
-        self.contest("paper_most_escapes", *short, "--out", "contests")
-        self.refused("paper_ageing", *short, says="paper/shadow/replicate-00: is not a neutral shadow of paper_ageing/replicate-00")
 
     def test_lineages_have_a_shadow_and_drift_and_say_what_they_lack(self):
         self.runs("study", "--shadow", "--senses")

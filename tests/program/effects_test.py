@@ -112,8 +112,7 @@ class Policies(Effects):
                 if path.parent.parent != include and path.stem not in ("contract", "list") and "detail" not in path.parts:
                     slots.setdefault(path.parent.relative_to(include), set()).add(path.stem)
         self.assertGreater(len(slots), 20)
-        tables = [*(include / "rules").glob("*.hpp"), *(root / "examples/readings").glob("*.hpp"), *(root / "examples/worlds").glob("*.hpp"),
-                  *(root / "examples/bodies").glob("*.hpp"), root / "tests/unit/core/effects_test.cpp"]
+        tables = [*(include / "rules").glob("*.hpp"), *(include / "worlds").glob("*.hpp"), *(root / "studies").glob("*/*.hpp"), root / "tests/unit/core/effects_test.cpp"]
         swapped = {name for path in tables for name in re.findall(r"/(\w+)\.hpp>", path.read_text())} | set(re.findall(r"\w+", call(ABLATIONS, "--list").stdout))
         self.assertEqual([str(slot) for slot, policies in slots.items() if not policies & swapped], [])
 

@@ -5,13 +5,13 @@
 #include <a-living-world/01_part.cpp>
 #include <a-living-world/02_part.cpp>
 #include <a-living-world/03_part.cpp>
-#include <examples/worlds/pond.hpp>
 #include <map>
 #include <regex>
 #include <sstream>
 #include <support/energy_auditor.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
+#include <trophic/worlds/pond.hpp>
 #include <unit/checkpoint/resumed.hpp>
 
 using namespace trophic::test;

@@ -35,9 +35,9 @@ INSTALLED = "trophic/habitat/load/installed_model_dir.hpp"
 
 def library_alone():
     """The library includes no tool and no engine, under no condition: a header of trophic is in include/ or in the backend's own
-    folder, and engines and their parsers are for backends alone."""
+    folder, and engines and their parsers are for backends alone. Studies, too, include only headers that are installed."""
     offences, engines = [], sorted(path.name for path in (ROOT / "backends").iterdir())
-    for folder in ("include", "src", *(f"backends/{engine}" for engine in engines)):
+    for folder in ("include", "src", "studies", *(f"backends/{engine}" for engine in engines)):
         homes = [CORE, *(ROOT / "backends").glob("*/include")] if folder == "src" else [CORE, ROOT / folder / "include"]
         for path in sources(folder):
             for name in re.findall(r'^\s*#\s*include\s*[<"]([^>"]+)', path.read_text(), re.M):
@@ -70,7 +70,7 @@ def header_length():
 def header_start():
     """The licence comes first, then what the file is for; headers have #pragma once."""
     offences = []
-    for path in sources("include", "src", *PARTS, "examples", "tests"):
+    for path in sources("include", "src", *PARTS, "examples", "studies", "tests"):
         text = path.read_text()
         if not text.startswith("// SPDX-License-Identifier: MIT\n"):
             offences.append(f"{path.relative_to(ROOT)}: the first line must be // SPDX-License-Identifier: MIT")
@@ -107,7 +107,7 @@ def sources_cited():
     own = r"control|released code|not in the paper|paper: silent|paper: no such rule"
     form = re.compile(rf'({own}|paper, Sec\. "[^"]*"(, Eq\. \d+)?)([;:].*)?')
     documents = [path for path in ROOT.rglob("*.md") if not any(part.startswith(("build", ".")) for part in path.relative_to(ROOT).parts)]
-    for path in [*sources("include", *PARTS, "examples", suffixes=(".hpp", ".ipp", ".cpp", ".py")), *documents]:
+    for path in [*sources("include", *PARTS, "examples", "studies", suffixes=(".hpp", ".ipp", ".cpp", ".py")), *documents]:
         name, text = path.relative_to(ROOT), path.read_text()
         for source in re.findall(r'string_view source =\s*"((?:[^"\\]|\\.)*)"', text):
             if not form.fullmatch(source.replace('\\"', '"')):
@@ -151,17 +151,17 @@ def included_by(path: pathlib.Path) -> list[pathlib.Path]:
 
 def complete_umbrella():
     """trophic.hpp reaches every public header of the core, and names none that another one includes; the command line, which is
-    compiled, stands apart."""
+    compiled, and the worlds, tables that one includes, stand apart."""
     umbrella = "trophic/trophic.hpp"
     reached, named = reached_from(umbrella), re.findall(r"#include <(.+)>", (CORE / umbrella).read_text())
-    missing = [path for path in sources("include") if path not in reached and not {"detail", "experiment", "experiment.hpp"} & set(path.parts)]
+    missing = [path for path in sources("include") if path not in reached and not {"detail", "experiment", "experiment.hpp", "worlds"} & set(path.parts)]
     twice = [name for name in named if CORE / name in reached_from(*(other for other in named if other != name))]
     return [f"{umbrella} lacks #include <{path.relative_to(CORE)}>" for path in missing] + [f"{umbrella}: another header includes {name}" for name in twice]
 
 
 def paths_exist():
     """Every source file that a comment, a message or a compile-time sentence names exists."""
-    folders = ("include", "src", *PARTS, "examples", "tests")
+    folders = ("include", "src", *PARTS, "examples", "studies", "tests")
     there = {part for path in sources(*folders) for part in ends_of(path.relative_to(ROOT))}
     return [
         f"{path.relative_to(ROOT)}:{number}: {name} does not exist"
@@ -184,7 +184,7 @@ def formatted():
     if not tool or " 14." not in subprocess.run([tool, "--version"], capture_output=True, text=True).stdout:
         print("clang-format 14 is not installed")
         sys.exit(SKIPPED)
-    files = [str(path) for path in sources("include", "src", *PARTS, "examples", "tests")]
+    files = [str(path) for path in sources("include", "src", *PARTS, "examples", "studies", "tests")]
     done = subprocess.run([tool, "--dry-run", *files], capture_output=True, text=True, check=True)
     return sorted({line.split(":")[0] + ": run clang-format -i on it" for line in done.stderr.splitlines() if "warning:" in line})
 

@@ -38,8 +38,8 @@ namespace trophic::rules {
 
 /// Kachler and Miras, "Open-endedness induced through a predator-prey scenario using modular robots": the rule in each slot,
 /// the section of the paper that it is from, and every number. The paper has no natural death: the slot Senescence is left out.
-/// "silent" marks choices that the text leaves open. The policy explains each such choice; docs/open-choices.md lists all of
-/// them with their alternatives and effects.
+/// "silent" marks choices that the text leaves open. The policy explains each such choice; studies/results/open-choices.md lists
+/// all of them with their alternatives and effects.
 ///
 /// One choice reverses the evolution of prey: the parent when a predator starves. Sec. "Reproduction" has "any prey". Sec.
 /// "Prey Death" calls the newborn's state "a state of inactivity", and a draft's comment in Sec. "Birth" denies that a newborn

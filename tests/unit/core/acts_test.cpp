@@ -2,7 +2,6 @@
 // Acts: brains' outputs by name, their values in the view, and what they do.
 #include <doctest/doctest.h>
 
-#include <examples/worlds/pond.hpp>
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/control/acts/signal.hpp>
@@ -11,6 +10,7 @@
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/reproduction/recruitment/by_mating.hpp>
 #include <trophic/rules/by_species.hpp>
+#include <trophic/worlds/pond.hpp>
 #include <unit/checkpoint/resumed.hpp>
 
 using namespace trophic;

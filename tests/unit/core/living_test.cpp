@@ -2,7 +2,6 @@
 // Worlds in which energy is owned once and numbers change.
 #include <doctest/doctest.h>
 
-#include <examples/worlds/pond.hpp>
 #include <map>
 #include <support/energy_auditor.hpp>
 #include <support/hand_population.hpp>
@@ -11,6 +10,7 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/torus.hpp>
 #include <trophic/rules/with_ageing_victims.hpp>
+#include <trophic/worlds/pond.hpp>
 #include <unit/checkpoint/resumed.hpp>
 
 using namespace trophic;

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The pond with places at which prey are safe, and with other conditions.
+#pragma once
+
+#include <trophic/control/pace/constant_pace.hpp>
+#include <trophic/death/capture/catch_outside_refuges.hpp>
+#include <trophic/death/floor/victim_floor.hpp>
+#include <trophic/death/minimum_predators/sacrifice_random_victim.hpp>
+#include <trophic/reproduction/recruitment/after_escapes.hpp>
+#include <trophic/worlds/pond.hpp>
+
+namespace trophic::worlds {
+
+inline constexpr auto in_refuges = [](EcologyParams& ecology) { ecology.arena = "refuges"; };
+
+/// Rules: as Pond, in the arena `refuges`, whose four zones named refuge cover an eighth of the floor: no prey is caught there
+/// (CatchOutsideRefuges).   Source: not in the literature as such.
+using PondWithRefuges =
+    named<with_ecology<with_capture<Pond, death::capture::CatchOutsideRefuges>, in_refuges>, "pond_with_refuges">;
+
+namespace conditions {
+
+using reproduction::recruitment::AfterEscapes, reproduction::recruitment::AtEnergy;
+
+/// Rule: births of AtEnergy, of prey only after as many `escapes` since their last offspring as AfterEscapes counts. The body of
+/// a sacrificed prey becomes a predator's at once.   Reads: as both.   Random draws: as AtEnergy.
+struct AtEnergyAfterEscapes {
+  using NamesOneParent = AtEnergyAfterEscapes;
+  static constexpr std::string_view name = "at_energy_after_escapes";
+  static constexpr std::string_view source = AfterEscapes::source;
+
+  struct Params {
+    AtEnergy::Params energy{};
+    std::int64_t escapes = 0;
+    static constexpr auto fields() {
+      return std::tuple{field("energy", &Params::energy),
+                        field("escapes", &Params::escapes, at_least(0), "of a prey before each offspring")};
+    }
+  };
+  Params params;
+  using State = AfterEscapes::State;
+  [[nodiscard]] State born(const Individual&, const State*, const State&) const { return {}; }
+  void on_walk(State& own, BodyIndex self, double m, const View& view) const { AfterEscapes{}.on_walk(own, self, m, view); }
+  void on_offspring(State& own, BodyIndex, BodyIndex, const View&) const { own.escapes = 0; }
+  [[nodiscard]] std::size_t spare_bodies() const { return params.energy.spare_bodies; }
+  [[nodiscard]] bool leaves_spare(const Vacancy& death, const View&) const { return death.cause != Cause::sacrificed; }
+  [[nodiscard]] std::vector<reproduction::Recruit> recruits(const View& view, Rng& rng, std::span<const State> states) const {
+    auto births = AtEnergy{params.energy}.recruits(view, rng);
+    std::erase_if(births, [&](const reproduction::Recruit& birth) {
+      const auto parent = std::ranges::find(view.robots, birth.parents.front().id, &Individual::id) - view.robots.begin();
+      return !view.web.hunts(birth.species) && states[static_cast<std::size_t>(parent)].escapes < params.escapes;
+    });
+    return births;
+  }
+};
+static_assert(reproduction::Recruitment<AtEnergyAfterEscapes>);
+
+template <class Base>
+using WithFloor =
+    with_minimum_predators<with_floor<Base, death::floor::VictimFloor>, death::minimum_predators::SacrificeRandomVictim>;
+inline constexpr auto as_the_pond = [](auto& params) {
+  params.recruitment.energy = Pond::params().recruitment;
+  params.floor.floor = params.minimum_predators.below = 0;
+};
+
+}  // namespace conditions
+
+/// Rules: as Pond, to the byte, until parameters give the paper's floor (`rules.floor.floor`) and rescue
+/// (`rules.minimum_predators.below`), a criterion for births of prey (`rules.recruitment.escapes`), or a species' pace
+/// (`rules.pace.SPECIES.factor`).   Source: not in the literature as such.
+using PondWithConditions =
+    named<with_params<with_pace<conditions::WithFloor<with_recruitment<Pond, conditions::AtEnergyAfterEscapes>>,
+                                rules::by_species<control::pace::ConstantPace>>,
+                      conditions::as_the_pond>,
+          "pond_with_conditions">;
+
+}  // namespace trophic::worlds
