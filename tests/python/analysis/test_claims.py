@@ -147,16 +147,6 @@ def test_simulated_sets(name, tmp_path):
         assert str(answer).split()[0] == {"strong": "depends", "nothing": "undecided"}[name]
 
 
-def test_a_contradiction_is_found(tmp_path):
-    found = check(outcome_of(simulated(1, 0.4)), tmp_path)
-    first, *others = found["page"].claims
-    for changed in (first._replace(p="0.123"), first._replace(conclusion="same"), first._replace(difference="+9.000"), first._replace(metric="other")):
-        assert claims.contradictions({**found, "page": found["page"]._replace(claims=[changed, *others])})
-    for changed in (found["terminal"]._replace(counts=[(39, 1)]), found["terminal"]._replace(findings=["Another finding (2 runs)."])):
-        assert claims.contradictions({**found, "terminal": changed})
-    assert claims.contradictions({**found, "means.tex": found["means.tex"]._replace(names=["another set"])})
-
-
 # Sets of runs
 
 @pytest.fixture(scope="module")
