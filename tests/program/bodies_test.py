@@ -24,6 +24,7 @@ class Bodies(InFolder):
         self.run_ok(ENCODING, "--backend", "mujoco", "--duration", "40", *FEW[2:-2], *(part for setting in diverging for part in ("--set", setting)),
                     "--replicates", "1", "--neutral", "--out", "runs")
         events = [self.rows(f"runs/{null}replicate-00/events.csv") for null in ("", "neutral/")]
+        self.assertTrue(all("diverged" in {row["cause"] for row in of} for of in events))
         self.assertEqual(*([(row["id"], row["parent_id"]) for row in of if row["event"] == "birth"] for of in events))
 
     def test_an_encoding_of_ones_own_has_command_line_tables_and_measures(self):
