@@ -47,7 +47,7 @@ REASONS = {
     "TROPHIC_LANES_INLINE": "an attribute and a specifier in one, for every function of the kernel",
     "R123_USE_*": "a setting of Random123, which its headers read",
     "TOML_ASSERT": "a setting of toml++, which its headers read",
-    "TROPHIC_MODEL_DIR": "given by the build: where the models are installed",
+    "TROPHIC_MODEL_DIR": "given by the build or an installed header: where the models lie",
 }
 
 
