@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
+#include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 
 extern "C" std::size_t robots_after(double seconds);
