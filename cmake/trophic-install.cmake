@@ -45,15 +45,23 @@ install(FILES ${PROJECT_BINARY_DIR}/trophic-config.cmake ${PROJECT_BINARY_DIR}/t
               ${PROJECT_SOURCE_DIR}/cmake/trophic-build-type.cmake ${PROJECT_SOURCE_DIR}/cmake/trophic-find-mujoco.cmake ${PROJECT_SOURCE_DIR}/cmake/trophic-versions.cmake
         DESTINATION ${trophic_cmake_dir})
 
-# For builds without CMake: pkg-config --cflags --libs trophic (or trophic-compiled). The files find their prefix from where they lie.
+# For builds without CMake: pkg-config --cflags --libs trophic, or trophic-header-only; with an engine, trophic-mujoco or trophic-ode. The
+# files find their prefix from where they lie.
 file(RELATIVE_PATH TROPHIC_PC_TO_PREFIX ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
-foreach(name trophic trophic-compiled)
+foreach(name trophic trophic-header-only)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/${name}.pc.in ${PROJECT_BINARY_DIR}/${name}.pc @ONLY)
   install(FILES ${PROJECT_BINARY_DIR}/${name}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endforeach()
-# What CMake's targets know as a definition: where the models lie.
-install(
-  CODE "
-  file(WRITE \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_INCLUDEDIR}/trophic/habitat/load/installed_model_dir.hpp\"
-       \"// SPDX-License-Identifier: MIT\\n// Where the models were installed.\\n#pragma once\\n\"
-       \"#define TROPHIC_MODEL_DIR \\\"\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_DATADIR}/trophic/models\\\"\\n\")")
+foreach(engine mujoco ode)
+  if(TARGET trophic::${engine}_compiled)
+    get_target_property(requires trophic_${engine}_compiled TROPHIC_PC_REQUIRES)
+    get_target_property(libs trophic_${engine}_compiled TROPHIC_PC_LIBS)
+    configure_file(${PROJECT_SOURCE_DIR}/cmake/trophic-engine.pc.in ${PROJECT_BINARY_DIR}/trophic-${engine}.pc @ONLY)
+    install(FILES ${PROJECT_BINARY_DIR}/trophic-${engine}.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+  endif()
+endforeach()
+# The installed header by which programs find the models, wherever the prefix is moved to.
+set(trophic_header_folder trophic/habitat/load)
+file(RELATIVE_PATH TROPHIC_HEADER_TO_MODELS ${CMAKE_INSTALL_FULL_INCLUDEDIR}/${trophic_header_folder} ${CMAKE_INSTALL_FULL_DATADIR}/trophic/models)
+configure_file(${PROJECT_SOURCE_DIR}/cmake/installed_model_dir.hpp.in ${PROJECT_BINARY_DIR}/installed_model_dir.hpp @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/installed_model_dir.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${trophic_header_folder})

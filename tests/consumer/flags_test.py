@@ -29,7 +29,7 @@ def bytes_of(folder: pathlib.Path) -> list[bytes]:
 
 def refusal(flags: str, compiled: bool, folder: pathlib.Path, expected: list[bytes] | None) -> str:
     """Compiles and runs. Returns the errors of the compiler, empty if the bytes are the expected ones."""
-    ours = re.search("^Cflags: (.*) -I", (pathlib.Path(SOURCES) / "cmake/trophic.pc.in").read_text(), re.M)[1].split()
+    ours = re.search("^Cflags: (.*) -I", (pathlib.Path(SOURCES) / "cmake/trophic-header-only.pc.in").read_text(), re.M)[1].split()
     program = folder / "program.cpp"
     included = f'#include "{SOURCES}/tests/hostile/contraction.cpp"\n'
     if expected is None:

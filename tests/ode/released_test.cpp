@@ -57,7 +57,7 @@ TEST_CASE("released rules in ODE: manifest -> contains the integrator's remark")
   observe::Progress progress{false};
   ecology.run_until(2.0, files, progress);
   const auto manifest = parse_json(read_whole_file(folder.path() / "run" / "manifest.json"));
-  CHECK(manifest["params"]["physics"]["integrator"] == "rk4");
+  CHECK(manifest["params"]["physics"]["integrator"] == Json("rk4"));
   CHECK(manifest["remarks"] == Json::array({remark}));
   std::ostringstream summary;
   progress.summary(summary, ecology.view());

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """recipes_test.py ROOT: the recipes of Spack and conda parse, have this version, name every library that CMake looks for with CMake's bounds,
-and set only options that exist; the workflow runs scripts that exist on the systems that packaging/README.md names."""
+and set only options that exist; the workflow runs scripts that exist on the systems that packaging/README.md names, each with the day and commit of its last run."""
 
 import ast
 import pathlib
@@ -80,6 +80,10 @@ class Workflow(unittest.TestCase):
         readme = (ROOT / "packaging/README.md").read_text()
         for system in jobs["tests"]["strategy"]["matrix"]["system"] + jobs["quickstart"]["strategy"]["matrix"]["system"]:
             self.assertIn(f"| {system.replace(':', ' ').capitalize()}", readme)
+        rows = re.findall(r"^\| .* \|$", readme.split("## Systems")[1], re.M)[1:]
+        self.assertGreater(len(rows), 5)
+        for row in rows:
+            self.assertRegex(row.split("|")[3].strip(), r"^\d+ \w+ \d{4}, [0-9a-f]{7,}$|^every commit$", "a day and a commit")
         for job in jobs.values():
             for step in job["steps"]:
                 if script := re.match(r"scripts/\S+", step.get("run", "")):

@@ -18,11 +18,13 @@ namespace trophic::command {
 
 namespace {
 
-/// The folder of the Python module: PREFIX/share/trophic/python next to an installed PREFIX/bin, else that of trophic itself.
+/// The folder of the Python module: PREFIX/share/trophic/python next to PREFIX/bin, or of the trophic with which a program of another
+/// project was built.
 [[nodiscard]] std::filesystem::path module_folder(const std::filesystem::path& program) {
   std::filesystem::path folder = program.parent_path().parent_path() / "share/trophic/python";
   std::error_code ignored;
-  if (!std::filesystem::is_directory(folder, ignored) && trophic_python_folder != nullptr) folder = trophic_python_folder;
+  const std::string otherwise = trophic_python_folder == nullptr ? "" : trophic_python_folder;
+  if (!std::filesystem::is_directory(folder, ignored) && !otherwise.empty()) folder = otherwise;
   if (const auto file = folder / "trophic/command.py"; !std::filesystem::exists(file, ignored)) {
     throw std::invalid_argument{"the Python module is not installed: there is no " + file.string()};
   }

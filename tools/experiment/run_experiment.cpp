@@ -141,7 +141,7 @@ inline void check_resumed(const std::filesystem::path& folder, const observe::Ru
   if (!std::filesystem::is_regular_file(path, unknown)) return;
   const Json there = parse_sealed(read_whole_file(path));
   const Json fingerprint = value_at(there, "fingerprint");
-  if (fingerprint.is_null() || fingerprint == run.fingerprint) return;
+  if (fingerprint.is_null() || fingerprint == Json(run.fingerprint)) return;
   std::string text;
   std::size_t found = 0;
   const auto compare = [&](const std::string& name, const Json& its, const Json& ours) {

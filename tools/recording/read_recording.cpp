@@ -93,12 +93,13 @@ Arena arena_of(const Json& json) {
 
 /// The run of a head.
 void read_run(const Json& json, RecordingHead& head) {
-  if (json.at("format") != "trophic recording") throw std::runtime_error{"its format is " + json_text(json.at("format"))};
-  if (json.at("version") != version && json.at("version") != version_of_bodies) {
-    throw std::runtime_error{"version " + json_text(json.at("version")) + " of the format; this program reads " +
+  if (json.at("format") != Json("trophic recording")) throw std::runtime_error{"its format is " + json_text(json.at("format"))};
+  const Json& its_version = json.at("version");
+  if (its_version != Json(version) && its_version != Json(version_of_bodies)) {
+    throw std::runtime_error{"version " + json_text(its_version) + " of the format; this program reads " +
                              std::to_string(version) + " and " + std::to_string(version_of_bodies)};
   }
-  head.bodies_differ = json.at("version") == version_of_bodies;
+  head.bodies_differ = its_version == Json(version_of_bodies);
   head.fingerprint = plain_text(json, "fingerprint");
   head.seed = whole_number<std::uint64_t>(json, "seed");
   head.rule_table = plain_text(json, "rule_table");

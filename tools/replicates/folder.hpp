@@ -130,10 +130,10 @@ class Folder {
     try {
       same(path, "fingerprint", there.at("fingerprint"), run.fingerprint);
       same(path, "master_seed", there.at("master_seed"), plan.master_seed);
-      if (there.at("until_s") > run.until_s) same(path, "until_s", there.at("until_s"), run.until_s);
+      if (there.at("until_s") > Json(run.until_s)) same(path, "until_s", there.at("until_s"), run.until_s);
       same(path, "origin", there.value("origin", Json::object()), origin_of(plan));
       const Json& count = there.at("count");
-      if (count > plan.count) {
+      if (count > Json(plan.count)) {
         throw std::invalid_argument{"replicates = " + std::to_string(plan.count) + ": must be >= " + json_text(count) +
                                     ", as in " + path.string() + "; a resumed set can grow but not shrink"};
       }

@@ -130,7 +130,7 @@ class PlayedFile {
       const std::size_t end = there.find('\n', at);
       if (end == std::string::npos) break;  // cut short
       const Json line = parse_json_or_null(std::string_view{there}.substr(at, end - at));
-      if (!line.is_array() || line.size() != 3 || !line[0].is_number_unsigned() || line[0] >= outcomes_.size()) break;
+      if (!line.is_array() || line.size() != 3 || !line[0].is_number_unsigned() || line[0] >= Json(outcomes_.size())) break;
       outcomes_[line[0].get<std::size_t>()] = {.contact_s = line[1].get<double>(), .contacted = line[2].get<double>()};
       whole += there.substr(at, end + 1 - at);
       at = end + 1;

@@ -12,8 +12,7 @@ struct Pose {
   Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
   Eigen::Quaterniond orientation = Eigen::Quaterniond::Identity();
 };
-static_assert(TROPHIC_HEADER_ONLY ? EIGEN_MAX_ALIGN_BYTES <= 16 || !EIGEN_MALLOC_ALREADY_ALIGNED
-                                  : EIGEN_MAX_ALIGN_BYTES == 16 && EIGEN_MALLOC_ALREADY_ALIGNED && alignof(Pose) == 16,
+static_assert(TROPHIC_HEADER_ONLY ? EIGEN_MAX_ALIGN_BYTES <= 16 || !EIGEN_MALLOC_ALREADY_ALIGNED : alignof(Pose) == 16,
               "trophic's libraries have -DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_MALLOC_ALREADY_ALIGNED=1 and no other Eigen option");
 
 }  // namespace trophic

@@ -74,7 +74,7 @@ TEST_CASE("resume: run interrupted ten times -> the same bytes") {
   std::ranges::sort(cuts);
   check_resumed(brief<rules::Released>(5), backend::Kinematic::Params{}, folder.path(), cuts, 30.0, unchanged);
   const auto manifest = parse_json(content(folder.path() / "parts/manifest.json"));
-  CHECK(manifest["status"] == "complete");
+  CHECK(manifest["status"] == Json("complete"));
   CHECK(manifest["continued"].size() >= 5);
 }
 
@@ -108,8 +108,8 @@ TEST_CASE("resume: run with a thinned agents.csv, resumed with another interval 
   run_part(brief<rules::Released>(5), backend::Kinematic::Params{}, parts, never, 50.0, {.agents_every_ticks = 5});
   CHECK(results_in(whole) == results_in(parts));
   const auto manifest = parse_json(content(parts / "manifest.json"));
-  CHECK(manifest["agents_every_ticks"] == 7);
-  CHECK(manifest["tables"]["agents.csv"]["rows"] == 30 * (300 / 7 + 1));
+  CHECK(manifest["agents_every_ticks"] == Json(7));
+  CHECK(manifest["tables"]["agents.csv"]["rows"] == Json(30 * (300 / 7 + 1)));
 
   run_part(brief<rules::Released>(5), backend::Kinematic::Params{}, folder.path() / "all", never, 50.0);
   for (const char* file : {"events.csv", "phylogeny.csv", "genomes.csv", "replay.trp"}) {
@@ -149,7 +149,7 @@ TEST_CASE("resume: run with senses.csv -> the same bytes, and no other file diff
   run_part(brief<rules::Paper>(5), backend::Kinematic::Params{}, parts, never, 50.0, {.agents_every_ticks = 5, .senses = true});
   CHECK(results_in(whole) == results_in(parts));
   auto manifest = parse_json(content(whole / "manifest.json"));
-  CHECK(manifest["tables"]["senses.csv"]["rows"] == 30 * (300 / 2 + 1));
+  CHECK(manifest["tables"]["senses.csv"]["rows"] == Json(30 * (300 / 2 + 1)));
   CHECK(manifest["senses"]["inputs"].size() == 3);
 
   // a table that it began without stays absent
@@ -218,7 +218,7 @@ TEST_CASE("resume: a checkpoint of another build -> refused, or accepted and rec
     checkpoint::run_with_checkpoints(ecology, 600.0, run, {.every_s = 50.0}, run_state.from, files);
   }
   const auto manifest = parse_json(content(run / "manifest.json"));
-  CHECK(manifest["continued"][0]["code"] == program_code());
+  CHECK(manifest["continued"][0]["code"] == Json(program_code()));
   // The section that it was read from names this program, as this test wrote it: only a run by two programs has both.
   CHECK(checkpoint::builds_of(run) == std::vector{program_code()});
 }
@@ -234,7 +234,7 @@ TEST_CASE("manifest: resumed by another build -> says so") {
   {
     io::Manifest manifest{folder.path() / "manifest.json", {}};
     manifest.persist(archive);
-    CHECK(text_of(manifest)["code"] == program_code());
+    CHECK(text_of(manifest)["code"] == Json(program_code()));
   }
   const auto resumed_from = [&](const std::string& bytes) {
     io::Manifest manifest{folder.path() / "manifest.json", {}};
@@ -246,9 +246,9 @@ TEST_CASE("manifest: resumed by another build -> says so") {
   std::string other = archive.bytes();
   other.replace(other.find(program_code()), 16, "0123456789abcdef");
   const Json mixed = resumed_from(other);
-  CHECK(mixed["code"] == "0123456789abcdef");
-  CHECK(mixed["continued"][0]["code"] == program_code());
-  CHECK(mixed["continued"][0]["other_build"] == "accepted");
+  CHECK(mixed["code"] == Json("0123456789abcdef"));
+  CHECK(mixed["continued"][0]["code"] == Json(program_code()));
+  CHECK(mixed["continued"][0]["other_build"] == Json("accepted"));
   CHECK(checkpoint::builds_of(folder.path()).size() == 2);
 }
 

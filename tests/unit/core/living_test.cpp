@@ -260,12 +260,12 @@ TEST_CASE("living: species that is gone -> ends the run where ecology.ends_when 
   for (const Null null : {Null::none, Null::shadow, Null::neutral, Null::clones}) {
     for (const EndsWhen early : {a_species_is_gone, one_species_is_left}) {
       const auto manifest = manifest_of(early, null);
-      CHECK(manifest["status"] == "complete");
-      CHECK(manifest["result"]["ended"] == "gone: predator");
+      CHECK(manifest["status"] == Json("complete"));
+      CHECK(manifest["result"]["ended"] == Json("gone: predator"));
       CHECK(manifest["result"]["reached_s"].get<double>() < 100.0);
     }
   }
   const auto whole = manifest_of(time_is_up, Null::none);
-  CHECK(whole["result"]["reached_s"] == 300.0);
+  CHECK(whole["result"]["reached_s"] == Json(300.0));
   CHECK_FALSE(whole["result"].contains("ended"));
 }

@@ -70,7 +70,7 @@ TEST_CASE("plan file: written -> reads back") {
   CHECK(read[6].shadow);
   CHECK(read[6].seed == 9007199254740991);
   CHECK(read[6].settings.begin().key() == "rules.capture.reach_m");
-  CHECK(read[6].settings["rules.capture.reach_m"] == 0.75);
+  CHECK(read[6].settings["rules.capture.reach_m"] == Json(0.75));
 }
 
 TEST_CASE("plan file: broken -> refused with line, field, value and bound") {

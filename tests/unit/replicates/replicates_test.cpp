@@ -96,7 +96,7 @@ TEST_CASE("replicates: another number of jobs -> the same bytes") {
   const auto list = parse_json(content(folder.path() / "1/replicates.json"));
   const auto manifest = parse_json(content(folder.path() / "1/replicate-03/manifest.json"));
   CHECK(list["replicates"][3]["seed"] == manifest["seed"]);
-  CHECK(manifest["master_seed"] == "1");
+  CHECK(manifest["master_seed"] == Json("1"));
 }
 
 TEST_CASE("replicates: one fails -> the others complete, and --resume runs that one alone") {
@@ -150,7 +150,7 @@ TEST_CASE("replicates: killed with or without a manifest -> resumed or run anew,
   CHECK_FALSE(fs::exists(plan.out / "replicate-01.incomplete-1"));
   CHECK(out.str().find("replicate-02 continues from its checkpoint at 200 s") != std::string::npos);
   CHECK(content(plan.out / "replicate-02/phylogeny.csv") == phylogeny);
-  CHECK(parse_json(content(plan.out / "replicates.json"))["count"] == 4);
+  CHECK(parse_json(content(plan.out / "replicates.json"))["count"] == Json(4));
 }
 
 TEST_CASE("replicates: existing set -> never overwritten, and resumed by the same experiment only") {

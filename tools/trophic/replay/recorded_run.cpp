@@ -20,7 +20,7 @@ Json read_manifest(const std::filesystem::path& folder, const io::RecordingHead&
   try {
     const auto fingerprint = manifest.at("fingerprint").get<std::string>();
     const Json& seed = manifest.at("seed");
-    if (fingerprint != head.fingerprint || seed != head.seed) {
+    if (fingerprint != head.fingerprint || seed != Json(head.seed)) {
       throw std::invalid_argument{path.string() + ": fingerprint " + fingerprint + ", seed " + json_text(seed) +
                                   ", but replay.trp next to it is of fingerprint " + head.fingerprint + ", seed " +
                                   std::to_string(head.seed) + "; they are of two runs"};
@@ -57,7 +57,7 @@ RecordedRun open_run(const std::filesystem::path& folder) {
   try {
     io::RecordingReader recording{path};
     auto manifest = read_manifest(folder, recording.head());
-    if (manifest.value("agents_every_ticks", Json(1)) != 1) {
+    if (manifest.value("agents_every_ticks", Json(1)) != Json(1)) {
       throw std::invalid_argument{(folder / "agents.csv").string() + ": has the ticks that are multiples of " +
                                   json_text(manifest["agents_every_ticks"]) +
                                   ": must have all to be shown, as with --agents-every 1"};

@@ -15,7 +15,7 @@ namespace trophic {
 TROPHIC_INLINE std::vector<std::filesystem::path> model_folders(std::string_view installed) {
   std::vector<std::filesystem::path> folders;
   if (const char* chosen = std::getenv("TROPHIC_MODELS"); chosen != nullptr && *chosen != '\0') folders.emplace_back(chosen);
-  if (!installed.empty()) folders.emplace_back(installed);
+  if (!installed.empty()) folders.push_back(std::filesystem::path{installed}.lexically_normal());
   return folders;
 }
 

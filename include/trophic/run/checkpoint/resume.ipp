@@ -82,12 +82,13 @@ TROPHIC_INLINE std::string damage_in(const std::filesystem::path& folder) {
   try {
     if (std::string wrong = detail::wrong_sum_in(folder, manifest); !wrong.empty()) return wrong;
     const bool has_checkpoint =
-        std::filesystem::exists(folder / file_name) && manifest.contains("format") && manifest.at("trophic") == version;
+        std::filesystem::exists(folder / file_name) && manifest.contains("format") && manifest.at("trophic") == Json(version);
     if (!has_checkpoint || detail::status_in(manifest) != "complete") return "";
     const std::string checkpoint = (folder / file_name).string();
     const std::vector<Checkpoint> whole = read_all(folder);
     if (whole.empty()) return checkpoint + ": is cut short or damaged; without this file the run can be read, but not continued";
-    if (whole.front().fingerprint == manifest.at("fingerprint") && whole.front().seed == manifest.at("seed")) return "";
+    const Checkpoint& first = whole.front();
+    if (manifest.at("fingerprint") == Json(first.fingerprint) && manifest.at("seed") == Json(first.seed)) return "";
     return checkpoint + ": is of another run than manifest.json";
   } catch (const Json::exception& error) {
     return path + ": " + reason_of(error);
