@@ -8,7 +8,7 @@
 #include <iterator>
 #include <tools/changes/change.hpp>
 #include <tools/contest/contest_row.hpp>
-#include <tools/gait_evolution/history.hpp>
+#include <tools/gait_evolution/files.hpp>
 #include <tools/trophic/cross_check/walk_tables.hpp>
 #include <trophic/io/column.hpp>
 #include <trophic/io/energy_log.hpp>
