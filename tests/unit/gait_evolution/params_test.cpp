@@ -114,14 +114,6 @@ TEST_CASE("tournament: any draw -> no individual is selected twice") {
   CHECK(refusal(tournament, four, 5) == "tournament: 5 distinct individuals wanted: must be <= 4");
 }
 
-TEST_CASE("a track's measures by hand") {
-  const Track track{.control_hz = 2.0, .poses = {{1.0, 2.0, 3.0}, {0.0, 2.0, -3.0}, {-2.0, -2.0, 2.5}, {-2.0, -2.0, 3.0}}};
-  CHECK(track.displacement_minus_x_m() == 3.0);
-  CHECK(track.displacement_m() == 5.0);
-  CHECK(gait_evolution::bearing_of_minus_x_rad({0.0, 0.0, pi / 2.0}) == Approx(-pi / 2.0));
-  CHECK(gait_evolution::bearing_of_minus_x_rad({0.0, 0.0, -pi / 2.0}) == Approx(pi / 2.0));
-}
-
 TEST_CASE("track: turning rate and speeds of a walk on a circle that swings its body") {
   Track track{.control_hz = 60.0, .poses = {}};
   constexpr double rate = 0.2;   // rad/s, to the left
