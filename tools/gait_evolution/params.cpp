@@ -47,25 +47,15 @@ using Indices = std::vector<std::size_t>;
   return best;
 }
 
-[[nodiscard]] Indices distinct_winners(std::span<const double> fitness, std::size_t count, std::size_t size, Rng& rng) {
+/// Winners of tournaments: each once, or in couples of two that differ.
+[[nodiscard]] Indices winners(std::span<const double> fitness, std::size_t count, std::size_t size, bool in_couples, Rng& rng) {
   Indices candidates = all_of(fitness);
   Indices selected;
   while (selected.size() < count) {
     const std::size_t best = tournament(fitness, candidates, size, rng);
+    if (in_couples && selected.size() % 2 == 1 && best == selected.back()) continue;
     selected.push_back(candidates[best]);
-    candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(best));
-  }
-  return selected;
-}
-
-[[nodiscard]] Indices couples(std::span<const double> fitness, std::size_t count, std::size_t size, Rng& rng) {
-  const Indices all = all_of(fitness);
-  Indices selected;
-  while (selected.size() < count) {
-    const std::size_t first = tournament(fitness, all, size, rng);
-    std::size_t second = first;
-    while (second == first) second = tournament(fitness, all, size, rng);
-    selected.insert(selected.end(), {first, second});
+    if (!in_couples) candidates.erase(candidates.begin() + static_cast<std::ptrdiff_t>(best));
   }
   return selected;
 }
@@ -94,13 +84,11 @@ std::vector<std::size_t> Selection::select(std::span<const double> fitness, std:
   if (rule == SelectionRule::tournament_couples) {
     if (fitness.size() < 2) refuse(std::to_string(fitness.size()) + " individuals: must be >= 2");
     if (count % 2 != 0) refuse(std::to_string(count) + " parents: must be even");
-    return couples(fitness, count, size, rng);
-  }
-  if (count > fitness.size()) {
+  } else if (count > fitness.size()) {
     refuse(std::to_string(count) + " distinct individuals wanted: must be <= " + std::to_string(fitness.size()));
   }
-  return rule == SelectionRule::round_robin ? round_robin(fitness, count, opponents, rng)
-                                            : distinct_winners(fitness, count, size, rng);
+  if (rule == SelectionRule::round_robin) return round_robin(fitness, count, opponents, rng);
+  return winners(fitness, count, size, rule == SelectionRule::tournament_couples, rng);
 }
 
 double Fitness::score(const TryOut& try_out) const {
