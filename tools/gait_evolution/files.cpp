@@ -48,29 +48,6 @@ namespace {
 
 }  // namespace
 
-double median(const std::vector<double>& sorted) {
-  const std::size_t half = sorted.size() / 2;
-  return sorted.size() % 2 == 1 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2.0;
-}
-
-std::string generations_csv(const Lineage& lineage) {
-  std::vector<GenerationRow> rows;
-  for (std::size_t generation = 0; generation < lineage.generations; ++generation) {
-    const auto count = [&](auto&& counts) {
-      return static_cast<std::size_t>(std::ranges::count_if(lineage.individuals, counts));
-    };
-    const std::vector<double> fitness = lineage.fitness_after(generation);
-    rows.push_back(
-        {.generation = generation,
-         .evaluations = count([=](const Individual& one) { return one.born <= generation; }),
-         .best = fitness.front(),
-         .median = median(fitness),
-         .worst = fitness.back(),
-         .diverged = count([=](const Individual& one) { return one.born == generation && !std::isfinite(one.fitness); })});
-  }
-  return io::table_text(std::span<const GenerationRow>{rows});
-}
-
 std::string phylogeny_csv(const Lineage& lineage) {
   std::vector<TaxonRow> rows;
   for (const Individual& one : lineage.individuals) {
@@ -141,7 +118,6 @@ void save(const PreExperiment& experiment, const std::filesystem::path& folder) 
   checkpoint.put("fitness", fitness);
   replace_file(folder / "checkpoint.toml", checkpoint.text());
   if (fitness.empty()) return;
-  replace_file(folder / "generations.csv", generations_csv(lineage));
   replace_file(folder / "phylogeny.csv", phylogeny_csv(lineage));
   if (lineage.has_champion()) replace_file(folder / "gait.toml", champion_file(experiment));
 }

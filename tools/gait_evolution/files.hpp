@@ -8,26 +8,6 @@
 
 namespace trophic::gait_evolution {
 
-/// generations.csv: one row a generation; the founders' is 0.
-struct GenerationRow {
-  std::size_t generation = 0;
-  std::size_t evaluations = 0;
-  double best = 0.0;
-  double median = 0.0;
-  double worst = 0.0;
-  std::size_t diverged = 0;
-
-  static constexpr auto columns() {
-    using io::column;
-    return std::tuple{column("generation", &GenerationRow::generation, "", "0: the founders"),
-                      column("evaluations", &GenerationRow::evaluations, "", "candidates tried out so far"),
-                      column("best", &GenerationRow::best, "m", "fitness of the survivors: the highest"),
-                      column("median", &GenerationRow::median, "m", "the middle one"),
-                      column("worst", &GenerationRow::worst, "m", "the lowest"),
-                      column("diverged", &GenerationRow::diverged, "", "newborn whose trial diverged: their fitness is -inf")};
-  }
-};
-
 /// phylogeny.csv: one row a candidate, in the ALife data standard, time in generations.
 struct TaxonRow {
   std::size_t id = 0;
@@ -51,10 +31,6 @@ struct TaxonRow {
   }
 };
 
-/// The middle of sorted numbers, or the mean of the two middle ones. At least one number.
-[[nodiscard]] double median(const std::vector<double>& sorted);
-
-[[nodiscard]] std::string generations_csv(const Lineage& lineage);
 [[nodiscard]] std::string phylogeny_csv(const Lineage& lineage);
 
 /// The parameters as TOML, as --config reads them.
@@ -64,9 +40,8 @@ struct TaxonRow {
 /// everything that made it. At least the founders must have been tried out.
 [[nodiscard]] std::string champion_file(const PreExperiment& experiment);
 
-/// Writes checkpoint.toml and, once there are candidates, generations.csv and phylogeny.csv; gait.toml (the champion so far) once
-/// there is one. Each file is replaced as a whole. Nothing in them depends on the number of threads or on how often the run was
-/// resumed.
+/// Writes checkpoint.toml and, once there are candidates, phylogeny.csv; gait.toml (the champion so far) once there is one. Each
+/// file is replaced as a whole. Nothing in them depends on the number of threads or on how often the run was resumed.
 void save(const PreExperiment& experiment, const std::filesystem::path& folder);
 
 /// Resumes from the checkpoint in a folder. Throws std::invalid_argument naming file, key and value for one that cannot be read,

@@ -74,7 +74,7 @@ void report(const PreExperiment& experiment, std::size_t evaluations, double ela
   const double a_generation_s = elapsed_s / static_cast<double>(evaluations) * static_cast<double>(plan.children);
   const auto to_go = static_cast<double>(plan.generations + 1 - lineage.generations);
   std::cout << "generation " << lineage.generations - 1 << " of " << plan.generations << "  best " << fitness.front()
-            << "  median " << median(fitness) << "  " << observe::short_text(static_cast<double>(evaluations) / elapsed_s)
+            << "  worst " << fitness.back() << "  " << observe::short_text(static_cast<double>(evaluations) / elapsed_s)
             << " evaluations/s  " << observe::duration_text(a_generation_s * to_go) << " left" << std::endl;
 }
 
@@ -103,7 +103,7 @@ void report(const PreExperiment& experiment, std::size_t evaluations, double ela
   std::cout << experiment.robot().name << ": fitness " << lineage.individuals[champion].fitness << " (individual " << champion
             << "), " << lineage.individuals.size() - before << " evaluations in " << observe::duration_text(watch.elapsed_s())
             << " on " << threads << " threads\nfiles   " << folder.string()
-            << "/{gait,settings,checkpoint}.toml, {generations,phylogeny}.csv\n";
+            << "/{gait,settings,checkpoint}.toml, phylogeny.csv\n";
   flush_output();
   return 0;
 }
