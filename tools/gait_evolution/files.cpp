@@ -2,7 +2,6 @@
 // Definitions of files.hpp.
 #include <tools/gait_evolution/files.hpp>
 
-#include <algorithm>
 #include <tools/command/toml_writer.hpp>
 #include <trophic/habitat/load/toml_table.hpp>
 #include <trophic/io/csv.hpp>

@@ -3,13 +3,11 @@
 #pragma once
 
 #include <cmath>
-#include <functional>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>
 #include <trophic/habitat/ecology_params.hpp>
 #include <trophic/habitat/gait.hpp>
 #include <trophic/support/units.hpp>
-#include <vector>
 
 namespace trophic::gait_evolution {
 

@@ -8,7 +8,6 @@
 #include <trophic/habitat/gait.hpp>
 #include <trophic/habitat/robot_model.hpp>
 #include <trophic/support/rng.hpp>
-#include <vector>
 
 namespace trophic::control {
 
