@@ -15,11 +15,11 @@
 #include <trophic/rules/paper.hpp>
 
 using namespace trophic;
+using control::Cppn;
 using control::gait::FirstGait;
 using control::gait::InheritedCpg;
 using control::gait::InheritedCppn;
 using control::gait::Learnt;
-using control::Cppn;
 
 namespace {
 
