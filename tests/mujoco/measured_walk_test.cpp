@@ -4,7 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <cmath>
-#include <tools/gait_evolution/measure_walk.hpp>
+#include <tools/gait_evolution/trial.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/load/gait.hpp>

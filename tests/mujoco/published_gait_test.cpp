@@ -4,8 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <string>
-#include <tools/gait_evolution/tables.hpp>
-#include <tools/gait_evolution/trial.hpp>
+#include <tools/gait_evolution/params.hpp>
 #include <trophic/backend/mujoco.hpp>
 #include <trophic/habitat/load/gait.hpp>
 #include <trophic/habitat/load/robot.hpp>
@@ -14,7 +13,7 @@ namespace gait_evolution = trophic::gait_evolution;
 
 namespace {
 
-using Numbers = gait_evolution::Params<gait_evolution::Released>;
+const gait_evolution::Params released = gait_evolution::params_of(gait_evolution::Table::released);
 
 /// Mean fitness, m, of starts up to 1 mm above the floor: the height at which the released code begins is not recorded, and
 /// contacts make walking chaotic (standard deviation 13 mm).
@@ -22,14 +21,12 @@ double mean_fitness(const std::string& robot_name, double exponent, int starts) 
   trophic::RobotModel robot = trophic::load_robot(robot_name);
   const double rest_height_m = robot.rest_height_m;
   const trophic::Gait gait = trophic::load_gait("spider_published");
-  const Numbers numbers;
-  const gait_evolution::DisplacementMinusX fitness{numbers.fitness};
   const trophic::control::steering::TargetedSteering steering{{.exponent = exponent}};
   double sum_m = 0.0;
   for (int start = 0; start < starts; ++start) {
     robot.rest_height_m = rest_height_m + 0.001 * start / starts;
-    sum_m += fitness.fitness([&](const gait_evolution::Pilot& pilot, double start_turn_rad) {
-      return gait_evolution::try_out(robot, gait, steering, numbers.trial, numbers.physics, trophic::backend::Mujoco::Params{},
+    sum_m += released.fitness.score([&](const gait_evolution::Pilot& pilot, double start_turn_rad) {
+      return gait_evolution::try_out(robot, gait, steering, released.trial, released.physics, trophic::backend::Mujoco::Params{},
                                      pilot, start_turn_rad);
     });
   }
@@ -42,7 +39,7 @@ double mean_fitness(const std::string& robot_name, double exponent, int starts) 
 
 /// Replays of the released code give 0.745 to 0.754 m.
 TEST_CASE("published gait: walk -> recorded distance within one percent") {
-  const double mean_m = mean_fitness("spider_released", Numbers{}.steering.exponent, 40);
+  const double mean_m = mean_fitness("spider_released", released.steering.exponent, 40);
   CHECK(mean_m > 0.745);
   CHECK(mean_m < 0.758);
 }

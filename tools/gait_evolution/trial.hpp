@@ -1,17 +1,36 @@
 // SPDX-License-Identifier: MIT
-// One candidate gait tried out: one robot alone on an endless floor.
+// One gait tried out by one robot alone on an endless floor, and the measures of its path.
 #pragma once
 
 #include <cmath>
-#include <numbers>
-#include <tools/gait_evolution/track.hpp>
 #include <trophic/backend/backend_choice.hpp>
-#include <trophic/control/locomotion/cpg.hpp>
-#include <trophic/control/locomotion/locomotion.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>
-#include <trophic/habitat/ground_pose.hpp>
+#include <trophic/habitat/ecology_params.hpp>
+#include <trophic/habitat/gait.hpp>
+#include <trophic/support/units.hpp>
 
 namespace trophic::gait_evolution {
+
+/// The ground poses of one robot, at the start and after every control step.
+struct Track {
+  double control_hz = 60.0;
+  std::vector<GroundPose> poses;  ///< at least one
+  double engine_share = 0.0;      ///< of the steps, those that the engine took although the backend has a faster way
+
+  /// How far the robot got towards the negative x-axis, m.
+  [[nodiscard]] double displacement_minus_x_m() const { return poses.front().x_m - poses.back().x_m; }
+
+  /// Distance between start and end, m.
+  [[nodiscard]] double displacement_m() const { return distance_m(poses.front(), poses.back()); }
+
+  /// Slope of the straight line that fits the heading best (least squares): legs make a body swing, ends alone would mislead.
+  /// Counter-clockwise positive. At least two poses.
+  [[nodiscard]] double turn_rate_rad_s() const;
+
+  /// Mean speed along the heading (first) and to its left (second): path in each window of that length, seen along the mean
+  /// heading in it. The track is longer than a window.
+  [[nodiscard]] std::array<double, 2> forward_and_left_m_s(double window_s = 5.0) const;
+};
 
 /// Axis of the robot that points along the negative x-axis when a trial starts.
 enum class Facing {
@@ -55,29 +74,16 @@ using Pilot = std::function<double(double time_s, const GroundPose& now)>;
 
 /// Tries a gait: the robot starts at the origin, at rest, turned by `start_turn_rad` (counter-clockwise) from the trial's facing.
 /// Locomotion as in the ecology; the pilot is asked before every control step. Throws Diverged. No random draws.
-template <control::Steering SteeringRule>
-[[nodiscard]] Track try_out(const RobotModel& robot, const Gait& gait, const SteeringRule& steering, const Trial& trial,
-                            const Physics& physics, const BackendChoice& choice, const Pilot& pilot,
-                            double start_turn_rad = 0.0) {
-  const double facing_rad = trial.facing == Facing::forward_axis ? robot.forward_rad : 0.0;
-  const double yaw_rad = std::numbers::pi - facing_rad + start_turn_rad;
-  const Pose start{.position_m = {0.0, 0.0, robot.rest_height_m},
-                   .orientation = Eigen::Quaterniond{Eigen::AngleAxisd{yaw_rad, Eigen::Vector3d::UnitZ()}}};
-  const std::unique_ptr<AnyBackend> built = choice.build(robot, endless_floor(), std::span{&start, 1}, physics);
-  AnyBackend& backend = *built;
-  locomotion::Locomotion<SteeringRule> locomotion{robot, gait, steering, 1, {trial.control_hz, trial.cpg_integration}};
-  Track track{.control_hz = trial.control_hz, .poses = {ground_pose(backend.pose(0), robot.forward_rad)}};
-  for (std::int64_t step = 0; step < trial.steps(); ++step) {
-    if (step < trial.idle_steps) {
-      locomotion.wait(backend, 1);
-    } else {
-      const std::array target_angle_rad{pilot(locomotion.time_s(), track.poses.back())};
-      locomotion.advance(backend, 1, target_angle_rad);
-    }
-    track.poses.push_back(ground_pose(backend.pose(0), robot.forward_rad));
-  }
-  track.engine_share = backend.engine_share();
-  return track;
-}
+[[nodiscard]] Track try_out(const RobotModel& robot, const Gait& gait, const control::steering::TargetedSteering& steering,
+                            const Trial& trial, const Physics& physics, const BackendChoice& choice, const Pilot& pilot,
+                            double start_turn_rad = 0.0);
+
+/// Mean speed along the heading and turning rate of a robot that is steered by +-0.7 rad, the cognitive brain's two outputs: the
+/// two numbers that engines without joints need.
+/// Rule: the rate is half of what turns the robot to one side rather than the other, per rad; a drift that both share cancels.
+/// Contacts make walking chaotic: means of `starts` trials to each side, which begin up to 1 mm above the floor. Throws Diverged.
+[[nodiscard]] MeasuredWalk measure_walk(RobotModel robot, const Gait& gait, const control::steering::TargetedSteering& steering,
+                                        const Trial& trial, const Physics& physics, const BackendChoice& backend,
+                                        std::size_t starts);
 
 }  // namespace trophic::gait_evolution

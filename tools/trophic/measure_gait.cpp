@@ -7,7 +7,6 @@
 #include <tools/command/backends.hpp>
 #include <tools/command/option.hpp>
 #include <tools/command/output.hpp>
-#include <tools/gait_evolution/measure_walk.hpp>
 #include <tools/gait_evolution/trial.hpp>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/control/steering/targeted_steering.hpp>

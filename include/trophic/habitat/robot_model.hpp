@@ -75,7 +75,7 @@ struct Hinge {
 };
 
 /// A robot's walk with its own gait, steered to one side: measured once in an engine with joints
-/// (gait_evolution/measure_walk.hpp) and written into its file. Backends without joints move it by these two numbers; 0 and 0:
+/// (gait_evolution/trial.hpp) and written into its file. Backends without joints move it by these two numbers; 0 and 0:
 /// not measured.
 struct MeasuredWalk {
   double speed_m_s = 0.0;          ///< along the heading

@@ -15,11 +15,11 @@
 #include <trophic/rules/paper.hpp>
 
 using namespace trophic;
+using control::Cppn;
 using control::gait::FirstGait;
 using control::gait::InheritedCpg;
 using control::gait::InheritedCppn;
 using control::gait::Learnt;
-using control::gait::detail::Cppn;
 
 namespace {
 
@@ -146,7 +146,7 @@ TEST_CASE("cppn: split link of weight w with linear activation -> the same outpu
   Cppn network{.hidden = {}, .links = {{.from = 1, .to = 7, .weight = 0.25}}};
   const Eigen::Vector3i cell{2, 0, 0};
   CHECK(network(cell, cell) == std::sin(0.5));
-  for (std::uint64_t seed = 1; network.hidden.empty() || network.hidden[0] != 3; ++seed) {
+  for (std::uint64_t seed = 1; network.hidden.empty() || network.hidden[0] != control::Activation::linear; ++seed) {
     network = {.hidden = {}, .links = {{.from = 1, .to = 7, .weight = 0.25}}};
     Rng rng{seed, Stream::user};
     network.split_link(rng);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
-#include <tools/gait_evolution/tables.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/rules/paper.hpp>
@@ -119,5 +118,4 @@ TEST_CASE("member count: all Params in manifests -> every number listed") {
   CHECK(lists_all<RuleParams<rules::Paper>>());
   CHECK(lists_all<RuleParams<rules::Released>>());
   CHECK(lists_all<Experiment<rules::Paper>>());
-  CHECK(lists_all<gait_evolution::Params<gait_evolution::Paper>>());
 }

@@ -3,14 +3,13 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <trophic/control/cppn.hpp>
 #include <trophic/control/gait/contract.hpp>
-#include <trophic/control/gait/detail/cppn.hpp>
 #include <trophic/control/gait/inherited_cpg.hpp>
 
 namespace trophic::control::gait {
 
-/// Rule: the genes are a CPPN that grows (control/gait/detail/cppn.hpp). With the grid cells of the hinges, w_i is CPPN(i, i)
-/// and c_ij of two neighbours i < j is CPPN(i, j) (Sec. "Targeted Steering"). `first = robots`: the sum of that and of `gait`,
+/// Rule: the genes are a CPPN that grows (control/cppn.hpp) and writes the gait. `first = robots`: the sum of that and of `gait`,
 /// for hinges of the same path from the core, and a network without a parent has small weights; random: CPPN alone. Without a
 /// parent each input is linked to the output.   Reads: nothing.   Random draws: 7 without a parent; at a mutation 1 to 3 per
 /// link, 2 for growth, 2 more for each part that grows.
@@ -47,8 +46,8 @@ struct InheritedCppn {
   }
 
   [[nodiscard]] std::vector<double> draw(const RobotModel&, const Habitat&, Rng& rng) const {
-    detail::Cppn network;
-    for (std::size_t input = 0; input < detail::Cppn::inputs; ++input) {
+    Cppn network;
+    for (std::size_t input = 0; input < Cppn::inputs; ++input) {
       network.links.push_back(
           {.from = input, .to = network.output(), .weight = rng.uniform(-params.first_limit, params.first_limit)});
     }
@@ -56,7 +55,7 @@ struct InheritedCppn {
   }
 
   void mutate(std::vector<double>& genes, const Individual&, Rng& rng) const {
-    auto network = detail::Cppn::of(genes);
+    auto network = Cppn::of(genes);
     for (auto& link : network.links) {
       if (!rng.chance(params.weight_probability)) continue;
       link.weight = std::clamp(link.weight + rng.normal(0.0, params.weight_sd), -params.weight_limit, params.weight_limit);
@@ -67,30 +66,19 @@ struct InheritedCppn {
   }
 
   [[nodiscard]] Gait express(std::span<const double> genes, const RobotModel& robot, const Habitat& habitat) const {
-    const auto network = detail::Cppn::of(genes);
-    const auto n = static_cast<Eigen::Index>(robot.hinges.size());
-    Gait gait{.name = "inherited",
-              .robot = robot.name,
-              .provenance = "inherited",
-              .hinges = {},
-              .internal = Eigen::VectorXd::Zero(n),
-              .coupling = Eigen::MatrixXd::Zero(n, n)};
+    Gait gait = Cppn::of(genes).gait_of(robot);
+    gait.name = gait.provenance = "inherited";
     const Gait& base = base_in(habitat);
-    std::vector<Eigen::Index> old;  // of each hinge in that gait, -1 for none
-    for (const Hinge& hinge : robot.hinges) {
-      gait.hinges.push_back(hinge.name);
-      old.push_back(params.first == FirstGait::robots ? place_in(base, hinge.name) : -1);
-    }
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const auto& cell = robot.hinges[static_cast<std::size_t>(i)].grid_position;
-      const Eigen::Index was = old[static_cast<std::size_t>(i)];
-      gait.internal[i] = network(cell, cell) + (was < 0 ? 0.0 : base.internal[was]);
+    if (params.first == FirstGait::random) return gait;
+    for (Eigen::Index i = 0; i < gait.internal.size(); ++i) {
+      const Eigen::Index was = place_in(base, gait.hinges[static_cast<std::size_t>(i)]);
+      if (was < 0) continue;
+      gait.internal[i] += base.internal[was];
       for (const std::size_t other : robot.hinge_neighbours[static_cast<std::size_t>(i)]) {
         const auto j = static_cast<Eigen::Index>(other);
-        if (j <= i) continue;
-        const Eigen::Index there = old[other];
-        gait.coupling(i, j) =
-            network(cell, robot.hinges[other].grid_position) + (was < 0 || there < 0 ? 0.0 : base.coupling(was, there));
+        const Eigen::Index there = place_in(base, gait.hinges[other]);
+        if (j <= i || there < 0) continue;
+        gait.coupling(i, j) += base.coupling(was, there);
         gait.coupling(j, i) = -gait.coupling(i, j);
       }
     }

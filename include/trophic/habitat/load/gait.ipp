@@ -23,7 +23,7 @@ TROPHIC_INLINE Gait load_gait(std::string_view name_or_path, std::string_view in
             .coupling = {}};
   if (file.has("provenance")) gait.provenance = file.text("provenance");
   for (const std::string_view origin : {"cppn", "evolution"}) {
-    if (file.has(origin)) static_cast<void>(file.table(origin));  // read by gait_evolution::load_cppn
+    if (file.has(origin)) static_cast<void>(file.table(origin));  // the genome of its CPPN, and what made it
   }
   for (std::size_t i = 0; i < gait.hinges.size(); ++i) {
     if (std::find(gait.hinges.begin(), gait.hinges.begin() + static_cast<std::ptrdiff_t>(i), gait.hinges[i]) !=

@@ -1,30 +1,58 @@
 // SPDX-License-Identifier: MIT
-// A compositional pattern producing network as plain numbers.
+// A compositional pattern producing network: writes the weights of a robot's CPG.
 #pragma once
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <stdexcept>
+#include <trophic/habitat/gait.hpp>
+#include <trophic/habitat/robot_model.hpp>
 #include <trophic/support/rng.hpp>
-#include <vector>
 
-namespace trophic::control::gait::detail {
+namespace trophic::control {
+
+/// What a node makes of the weighted sum of its links.
+enum class Activation : std::uint8_t { sine, gaussian, tanh, linear, abs, step };
+[[nodiscard]] constexpr std::array<std::string_view, 6> enum_names(Activation) {
+  return {"sine", "gaussian", "tanh", "linear", "abs", "step"};
+}
+
+/// sin(x), exp(-x^2), tanh(x), x, |x|, or 1 for x >= 0 and else 0; with x = `sum` clipped to +-1e6, so that no chain of nodes
+/// leaves the finite numbers.
+[[nodiscard]] inline double activate(Activation activation, double sum) {
+  const double x = std::clamp(sum, -1e6, 1e6);
+  switch (activation) {
+    case Activation::sine:
+      return std::sin(x);
+    case Activation::gaussian:
+      return std::exp(-x * x);
+    case Activation::tanh:
+      return std::tanh(x);
+    case Activation::linear:
+      return x;
+    case Activation::step:
+      return x >= 0.0 ? 1.0 : 0.0;
+    case Activation::abs:
+      break;
+  }
+  return std::abs(x);
+}
 
 /// A feed-forward CPPN [stanley2007] of seven inputs (1 and the grid cells of two hinges), hidden nodes in an order in which each
-/// link leads to a later node, and one sine as output. As genes: the number of hidden nodes, their activations, then
-/// (from, to, weight) for each link. Nodes are numbered: inputs 0 to 6, hidden ones, output.
+/// link leads to a later node, and one sine as output. Nodes are numbered: inputs 0 to 6, hidden ones, output. As inherited
+/// genes: the number of hidden nodes, their activations (all but step), then (from, to, weight) for each link.
 struct Cppn {
   static constexpr std::size_t inputs = 7;
-  static constexpr std::size_t activations = 5;  ///< sine, gaussian, tanh, linear, abs
+  static constexpr std::size_t inherited_activations = 5;
   static constexpr std::size_t most_hidden = 100;
 
-  struct LinkGene {
+  struct Link {
     std::size_t from = 0;
     std::size_t to = 0;
     double weight = 0.0;
   };
-  std::vector<std::size_t> hidden;  ///< their activations
-  std::vector<LinkGene> links;
+  std::vector<Activation> hidden;
+  std::vector<Link> links;
 
   [[nodiscard]] std::size_t output() const { return inputs + hidden.size(); }
 
@@ -42,7 +70,7 @@ struct Cppn {
     };
     Cppn network;
     network.hidden.resize(index(most_hidden + 1));
-    for (std::size_t& activation : network.hidden) activation = index(activations);
+    for (Activation& activation : network.hidden) activation = static_cast<Activation>(index(inherited_activations));
     require((genes.size() - next) % 3 == 0);
     while (next < genes.size()) {
       const std::size_t from = index(network.output());
@@ -55,8 +83,8 @@ struct Cppn {
 
   [[nodiscard]] std::vector<double> genes() const {
     std::vector<double> all{static_cast<double>(hidden.size())};
-    for (const std::size_t activation : hidden) all.push_back(static_cast<double>(activation));
-    for (const LinkGene& link : links)
+    for (const Activation activation : hidden) all.push_back(static_cast<double>(activation));
+    for (const Link& link : links)
       all.insert(all.end(), {static_cast<double>(link.from), static_cast<double>(link.to), link.weight});
     return all;
   }
@@ -71,8 +99,8 @@ struct Cppn {
     }
     for (std::size_t node = inputs; node <= output(); ++node) {
       double sum = 0.0;
-      for (const LinkGene& link : links) sum += link.to == node ? link.weight * value[link.from] : 0.0;
-      value[node] = activate(node == output() ? 0 : hidden[node - inputs], std::clamp(sum, -1e6, 1e6));
+      for (const Link& link : links) sum += link.to == node ? link.weight * value[link.from] : 0.0;
+      value[node] = activate(node == output() ? Activation::sine : hidden[node - inputs], sum);
     }
     return value[output()];
   }
@@ -80,11 +108,11 @@ struct Cppn {
   /// Replaces a link by a new node with a random activation: weight 1 into it, the old weight out of it. 2 draws.
   void split_link(Rng& rng) {
     if (links.empty() || hidden.size() >= most_hidden) return;
-    const LinkGene old = links[rng.index(links.size())];
-    const std::size_t activation = rng.index(activations);
+    const Link old = links[rng.index(links.size())];
+    const auto activation = static_cast<Activation>(rng.index(inherited_activations));
     const std::size_t place = old.to;  // the new node comes just before the node that the link led to
-    std::erase_if(links, [&](const LinkGene& link) { return link.from == old.from && link.to == old.to; });
-    for (LinkGene& link : links) {
+    std::erase_if(links, [&](const Link& link) { return link.from == old.from && link.to == old.to; });
+    for (Link& link : links) {
       link.from += link.from >= place ? 1U : 0U;
       link.to += link.to >= place ? 1U : 0U;
     }
@@ -98,7 +126,7 @@ struct Cppn {
     std::vector<std::pair<std::size_t, std::size_t>> free;
     for (std::size_t to = inputs; to <= output(); ++to) {
       for (std::size_t from = 0; from < to; ++from) {
-        const auto joins = [&](const LinkGene& link) { return link.from == from && link.to == to; };
+        const auto joins = [&](const Link& link) { return link.from == from && link.to == to; };
         if (std::ranges::none_of(links, joins)) free.emplace_back(from, to);
       }
     }
@@ -107,21 +135,29 @@ struct Cppn {
     links.push_back({.from = from, .to = to, .weight = rng.uniform(-limit, limit)});
   }
 
- private:
-  [[nodiscard]] static double activate(std::size_t activation, double x) {
-    switch (activation) {
-      case 0:
-        return std::sin(x);
-      case 1:
-        return std::exp(-x * x);
-      case 2:
-        return std::tanh(x);
-      case 3:
-        return x;
-      default:
-        return std::abs(x);
+  /// The gait that it gives a robot (Sec. "Targeted Steering"): with the grid cells of the hinges, w_i is CPPN(i, i) and c_ij of
+  /// two neighbours i < j is CPPN(i, j).
+  [[nodiscard]] Gait gait_of(const RobotModel& robot) const {
+    const auto n = static_cast<Eigen::Index>(robot.hinges.size());
+    Gait gait{.name = {},
+              .robot = robot.name,
+              .provenance = {},
+              .hinges = {},
+              .internal = Eigen::VectorXd::Zero(n),
+              .coupling = Eigen::MatrixXd::Zero(n, n)};
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const Hinge& hinge = robot.hinges[static_cast<std::size_t>(i)];
+      gait.hinges.push_back(hinge.name);
+      gait.internal[i] = (*this)(hinge.grid_position, hinge.grid_position);
+      for (const std::size_t other : robot.hinge_neighbours[static_cast<std::size_t>(i)]) {
+        const auto j = static_cast<Eigen::Index>(other);
+        if (j <= i) continue;
+        gait.coupling(i, j) = (*this)(hinge.grid_position, robot.hinges[other].grid_position);
+        gait.coupling(j, i) = -gait.coupling(i, j);
+      }
     }
+    return gait;
   }
 };
 
-}  // namespace trophic::control::gait::detail
+}  // namespace trophic::control

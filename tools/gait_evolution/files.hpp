@@ -1,37 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A pre-experiment's history as CSV tables.
+// The files of a pre-experiment, and how to resume from them.
 #pragma once
 
-#include <tools/gait_evolution/lineage.hpp>
+#include <filesystem>
+#include <tools/gait_evolution/pre_experiment.hpp>
 #include <trophic/io/column.hpp>
 
 namespace trophic::gait_evolution {
-
-/// The fitness of those who survived a generation, highest first.
-[[nodiscard]] std::vector<double> fitness_after(const Lineage& lineage, std::size_t generation);
-
-/// The middle of sorted numbers, or the mean of the two middle ones. At least one number.
-[[nodiscard]] double median(const std::vector<double>& sorted);
-
-/// generations.csv: one row a generation; the founders' is 0.
-struct GenerationRow {
-  std::size_t generation = 0;
-  std::size_t evaluations = 0;
-  double best = 0.0;
-  double median = 0.0;
-  double worst = 0.0;
-  std::size_t diverged = 0;
-
-  static constexpr auto columns() {
-    using io::column;
-    return std::tuple{column("generation", &GenerationRow::generation, "", "0: the founders"),
-                      column("evaluations", &GenerationRow::evaluations, "", "candidates tried out so far"),
-                      column("best", &GenerationRow::best, "m", "fitness of the survivors: the highest"),
-                      column("median", &GenerationRow::median, "m", "the middle one"),
-                      column("worst", &GenerationRow::worst, "m", "the lowest"),
-                      column("diverged", &GenerationRow::diverged, "", "newborn whose trial diverged: their fitness is -inf")};
-  }
-};
 
 /// phylogeny.csv: one row a candidate, in the ALife data standard, time in generations.
 struct TaxonRow {
@@ -56,8 +31,21 @@ struct TaxonRow {
   }
 };
 
-[[nodiscard]] std::string generations_csv(const Lineage& lineage);
-
 [[nodiscard]] std::string phylogeny_csv(const Lineage& lineage);
+
+/// The parameters as TOML, as --config reads them.
+[[nodiscard]] std::string settings_text(Params params, BackendChoice backend);
+
+/// The champion's gait file (format: models/README.md), exact to the bit, with the tables [cppn], its genome, and [evolution],
+/// everything that made it. At least the founders must have been tried out.
+[[nodiscard]] std::string champion_file(const PreExperiment& experiment);
+
+/// Writes checkpoint.toml and, once there are candidates, phylogeny.csv; gait.toml (the champion so far) once there is one. Each
+/// file is replaced as a whole. Nothing in them depends on the number of threads or on how often the run was resumed.
+void save(const PreExperiment& experiment, const std::filesystem::path& folder);
+
+/// Resumes from the checkpoint in a folder. Throws std::invalid_argument naming file, key and value for one that cannot be read,
+/// is broken or belongs to another pre-experiment.
+void resume(PreExperiment& experiment, const std::filesystem::path& folder);
 
 }  // namespace trophic::gait_evolution
