@@ -13,6 +13,7 @@
 #include <trophic/io/run_folder.ipp>
 #include <trophic/observe/run_description.ipp>
 #include <trophic/params/parse_toml.ipp>
+#include <trophic/run.ipp>
 #include <trophic/run/checkpoint/checkpoint_file.ipp>
 #include <trophic/run/checkpoint/checkpoint_writer.ipp>
 #include <trophic/run/checkpoint/resume.ipp>

@@ -29,9 +29,7 @@ template <class... Rules>
 [[nodiscard]] int experiment(int argc, const char* const* argv, Offer offer = {}) {
   static_assert(sizeof...(Rules) > 0, "trophic::experiment needs at least one rule table");
   return command::experiment_program(argc, argv, [&offer] {
-    offer.rule_tables = {{table_name<Rules>(), [](const BackendChoice& backend) -> std::unique_ptr<AnyExperiment> {
-                            return std::make_unique<TableExperiment<Rules>>(backend);
-                          }}...};
+    offer.rule_tables = {{table_name<Rules>(), make_experiment<Rules>}...};
     return std::move(offer);
   });
 }

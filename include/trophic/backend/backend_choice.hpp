@@ -13,8 +13,7 @@ class BackendChoice {
  public:
   template <class Params>
   requires(Backend<typename Params::Backend>&& std::same_as<typename Params::Backend::Params, Params>)
-      BackendChoice(Params params)  // NOLINT(google-explicit-constructor): the parameters are the choice
-      : choice_{std::make_unique<Of<typename Params::Backend>>(std::move(params))} {}
+      BackendChoice(Params params);  // NOLINT(google-explicit-constructor): the parameters are the choice
 
   BackendChoice(const BackendChoice& other) : choice_{other.choice_->copy()} {}
   BackendChoice(BackendChoice&&) noexcept = default;
@@ -119,5 +118,10 @@ class BackendChoice {
 
   std::unique_ptr<Any> choice_;
 };
+
+template <class Params>
+requires(Backend<typename Params::Backend>&& std::same_as<typename Params::Backend::Params, Params>)
+    BackendChoice::BackendChoice(Params params)
+    : choice_{std::make_unique<Of<typename Params::Backend>>(std::move(params))} {}
 
 }  // namespace trophic

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <trophic/backend/backend_choice.hpp>
 #include <trophic/backend/points.hpp>
 
 namespace trophic::backend {
@@ -123,3 +124,7 @@ class Kinematic : public Points {
 static_assert(SteeringDriven<Kinematic> && Placing<Kinematic>);
 
 }  // namespace trophic::backend
+
+#if !TROPHIC_HEADER_ONLY
+extern template trophic::BackendChoice::BackendChoice(trophic::backend::Kinematic::Params);
+#endif

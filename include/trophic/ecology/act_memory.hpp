@@ -8,53 +8,55 @@
 
 namespace trophic {
 
-/// The values of a table's acts at the last decision of each body. In a table with the paper's acts it is empty, and all
-/// functions do nothing: individuals hold those.
-template <class Rules>
+/// The values of a table's acts at the last decision of each body.
+template <class Rules, bool = PolicyIn<Rules, RuleSlot::acts>::keeps_values>
 class ActMemory {
  public:
   using Acts = PolicyIn<Rules, RuleSlot::acts>;
   using Outputs = std::array<double, Acts::outputs>;
 
-  [[nodiscard]] ActValues values() const {
-    if constexpr (!Acts::keeps_values) return {};
-    return {.acts = Acts::keys, .values = values_};
-  }
+  [[nodiscard]] ActValues values() const { return {.acts = Acts::keys, .values = values_}; }
 
   /// Sets the acts of a body to those before the first decision of a life; adds bodies that are new.
-  void rest([[maybe_unused]] BodyIndex body) {
-    if constexpr (Acts::keeps_values) {
-      values_.resize(std::max(values_.size(), (body + 1) * Acts::count));
-      Acts::each(Outputs{}, [&]<class One>(std::size_t place, std::span<const double, One::outputs>) {
-        values_[body * Acts::count + place] = static_cast<double>(One::by_default);
-      });
-    }
+  void rest(BodyIndex body) {
+    values_.resize(std::max(values_.size(), (body + 1) * Acts::count));
+    Acts::each(Outputs{}, [&]<class One>(std::size_t place, std::span<const double, One::outputs>) {
+      values_[body * Acts::count + place] = static_cast<double>(One::by_default);
+    });
   }
 
   /// Keeps the values of a decision's outputs. Throws RuleError for a value out of its bounds.
-  void act([[maybe_unused]] BodyIndex body, [[maybe_unused]] const Outputs& outputs) {
-    if constexpr (Acts::keeps_values) {
-      Acts::each(outputs, [&]<class One>(std::size_t place, std::span<const double, One::outputs> out) {
-        const auto value = static_cast<double>(One::value(out));
-        if (!(value >= One::least && value <= One::most)) {
-          throw RuleError{"acts", std::string{One::name} + " = " + number_text(value) +
-                                      ": must be >= " + number_text(One::least) + " and <= " + number_text(One::most)};
-        }
-        values_[body * Acts::count + place] = value;
-      });
-    }
+  void act(BodyIndex body, const Outputs& outputs) {
+    Acts::each(outputs, [&]<class One>(std::size_t place, std::span<const double, One::outputs> out) {
+      const auto value = static_cast<double>(One::value(out));
+      if (!(value >= One::least && value <= One::most)) {
+        throw RuleError{"acts", std::string{One::name} + " = " + number_text(value) + ": must be >= " + number_text(One::least) +
+                                    " and <= " + number_text(One::most)};
+      }
+      values_[body * Acts::count + place] = value;
+    });
   }
 
   void persist(Archive& archive) {
-    if constexpr (Acts::keeps_values) {
-      const std::size_t size = values_.size();
-      archive(values_);
-      Archive::require(values_.size() == size, "another number of acts");
-    }
+    const std::size_t size = values_.size();
+    archive(values_);
+    Archive::require(values_.size() == size, "another number of acts");
   }
 
  private:
   std::vector<double> values_;  ///< of each body, one for each act
+};
+
+/// In a table with the paper's acts there are none: individuals hold those.
+template <class Rules>
+class ActMemory<Rules, false> {
+ public:
+  using Acts = PolicyIn<Rules, RuleSlot::acts>;
+  using Outputs = std::array<double, Acts::outputs>;
+  [[nodiscard]] ActValues values() const { return {}; }
+  void rest(BodyIndex) {}
+  void act(BodyIndex, const Outputs&) {}
+  void persist(Archive&) {}
 };
 
 }  // namespace trophic

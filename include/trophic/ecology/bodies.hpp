@@ -63,8 +63,7 @@ class Bodies final : public BodyReading {
   [[nodiscard]] Pose root(BodyIndex body) const override { return backend_->pose(body); }
   [[nodiscard]] std::span<const double> joint_angles_rad(BodyIndex body) const override { return backend_->joint_angles(body); }
   [[nodiscard]] const AnyBackend& backend() const { return *backend_; }
-  /// The side of a torus; 0 for an arena with walls.
-  [[nodiscard]] double period_m() const { return backend_->is_periodic() ? 2.0 * habitat_.arena.half_side_m : 0.0; }
+  [[nodiscard]] Space space() const { return {.period_m = backend_->is_periodic() ? 2.0 * habitat_.arena.half_side_m : 0.0}; }
 
   /// Passes observers the frame at the start of the run if they want it.
   void show_start(observe::Audience& audience, double clock_s) const {
@@ -116,7 +115,7 @@ class Bodies final : public BodyReading {
   [[nodiscard]] std::optional<GroundPose> free_place(std::optional<BodyIndex> parent, IndividualId newborn) const {
     Rng rng{seed_, Stream::birth_place, newborn};
     const double radius_m = habitat_.robot.bounding_radius_m;
-    const double reach_m = habitat_.arena.half_side_m - (period_m() > 0.0 ? 0.0 : radius_m);
+    const double reach_m = habitat_.arena.half_side_m - (space().has_edges() ? radius_m : 0.0);
     const double first_rad = rng.uniform(-std::numbers::pi, std::numbers::pi);
     for (int attempt = 0; attempt < places_tried; ++attempt) {
       GroundPose place{.heading_rad = rng.uniform(-std::numbers::pi, std::numbers::pi)};
@@ -129,7 +128,7 @@ class Bodies final : public BodyReading {
         place.x_m = rng.uniform(-reach_m, reach_m);
         place.y_m = rng.uniform(-reach_m, reach_m);
       }
-      place = {shortest(place.x_m, period_m()), shortest(place.y_m, period_m()), place.heading_rad};
+      place = {space().shortest(place.x_m), space().shortest(place.y_m), place.heading_rad};
       if (std::abs(place.x_m) <= reach_m && std::abs(place.y_m) <= reach_m && is_free(place, 2.0 * radius_m)) return place;
     }
     return std::nullopt;
@@ -195,7 +194,7 @@ class Bodies final : public BodyReading {
   [[nodiscard]] bool is_free(const GroundPose& place, double distance_m) const {
     if (!is_clear(habitat_.arena, place, 0.5 * distance_m)) return false;
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
-      if (population_[body].lives() && trophic::distance_m(place, poses_[body], period_m()) < distance_m) return false;
+      if (population_[body].lives() && space().distance_m(place, poses_[body]) < distance_m) return false;
     }
     return true;
   }

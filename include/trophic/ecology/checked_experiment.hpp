@@ -42,12 +42,8 @@ template <class Rules>
 [[nodiscard]] ModelNames named_models(const Policies<Rules>& rules) {
   ModelNames names;
   const auto add = [](auto& to, const std::vector<std::string>& from) { to.insert(to.end(), from.begin(), from.end()); };
-  for_each_species_policy(rules.body_plan, [&](const auto& policy) {
-    if constexpr (requires { policy.robots(); }) add(names.robots, policy.robots());
-  });
-  for_each_species_policy(rules.gait, [&](const auto& policy) {
-    if constexpr (requires { policy.gaits(); }) add(names.gaits, policy.gaits());
-  });
+  for_each_species_policy(rules.body_plan, [&](const auto& policy) { add(names.robots, reproduction::ask::robots(policy)); });
+  for_each_species_policy(rules.gait, [&](const auto& policy) { add(names.gaits, control::ask::gaits(policy)); });
   names.needs_design = !is_neutral<Rules, RuleSlot::body_plan>;
   return names;
 }

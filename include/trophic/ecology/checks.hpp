@@ -54,6 +54,15 @@ inline void check_sacrifices(std::span<const death::Sacrifice> sacrifices, std::
   for (const death::Sacrifice& sacrifice : sacrifices) check_lives("minimum_predators", "victim", sacrifice.victim, robots);
 }
 
+/// Throws std::invalid_argument unless a saved individual has one of the tags and perceives one of the bodies and, if it lives,
+/// `is_of_rules`; a spare body has nothing else.
+inline void check_saved(const Individual& one, std::span<const int> tags, bool is_of_rules, std::size_t bodies) {
+  const bool has_tag = std::ranges::count(tags, one.tag) == 1;
+  const bool is_spare = one.id == no_individual && !one.genome && !one.active && !one.adversary;
+  if (!one.lives()) return Archive::require(is_spare && has_tag, "a spare body of other rules");
+  Archive::require(is_of_rules && has_tag && one.adversary.value_or(0) < bodies, "an individual of other rules");
+}
+
 /// Throws std::invalid_argument unless a checkpoint has a finite position for each robot.
 inline void check_saved_poses(std::span<const GroundPose> poses, std::size_t robots) {
   Archive::require(poses.size() == robots, "another number of robots");

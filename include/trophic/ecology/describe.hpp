@@ -18,18 +18,21 @@
 
 namespace trophic {
 
-namespace detail {
-
-/// Name the neutral null of a heredity and that of clones: the population applies them.
-template <class Rule>
-struct NeutralHeredity : reproduction::heredity::NothingInherited {
-  static constexpr std::string_view name = prefixed_name<"neutral", Rule>;
-};
-struct OneGenomeForAll : reproduction::heredity::NothingInherited {
-  static constexpr std::string_view name = "one_genome_for_all";
-};
-
-}  // namespace detail
+/// The name of a table's rule Heredity under a null, which the population applies in its place; empty without a null.
+template <class Rules>
+[[nodiscard]] std::string heredity_under(Null null) {
+  switch (null) {
+    case Null::none:
+      return {};
+    case Null::shadow:
+      return std::string{reproduction::heredity::NothingInherited::name};
+    case Null::neutral:
+      return "neutral_" + std::string{detail::policy_name<PolicyIn<Rules, RuleSlot::heredity>>()};
+    case Null::clones:
+      return "one_genome_for_all";
+  }
+  return {};
+}
 
 /// Whether a parameter has no effect but through joints.
 [[nodiscard]] constexpr bool acts_through_joints(std::string_view path) {
@@ -46,44 +49,35 @@ template <class Rules>
 }
 
 /// Everything that determines a run of `experiment` on `backend` in `habitat` until `until_s` (ecology seconds), and its
-/// fingerprint. A neutral shadow is described as the table with NothingInherited, a neutral null as one with neutral_HEREDITY,
-/// clones as one with one_genome_for_all.
+/// fingerprint. A run under a null is described as the table with another heredity: heredity_under.
 template <class Rules>
 [[nodiscard]] observe::RunDescription describe(const Experiment<Rules>& experiment, const BackendChoice& backend,
                                                const Habitat& habitat, double until_s) {
   const Policies<Rules> policies = make_policies<Rules>(experiment.rules);
-  using Shadow = with_heredity<Rules, reproduction::heredity::NothingInherited>;
-  using Neutral = with_heredity<Rules, detail::NeutralHeredity<PolicyIn<Rules, RuleSlot::heredity>>>;
-  using Clones = with_heredity<Rules, detail::OneGenomeForAll>;
-  const auto of_null = [&](const auto&... none_shadow_neutral_clones) {
-    return std::array{none_shadow_neutral_clones...}[static_cast<std::size_t>(experiment.null)];
-  };
-  observe::RunDescription run{
-      .rules = of_null(table_name<Rules>(), table_name<Shadow>(), table_name<Neutral>(), table_name<Clones>()),
-      .slots = {},
-      .named_params = named_params_of(experiment, backend),
-      .tags = for_species(policies.brain, 0).tags(),
-      .inputs = PolicyIn<Rules, RuleSlot::sensors>::value_names(),
-      .backend = backend.name() + " " + backend.version(),
-      .remarks = backend.remarks(experiment.physics),
-      .seed = experiment.seed,
-      .tick_s = experiment.ecology.tick_s,
-      .clock_scale = experiment.ecology.clock_scale,
-      .until_s = until_s,
-      .fingerprint = {}};
-  for (const rules::SlotRule& rule : of_null(rules::slot_rules<Rules>(), rules::slot_rules<Shadow>(),
-                                             rules::slot_rules<Neutral>(), rules::slot_rules<Clones>())) {
-    run.slots.emplace_back(rule.slot, rule.policy);
-  }
+  observe::RunDescription run{.rules = table_name<Rules>(),
+                              .slots = {},
+                              .named_params = named_params_of(experiment, backend),
+                              .tags = for_species(policies.brain, 0).tags(),
+                              .inputs = PolicyIn<Rules, RuleSlot::sensors>::value_names(),
+                              .backend = backend.name() + " " + backend.version(),
+                              .remarks = backend.remarks(experiment.physics),
+                              .seed = experiment.seed,
+                              .tick_s = experiment.ecology.tick_s,
+                              .clock_scale = experiment.ecology.clock_scale,
+                              .until_s = until_s,
+                              .fingerprint = {}};
+  const std::string heredity = heredity_under<Rules>(experiment.null);
+  if (!heredity.empty()) run.rules += " with heredity = " + heredity;
+  for (const rules::SlotRule& rule : rules::slot_rules<Rules>())
+    run.slots.emplace_back(rule.slot, rule.slot == slot_name(RuleSlot::heredity) && !heredity.empty() ? heredity : rule.policy);
   if (experiment.null == Null::shadow || experiment.null == Null::clones) {
     std::erase_if(run.named_params, [](const NamedParam& param) { return param.path.starts_with("rules.heredity."); });
   }
-  if constexpr (requires { Rules::Capture::zone; }) {
-    const auto is_named = [](const Zone& zone) { return zone.name == Rules::Capture::zone; };
-    if (std::ranges::none_of(habitat.arena.zones, is_named)) {
-      run.remarks.push_back("rules.capture = " + std::string{Rules::Capture::name} + ": arena " + habitat.arena.name +
-                            " has no zone named " + std::string{Rules::Capture::zone});
-    }
+  using Capture = PolicyIn<Rules, RuleSlot::capture>;
+  const std::string zone{death::ask::zone<Capture>()};
+  if (!zone.empty() && std::ranges::count(habitat.arena.zones, zone, &Zone::name) == 0) {
+    run.remarks.push_back("rules.capture = " + std::string{detail::policy_name<Capture>()} + ": arena " + habitat.arena.name +
+                          " has no zone named " + zone);
   }
   Experiment<Rules> table;
   if (!experiment.ecology.gait.empty()) table.ecology.gait = habitat.robot.gait;
@@ -104,8 +98,8 @@ template <class Rules>
   run.brain_weights = BrainGenes<Rules>{policies, experiment.seed}.most(policies.community.web().size());
   run.bodies_differ = BodyGenes<Rules>::differ;
   run.several_parents = reproduction::names_several_parents<AnswersForSpecies<PolicyIn<Rules, RuleSlot::recruitment>>>;
-  run.has_energy = Economy<Rules>::has_energy;
-  run.has_resource = Economy<Rules>::has_field;
+  run.has_energy = has_energy<Rules>;
+  run.has_resource = has_field<Rules>;
   run.inherits_bodies = BodyGenes<Rules>::are_inherited;
   run.has_more_genes = BrainGenes<Rules>::grow || run.inherits_bodies || GaitGenes<Rules>::are_inherited;
   run.fingerprint = observe::fingerprint(run, numbers_text(habitat));

@@ -11,140 +11,54 @@
 
 namespace trophic {
 
-/// The energy of individuals and of the world under the rules Metabolism and Resource of a table. Each transfer takes from one
-/// what it gives to the other. In a table without these rules all functions do nothing.
+/// Whether individuals have energy under a table, and whether there is a field of food.
 template <class Rules>
-class Economy {
+inline constexpr bool has_energy = !is_neutral<Rules, RuleSlot::metabolism>;
+template <class Rules>
+inline constexpr bool has_field = !is_neutral<Rules, RuleSlot::resource>;
+
+/// The field of food under the rule Resource of a table.
+template <class Rules, bool = has_field<Rules>>
+class Food {
  public:
-  static constexpr bool has_energy = !is_neutral<Rules, RuleSlot::metabolism>;
-  static constexpr bool has_field = !is_neutral<Rules, RuleSlot::resource>;
-
   /// All arguments outlive it.
-  Economy(const Policies<Rules>& rules, std::uint64_t seed, std::size_t species, const Habitat* habitat)
-      : rules_{rules}, seed_{seed}, flows_(has_energy ? species : 0) {
-    if constexpr (has_field) {
-      if (habitat == nullptr) throw std::invalid_argument{"a rule Resource: needs an arena"};
-      Rng rng{seed_, Stream::resource};
-      field_ = rules_.resource.start(habitat->arena, rng);
-      check_field("start");
-    }
+  Food(const Policies<Rules>& rules, std::uint64_t seed, const Habitat* habitat) : rules_{rules}, seed_{seed} {
+    if (habitat == nullptr) throw std::invalid_argument{"a rule Resource: needs an arena"};
+    Rng rng{seed_, Stream::resource};
+    field_ = rules_.resource.start(habitat->arena, rng);
+    check_field("start");
   }
 
-  [[nodiscard]] const ResourceField* field() const { return has_field ? &field_ : nullptr; }
-  /// One for each species; empty without a rule Metabolism.
-  [[nodiscard]] std::span<const EnergyFlow> flows() const { return flows_; }
-  [[nodiscard]] const ResourceFlow& resource_flow() const { return resource_flow_; }
-
-  /// The energy of an individual that no parent endows.
-  void endow_from_outside(Individual& newborn) {
-    if constexpr (has_energy) {
-      Rng rng{seed_, Stream::endowment, newborn.id};
-      const double energy_J = rule_of(newborn).first_J(newborn, rng);
-      check("first_J", energy_J, 0.0, std::numeric_limits<double>::max());
-      newborn.energy_J = energy_J;
-      flows_[newborn.species].outside_J += energy_J;
-    }
+  [[nodiscard]] const ResourceField* field() const { return &field_; }
+  [[nodiscard]] const ResourceFlow& flow() const { return flow_; }
+  void open_ledger() { flow_ = {}; }
+  void grow(const View& view) {
+    Rng rng{seed_, Stream::resource, 1, static_cast<std::uint64_t>(view.tick)};
+    change("grow", [&] { rules_.resource.grow(field_, view, rng); });
+  }
+  void take_death(const Vacancy& death, double left_J, const View& view) {
+    change("on_death", [&] { energy::ask::on_death(rules_.resource, field_, death, left_J, view); });
   }
 
-  /// The energy of a newborn from its living parents, in equal parts. Throws RuleError if one has less than its part.
-  void endow(Individual& newborn, double energy_J, std::span<Individual> robots, std::span<const BodyIndex> parents) {
-    if constexpr (has_energy) {
-      const double part_J = energy_J / static_cast<double>(parents.size());
-      for (const BodyIndex body : parents) {
-        Individual* const parent = &robots[body];
-        if (!(part_J >= 0.0 && part_J <= std::max(parent->energy_J, 0.0))) {
-          throw RuleError{"recruitment", "endowment_J = " + number_text(energy_J) + " from " + std::to_string(parents.size()) +
-                                             " parents: must be >= 0, and individual " + std::to_string(parent->id) + " has " +
-                                             number_text(parent->energy_J) + " J"};
-        }
-        parent->energy_J -= part_J;
-        flows_[parent->species].given_J += part_J;
-        newborn.energy_J += part_J;
-      }
-      flows_[newborn.species].received_J += newborn.energy_J;
-    } else if (energy_J != 0.0) {
-      throw RuleError{"recruitment",
-                      "endowment_J = " + number_text(energy_J) + ": must be 0 in a table without a rule Metabolism"};
-    }
+  /// Lets an individual take `bite_J(there_J)` of the food where it stands. Returns it.
+  template <class Bite>
+  double bite(BodyIndex body, const View& view, const Bite& bite_J) {
+    const std::size_t cell = field_.cell_at(view.poses[body]);
+    double& there_J = field_.food_J(cell);
+    const double taken_J = bite_J(there_J);
+    if (taken_J == 0.0) return 0.0;
+    there_J -= taken_J;
+    flow_.taken_J += taken_J;
+    const double before_J = there_J;
+    energy::ask::on_bite(rules_.resource, field_, cell, taken_J, body, view);
+    check_cell("on_bite", cell);
+    flow_.grown_J += there_J - before_J;
+    return taken_J;
   }
 
-  /// Begins the ledger of a tick.
-  void open_ledger() {
-    std::ranges::fill(flows_, EnergyFlow{});
-    resource_flow_ = {};
-  }
-
-  /// All individuals spend, having walked from `before`, the resource grows, and all bite.
-  void spend_and_bite(std::span<Individual> robots, std::span<const GroundPose> before, const View& view) {
-    if constexpr (has_energy) {
-      for (BodyIndex body = 0; body < robots.size(); ++body) {
-        Individual& self = robots[body];
-        if (!self.lives()) continue;
-        const double upkeep_J = rule_of(self).upkeep_J(body, view.distance_m(before[body], view.poses[body]), view);
-        check("upkeep_J", upkeep_J, 0.0, std::numeric_limits<double>::max());
-        self.energy_J -= upkeep_J;
-        flows_[self.species].upkeep_J += upkeep_J;
-      }
-    }
-    if constexpr (has_field) {
-      Rng rng{seed_, Stream::resource, 1, static_cast<std::uint64_t>(view.tick)};
-      change_field("grow", [&] { rules_.resource.grow(field_, view, rng); });
-    }
-    if constexpr (has_energy && has_field) bite(robots, view);
-  }
-
-  /// A hunter gets its part of what its victim has.
-  void eat(BodyIndex hunter, BodyIndex victim, std::span<Individual> robots, const View& view) {
-    if constexpr (has_energy) {
-      Individual& eater = robots[hunter];
-      Individual& eaten = robots[victim];
-      const double meal_J = rule_of(eater).meal_J(hunter, victim, view);
-      check("meal_J", meal_J, 0.0, std::max(eaten.energy_J, 0.0));
-      eaten.energy_J -= meal_J;
-      eater.energy_J += meal_J;
-      flows_[eater.species].victims_J += meal_J;
-      flows_[eaten.species].eaten_J += meal_J;
-      if constexpr (requires { rule_of(eater).bonus_J(hunter, victim, view); }) {
-        const double bonus_J = rule_of(eater).bonus_J(hunter, victim, view);
-        check("bonus_J", bonus_J, 0.0, std::numeric_limits<double>::max());
-        eater.energy_J += bonus_J;
-        flows_[eater.species].outside_J += bonus_J;
-      }
-    }
-  }
-
-  [[nodiscard]] bool starves(const Individual& self, BodyIndex body, const View& view) const {
-    if constexpr (has_energy) return rule_of(self).starves(body, view);
-    return false;
-  }
-
-  /// The energy of one who dies is lost.
-  void lose(const Vacancy& death, Individual& dying, const View& view) {
-    [[maybe_unused]] const double left_J = std::exchange(dying.energy_J, 0.0);
-    if constexpr (has_energy) flows_[dying.species].lost_J += left_J;
-    if constexpr (requires { rules_.resource.on_death(field_, death, left_J, view); }) {
-      change_field("on_death", [&] { rules_.resource.on_death(field_, death, left_J, view); });
-    }
-  }
-
-  void persist(Archive& archive) {
-    if constexpr (has_energy) {
-      const std::size_t species = flows_.size();
-      archive(flows_);
-      Archive::require(flows_.size() == species, "energy of another number of species");
-    }
-    if constexpr (has_field) archive(field_, resource_flow_);
-  }
+  void persist(Archive& archive) { archive(field_, flow_); }
 
  private:
-  [[nodiscard]] const auto& rule_of(const Individual& self) const { return for_species(rules_.metabolism, self.species); }
-
-  static void check(const char* what, double value, double least, double most) {
-    if (value >= least && value <= most) return;
-    throw RuleError{"metabolism",
-                    std::string{what} + " = " + number_text(value) + ": must be >= " + number_text(least) +
-                        (most < std::numeric_limits<double>::max() ? " and <= " + number_text(most) : " and finite")};
-  }
   void check_field(const char* what) const {
     for (std::size_t cell = 0; cell < field_.cells(); ++cell) check_cell(what, cell);
   }
@@ -155,11 +69,132 @@ class Economy {
                                     ": must be >= 0 and finite"};
   }
   template <class Change>
-  void change_field(const char* what, const Change& change) {
+  void change(const char* what, const Change& change) {
     const double before_J = field_.total_J();
     change();
     check_field(what);
-    resource_flow_.grown_J += field_.total_J() - before_J;
+    flow_.grown_J += field_.total_J() - before_J;
+  }
+
+  const Policies<Rules>& rules_;
+  std::uint64_t seed_;
+  ResourceField field_;
+  ResourceFlow flow_;
+};
+
+/// In a table without that rule there is none.
+template <class Rules>
+class Food<Rules, false> {
+ public:
+  Food(const Policies<Rules>&, std::uint64_t, const Habitat*) {}
+  [[nodiscard]] const ResourceField* field() const { return nullptr; }
+  [[nodiscard]] ResourceFlow flow() const { return {}; }
+  void open_ledger() {}
+  void grow(const View&) {}
+  void take_death(const Vacancy&, double, const View&) {}
+  void persist(Archive&) {}
+};
+
+/// The energy of individuals and of the world under the rules Metabolism and Resource of a table. Each transfer takes from one
+/// what it gives to the other.
+template <class Rules, bool = has_energy<Rules>>
+class Economy {
+ public:
+  /// All arguments outlive it.
+  Economy(const Policies<Rules>& rules, std::uint64_t seed, std::size_t species, const Habitat* habitat)
+      : rules_{rules}, seed_{seed}, food_{rules, seed, habitat}, flows_(species) {}
+
+  [[nodiscard]] const Food<Rules>& food() const { return food_; }
+  [[nodiscard]] std::span<const EnergyFlow> flows() const { return flows_; }  ///< of each species
+
+  /// The energy of an individual that no parent endows.
+  void endow_from_outside(Individual& newborn) {
+    Rng rng{seed_, Stream::endowment, newborn.id};
+    const double energy_J = rule_of(newborn).first_J(newborn, rng);
+    check("first_J", energy_J, 0.0, std::numeric_limits<double>::max());
+    newborn.energy_J = energy_J;
+    flows_[newborn.species].outside_J += energy_J;
+  }
+
+  /// The energy of a newborn from its living parents, in equal parts. Throws RuleError if one has less than its part.
+  void endow(Individual& newborn, double energy_J, std::span<Individual> robots, std::span<const BodyIndex> parents) {
+    const double part_J = energy_J / static_cast<double>(parents.size());
+    for (const BodyIndex body : parents) {
+      Individual& parent = robots[body];
+      if (!(part_J >= 0.0 && part_J <= std::max(parent.energy_J, 0.0))) {
+        throw RuleError{"recruitment", "endowment_J = " + number_text(energy_J) + " from " + std::to_string(parents.size()) +
+                                           " parents: must be >= 0, and individual " + std::to_string(parent.id) + " has " +
+                                           number_text(parent.energy_J) + " J"};
+      }
+      parent.energy_J -= part_J;
+      flows_[parent.species].given_J += part_J;
+      newborn.energy_J += part_J;
+    }
+    flows_[newborn.species].received_J += newborn.energy_J;
+  }
+
+  /// Begins the ledger of a tick.
+  void open_ledger() {
+    std::ranges::fill(flows_, EnergyFlow{});
+    food_.open_ledger();
+  }
+
+  /// All individuals spend, having walked from `before`, the resource grows, and all bite.
+  void spend_and_bite(std::span<Individual> robots, std::span<const GroundPose> before, const View& view) {
+    for (BodyIndex body = 0; body < robots.size(); ++body) {
+      Individual& self = robots[body];
+      if (!self.lives()) continue;
+      const double upkeep_J = rule_of(self).upkeep_J(body, view.distance_m(before[body], view.poses[body]), view);
+      check("upkeep_J", upkeep_J, 0.0, std::numeric_limits<double>::max());
+      self.energy_J -= upkeep_J;
+      flows_[self.species].upkeep_J += upkeep_J;
+    }
+    food_.grow(view);
+    if constexpr (has_field<Rules>) bite(robots, view);
+  }
+
+  /// A hunter gets its part of what its victim has.
+  void eat(BodyIndex hunter, BodyIndex victim, std::span<Individual> robots, const View& view) {
+    Individual& eater = robots[hunter];
+    Individual& eaten = robots[victim];
+    const double meal_J = rule_of(eater).meal_J(hunter, victim, view);
+    check("meal_J", meal_J, 0.0, std::max(eaten.energy_J, 0.0));
+    eaten.energy_J -= meal_J;
+    eater.energy_J += meal_J;
+    flows_[eater.species].victims_J += meal_J;
+    flows_[eaten.species].eaten_J += meal_J;
+    const double bonus_J = energy::ask::bonus_J(rule_of(eater), hunter, victim, view);
+    check("bonus_J", bonus_J, 0.0, std::numeric_limits<double>::max());
+    eater.energy_J += bonus_J;
+    flows_[eater.species].outside_J += bonus_J;
+  }
+
+  [[nodiscard]] bool starves(const Individual& self, BodyIndex body, const View& view) const {
+    return rule_of(self).starves(body, view);
+  }
+
+  /// The energy of one who dies is lost.
+  void lose(const Vacancy& death, Individual& dying, const View& view) {
+    const double left_J = std::exchange(dying.energy_J, 0.0);
+    flows_[dying.species].lost_J += left_J;
+    food_.take_death(death, left_J, view);
+  }
+
+  void persist(Archive& archive) {
+    const std::size_t species = flows_.size();
+    archive(flows_);
+    Archive::require(flows_.size() == species, "energy of another number of species");
+    archive(food_);
+  }
+
+ private:
+  [[nodiscard]] const auto& rule_of(const Individual& self) const { return for_species(rules_.metabolism, self.species); }
+
+  static void check(const char* what, double value, double least, double most) {
+    if (value >= least && value <= most) return;
+    throw RuleError{"metabolism",
+                    std::string{what} + " = " + number_text(value) + ": must be >= " + number_text(least) +
+                        (most < std::numeric_limits<double>::max() ? " and <= " + number_text(most) : " and finite")};
   }
 
   /// All bite, in random order.
@@ -172,29 +207,41 @@ class Economy {
     rng.shuffle(std::span{order});
     for (const BodyIndex body : order) {
       Individual& self = robots[body];
-      const std::size_t cell = field_.cell_at(view.poses[body]);
-      double& there_J = field_.food_J(cell);
-      const double bite_J = rule_of(self).bite_J(body, there_J, view);
-      check("bite_J", bite_J, 0.0, there_J);
-      if (bite_J == 0.0) continue;
-      there_J -= bite_J;
-      self.energy_J += bite_J;
-      flows_[self.species].field_J += bite_J;
-      resource_flow_.taken_J += bite_J;
-      if constexpr (requires { rules_.resource.on_bite(field_, cell, bite_J, body, view); }) {
-        const double before_J = there_J;
-        rules_.resource.on_bite(field_, cell, bite_J, body, view);
-        check_cell("on_bite", cell);
-        resource_flow_.grown_J += there_J - before_J;
-      }
+      const double taken_J = food_.bite(body, view, [&](double there_J) {
+        const double bite_J = rule_of(self).bite_J(body, there_J, view);
+        check("bite_J", bite_J, 0.0, there_J);
+        return bite_J;
+      });
+      self.energy_J += taken_J;
+      flows_[self.species].field_J += taken_J;
     }
   }
 
   const Policies<Rules>& rules_;
   std::uint64_t seed_;
-  ResourceField field_;
+  Food<Rules> food_;
   std::vector<EnergyFlow> flows_;
-  ResourceFlow resource_flow_;
+};
+
+/// In a table without a rule Metabolism individuals have no energy. A field grows, and none bites.
+template <class Rules>
+class Economy<Rules, false> {
+ public:
+  Economy(const Policies<Rules>& rules, std::uint64_t seed, std::size_t, const Habitat* habitat) : food_{rules, seed, habitat} {}
+  [[nodiscard]] const Food<Rules>& food() const { return food_; }
+  [[nodiscard]] std::span<const EnergyFlow> flows() const { return {}; }
+  void endow_from_outside(Individual&) {}
+  void endow(Individual&, double energy_J, std::span<Individual>, std::span<const BodyIndex>) {
+    throw RuleError{"recruitment", "endowment_J = " + number_text(energy_J) + ": must be 0 in a table without a rule Metabolism"};
+  }
+  void open_ledger() { food_.open_ledger(); }
+  void spend_and_bite(std::span<Individual>, std::span<const GroundPose>, const View& view) { food_.grow(view); }
+  void eat(BodyIndex, BodyIndex, std::span<Individual>, const View&) {}
+  void lose(const Vacancy& death, Individual&, const View& view) { food_.take_death(death, 0.0, view); }
+  void persist(Archive& archive) { archive(food_); }
+
+ private:
+  Food<Rules> food_;
 };
 
 }  // namespace trophic

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: MIT
-// The ecologies of the rule tables that trophic ships, compiled once in trophic::compiled.
+// The ecologies of the rule tables that trophic ships: trophic::compiled has them, and a program need not compile them again.
 #pragma once
 
-#include <trophic/ecology/ecology.hpp>
-#include <trophic/habitat/load/habitat.hpp>
+#include <trophic/ecology/dynamics.hpp>
+#include <trophic/rules/shipped.hpp>
 
 #if !TROPHIC_HEADER_ONLY
-#include <trophic/rules/paper.hpp>
-#include <trophic/rules/released.hpp>
 namespace trophic {
-extern template class Ecology<rules::Paper>;
-extern template class Ecology<rules::Released>;
+
+#define TROPHIC_SHIPPED_ECOLOGY(Rules)                                                                           \
+  extern template std::unique_ptr<TableSimulation<Rules>> make_dynamics<Rules>(Experiment<Rules>, BackendChoice, \
+                                                                               std::string_view);                \
+  extern template std::unique_ptr<TableSimulation<Rules>> make_dynamics_in<Rules>(Habitat, Experiment<Rules>, BackendChoice);
+TROPHIC_SHIPPED_ECOLOGY(rules::Paper)
+TROPHIC_SHIPPED_ECOLOGY(rules::Released)
+#undef TROPHIC_SHIPPED_ECOLOGY
+
 }  // namespace trophic
 #endif

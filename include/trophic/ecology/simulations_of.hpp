@@ -19,7 +19,7 @@ template <class Rules>
     Experiment<Rules> own = experiment;
     own.seed = seed;
     if (history) own.history = history(seed);
-    return std::make_unique<Ecology<Rules>>(std::move(own), backend);
+    return make_dynamics<Rules>(std::move(own), backend, TROPHIC_MODEL_DIR);
   };
 }
 

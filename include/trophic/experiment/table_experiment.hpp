@@ -44,7 +44,7 @@ class TableExperiment final : public AnyExperiment {
       own.seed = places;
       own.ecology.robots = lineup.size();
       own.lineup = std::move(lineup);
-      return std::make_unique<Ecology<Rules>>(std::move(own), loaded.backend, loaded.habitat);
+      return make_dynamics_in<Rules>(loaded.habitat, std::move(own), loaded.backend);
     };
   }
   [[nodiscard]] AskBrain brain() const override {
@@ -85,5 +85,15 @@ class TableExperiment final : public AnyExperiment {
   Experiment<Rules> experiment_;
   BackendChoice backend_;
 };
+
+/// Makes the experiment of a table on a backend.
+template <class Rules>
+[[nodiscard]] std::unique_ptr<AnyExperiment> make_experiment(const BackendChoice& backend) {
+  return std::make_unique<TableExperiment<Rules>>(backend);
+}
+#if !TROPHIC_HEADER_ONLY
+extern template std::unique_ptr<AnyExperiment> make_experiment<rules::Paper>(const BackendChoice&);
+extern template std::unique_ptr<AnyExperiment> make_experiment<rules::Released>(const BackendChoice&);
+#endif
 
 }  // namespace trophic

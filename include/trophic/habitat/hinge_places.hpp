@@ -16,13 +16,7 @@ enum class Side { left, right, middle };
 
 /// Left if the cross product forward x grid position is positive, right if it is negative, middle on the axis. The spider's
 /// axis lies at 45 degrees through its core, so x - y < 0 is left and x - y > 0 right.
-[[nodiscard]] inline Side side_of(const Hinge& hinge, double forward_rad) {
-  const double x = hinge.grid_position.x();
-  const double y = hinge.grid_position.y();
-  const double cross = std::cos(forward_rad) * y - std::sin(forward_rad) * x;
-  if (std::abs(cross) < 1e-9) return Side::middle;
-  return cross > 0.0 ? Side::left : Side::right;
-}
+[[nodiscard]] Side side_of(const Hinge& hinge, double forward_rad);
 
 /// A hinge as rules that steer see it, on a robot that stands with all joint angles 0.
 struct HingePlace {
@@ -33,17 +27,10 @@ struct HingePlace {
 };
 
 /// The place of each hinge of a robot, in the model's order.
-[[nodiscard]] inline std::vector<HingePlace> hinge_places(const RobotModel& robot) {
-  std::vector<HingePlace> places;
-  const std::vector<Eigen::Isometry3d> frames = link_frames(robot, Pose{}, {});
-  for (std::size_t i = 0; i < robot.hinges.size(); ++i) {
-    const Hinge& hinge = robot.hinges[i];
-    const Eigen::Vector3d axis = frames[i + 1].linear() * hinge.axis;
-    const double ahead =
-        std::cos(robot.forward_rad) * hinge.grid_position.x() + std::sin(robot.forward_rad) * hinge.grid_position.y();
-    places.push_back({.side = side_of(hinge, robot.forward_rad), .ahead = ahead, .upright = axis.z()});
-  }
-  return places;
-}
+[[nodiscard]] std::vector<HingePlace> hinge_places(const RobotModel& robot);
 
 }  // namespace trophic
+
+#if TROPHIC_HEADER_ONLY
+#include <trophic/habitat/hinge_places.ipp>
+#endif

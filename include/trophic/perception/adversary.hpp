@@ -23,7 +23,7 @@ template <std::predicate<BodyIndex, BodyIndex> Sees>
   return Sighting{.self = self,
                   .adversary = *found,
                   .distance_m = view.distance_m(self, *found),
-                  .bearing_rad = bearing_rad(view.poses[self], view.poses[*found], view.period_m)};
+                  .bearing_rad = view.space.bearing_rad(view.poses[self], view.poses[*found])};
 }
 
 }  // namespace trophic::perception

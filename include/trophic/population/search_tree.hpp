@@ -10,14 +10,6 @@ namespace trophic {
 /// From this number of robots on, a tree finds the closest robot faster than a visit to each; both give the same result.
 inline constexpr std::size_t tree_from_robots = 64;
 
-/// Calls `visit` with a place and, on a torus of side `period_m`, with its eight images next to the square.
-template <class Visit>
-void for_each_image(const GroundPose& place, double period_m, Visit&& visit) {
-  for (int image = 0; image < (period_m > 0.0 ? 9 : 1); ++image) {  // 0: the place itself
-    visit(GroundPose{place.x_m + ((image + 1) % 3 - 1) * period_m, place.y_m + ((image / 3 + 1) % 3 - 1) * period_m});
-  }
-}
-
 /// A grid of robots under squares of 2 x 2 cells, 4 x 4, ..., each of which holds the marks of the robots in it. A search goes
 /// outwards from the robot's own cell, as far as a closer one can be, and skips squares without the marks: it hardly takes
 /// longer among more robots. It gives exactly the result of visiting every robot, ties included. Positions are stored cell by
@@ -47,13 +39,13 @@ class SearchTree {
   }
 
   /// The body closest to `self`, which stands at `pose`, for which `accepts(body)` holds, excluding itself; on equal distance
-  /// the lower index. `period_m`: as View's.
+  /// the lower index. `space`: as View's.
   template <class Accepts>
   [[nodiscard]] std::optional<BodyIndex> closest(BodyIndex self, const GroundPose& pose, Accepts&& accepts,
-                                                 const Search& search = {}, double period_m = 0.0) const {
-    Nearest<std::remove_reference_t<Accepts>> nearest{*this, self, pose, period_m, accepts, search.among, search.within_m};
+                                                 const Search& search = {}, const Space& space = {}) const {
+    Nearest<std::remove_reference_t<Accepts>> nearest{*this, self, pose, space, accepts, search.among, search.within_m};
     if (levels_.empty() || (levels_.back().at(0, 0) & search.among) == 0) return std::nullopt;
-    for_each_image(pose, period_m, [&](const GroundPose& image) {
+    space.for_each_image(pose, [&](const GroundPose& image) {
       if (!grid_.may_reach(image, nearest.most_m, 0, 0, grid_.side())) return;
       nearest.from = image;
       nearest.own_column = grid_.column(image);
@@ -66,9 +58,9 @@ class SearchTree {
   [[nodiscard]] BodyIndex by_place(std::size_t i) const { return standing_[i].body; }  ///< all bodies, cell by cell
   /// Calls `visit(body)` for every body within `radius_m` of a point, and some that are farther away; some on a torus twice.
   template <class Visit>
-  void for_each_near(const GroundPose& point, double radius_m, Visit&& visit, double period_m = 0.0) const {
+  void for_each_near(const GroundPose& point, double radius_m, Visit&& visit, const Space& space = {}) const {
     if (levels_.empty()) return;
-    for_each_image(point, period_m, [&](const GroundPose& at) { grid_.for_each_near(at.x_m, at.y_m, radius_m, visit); });
+    space.for_each_image(point, [&](const GroundPose& at) { grid_.for_each_near(at.x_m, at.y_m, radius_m, visit); });
   }
 
  private:
@@ -90,7 +82,7 @@ class SearchTree {
     const SearchTree& tree;
     BodyIndex self;
     const GroundPose& pose;
-    double period_m;
+    Space space;
     Accepts& accepts;
     Marks among;
     double most_m;
@@ -129,7 +121,7 @@ class SearchTree {
     void look_in_cell(std::ptrdiff_t column, std::ptrdiff_t row) {
       for (const Standing& other : tree.grid_.in_cell(std::span{tree.standing_}, column, row)) {
         if (other.body == self || (other.marks & among) == 0) continue;
-        const double d = distance_m(pose, other.pose, period_m);
+        const double d = space.distance_m(pose, other.pose);
         const bool is_closer = d < most_m || (d == most_m && (!body || other.body < *body));
         if (!is_closer || !accepts(other.body)) continue;
         most_m = d;

@@ -41,7 +41,7 @@ struct View {
   ActValues acts = {};                            ///< of the last decisions
   std::span<const std::string_view> traits = {};  ///< names of the heritable traits of the rule Traits
   bool is_over = false;                           ///< whether the run ends now by EcologyParams::ends_when
-  double period_m = 0.0;  ///< the side of a torus, on which distances are the shortest; 0: an arena with walls
+  Space space = {};                               ///< whether distances go over the edges of the arena
 
   /// The value of an act (control/acts/) at the last decision; its default in a table without it.
   template <class Act>
@@ -65,11 +65,7 @@ struct View {
   }
   [[nodiscard]] double distance_m(BodyIndex a, BodyIndex b) const { return distance_m(poses[a], poses[b]); }
   /// Between two places, over the edges of a torus too.
-  [[nodiscard]] double distance_m(const GroundPose& a, const GroundPose& b) const { return trophic::distance_m(a, b, period_m); }
-  /// From one place to another along x and y, the shortest way over the edges of a torus.
-  [[nodiscard]] std::array<double, 2> way_m(const GroundPose& from, const GroundPose& to) const {
-    return {shortest(to.x_m - from.x_m, period_m), shortest(to.y_m - from.y_m, period_m)};
-  }
+  [[nodiscard]] double distance_m(const GroundPose& a, const GroundPose& b) const { return space.distance_m(a, b); }
   /// The marks of all whose species `accepts`: of all of them, of those with one tag, or of the active ones.
   template <std::predicate<Species> Accepts>
   [[nodiscard]] Marks marks(Accepts&& accepts, std::optional<int> tag = {}, bool only_active = false) const {
@@ -107,7 +103,7 @@ struct View {
   /// Calls `visit(body)` for every body within `radius_m` of a point and others, also spare ones; some on a torus twice.
   template <class Visit>
   void for_each_near(const GroundPose& point, double radius_m, Visit&& visit) const {
-    if (tree != nullptr) return tree->for_each_near(point, radius_m, visit, period_m);
+    if (tree != nullptr) return tree->for_each_near(point, radius_m, visit, space);
     for (BodyIndex body = 0; body < poses.size(); ++body) visit(body);
   }
 
@@ -126,7 +122,7 @@ struct View {
  private:
   template <class Accepts>
   [[nodiscard]] std::optional<BodyIndex> closest_body(BodyIndex self, Accepts&& accepts, const Search& search) const {
-    if (tree != nullptr) return tree->closest(self, poses[self], accepts, search, period_m);
+    if (tree != nullptr) return tree->closest(self, poses[self], accepts, search, space);
     std::optional<BodyIndex> best;
     double best_m = search.within_m;
     for (BodyIndex other = 0; other < robots.size(); ++other) {

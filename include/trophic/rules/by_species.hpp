@@ -5,6 +5,7 @@
 #include <trophic/death/capture/detail/by_species.hpp>
 #include <trophic/params/group.hpp>
 #include <trophic/params/policy.hpp>
+#include <trophic/population/species_names.hpp>
 #include <trophic/population/state.hpp>
 #include <trophic/rules/check.hpp>
 #include <trophic/support/joined_text.hpp>
@@ -18,17 +19,13 @@ struct BySpeciesWords {
   static constexpr std::array<std::string_view, 2> words{Policy::name, "by_species"};
   static constexpr std::string_view separator = "_";
 };
-template <class Community>
-struct SpeciesNames {
-  static constexpr const auto& names = Community::species_names;
-};
 template <class Policy, class Community, class Indices>
 struct by_species_params;
 template <class Policy, class Community, std::size_t... species>
 struct by_species_params<Policy, Community, std::index_sequence<species...>> {
   template <std::size_t>
   using One = ParamsOf<Policy>;
-  using type = GroupOf<SpeciesNames<Community>, One<species>...>;
+  using type = GroupOf<trophic::detail::SpeciesNames<Community>, One<species>...>;
 };
 
 /// Common to every form of by_species: its name, the policy that applies to one species, and that policy's State.

@@ -4,6 +4,7 @@
 
 #include <trophic/params/policy.hpp>
 #include <trophic/population/state.hpp>
+#include <trophic/rules/shipped.hpp>
 #include <trophic/rules/slots.hpp>
 
 namespace trophic {
@@ -259,9 +260,32 @@ using PolicyIn = typename detail::policy_in<Rules, slot>::type;
 template <class Rules, RuleSlot slot>
 inline constexpr bool is_neutral = detail::policy_in<Rules, slot>::is_neutral;
 
+namespace detail {
+
+template <class Rules>
+[[nodiscard]] consteval bool is_table() {
+  if constexpr (is_compiled<Rules>)
+    return true;
+  else
+    return has_no_fault<Rules>();
+}
+
+}  // namespace detail
+
 /// Whether a type is a rule table: final, with a name and its parameters, and a valid policy in each slot that it states.
 /// RuleParams, and therefore every experiment, rejects other types with a sentence about the error.
 template <class Rules>
-inline constexpr bool is_rule_table = detail::has_no_fault<Rules>();
+inline constexpr bool is_rule_table = detail::is_table<Rules>();
+
+namespace detail {
+
+/// Reports the error in an invalid table.
+template <class Rules>
+[[nodiscard]] consteval bool check_table() {
+  if constexpr (!is_rule_table<Rules>) return sizeof(CheckRules<Rules>) > 0;
+  return true;
+}
+
+}  // namespace detail
 
 }  // namespace trophic

@@ -33,7 +33,7 @@ template <class Rules>
 /// The parameters of an experiment's rules, one member per slot. Each defaults to the table's parameter.
 template <class Rules>
 struct RuleParams {
-  static_assert(sizeof(detail::CheckRules<Rules>) > 0);  // reports the error in the table
+  static_assert(detail::check_table<Rules>());
 #define TROPHIC_NUMBERS(Slot, member, ...) \
   ParamsOf<typename detail::slot_##member<Rules>::type> member = detail::stated_params<Rules>().member;
   TROPHIC_RULE_SLOTS(TROPHIC_NUMBERS)

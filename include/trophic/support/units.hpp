@@ -2,6 +2,7 @@
 // Units and frames of the whole library, and the geometric types that every part shares.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <trophic/support/cpp20.hpp>
@@ -30,23 +31,42 @@ struct GroundPose {
   return wrapped <= -std::numbers::pi ? std::numbers::pi : wrapped;
 }
 
-/// An offset on a torus of side `period_m`, over its edge if that is shorter; the same in an arena with walls, `period_m` 0.
-[[nodiscard]] inline double shortest(double offset_m, double period_m) {
-  return period_m > 0.0 ? std::remainder(offset_m, period_m) : offset_m;
-}
+/// The floor as distances see it: bounded by walls, or a torus, on which a way over an edge may be the shortest.
+struct Space {
+  double period_m = 0.0;  ///< the side of the torus; 0: none
 
-/// Horizontal distance between two robots, m.
-[[nodiscard]] inline double distance_m(const GroundPose& a, const GroundPose& b, double period_m = 0.0) {
-  const double dx = shortest(b.x_m - a.x_m, period_m);
-  const double dy = shortest(b.y_m - a.y_m, period_m);
-  return std::sqrt(dx * dx + dy * dy);
-}
+  [[nodiscard]] bool has_edges() const { return period_m <= 0.0; }
+  /// An offset along one side, over the edge if that is shorter; of a place: the same place in the square.
+  [[nodiscard]] double shortest(double offset_m) const { return has_edges() ? offset_m : std::remainder(offset_m, period_m); }
+  /// From one place to another along x and y.
+  [[nodiscard]] std::array<double, 2> way_m(const GroundPose& from, const GroundPose& to) const {
+    return {shortest(to.x_m - from.x_m), shortest(to.y_m - from.y_m)};
+  }
+  [[nodiscard]] double distance_m(const GroundPose& a, const GroundPose& b) const {
+    const auto [dx, dy] = way_m(a, b);
+    return std::sqrt(dx * dx + dy * dy);
+  }
+  /// Direction of `target` seen from `self`, relative to its heading: 0 ahead, positive to the right (the sense of the paper's
+  /// target angle alpha), in [-pi, pi).
+  [[nodiscard]] double bearing_rad(const GroundPose& self, const GroundPose& target) const {
+    const auto [dx, dy] = way_m(self, target);
+    return -wrap_angle(std::atan2(dy, dx) - self.heading_rad);
+  }
+  /// Calls `visit` with a place and, on a torus, with its eight images next to the square.
+  template <class Visit>
+  void for_each_image(const GroundPose& place, Visit&& visit) const {
+    for (int image = 0; image < (has_edges() ? 1 : 9); ++image) {  // 0: the place itself
+      visit(GroundPose{place.x_m + ((image + 1) % 3 - 1) * period_m, place.y_m + ((image / 3 + 1) % 3 - 1) * period_m});
+    }
+  }
+};
 
-/// Direction of `target` seen from `self`, relative to its heading: 0 ahead, positive to the right (the sense of the paper's
-/// target angle alpha), in [-pi, pi).
-[[nodiscard]] inline double bearing_rad(const GroundPose& self, const GroundPose& target, double period_m = 0.0) {
-  const double direction_rad = std::atan2(shortest(target.y_m - self.y_m, period_m), shortest(target.x_m - self.x_m, period_m));
-  return -wrap_angle(direction_rad - self.heading_rad);
+/// Both between walls.
+[[nodiscard]] inline double distance_m(const GroundPose& a, const GroundPose& b) {
+  return Space{}.distance_m(a, b);
+}
+[[nodiscard]] inline double bearing_rad(const GroundPose& self, const GroundPose& target) {
+  return Space{}.bearing_rad(self, target);
 }
 
 }  // namespace trophic

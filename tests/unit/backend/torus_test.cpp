@@ -42,7 +42,7 @@ TEST_CASE("torus: distances in a view -> the shortest, over the edges too") {
   test::HandPopulation robots{{{.x_m = 4.5}, {.x_m = -4.5, .y_m = 1.0}}};
   View view = robots.view();
   CHECK(view.distance_m(0, 1) == doctest::Approx(std::sqrt(82.0)));
-  view.period_m = 2.0 * half_side_m;
+  view.space.period_m = 2.0 * half_side_m;
   CHECK(view.distance_m(0, 1) == doctest::Approx(std::sqrt(2.0)));
   CHECK(view.within(robots.poses[0], 1.5).size() == 2);
   CHECK(view.closest(0, [](const Individual&) { return true; }, {.within_m = 1.5}) == BodyIndex{1});
@@ -51,7 +51,7 @@ TEST_CASE("torus: distances in a view -> the shortest, over the edges too") {
 TEST_CASE("torus: bearings of a sighting -> over the nearest edge") {
   test::HandPopulation robots{{{.x_m = 4.5}, {.species = test::predator, .x_m = -4.5, .y_m = -1.0}}};
   View view = robots.view();
-  view.period_m = 2.0 * half_side_m;
+  view.space.period_m = 2.0 * half_side_m;
   const auto seen = perception::adversary(0, view, [](BodyIndex, BodyIndex) { return true; });
   REQUIRE(seen);
   CHECK(seen->bearing_rad == doctest::Approx(std::numbers::pi / 4.0));

@@ -24,7 +24,7 @@ using Eyes = sensors::Rays<rays, sensors::Sees::food>;
 bool is_hidden(BodyIndex self, std::array<double, 2> way_m, const View& view) {
   const double length_m = std::hypot(way_m[0], way_m[1]);
   for (BodyIndex other = 0; other < view.robots.size(); ++other) {
-    const auto [x_m, y_m] = view.way_m(view.poses[self], view.poses[other]);
+    const auto [x_m, y_m] = view.space.way_m(view.poses[self], view.poses[other]);
     const double along_m = (x_m * way_m[0] + y_m * way_m[1]) / length_m;
     const double aside_m = std::abs(x_m * way_m[1] - y_m * way_m[0]) / length_m;
     if (other != self && along_m > 0.0 && along_m < length_m && aside_m < view.robot_radius_m) return true;
@@ -44,7 +44,7 @@ struct Exact {
     std::array<double, size> values{};
     for (std::size_t cell = 0; cell < view.field->cells(); ++cell) {
       if (view.field->food_J(cell) < 0.5) continue;
-      const auto [x_m, y_m] = view.way_m(from, view.field->centre(cell));
+      const auto [x_m, y_m] = view.space.way_m(from, view.field->centre(cell));
       const double near_x_m = std::clamp(0.0, x_m - half_m, x_m + half_m);
       const double near_y_m = std::clamp(0.0, y_m - half_m, y_m + half_m);
       const double d_m = std::hypot(near_x_m, near_y_m);

@@ -90,7 +90,7 @@ struct Birth {
         population{policies, web, 99, std::vector<Species>{prey, prey, predator, predator}, {.habitat = &habitat}} {
     parent = *population[2].genome;
     const View view{.web = web, .arena = habitat.arena, .robots = population.individuals(), .poses = poses};
-    const auto parentage = population.parentage({.body = 0, .cause = Cause::caught, .killer = 2}, view);
+    const auto parentage = parentage_of(policies, population, {.body = 0, .cause = Cause::caught, .killer = 2}, view);
     population.replace(0, predator, parentage, view);
     child = *population[0].genome;
   }

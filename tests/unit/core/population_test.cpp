@@ -3,7 +3,7 @@
 
 #include <set>
 #include <support/hand_population.hpp>
-#include <trophic/ecology/population.hpp>
+#include <trophic/ecology/turnover.hpp>
 #include <trophic/reproduction/parent/no_parent.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/released.hpp>
@@ -32,7 +32,7 @@ struct Row {
   }
   /// The predator in body 2 catches the prey in body 0.
   void catch_first(std::int64_t tick) {
-    const auto parentage = population.parentage({.body = 0, .cause = Cause::caught, .killer = 2}, view(tick));
+    const auto parentage = parentage_of(policies, population, {.body = 0, .cause = Cause::caught, .killer = 2}, view(tick));
     population.replace(0, predator, parentage, view(tick));
   }
 
@@ -146,7 +146,7 @@ TEST_CASE("population: random newcomer -> own genome, no parent") {
 TEST_CASE("population: no parent found -> random genome, labelled by the rule") {
   const auto orphan = [](auto row) {
     const reproduction::Vacancy vacancy{.body = 2, .cause = Cause::starved, .killer = {}};
-    const auto parentage = row.population.parentage(vacancy, row.view(3));
+    const auto parentage = parentage_of(row.policies, row.population, vacancy, row.view(3));
     CHECK(parentage.descent != reproduction::Descent::random);
     CHECK(parentage.parents.empty());
     row.population.replace(2, prey, parentage, row.view(3));
@@ -206,8 +206,8 @@ TEST_CASE("population: each setter -> changes only its member") {
 TEST_CASE("population: parentage called twice -> same result, nothing changed") {
   Row<rules::Paper> row;
   const reproduction::Vacancy vacancy{.body = 0, .cause = Cause::caught, .killer = 3};
-  const auto first = row.population.parentage(vacancy, row.view(1));
-  const auto second = row.population.parentage(vacancy, row.view(1));
+  const auto first = parentage_of(row.policies, row.population, vacancy, row.view(1));
+  const auto second = parentage_of(row.policies, row.population, vacancy, row.view(1));
   CHECK(first.descent == second.descent);
   CHECK(row.population.next_id() == 4);
   CHECK(row.population[0].id == 0);

@@ -38,7 +38,7 @@ TEST_CASE("search tree: any bounds -> result of an exhaustive search, ties inclu
       const SearchTree tree{robots.poses, robots.individuals};
       View plain = robots.view();
       View fast = with_tree(robots, tree);
-      plain.period_m = fast.period_m = seed % 2 == 0 ? 0.0 : 18.0;  // a torus
+      plain.space.period_m = fast.space.period_m = seed % 2 == 0 ? 0.0 : 18.0;  // a torus
       for (BodyIndex self = 0; self < size; ++self) {
         for (const double within_m : {0.0, 1.0, 3.7, 1e9}) {
           CHECK(fast.within(robots.poses[self], within_m) == plain.within(robots.poses[self], within_m));

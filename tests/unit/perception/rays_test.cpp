@@ -133,6 +133,6 @@ TEST_CASE("rays: food -> the first cell with enough, unless a body hides it, aro
                    .robots = robots.individuals,
                    .poses = robots.poses,
                    .field = &field,
-                   .period_m = 20.0};
+                   .space = {.period_m = 20.0}};
   CHECK(sensed(ahead, round)[0] == Approx(1.0 - 0.25 / 4.0));
 }

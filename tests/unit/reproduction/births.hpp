@@ -4,7 +4,7 @@
 
 #include <support/hand_population.hpp>
 #include <trophic/control/gait/inherited_cppn.hpp>
-#include <trophic/ecology/population.hpp>
+#include <trophic/ecology/turnover.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/habitat/load/robot.hpp>
 #include <trophic/initialization/embodiment/stands_up.hpp>
@@ -36,7 +36,8 @@ struct Births {
   /// The newborn in `body`, whose parent lives in `killer`.
   const Individual& birth(BodyIndex body, BodyIndex killer) {
     const View view{.web = web, .arena = habitat.arena, .robots = population->individuals(), .poses = poses};
-    population->replace(body, predator, population->parentage({.body = body, .cause = Cause::caught, .killer = killer}, view),
+    population->replace(body, predator,
+                        parentage_of(*policies, *population, {.body = body, .cause = Cause::caught, .killer = killer}, view),
                         view);
     return (*population)[body];
   }

@@ -17,7 +17,7 @@ TEST_CASE(
   const auto births = ByChance{{.chance = 0.25, .share = 0.5, .step_m = 1.0}}.recruits(robots.view(), rng);
   CHECK(births.size() == doctest::Approx(1000.0).epsilon(0.08));
   View torus = robots.view();
-  torus.period_m = 2.0 * robots.arena.half_side_m;
+  torus.space.period_m = 2.0 * robots.arena.half_side_m;
   Rng again{1, Stream::user};
   const auto wrapped = ByChance{{.chance = 0.25, .share = 0.5, .step_m = 1.0}}.recruits(torus, again);
   REQUIRE(wrapped.size() == births.size());

@@ -41,4 +41,15 @@ concept LearntGait = InheritedGait<P> &&
   { policy.learn(genes, robot, habitat, newborn, nursery, rng) } -> std::same_as<void>;
 };
 
+namespace ask {
+
+/// The gaits that a rule names, to be loaded with the habitat: its optional `gaits()`.
+template <class P>
+[[nodiscard]] std::vector<std::string> gaits([[maybe_unused]] const P& policy) {
+  if constexpr (requires { policy.gaits(); }) return policy.gaits();
+  return {};
+}
+
+}  // namespace ask
+
 }  // namespace trophic::control

@@ -48,4 +48,16 @@ concept Metabolism = requires(const P policy, const Individual& newborn, BodyInd
   requires !detail::StateNames_bonus_J<P> || detail::GivesBonus<P>;
 };
 
+namespace ask {
+
+/// 0 by a rule without a bonus.
+template <class P>
+[[nodiscard]] double bonus_J([[maybe_unused]] const P& policy, [[maybe_unused]] BodyIndex hunter,
+                             [[maybe_unused]] BodyIndex victim, [[maybe_unused]] const View& view) {
+  if constexpr (detail::GivesBonus<P>) return policy.bonus_J(hunter, victim, view);
+  return 0.0;
+}
+
+}  // namespace ask
+
 }  // namespace trophic::energy

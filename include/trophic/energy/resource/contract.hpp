@@ -47,4 +47,19 @@ concept Resource = requires(const P policy, const Arena& arena, ResourceField& f
   requires !detail::StateNames_on_death<P> || detail::TakesDeaths<P>;
 };
 
+namespace ask {
+
+template <class P>
+void on_bite([[maybe_unused]] const P& policy, [[maybe_unused]] ResourceField& field, [[maybe_unused]] std::size_t cell,
+             [[maybe_unused]] double taken_J, [[maybe_unused]] BodyIndex self, [[maybe_unused]] const View& view) {
+  if constexpr (detail::TakesBites<P>) policy.on_bite(field, cell, taken_J, self, view);
+}
+template <class P>
+void on_death([[maybe_unused]] const P& policy, [[maybe_unused]] ResourceField& field, [[maybe_unused]] const Vacancy& death,
+              [[maybe_unused]] double left_J, [[maybe_unused]] const View& view) {
+  if constexpr (detail::TakesDeaths<P>) policy.on_death(field, death, left_J, view);
+}
+
+}  // namespace ask
+
 }  // namespace trophic::energy

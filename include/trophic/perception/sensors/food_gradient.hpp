@@ -28,9 +28,7 @@ struct FoodGradient {
     const double x_m = params.reach_m * std::cos(from.heading_rad);
     const double y_m = params.reach_m * std::sin(from.heading_rad);
     const auto food_J = [&](double dx_m, double dy_m) {
-      const auto inside_m = [&](double place_m) {
-        return view.period_m > 0.0 ? std::remainder(place_m, view.period_m) : place_m;
-      };
+      const auto inside_m = [&](double place_m) { return view.space.shortest(place_m); };
       return view.field->food_J(view.field->cell_at(inside_m(from.x_m + dx_m), inside_m(from.y_m + dy_m)));
     };
     const double ahead_J = food_J(x_m, y_m);

@@ -34,7 +34,7 @@ struct Hearing {
       const double loudness =
           view.act<control::acts::Signal<channel>>(other) * (1.0 - view.distance_m(self, other) / params.range_m);
       if (loudness <= 0.0) return;
-      const auto [x_m, y_m] = view.way_m(from, view.poses[other]);
+      const auto [x_m, y_m] = view.space.way_m(from, view.poses[other]);
       const double bearing_rad = -wrap_angle(std::atan2(y_m, x_m) - from.heading_rad);
       const double turn = (bearing_rad + std::numbers::pi) / (2.0 * std::numbers::pi);
       double& loudest = values[std::min(sectors - 1, static_cast<std::size_t>(turn * static_cast<double>(sectors)))];

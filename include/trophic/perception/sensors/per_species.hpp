@@ -2,10 +2,16 @@
 // A list of sensors for each species.
 #pragma once
 
+#include <trophic/params/group.hpp>
+#include <trophic/params/policy.hpp>
 #include <trophic/perception/sensors/list.hpp>
-#include <trophic/rules/by_species.hpp>
+#include <trophic/population/species_names.hpp>
+#include <trophic/support/joined_text.hpp>
 
 namespace trophic::perception::sensors {
+
+template <class Community, class... Lists>
+class PerSpeciesOf;
 
 namespace detail {
 
@@ -46,7 +52,7 @@ template <class Community, class... Lists>
 class ListsWithStates : public ListsHeld<Lists...> {
  public:
   using ListsHeld<Lists...>::ListsHeld;
-  using State = GroupOf<rules::detail::SpeciesNames<Community>, StateOf<Lists>...>;
+  using State = GroupOf<trophic::detail::SpeciesNames<Community>, StateOf<Lists>...>;
 
   [[nodiscard]] State born(const Individual& newborn, const State* parent, const State& body) const {
     State all;
@@ -100,7 +106,7 @@ class PerSpeciesOf : public detail::HeldLists<Community, Lists...> {
   static constexpr std::string_view name = JoinedText<detail::ListNames<Lists...>>::view;
   static constexpr std::string_view source = JoinedText<detail::Sources<Lists...>>::view;
 
-  using Params = GroupOf<rules::detail::SpeciesNames<Community>, ParamsOf<Lists>...>;
+  using Params = GroupOf<trophic::detail::SpeciesNames<Community>, ParamsOf<Lists>...>;
   Params params;
 
   explicit PerSpeciesOf(const Params& given = {}) : detail::HeldLists<Community, Lists...>{given}, params{given} {}

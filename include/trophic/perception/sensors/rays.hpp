@@ -71,8 +71,8 @@ struct Rays {
       rays[i].cos = rays[i - 1].cos * cos + rays[i - 1].sin * sin;
       rays[i].sin = rays[i - 1].sin * cos - rays[i - 1].cos * sin;
     }
-    const bool has_walls = view.period_m <= 0.0 && std::max(std::abs(from.x_m), std::abs(from.y_m)) + params.range_m >
-                                                       view.arena.half_side_m;  // in range
+    const bool has_walls = view.space.has_edges() && std::max(std::abs(from.x_m), std::abs(from.y_m)) + params.range_m >
+                                                         view.arena.half_side_m;  // in range
     for (Ray& ray : rays) {
       ray.end_m = params.range_m;
       if (has_walls || !view.arena.obstacles.empty()) hit_walls(ray, from, view);
@@ -82,7 +82,7 @@ struct Rays {
     view.for_each_near(from, params.range_m + radius_m, [&](BodyIndex other) {
       const Individual& there = view.robots[other];
       if (other == self || !there.lives()) return;
-      const auto [x_m, y_m] = view.way_m(from, view.poses[other]);
+      const auto [x_m, y_m] = view.space.way_m(from, view.poses[other]);
       const double distance2 = x_m * x_m + y_m * y_m;
       if (distance2 > (params.range_m + radius_m) * (params.range_m + radius_m)) return;
       const std::uint32_t shows = (view.web.eats(own, there.species) ? bit(Sees::victims) : 0) |
@@ -106,7 +106,7 @@ struct Rays {
     const auto end = [&](double hit_m) {
       if (hit_m < ray.end_m) ray.end_m = hit_m, ray.shows = bit(Sees::walls);
     };
-    if (view.period_m <= 0.0) {
+    if (view.space.has_edges()) {
       const double half_m = view.arena.half_side_m;
       if (ray.cos != 0.0) end(std::max(0.0, (std::copysign(half_m, ray.cos) - from.x_m) / ray.cos));
       if (ray.sin != 0.0) end(std::max(0.0, (std::copysign(half_m, ray.sin) - from.y_m) / ray.sin));
@@ -126,13 +126,12 @@ struct Rays {
       const double line = along > 0.0 ? std::floor(place) + 1.0 : std::ceil(place) - 1.0;
       return along == 0.0 ? params.range_m : at_m + (line - place) * cell_m / along;
     };
-    const auto inside_m = [&](double place_m) { return view.period_m > 0.0 ? std::remainder(place_m, view.period_m) : place_m; };
     for (double at_m = 0.0; at_m < ray.end_m;) {
       const double crossing_m = std::min(next_m(at_m, from.x_m, ray.cos), next_m(at_m, from.y_m, ray.sin));
       const double leaves_m = std::max(crossing_m, at_m + 1e-9 * cell_m);
       const double middle_m = 0.5 * (at_m + leaves_m);
-      const std::size_t cell =
-          view.field->cell_at(inside_m(from.x_m + middle_m * ray.cos), inside_m(from.y_m + middle_m * ray.sin));
+      const std::size_t cell = view.field->cell_at(view.space.shortest(from.x_m + middle_m * ray.cos),
+                                                   view.space.shortest(from.y_m + middle_m * ray.sin));
       if (view.field->food_J(cell) >= params.food_J) return 1.0 - at_m / params.range_m;
       at_m = leaves_m;
     }

@@ -31,4 +31,15 @@ concept InheritedBody = BodyPlan<P> && requires(const P policy, Species species,
   { policy.mutate(genes, offspring, habitat, rng) } -> std::same_as<void>;
 };
 
+namespace ask {
+
+/// The robots that a rule names, to be loaded with the habitat: its optional `robots()`.
+template <class P>
+[[nodiscard]] std::vector<std::string> robots([[maybe_unused]] const P& policy) {
+  if constexpr (requires { policy.robots(); }) return policy.robots();
+  return {};
+}
+
+}  // namespace ask
+
 }  // namespace trophic::reproduction

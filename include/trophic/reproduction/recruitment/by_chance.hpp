@@ -53,7 +53,7 @@ struct ByChance {
   [[nodiscard]] GroundPose step_from(GroundPose place, const View& view, Rng& rng) const {
     place.heading_rad = rng.uniform(-std::numbers::pi, std::numbers::pi);
     const auto within = [&](double at_m) {
-      return std::clamp(shortest(at_m, view.period_m), -view.arena.half_side_m, view.arena.half_side_m);
+      return std::clamp(view.space.shortest(at_m), -view.arena.half_side_m, view.arena.half_side_m);
     };
     place.x_m = within(place.x_m + params.step_m * std::cos(place.heading_rad));
     place.y_m = within(place.y_m + params.step_m * std::sin(place.heading_rad));

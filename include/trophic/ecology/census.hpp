@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// The individual in each body, how many each species has, and the tree by which they are found.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <trophic/population/search_tree.hpp>
+#include <unordered_map>
+#include <vector>
+
+namespace trophic {
+
+/// Keeps counts, bodies by id and the marks of the search tree in step with the individuals. Owned by the population.
+class Census {
+ public:
+  explicit Census(std::size_t species) : members_(species) {}
+
+  [[nodiscard]] std::span<const Individual> all() const { return individuals_; }
+  [[nodiscard]] std::size_t bodies() const { return individuals_.size(); }
+  [[nodiscard]] std::span<const std::size_t> members() const { return members_; }  ///< of each species
+  [[nodiscard]] const Individual& operator[](BodyIndex body) const { return individuals_[body]; }
+  /// The body of an individual; none for the dead.
+  [[nodiscard]] std::optional<BodyIndex> body_of(IndividualId id) const {
+    const auto found = bodies_.find(id);
+    return found == bodies_.end() ? std::nullopt : std::optional{found->second};
+  }
+
+  /// For changes of what no search reads. Call `mark` after one of species, tag or activity.
+  [[nodiscard]] Individual& change(BodyIndex body) { return individuals_[body]; }
+  [[nodiscard]] std::span<Individual> change_all() { return individuals_; }
+  void mark(BodyIndex body) {
+    if (!poses_.empty()) tree_.mark(body, poses_[body], individuals_[body]);
+  }
+
+  /// Adds a body with an individual or a spare one.
+  void add(Individual one) {
+    if (one.lives()) count(one, individuals_.size());
+    individuals_.push_back(std::move(one));
+  }
+  /// Puts an individual into a body in place of another one or of none.
+  void replace(BodyIndex body, Individual born) {
+    remove(body);
+    count(born, body);
+    individuals_[body] = std::move(born);
+    mark(body);
+  }
+  /// Takes the individual out of a body.
+  void vacate(BodyIndex body) {
+    remove(body);
+    individuals_[body] = spare_body(individuals_[body].tag, individuals_[body].target_angle_rad);
+    mark(body);
+  }
+
+  /// Places bodies at `poses`, one for each; refers to them. Searches can use a tree from then on, until `leave_tree`.
+  void stand_at(std::span<const GroundPose> poses) {
+    poses_ = poses;
+    tree_ = SearchTree{poses_, individuals_};
+  }
+  /// Bodies stand elsewhere: searches visit all of them until the next `stand_at`.
+  void leave_tree() { poses_ = {}; }
+  /// Finds the closest bodies; null before `stand_at`.
+  [[nodiscard]] const SearchTree* tree() const { return poses_.empty() ? nullptr : &tree_; }
+
+  /// Counts anew, after the individuals were read from an archive.
+  void count_all() {
+    std::ranges::fill(members_, std::size_t{0});
+    bodies_.clear();
+    for (BodyIndex body = 0; body < individuals_.size(); ++body)
+      if (individuals_[body].lives()) count(individuals_[body], body);
+  }
+  /// The individuals, to be written to an archive or read from it; `count_all` comes after reading.
+  [[nodiscard]] std::vector<Individual>& saved() { return individuals_; }
+
+ private:
+  void count(const Individual& one, BodyIndex body) {
+    ++members_[one.species];
+    bodies_[one.id] = body;
+  }
+  void remove(BodyIndex body) {
+    if (!individuals_[body].lives()) return;
+    --members_[individuals_[body].species];
+    bodies_.erase(individuals_[body].id);
+  }
+
+  std::vector<Individual> individuals_;
+  std::vector<std::size_t> members_;
+  std::unordered_map<IndividualId, BodyIndex> bodies_ = {};
+  std::span<const GroundPose> poses_ = {};
+  SearchTree tree_;
+};
+
+}  // namespace trophic

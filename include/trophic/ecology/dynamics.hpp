@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: MIT
+// The ecology's course: what happens in a tick, and in which order.
+#pragma once
+
+#include <exception>
+#include <trophic/ecology/decisions.hpp>
+#include <trophic/ecology/describe.hpp>
+#include <trophic/ecology/recruiting.hpp>
+#include <trophic/ecology/repetition.hpp>
+#include <trophic/ecology/table_simulation.hpp>
+#include <trophic/io/state_columns.hpp>
+#include <trophic/perception/visibility/contract.hpp>
+
+namespace trophic {
+
+/// Steps an ecology by the rules of its table. Within a tick, after the bodies have moved: activation of newborn, catches,
+/// senescence, hunger by the rule Metabolism, starvation, the minimum-predators rule, births without a death, perception and
+/// brains, log. Energy is spent and taken from the resource before them all. Tick 0 is the start. A policy that returns a value
+/// that does not exist or violates its contract causes a RuleError.
+template <class Rules>
+class Dynamics final : public TableSimulation<Rules> {
+ public:
+  explicit Dynamics(CheckedExperiment<Rules> from) : all_{std::move(from)} {}
+
+  void persist(Archive& archive) override {
+    archive(all_.tick, started_, starvation_clock_, all_.population, all_.bodies);
+    repetition_.persist(archive);
+    if (grows<Rules>) archive(all_.refused_births);
+  }
+
+  [[nodiscard]] double time_s() const override { return all_.time_s(); }
+  [[nodiscard]] std::int64_t tick() const override { return all_.tick; }
+  [[nodiscard]] View view() const override { return all_.view(); }
+  [[nodiscard]] const AnyBackend& backend() const override { return all_.bodies.backend(); }
+  [[nodiscard]] const Experiment<Rules>& params() const override { return all_.params; }
+  [[nodiscard]] const Habitat& habitat() const override { return all_.habitat; }
+  [[nodiscard]] const RuleStates<Rules>& states() const override { return all_.population.states(); }
+
+  [[nodiscard]] observe::RunDescription describe(double until_s) const override {
+    auto run = trophic::describe(all_.params, all_.choice, all_.habitat, until_s);
+    run.spare_bodies = reproduction::ask::spare_bodies(all_.rules.recruitment);
+    if (std::string slow = backend().speed_remark(); !slow.empty()) run.remarks.push_back(std::move(slow));
+    return run;
+  }
+
+  [[nodiscard]] io::StateColumns state_columns() const override { return io::state_columns(states(), view().robots); }
+
+ private:
+  void run(double until_s, observe::Audience& audience) override {
+    repetition_.check();
+    try {
+      audience.start(describe(until_s), view());
+      if (!started_) start(audience);
+      while (time_s() < until_s && !view().is_over && audience.keep_running() && move(audience)) {
+        tick(audience);
+        audience.between_ticks(*this, false);
+      }
+      audience.between_ticks(*this, true);
+      audience.end(view());
+    } catch (const std::exception& error) {
+      audience.failure(error.what());
+      throw;
+    }
+  }
+
+  void start(observe::Audience& audience) {
+    started_ = true;
+    all_.bodies.show_start(audience, time_s());
+    for (BodyIndex body = 0; body < population().individuals().size(); ++body)
+      if (population()[body].lives()) turnover_.emit(audience, observe::EventKind::birth, body);
+    repetition_.start();
+    starvation_clock_ = death::ask::start(all_.rules.starvation, view());
+    tick(audience);
+  }
+
+  /// Moves the bodies through a tick. Returns false, with everything as before, if an observer cancelled it.
+  [[nodiscard]] bool move(observe::Audience& audience) {
+    population().open_ledger();
+    repetition_.bring_back();
+    if (!all_.bodies.move(audience, view(), [&](BodyIndex body) { end_diverged(audience, body); })) return false;
+    ++all_.tick;
+    population().walk(all_.bodies.poses_before(), view());
+    return true;
+  }
+
+  /// The individual dies and a random one of its species follows. One with a history lives on, away until the next tick.
+  void end_diverged(observe::Audience& audience, BodyIndex body) {
+    const Individual& self = population()[body];
+    if (!self.lives() || repetition_) return all_.bodies.take_away(body);
+    turnover_.emit_death(audience, {.body = body, .cause = Cause::diverged, .killer = {}, .successor = self.species});
+    population().replace(body, self.species, {}, view());
+    turnover_.begin_life(audience, body);
+  }
+
+  void tick(observe::Audience& audience) {
+    const bool rules_act = time_s() >= all_.params.ecology.first_tick_s;
+    if (repetition_) {
+      repetition_.tick(audience);
+    } else if (rules_act && all_.params.lineup.empty()) {
+      activate(audience);
+      capture(audience);
+      age(audience);
+      if constexpr (has_energy<Rules>) exhaust(audience);
+      starve(audience);
+      minimum_predators(audience);
+      if constexpr (grows<Rules>) recruit(all_, turnover_, audience);
+    }
+    if (rules_act) decisions_.make(audience, view());
+    audience.tick(view());
+  }
+
+  void activate(observe::Audience& audience) {
+    for (BodyIndex body = 0; body < population().individuals().size(); ++body) {
+      if (population()[body].active || !population()[body].lives()) continue;
+      const auto activates =
+          death::ask::activates(all_.rules.activation, population().states().activation[body], body, all_.view());
+      if (activates == death::Activates::no) continue;
+      population().activate(body, all_.time_s(), activates == death::Activates::yes_and_restarts_age);
+      turnover_.emit(audience, observe::EventKind::activation, body);
+    }
+  }
+
+  void capture(observe::Audience& audience) {
+    Rng rng{all_.params.seed, Stream::captures, 0, tick_number()};
+    const IndividualId first_newborn = population().next_id();
+    const auto captors = population().states().capture.all();
+    const auto captures = death::ask::captures(all_.rules.capture, captors, all_.view(), rng);
+    detail::check_captures(captures, population().individuals());
+    for (const death::Capture& capture : captures) {
+      const Individual& hunter = population()[capture.hunter];
+      if (std::max(hunter.id, population()[capture.victim].id) >= first_newborn) continue;  // one was caught
+      detail::check_prey(all_.web, capture.hunter, hunter.species, capture.victim, population()[capture.victim].species);
+      if (!death::ask::may_die(all_.rules.floor, population()[capture.victim].species, all_.view())) continue;
+      population().feed(capture.hunter, capture.victim, all_.view());
+      turnover_.emit(audience, observe::EventKind::capture, capture.hunter, {}, population()[capture.victim].id);
+      turnover_.replace_occupant(
+          audience, {.body = capture.victim, .cause = Cause::caught, .killer = capture.hunter, .successor = hunter.species});
+    }
+  }
+
+  void age(observe::Audience& audience) {
+    for (BodyIndex body = 0; body < population().individuals().size(); ++body) {
+      const Individual& individual = population()[body];
+      if (!individual.lives()) continue;
+      Rng rng{all_.params.seed, Stream::senescence, individual.id, tick_number()};
+      if (!death::ask::dies(all_.rules.senescence, population().states().senescence[body], individual, all_.view(), rng))
+        continue;
+      turnover_.replace_occupant(
+          audience,
+          {.body = body, .cause = death::ask::cause(all_.rules.senescence), .killer = {}, .successor = individual.species});
+    }
+  }
+
+  /// Deaths of hunger by the rule Metabolism.
+  void exhaust(observe::Audience& audience) requires has_energy<Rules> {
+    const IndividualId first_newborn = population().next_id();
+    for (BodyIndex body = 0; body < population().individuals().size(); ++body) {
+      const Individual& self = population()[body];
+      if (!self.lives() || self.id >= first_newborn || !population().economy().starves(self, body, all_.view())) continue;
+      turnover_.replace_occupant(audience, {.body = body, .cause = Cause::starved, .killer = {}, .successor = {}});
+    }
+  }
+
+  void starve(observe::Audience& audience) {
+    const View now = all_.view();
+    const Moment<Rules> moment{all_.rules, population(), all_.params.seed, now};
+    const perception::Perceives perceives = [&](BodyIndex self, BodyIndex other) { return moment.sees(self, other); };
+    const auto hungry = population().states().starvation.all();
+    const death::Starving starving = death::ask::starving(all_.rules.starvation, hungry, starvation_clock_, now, perceives);
+    const IndividualId first_newborn = population().next_id();
+    detail::check_starving(starving, population().individuals());
+    for (const BodyIndex hunter : starving.exempt) audience.exemption(hunter, now);
+    for (const BodyIndex victim : starving.victims) {
+      if (population()[victim].id >= first_newborn) continue;
+      turnover_.replace_occupant(audience, {.body = victim, .cause = Cause::starved, .killer = {}, .successor = {}});
+    }
+    if (starving.restarts_clock)
+      starvation_clock_ = death::ask::start(all_.rules.starvation, all_.view(), starvation_clock_, starving.due);
+  }
+
+  void minimum_predators(observe::Audience& audience) {
+    Rng rng{all_.params.seed, Stream::sacrifice, 0, tick_number()};
+    const IndividualId first_newborn = population().next_id();
+    const auto given_up = population().states().minimum_predators.all();
+    const auto sacrifices = death::ask::sacrifices(all_.rules.minimum_predators, given_up, all_.view(), rng);
+    detail::check_sacrifices(sacrifices, population().individuals());
+    for (const death::Sacrifice& sacrifice : sacrifices) {
+      check_index("minimum_predators", "successor", sacrifice.successor, all_.web.size());
+      if (population()[sacrifice.victim].id >= first_newborn) continue;
+      if (!death::ask::may_die(all_.rules.floor, population()[sacrifice.victim].species, all_.view())) continue;
+      turnover_.replace_occupant(
+          audience, {.body = sacrifice.victim, .cause = Cause::sacrificed, .killer = {}, .successor = sacrifice.successor});
+    }
+  }
+
+  [[nodiscard]] Population<Rules>& population() { return all_.population; }
+  [[nodiscard]] std::uint64_t tick_number() const { return static_cast<std::uint64_t>(all_.tick); }
+
+  EcologyState<Rules> all_;
+  Turnover<Rules> turnover_{all_};
+  Repetition<Rules> repetition_{all_, turnover_};
+  Decisions<Rules> decisions_{all_.params.ecology, all_.rules, all_.params.seed, all_.population};
+  death::ClockOf<PolicyIn<Rules, RuleSlot::starvation>> starvation_clock_;
+  bool started_ = false;
+};
+
+/// The dynamics of an experiment, whose models are loaded by trophic/habitat/load/habitat.hpp. Throws std::invalid_argument
+/// naming field, value and bound, or a robot that the rules cannot steer; std::runtime_error for a missing or invalid file.
+template <class Rules>
+[[nodiscard]] std::unique_ptr<TableSimulation<Rules>> make_dynamics(Experiment<Rules> params, BackendChoice backend,
+                                                                    std::string_view installed) {
+  return std::make_unique<Dynamics<Rules>>(load_checked(std::move(params), std::move(backend), installed));
+}
+
+/// The same in a habitat that a program made.
+template <class Rules>
+[[nodiscard]] std::unique_ptr<TableSimulation<Rules>> make_dynamics_in(Habitat habitat, Experiment<Rules> params,
+                                                                       BackendChoice backend) {
+  return std::make_unique<Dynamics<Rules>>(checked(std::move(params), std::move(backend), std::move(habitat)));
+}
+
+}  // namespace trophic

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// The genomes of newborns: drawn, inherited and mutated by the rules of a table or under a null.
+#pragma once
+
+#include <trophic/ecology/births.hpp>
+#include <trophic/ecology/brain_genes.hpp>
+#include <trophic/ecology/lineup.hpp>
+#include <trophic/ecology/phenotypes.hpp>
+#include <trophic/ecology/trait_genes.hpp>
+#include <trophic/rules/rule_states.hpp>
+
+namespace trophic {
+
+/// Genomes under the rules Brain, InitialGenome, Heredity, Mutation, Traits, BodyPlan and Gait, and the phenotypes that they
+/// express.
+template <class Rules>
+class Genomes {
+ public:
+  /// All arguments outlive it.
+  Genomes(const Policies<Rules>& rules, std::uint64_t seed, const BirthSetting& setting)
+      : rules_{rules},
+        seed_{seed},
+        null_{setting.null},
+        brains_{rules, seed},
+        traits_{rules, seed},
+        phenotypes_{rules, seed, setting.habitat, setting.nursery} {}
+
+  [[nodiscard]] const Phenotypes<Rules>& phenotypes() const { return phenotypes_; }
+  void add_spare() { phenotypes_.add_spare(); }
+  /// The demand of a species' brain that a genome violates, "a genome of 15 weights"; none if it fits.
+  [[nodiscard]] std::optional<std::string> misfit(Species species, const Genome* genome) const {
+    return brains_.misfit(species, genome);
+  }
+
+  /// Draws the genome of a newborn without parents.
+  [[nodiscard]] std::shared_ptr<Genome> draw(const Individual& born, BodyIndex body) {
+    auto genome = std::make_shared<Genome>(Genome{.id = next_id_++});
+    const IndividualId as = null_ == Null::clones ? 0 : born.id;
+    brains_.draw(*genome, born, as);
+    traits_.draw_or_mutate(*genome, born, as);
+    phenotypes_.develop(body, born, *genome, as);
+    return genome;
+  }
+
+  /// The genome that the Heredity rule makes of the parents'; null without parents, or under a null that draws all anew. Throws
+  /// RuleError for one that the species' brain does not take.
+  [[nodiscard]] std::shared_ptr<Genome> inherit(const Individual& born, std::span<const Ancestor> parents) const {
+    if (parents.empty() || null_ == Null::shadow || null_ == Null::clones) return nullptr;
+    Rng rng{seed_, Stream::crossover, born.id};
+    auto genome =
+        reproduction::ask::inherit(for_species(rules_.heredity, born.species), parents, brains_.neurons(born.species), rng);
+    if (const auto demand = genome && !genome->weights.empty() ? misfit(born.species, genome.get()) : std::nullopt)
+      throw RuleError{"heredity", "a genome of " + std::to_string(genome->weights.size()) + " weights: must have " + *demand};
+    return genome;
+  }
+
+  /// Sets origin, parents and genome of a newborn with parents. `genome` is the inherited one, mutated here, with parts that are
+  /// empty drawn; if null, a genome is drawn. `own`: its state of the rule Mutation. `before`: the weights of each parent before
+  /// all this.
+  template <class State>
+  void descend(Individual& born, BodyIndex body, std::span<const Ancestor> parents, std::shared_ptr<Genome> genome, State& own,
+               std::span<const std::vector<double>> before) {
+    born.origin = Origin::inherited;
+    for (const Ancestor& parent : parents) born.parents.push_back(parent.id);
+    if (!genome) {
+      born.genome = draw(born, body);
+    } else {
+      const bool is_shared = std::ranges::any_of(parents, [&](const Ancestor& parent) { return parent.genome == genome; });
+      if (!is_shared) genome->id = next_id_++;
+      brains_.draw_or_mutate(*genome, own, born);
+      traits_.draw_or_mutate(*genome, born, born.id);
+      phenotypes_.develop(body, born, *genome, born.id);
+      born.genome = std::move(genome);
+    }
+    born.mutation_distance = std::numeric_limits<double>::infinity();
+    for (const std::vector<double>& weights : before)
+      born.mutation_distance = std::min(born.mutation_distance, brains_.distance(born.species, weights, born.genome->weights));
+  }
+
+  /// Gives an individual of a contest its genome. Throws std::invalid_argument for one that the brain does not take, or without
+  /// the table's parts.
+  void enlist(BodyIndex body, const Individual& one, const Contestant& contestant) {
+    const Genome& given = contestant.genome;
+    Genome& genome = *one.genome;
+    if (const auto demand = misfit(contestant.species, &given)) {
+      throw std::invalid_argument{"a contest of genomes of " + std::to_string(given.weights.size()) + " weights: must have " +
+                                  *demand + ", as the table's brain takes it"};
+    }
+    const auto is_in_one = [&](auto part) { return (genome.*part).empty() != (given.*part).empty(); };
+    if (is_in_one(&Genome::gait_genes) || is_in_one(&Genome::body_genes) || genome.traits.size() != given.traits.size())
+      throw std::invalid_argument{"a contest of genomes without some parts: must have the table's gaits, bodies and traits"};
+    genome = {genome.id, given.weights, given.gait_genes, given.body_genes, given.traits};
+    phenotypes_.express(body, one, genome);
+  }
+
+  /// Whether an archive's genome is one of these rules.
+  [[nodiscard]] bool fits(const Individual& one) const {
+    return !misfit(one.species, one.genome.get()) && one.genome->traits.size() == TraitGenes<Rules>::names.size();
+  }
+  /// The id of the next genome.
+  [[nodiscard]] std::uint64_t& next_id() { return next_id_; }
+  void persist(Archive& archive, std::size_t species) { phenotypes_.persist(archive, species); }
+
+ private:
+  const Policies<Rules>& rules_;
+  std::uint64_t seed_;
+  Null null_;
+  BrainGenes<Rules> brains_;
+  TraitGenes<Rules> traits_;
+  Phenotypes<Rules> phenotypes_;
+  std::uint64_t next_id_ = 0;
+};
+
+}  // namespace trophic

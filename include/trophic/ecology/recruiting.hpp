@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// Births without a death, in a table with a rule Recruitment.
+#pragma once
+
+#include <trophic/ecology/turnover.hpp>
+
+namespace trophic {
+
+/// Whether the living parents of a birth have the energy that it hands over, in equal parts.
+template <class Rules>
+[[nodiscard]] bool can_endow(const Population<Rules>& population, const reproduction::Recruit& recruit) {
+  const std::vector<BodyIndex> living = population.bodies_of(recruit.parents);
+  if (!has_energy<Rules> || living.empty()) return true;
+  const double part_J = recruit.endowment_J / static_cast<double>(living.size());
+  return std::ranges::all_of(living, [&](BodyIndex body) { return part_J <= std::max(population[body].energy_J, 0.0); });
+}
+
+/// Asks the rule Recruitment for the births of a tick. Each takes the first spare body; one without a body, without room, or
+/// whose parents have too little energy is refused and counted.
+template <class Rules>
+void recruit(EcologyState<Rules>& all, Turnover<Rules>& turnover, observe::Audience& audience) {
+  auto& population = all.population;
+  Rng rng{all.params.seed, Stream::recruitment, 0, static_cast<std::uint64_t>(all.tick)};
+  const auto recruiting = population.states().recruitment.all();
+  BodyIndex spare = 0;
+  for (const auto& recruit : reproduction::ask::recruits(all.rules.recruitment, recruiting, all.view(), rng)) {
+    detail::check_recruit(all.web, all.habitat.arena, recruit,
+                          [&](const Ancestor& parent) { return population.misfit(recruit.species, parent.genome.get()); });
+    while (spare < population.individuals().size() && population[spare].lives()) ++spare;
+    const bool has_body = spare < population.individuals().size() && can_endow(population, recruit);
+    const auto place = recruit.place || !has_body ? recruit.place : turnover.place_of_birth(recruit.parents);
+    if (!has_body || !place) {
+      ++all.refused_births;
+      continue;
+    }
+    using reproduction::Descent;
+    const Parentage parentage{.descent = recruit.parents.empty() ? Descent::random : Descent::of_parent,
+                              .parents = recruit.parents,
+                              .endowment_J = recruit.endowment_J};
+    population.replace(spare, recruit.species, parentage, all.view());
+    turnover.begin_life(audience, spare, place);
+  }
+  all.bodies.stand();
+}
+
+}  // namespace trophic
