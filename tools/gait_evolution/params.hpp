@@ -116,7 +116,7 @@ struct Fitness {
   [[nodiscard]] double score(const TryOut& try_out) const;
 };
 
-/// All parameters of a pre-experiment but its backend's. As they are: the paper's (Sec. "Targeted Steering"): 20 generations,
+/// All parameters of a pre-experiment but its backend's. The defaults are the paper's (Sec. "Targeted Steering"): 20 generations,
 /// population 20, 20 parents, 20 children, round-robin tournament, 50 s an evaluation, displacement towards the negative x-axis.
 /// Survivors come from parents and children together.
 struct Params {
