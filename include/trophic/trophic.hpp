@@ -69,6 +69,7 @@
 #include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/reproduction/viability/survives_trial.hpp>
 #include <trophic/reproduction/viability/within_mass.hpp>
+#include <trophic/rules/by_species.hpp>
 #include <trophic/rules/released.hpp>
 #include <trophic/rules/with_ageing_victims.hpp>
 #include <trophic/run.hpp>
