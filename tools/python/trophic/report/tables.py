@@ -25,9 +25,9 @@ from .columns import names
 # Files
 
 @contextlib.contextmanager
-def result_folder(out: str | os.PathLike | None) -> Iterator[pathlib.Path]:
+def result_folder(out: str | os.PathLike | None, keeps: str = "") -> Iterator[pathlib.Path]:
     """A folder OUT.part for results, which gets the name `out`, or "analysis", "analysis-1", ... when the work is done. It goes again if the work
-    fails; what a killed program left there is removed. Raises RunError if the folder exists, or if another program works in OUT.part."""
+    fails; what a killed program left there is removed, but for a file called `keeps`. Raises RunError if the folder exists, or if another program works in OUT.part."""
     path = pathlib.Path(out if out is not None else "analysis")
     if out is None and os.path.lexists(path):
         path = next(free for free in (pathlib.Path(f"analysis-{i}") for i in range(1, 1_000_000)) if not os.path.lexists(free))
@@ -47,11 +47,14 @@ def result_folder(out: str | os.PathLike | None) -> Iterator[pathlib.Path]:
         pass  # a file system without locks
     try:
         for left in part.iterdir():
+            if left.name == keeps:
+                continue
             shutil.rmtree(left) if left.is_dir() and not left.is_symlink() else left.unlink()
         yield part
         publish(part, path)
     except BaseException:
-        shutil.rmtree(part, ignore_errors=True)
+        if not keeps or not (part / keeps).exists():
+            shutil.rmtree(part, ignore_errors=True)
         raise
     finally:
         os.close(lock)
