@@ -28,7 +28,7 @@ Command cross_check_engines() {
                   {"--out", &options->out, "new folder for cross_check.csv (cross-check)"}},
       .work = {},
       .examples = {"trophic cross-check runs/engines/cell-000 runs/engines/cell-001 --out engines"}};
-  return python_command("trophic", std::move(command), [](Json&) {});
+  return python_command("trophic", std::move(command), [options](Json& request) { request["runs"] = options->runs; });
 }
 
 }  // namespace trophic::command
