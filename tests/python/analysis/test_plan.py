@@ -11,7 +11,7 @@ from trophic.runs import RunError
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PROGRAM = os.environ.get("TROPHIC_PREDATOR_PREY")
-# The sweep of the plan in the fuzzers' corpus, which `--sweep` of trophic 0.1 wrote.
+# The sweep of the plan in the corpus of the fuzzers, which the program wrote when it planned sweeps itself.
 SWEEP = """
 rule_table = "paper"
 engine = "kinematic"
