@@ -187,8 +187,8 @@ class PowerFailure(InFolder):
             disk.apply("mkdir" if path.is_dir() else "create", str(path), "")
             if path.is_file():
                 disk.apply("write", str(path), f"0 {path.read_bytes().hex()}")
-            disk.apply("fsync", str(path), "")
-            disk.apply("fsync", str(path.parent), "")
+            disk.keep(disk.parts(str(path)))
+            disk.keep(disk.parts(str(path.parent)))
         calls = self.logged(*plan)
         whole = self.tables()
         self.assertEqual(len(whole), 8)
