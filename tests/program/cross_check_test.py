@@ -60,7 +60,7 @@ class CrossCheck(InFolderWithSets):
     def test_refusals(self):
         (self.folder / "there").mkdir()
         for arguments, parts in [
-            (["--bogus"], ["--bogus"]),
+            ([self.slow, self.fast, "--bogus"], ["--bogus"]),
             ([self.slow, "--out", "new"], ["runs"]),
             ([self.slow, self.fast, "--out", "there"], ["there", "exists already"]),
             ([self.slow, self.released, "--out", "new"], ["released", 'must be "paper"']),
