@@ -225,7 +225,8 @@ class OfTools(InFolder):
         else:
             self.assertEqual(len(done.stderr.splitlines()), 1, done.stderr)
             for name, content in left.items():
-                self.assertEqual(content, whole.get(name), f"{name}: is there, and is not whole")
+                if not name.endswith(".part/played.jsonl"):  # from which the same command continues
+                    self.assertEqual(content, whole.get(name), f"{name}: is there, and is not whole")
 
     def test_tools(self):
         tried = 0

@@ -257,7 +257,9 @@ def _played(path: pathlib.Path, head: str) -> dict[int, list[float]]:
                 break
             match, *outcome = json.loads(line)
             found[match] = outcome
-    path.write_text(head + "".join(json.dumps([match, *outcome]) + "\n" for match, outcome in found.items()))
+    path.unlink(missing_ok=True)
+    if found:
+        path.write_text(head + "".join(json.dumps([match, *outcome]) + "\n" for match, outcome in found.items()))
     return found
 
 
@@ -270,16 +272,16 @@ def play(plan: dict, program: str, jobs: int, folder: pathlib.Path) -> list[list
     if known:
         print(f"{len(known)} of {len(plan['matches'])} contests were played already", flush=True)
     size = 4 * jobs
-    with (folder / PLAYED).open("a") as file:
-        while left:
-            batch, left = left[:size], left[size:]
-            began = time.monotonic()
-            for match, outcome in zip(batch, _play_some(plan, batch, program, jobs, folder)):
-                known[match] = outcome
-                file.write(json.dumps([match, *outcome]) + "\n")
+    while left:
+        batch, left = left[:size], left[size:]
+        began = time.monotonic()
+        found = dict(zip(batch, _play_some(plan, batch, program, jobs, folder)))
+        with (folder / PLAYED).open("a") as file:  # made when there is an outcome
+            file.write(("" if known else head) + "".join(json.dumps([match, *outcome]) + "\n" for match, outcome in found.items()))
             file.flush()
             os.fsync(file.fileno())
-            size = max(jobs, int(size * min(4.0, _BATCH_S / (time.monotonic() - began + 1e-3))))
+        known |= found
+        size = max(jobs, int(size * min(4.0, _BATCH_S / (time.monotonic() - began + 1e-3))))
     return [known[match] for match in range(len(plan["matches"]))]
 
 
@@ -336,7 +338,7 @@ def run(request: dict) -> int:
             outcomes = play(plan, program, request["jobs"] or os.cpu_count() or 1, folder)
             table = pandas.DataFrame([{**row, "contact_s": contact_s, "contacted": contacted} for row, (contact_s, contacted) in zip(rows, outcomes)])
             write_new(folder / "contests.csv", csv_text(table))
-            (folder / PLAYED).unlink()
+            (folder / PLAYED).unlink(missing_ok=True)
             return contests.report(folder, out, request, time.monotonic() - began)
     except (KeyboardInterrupt, SystemExit):
         print(f"stopped; the same command with --out {out} continues", flush=True)

@@ -46,15 +46,13 @@ def result_folder(out: str | os.PathLike | None, keeps: str = "") -> Iterator[pa
     except OSError:
         pass  # a file system without locks
     try:
-        for left in part.iterdir():
-            if left.name == keeps:
-                continue
-            shutil.rmtree(left) if left.is_dir() and not left.is_symlink() else left.unlink()
+        _clear(part, keeps)
         yield part
         publish(part, path)
     except BaseException:
-        if not keeps or not (part / keeps).exists():
-            shutil.rmtree(part, ignore_errors=True)
+        with contextlib.suppress(OSError):
+            _clear(part, keeps)
+            part.rmdir()
         raise
     finally:
         os.close(lock)
@@ -64,6 +62,12 @@ def check_new(path: pathlib.Path) -> None:
     """Raises RunError if a folder exists."""
     if os.path.lexists(path):
         raise RunError(f"--out {path}: exists already; nothing is overwritten")
+
+
+def _clear(part: pathlib.Path, keeps: str) -> None:
+    for left in part.iterdir():
+        if left.name != keeps:
+            shutil.rmtree(left) if left.is_dir() and not left.is_symlink() else left.unlink()
 
 
 def publish(part: pathlib.Path, path: pathlib.Path) -> None:
