@@ -40,7 +40,6 @@ import shlex
 import shutil
 import subprocess
 import tempfile
-import tomllib
 import zlib
 from collections.abc import Iterable, Sequence
 from typing import Any
@@ -133,6 +132,7 @@ _CHOICES = ("rule_table", "engine")
 def read_sweep(path: str | os.PathLike) -> Sweep:
     """Reads a sweep file. Raises RunError "FILE: ..." for a bad one: an unknown key, an axis without values, lists of [zip] of different lengths,
     a key in two places, no setting that varies, more than MOST_RUNS. The program checks the settings."""
+    import tomllib  # of Python 3.11
     path = pathlib.Path(path)
     try:
         text = path.read_text()
