@@ -22,7 +22,7 @@ namespace command {
 }  // namespace command
 
 /// The command line of an experiment with a choice of rule tables, the first of them the default: --help, --rules, --backend,
-/// --config, --set, --replicates, --shadow, --resume, --sweep and more. `offer`: the program's own tables, metrics and backends,
+/// --config, --set, --replicates, --shadow, --resume, --plan and more. `offer`: the program's own tables, metrics and backends,
 /// `experiment<MyRules>(argc, argv, {.backends = {MyBackend::Params{}}})`. Returns the exit code: 0; 1 if a run failed; 2 if the
 /// arguments are wrong; 3 if a signal stopped a run.
 template <class... Rules>

@@ -207,7 +207,7 @@ def check_ours(tree, programs: Programs, name: str, words: list[str]) -> list[st
         offences = check_flags(programs.help(executable, *command) + " --help", arguments, name)
         if offences:
             return offences
-    if any(PLACEHOLDER.match(word.split("=")[-1]) or "$" in word for word in arguments) or (name == "trophic" and "--resume" in arguments) or "--sweep" in arguments or "--status" in arguments:
+    if any(PLACEHOLDER.match(word.split("=")[-1]) or "$" in word for word in arguments) or (name == "trophic" and "--resume" in arguments) or "--plan" in arguments:
         return []  # values of placeholders, runs to resume, sweep files and their folders are the reader's
     ask = "--list" if name == "trophic-ablations" else "--print-config"
     if ask not in programs.help(executable, *command):

@@ -39,7 +39,8 @@ def main() -> int:
         tables = next(block.code for block in parse(ROOT / "docs/how-to/compare-two-tables.md").blocks if block.language == "toml")
         assert "ecology.duration_s = 6000.0" in tables and "replicates = 10" in tables
         (folder / "tables.toml").write_text(tables.replace("6000.0", "100.0").replace("replicates = 10", "replicates = 2"))
-        run(ecology[0], "--sweep", "tables.toml", "--out", "runs/tables")
+        run(str(PROGRAMS / "trophic"), "plan", "tables.toml", "--program", ecology[0], "--out", "runs/tables")
+        run(ecology[0], "--plan", "runs/tables/plan.jsonl")
         run(str(PROGRAMS / "trophic"), "analyze", "runs/tables", "--metric", "velocity:predator", "attribution_caught", "--out", "analysis/tables")
         for document in ("read-in-pandas", "a-null-for-my-metric", "a-living-world"):
             for block in parse(ROOT / f"docs/how-to/{document}.md").blocks:

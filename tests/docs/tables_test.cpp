@@ -7,9 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <tools/changes/change.hpp>
-#include <tools/contest/contest_row.hpp>
 #include <tools/gait_evolution/files.hpp>
-#include <tools/trophic/cross_check/walk_tables.hpp>
 #include <trophic/io/column.hpp>
 #include <trophic/io/energy_log.hpp>
 #include <trophic/io/tables.hpp>
@@ -125,9 +123,6 @@ stock_J is the last one's plus outside_J, field_J, victims_J and received_J, les
   text += section<io::FieldRow>("field.csv",
                                 "Every cell of the resource at every tenth tick, or hundredth if there are more than 10,000. "
                                 "Written only with a rule Resource.");
-  text += section<contest::ContestRow>("contests.csv", "Results of `trophic contest`: one row per contest of two teams.");
-  text += section<command::cross_check::WalkRow>("walks.csv", "The walks of the robots in a cross-check of gaits, one per row.");
-  text += section<command::cross_check::TrajectoryRow>("trajectories.csv", "The paths of the robots in a cross-check of gaits.");
   text += section<gait_evolution::TaxonRow>("phylogeny.csv of a gait's evolution",
                                             "Every candidate in the ALife data standard, time in generations.");
   return text;

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""power_test.py PREDATOR_PREY SHIM [--all]: the power fails at any moment of a run, of a resumed run and of a sweep.
+"""power_test.py PREDATOR_PREY SHIM [--all]: the power fails at any moment of a run, of a resumed run and of the runs of a plan.
 
 A shim logs what the program does to files. Up to each fsync and each change of a name (with --all: each call) the log is replayed into
 three states that a file system may leave, as ALICE does (Pillai and others, OSDI 2014): all of it; all names, but of each file's content
@@ -14,7 +14,7 @@ import sys
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "program"))
-from in_folder import InFolder  # noqa: E402
+from in_folder import InFolder, planned  # noqa: E402
 
 PROGRAM, SHIM = sys.argv.pop(1), sys.argv.pop(1)
 ALL = "--all" in sys.argv
@@ -178,14 +178,21 @@ class PowerFailure(InFolder):
         calls = self.logged(*longer)
         self.check(disk, calls, longer, self.tables())
 
-    def test_a_sweep(self):
+    def test_a_plan(self):
         self.clear()
         (self.folder / "sweep.toml").write_text(SWEEP)
-        sweep = ["--sweep", "sweep.toml", "--jobs", "1", "--checkpoint-s", "4", "--out", "root/out"]
-        calls = self.logged(*sweep)
+        disk = self.disk()
+        plan = [*planned(PROGRAM, "sweep.toml", "root/out", self.folder)[1:], "--jobs", "1", "--checkpoint-s", "4"]
+        for path in sorted((self.folder / "root").rglob("*")):
+            disk.apply("mkdir" if path.is_dir() else "create", str(path), "")
+            if path.is_file():
+                disk.apply("write", str(path), f"0 {path.read_bytes().hex()}")
+            disk.keep(disk.parts(str(path)))
+            disk.keep(disk.parts(str(path.parent)))
+        calls = self.logged(*plan)
         whole = self.tables()
         self.assertEqual(len(whole), 8)
-        self.check(self.disk(), calls, sweep, whole)
+        self.check(disk, calls, plan, whole)
 
 
 if __name__ == "__main__":

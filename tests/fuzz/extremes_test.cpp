@@ -281,8 +281,7 @@ TEST_CASE("files of any size: a file without the beginning of its kind -> refuse
     refuses([&] { static_cast<void>(load_robot(path.string())); });
     refuses([&] { static_cast<void>(load_arena(path.string())); });
     refuses([&] { static_cast<void>(load_gait(path.string())); });
-    refuses([&] { static_cast<void>(sweep::read_sweep(path)); });
-    refuses([&] { static_cast<void>(sweep::read_plan(path)); });
+    refuses([&] { static_cast<void>(plan::read_plan(path)); });
     const std::filesystem::path folder = path.string() + ".folder";
     std::filesystem::create_directory(folder);
     std::filesystem::rename(path, folder / "checkpoint.bin");

@@ -12,11 +12,10 @@
 #include <tools/command/toml_of_json.hpp>
 #include <tools/contest/contest_plan.hpp>
 #include <tools/live/wishes.hpp>
+#include <tools/plan/plan_file.hpp>
 #include <tools/reading/lineages.hpp>
 #include <tools/reading/table_reader.hpp>
 #include <tools/recording/read_recording.hpp>
-#include <tools/sweep/plan_file.hpp>
-#include <tools/sweep/sweep_file.hpp>
 #include <tools/trophic/convert/foreign_body.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
@@ -153,11 +152,8 @@ inline void read_head(std::string_view bytes) {
   read_whole_recording(recording_with(bytes, block(frames_kind, frames)));
 }
 
-inline void read_sweep(std::string_view bytes) {
-  static_cast<void>(sweep::read_sweep(FileInMemory{bytes}.path()));
-}
 inline void read_plan(std::string_view bytes) {
-  static_cast<void>(sweep::read_plan(FileInMemory{bytes}.path()));
+  static_cast<void>(plan::read_plan(FileInMemory{bytes}.path()));
 }
 
 /// A plan of contests, and its numbers as those of an experiment.
@@ -166,9 +162,6 @@ inline void read_contest(std::string_view bytes) {
   FuzzedExperiment experiment;
   command::read_parameters(experiment, command::toml_of(plan.params));
   validate(experiment, "");
-}
-inline void read_outcomes(std::string_view bytes) {
-  static_cast<void>(contest::read_outcomes(FileInMemory{bytes}.path(), 2));
 }
 
 /// A body of another program, to its robot file.
@@ -237,10 +230,8 @@ inline constexpr std::array readers{Reader{"robot", read_robot},
                                     Reader{"recruited", read_recruited},
                                     Reader{"recording", read_recording},
                                     Reader{"head", read_head},
-                                    Reader{"sweep", read_sweep},
                                     Reader{"plan", read_plan},
                                     Reader{"contest", read_contest},
-                                    Reader{"outcomes", read_outcomes},
                                     Reader{"body", read_body},
                                     Reader{"lineages", read_lineages},
                                     Reader{"changes", read_changes},

@@ -14,7 +14,7 @@ import tomllib
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "program"))
-from in_folder import InFolder, sealed_text  # noqa: E402
+from in_folder import InFolder, planned, sealed_text  # noqa: E402
 
 PREDATOR_PREY, TROPHIC, OWN_RULE_1, OWN_RULE_3 = (sys.argv.pop(1) for _ in range(4))
 RANDOM_DAMAGES = int(sys.argv.pop().removeprefix("--damages=")) if sys.argv[-1].startswith("--damages=") else 12
@@ -77,18 +77,17 @@ class Damage(Hostile):
         (self.folder / "sweep.toml").write_text(
             'engine = "kinematic"\nreplicates = 1\nreplay_hz = 5.0\n[set]\necology.robots = 16\necology.duration_s = 40.0\n'
             "[grid]\nrules.mutation.sd = [0.05, 0.1]\n")
-        sweep = (PREDATOR_PREY, "--sweep", "sweep.toml", "--jobs", 1, "--out", "out")
-        self.run_ok(*sweep)
+        plan = (*planned(PREDATOR_PREY, "sweep.toml", "out", self.folder), "--jobs", 1)
+        self.run_ok(*plan)
         whole = self.contents("out")
         run = next((self.folder / "out").glob("cell-*0/replicate-00"))
-        making = run.rename(run.with_name("replicate-00.making"))
-        (making / "manifest.json").write_text(sealed_text(self.manifest(making) | {"status": "running"}))
-        self.change(making / "agents.csv", zero_a_page)
-        failed = self.call(*sweep)
+        (run / "manifest.json").write_text(sealed_text(self.manifest(run) | {"status": "running"}))
+        self.change(run / "agents.csv", zero_a_page)
+        failed = self.call(*plan)
         self.assertEqual(failed.returncode, 1, failed.stderr)
         self.assertIn("agents.csv: its first", failed.stderr)
-        self.assertIn("replicate-00.making.incomplete-1, the next attempt begins without it", failed.stderr)
-        self.run_ok(*sweep)
+        self.assertIn("replicate-00.incomplete-1, the next attempt begins without it", failed.stderr)
+        self.run_ok(*plan)
         tables = {path: content for path, content in whole.items() if path.endswith((".csv", ".trp"))}
         again = self.contents("out")
         self.assertEqual({path: again[path] for path in tables}, tables)
@@ -124,15 +123,15 @@ class Damage(Hostile):
         (self.folder / "sweep.toml").write_text('engine = "kinematic"\nreplicates = 2\nreplay_hz = 5.0\n[set]\necology.robots = 16\necology.duration_s = 20.0\n'
                                                 "[grid]\nrules.mutation.sd = [0.05, 0.1]\n")
         run = (PREDATOR_PREY, *KINEMATIC, "--duration", 20, "--resume")
-        for out, folder, command in (("run", "run", run), ("set", "set/replicate-01", (*run, "--replicates", 2)),
-                                     ("sweep", "sweep/cell-000/replicate-01", (PREDATOR_PREY, "--sweep", "sweep.toml"))):
+        for out, folder, command in (("run", "run", (*run, "--out", "run")), ("set", "set/replicate-01", (*run, "--replicates", 2, "--out", "set")),
+                                     ("sweep", "sweep/cell-000/replicate-01", planned(PREDATOR_PREY, "sweep.toml", "sweep", self.folder))):
             with self.subTest(out):
-                self.run_ok(*command, "--out", out)
+                self.run_ok(*command)
                 whole = {name: (self.folder / folder / name).read_bytes() for name in FILES}
                 self.change(f"{folder}/genomes.csv", change_a_digit)
                 damaged = (self.folder / folder / "genomes.csv").read_bytes()
-                self.assertNotIn("damaged", self.run_ok(*command, "--out", out, "--no-verify").stdout)
-                self.assertIn("kept as", self.run_ok(*command, "--out", out).stdout)
+                self.assertNotIn("damaged", self.run_ok(*command, "--no-verify").stdout)
+                self.assertIn("kept as", self.run_ok(*command).stdout)
                 self.assertEqual({name: (self.folder / folder / name).read_bytes() for name in FILES}, whole)
                 self.assertEqual((self.folder / f"{folder}.incomplete-1/genomes.csv").read_bytes(), damaged)
 
@@ -233,19 +232,19 @@ class Links(Hostile):
     def test_a_sweep_writes_into_no_link(self):
         (self.folder / "sweep.toml").write_text('engine = "kinematic"\nreplicates = 1\n[set]\necology.duration_s = 40.0\n'
                                                 "[grid]\nrules.mutation.sd = [0.05]\n")
-        sweep = (PREDATOR_PREY, "--sweep", "sweep.toml", "--jobs", 1, "--out", "out")
-        self.run_ok(*sweep)
+        plan = planned(PREDATOR_PREY, "sweep.toml", "out", self.folder)
+        self.run_ok(*plan)
         run = next((self.folder / "out").glob("cell-*/replicate-00"))
         shutil.rmtree(run)
-        for name in ("replicate-00", "replicate-00.making", "replicate-00.lock"):
+        for name in ("replicate-00", "replicate-00.lock"):
             with self.subTest(name=name):
                 link = run.with_name(name)
                 link.symlink_to(self.elsewhere)
-                done = self.call(*sweep)
+                done = self.call(*plan)
                 link.unlink(missing_ok=True)
                 self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
                 self.assertIn(f"{name}: is a symbolic link", done.stderr)
-        self.run_ok(*sweep)
+        self.run_ok(*plan)
 
     def test_the_past_of_a_run_is_made_in_no_link(self):
         self.run_ok(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
@@ -271,11 +270,10 @@ class Links(Hostile):
             self.assertEqual((disk / "run" / name).read_bytes(), (self.folder / "straight" / name).read_bytes(), name)
         (self.folder / "sweep.toml").write_text('engine = "kinematic"\nreplicates = 1\n[set]\necology.duration_s = 40.0\n'
                                                 "[grid]\nrules.mutation.sd = [0.05]\n")
-        sweep = (PREDATOR_PREY, "--sweep", "sweep.toml", "--jobs", 1, "--out")
         (disk / "sweep").rmdir()
-        self.run_ok(*sweep, disk / "sweep")
+        self.run_ok(*planned(PREDATOR_PREY, "sweep.toml", disk / "sweep", self.folder))
         shutil.rmtree(next((disk / "sweep").glob("cell-*/replicate-00")))
-        self.run_ok(*sweep, "sweep")
+        self.run_ok(*planned(PREDATOR_PREY, "sweep.toml", "sweep", self.folder))
         self.assertTrue(next((disk / "sweep").glob("cell-*/replicate-00")).is_dir())
         self.assertTrue((self.folder / "run").is_symlink() and (self.folder / "sweep").is_symlink())
 
@@ -335,7 +333,7 @@ class Builds(Hostile):
     def test_a_sweep_is_not_made_by_two_builds_unless_that_is_accepted(self):
         (self.folder / "sweep.toml").write_text('engine = "kinematic"\nreplicates = 2\nreplay_hz = 5.0\n[set]\necology.duration_s = 40.0\n'
                                                 "[grid]\nrules.mutation.sd = [0.05]\n")
-        command = ("--sweep", "sweep.toml", "--jobs", 1, "--out", "out")
+        command = planned(OWN_RULE_1, "sweep.toml", "out", self.folder)[1:]
         self.run_ok(OWN_RULE_1, *command)
         self.run_ok(OWN_RULE_3, *command)  # there is nothing to do
         shutil.rmtree(next((self.folder / "out").glob("cell-*/replicate-01")))

@@ -60,7 +60,7 @@ class BadInput(InFolder):
             ("--checkpoint-s=-1", ">= 0"),
             ("--checkpoint-s=nan", ">= 0"),
             ("--run=-1", ">= 0"),
-            ("--run=0", "needs --sweep"),
+            ("--run=0", "needs --plan"),
         ]:
             with self.subTest(argument=argument):
                 self.assertIn(must, self.run_refused(argument))
@@ -70,7 +70,7 @@ class BadInput(InFolder):
                 self.assertIn(must, said)
 
     def test_empty_texts(self):
-        texts = ["--config", "--from", "--sweep", "--save-mjcf", "--robot", "--rules", "--backend", "--set", "--print-table"]
+        texts = ["--config", "--from", "--plan", "--save-mjcf", "--robot", "--rules", "--backend", "--set", "--print-table"]
         for option in texts:
             with self.subTest(option=option):
                 self.assertIn(f"{option}: must not be empty", self.run_refused(option, ""))
@@ -85,7 +85,7 @@ class BadInput(InFolder):
                                 (["--from", "no", "--at", 3], "no/manifest.json: cannot be read")]:
             with self.subTest(arguments=arguments):
                 self.assertIn(part, self.run_refused(*arguments))
-        self.assertIn("no.toml: cannot be read", self.refused(PREDATOR_PREY, "--sweep", "no.toml", "--out", "out"))
+        self.assertIn("no.toml: cannot be read", self.refused(PREDATOR_PREY, "--plan", "no.toml"))
         (self.folder / "empty").mkdir()
         for command in (["analyze"], ["show", "-o", "x.html"], ["film", "-o", "x.png"], ["export", "-o", "x.glb"], ["analyze", "--compare", "no"]):
             with self.subTest(command=command):
@@ -97,7 +97,7 @@ class BadInput(InFolder):
             with self.subTest(command=command):
                 self.assertIn("many: is not a run; in it are many/one", self.refused(TROPHIC, *command, "many"))
         self.assertIn("--out x.pdf: must end in .html or .htm", self.refused(TROPHIC, "show", "-o", "x.pdf", "empty"))
-        self.assertIn("--runs: needs 2 values", self.refused(TROPHIC, "cross-check", "--out", "new", "--runs", "one"))
+        self.assertIn("runs: needs 2 values", self.refused(TROPHIC, "cross-check", "one", "--out", "new"))
         for command in (["evolve-gait", "--config", "no.toml", "--out", "x"], ["evolve-gait", "--robot", "no.toml", "--out", "x"],
                         ["measure-gait", "--robot", "no.toml"], ["measure-gait", "--gait", "no.toml"]):
             with self.subTest(command=command):

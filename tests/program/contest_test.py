@@ -123,7 +123,7 @@ class Contest(InFolder):
         self.refused("study", "--reach", -1, says="--reach -1: must be > 0")
         self.refused("study", "--jobs", 0, says="--jobs 0: must be >= 1")
         self.refused(first, says="--against others: needs at least two replicates")
-        self.refused("study", "--program", "no-such-program", says="--program no-such-program")
+        self.refused("study", "--program", "no-such-program", says="no-such-program: is not on the PATH")
         self.runs("other", "--set", "rules.mutation.sd=0.1")
         self.refused("study", "other", says="runs of different rules or parameters are not pooled")
         self.refused("study", "--shadow", "other", says="other")

@@ -2,9 +2,12 @@
 """Tests of programs that leave files: each test works in a temporary folder of its own."""
 
 import csv
+import importlib.util
 import json
+import os
 import pathlib
 import subprocess
+import sys
 import tempfile
 import time
 import unittest
@@ -15,6 +18,15 @@ def sealed_text(value):
     """A manifest or a list of replicates as trophic writes it, with its checksum at the end."""
     body = json.dumps({key: entry for key, entry in value.items() if key != "crc32"}, indent=2)[:-2]
     return f'{body},\n  "crc32": {zlib.crc32(body.encode())}\n}}\n'
+
+
+def planned(program, sweep, out, cwd):
+    """Writes the plan of a sweep file into a folder; the words that make its runs."""
+    code = "import pathlib, sys; from trophic import plan; plan.make_plan(plan.read_sweep(sys.argv[1]), sys.argv[2], pathlib.Path(sys.argv[3]))"
+    tools = pathlib.Path(__file__).resolve().parents[2] / "tools/python"
+    python = sys.executable if importlib.util.find_spec("pandas") else "/usr/bin/python3"
+    run_ok(python, "-c", code, sweep, program, out, cwd=cwd, env={**os.environ, "PYTHONPATH": str(tools)})
+    return program, "--plan", f"{out}/plan.jsonl"
 
 
 def call(*words, **how):

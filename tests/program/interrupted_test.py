@@ -16,6 +16,8 @@ import sys
 import tempfile
 import time
 
+from in_folder import planned
+
 PARSER = argparse.ArgumentParser()
 PARSER.add_argument("programs", nargs="+", type=os.path.realpath)
 PARSER.add_argument("--times", type=int, default=1)
@@ -28,11 +30,11 @@ EVOLVE = (TROPHIC, "evolve-gait", "--generations", "3", *(part for name in ("pla
           "--set", "trial.duration_s=6")  # fmt: skip
 # Commands without --out, and how their results are named; those with --resume say so when they begin, too.
 COMMANDS = {
-    "run": ((*KINEMATIC, "--resume"), ""), "set": ((*KINEMATIC, "--replicates", "2", "--shadow", "--resume"), ""), "sweep": ((PREDATOR_PREY, "--sweep", "sweep.toml", "--jobs", "1"), ""),
+    "run": ((*KINEMATIC, "--resume"), ""), "set": ((*KINEMATIC, "--replicates", "2", "--shadow", "--resume"), ""), 
     "branch": ((PREDATOR_PREY, "--from", "set/replicate-00", "--at", "200", "--seed", "9", "--duration", "4000", "--resume"), ""),
     "neutral": ((*KINEMATIC, "--replicates", "2", "--neutral", "--resume"), ""),
     "analyze": ((TROPHIC, "analyze", "set"), ""), "html": ((TROPHIC, "analyze", "set", "--html"), ".html"), "analyze-sweep": ((TROPHIC, "analyze", "grid"), ""), "page": ((TROPHIC, "show", "set"), ".html"), "plot": ((TROPHIC, "plot", "tables"), ""),
-    "cross-check": ((TROPHIC, "cross-check", "--seconds", "0", "--runs", "set", "other"), ""), "contest": ((TROPHIC, "contest", "set", "--duration", "20", "--jobs", "1"), ""),
+    "cross-check": ((TROPHIC, "cross-check", "set", "other"), ""), "contest": ((TROPHIC, "contest", "set", "--duration", "20", "--jobs", "1"), ""),
     "picture": ((TROPHIC, "film", "set/replicate-00", "--size", "320x180", "--from", "100"), ".png"), "export": ((TROPHIC, "export", "set/replicate-00"), ".glb"),
     "film": ((TROPHIC, "film", "set/replicate-00", "--size", "320x180", "--from", "100", "--to", "120", "--fps", "15"), ".gif"), "evolve-gait": (EVOLVE, ""),
 }  # fmt: skip
@@ -99,7 +101,7 @@ def main() -> None:
         folder = pathlib.Path(name)
         (folder / "sweep.toml").write_text(SWEEP)
         for prepared in ([*KINEMATIC, "--replicates", "2", "--out", "set"], [*KINEMATIC, "--replicates", "2", "--seed", "2", "--out", "other"],
-                         [PREDATOR_PREY, "--sweep", "sweep.toml", "--out", "grid"], [TROPHIC, "analyze", "set", "--out", "tables"],
+                         planned(PREDATOR_PREY, "sweep.toml", "grid", folder), [TROPHIC, "analyze", "set", "--out", "tables"],
                          *([[STUDIES[0], "--from", "paper", "--only", "base", "--only", "capture", "--replicates", "2", "--duration", "3000", "--out", "study"]] if STUDIES else [])):
             subprocess.run(prepared, cwd=folder, check=True, capture_output=True)
         there = subprocess.run([TROPHIC, "--help"], capture_output=True, text=True, check=True).stdout

@@ -34,7 +34,6 @@ COMMANDS = {
     "ablations": [ABLATIONS, "--from", "paper", "--only", "base", "--replicates", "1", "--duration", "20", "--out", "new"],
     "analyze": [TROPHIC, "analyze", "run"],
     "ablation-table": [TROPHIC, "ablation-table", "set"],
-    "cross-check": [TROPHIC, "cross-check", "--seconds", "0.2"],
     "evolve-gait": [TROPHIC, "evolve-gait", "--generations", "1", "--backend", "kinematic"],
     "measure-gait": [TROPHIC, "measure-gait", "--duration", "0.2"],
     "contest": [TROPHIC, "contest", "set", "--epochs", "0,40", "--duration", "10", "--teams", "2", "--team-size", "2", "--out", "new"],

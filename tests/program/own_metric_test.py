@@ -6,7 +6,7 @@ names the run and leaves nothing."""
 import sys
 import unittest
 
-from in_folder import InFolderWithSets, run_ok
+from in_folder import InFolderWithSets, planned, run_ok
 
 PROGRAM = sys.argv.pop(1)
 METRICS = """import numpy, trophic
@@ -33,7 +33,7 @@ class OwnMetric(InFolderWithSets):
         (cls.sets / "sweep.toml").write_text("replicates = 2\n[set]\nengine = 'kinematic'\necology.duration_s = 100.0\n[grid]\necology.robots = [20, 30]\n")
         for arguments in (["--backend", "kinematic", "--duration", 600, "--replicates", 6, "--shadow", "--out", "runs"],
                           ["--backend", "kinematic", "--duration", 600, "--replicates", 6, "--set", "ecology.robots=20", "--out", "fewer"],
-                          ["--sweep", "sweep.toml", "--out", "sweep"]):
+                          planned(PROGRAM, "sweep.toml", "sweep", cls.sets)[1:]):
             run_ok(PROGRAM, *arguments, cwd=cls.sets)
 
     def analyze(self, *arguments):

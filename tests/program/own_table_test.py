@@ -7,7 +7,7 @@ import re
 import sys
 import unittest
 
-from in_folder import InFolder
+from in_folder import InFolder, planned
 
 PROGRAM = sys.argv.pop(1)
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -82,7 +82,7 @@ class OwnTable(InFolder):
             texts.append(lines)
         self.assertNotEqual(texts[0], texts[1])
         (self.folder / "sweep.toml").write_text("replicates = 1\n[set]\nengine = 'kinematic'\necology.duration_s = 60.0\n[grid]\necology.robots = [20, 30]\n")
-        self.call_ok("--sweep", "sweep.toml", "--out", "sweep")
+        self.call_ok(*planned(PROGRAM, "sweep.toml", "sweep", self.folder)[1:])
         self.assertEqual(len(list((self.folder / "sweep").glob("cell-*/replicate-00/crowd.csv"))), 2)
 
     def test_a_resumed_run_continues_its_own_csv_table(self):

@@ -8,7 +8,7 @@ import math
 import sys
 import unittest
 
-from in_folder import InFolder, call
+from in_folder import InFolder, call, planned
 
 PROGRAM = sys.argv.pop(1)
 ENGINES = ["kinematic"] + (["mujoco"] if ", mujoco" in call(PROGRAM, "--help").stdout else [])
@@ -17,7 +17,7 @@ OTHERS = ["events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "replay.tr
 
 class Senses(InFolder):
     def run_ok(self, *arguments, backend="kinematic"):
-        given = [] if "--sweep" in arguments or "--from" in arguments else ["--backend", backend]
+        given = [] if "--plan" in arguments or "--from" in arguments else ["--backend", backend]
         return super().run_ok(PROGRAM, *given, *arguments)
 
     def rows(self, out, table="senses.csv"):
@@ -108,11 +108,9 @@ class Senses(InFolder):
     def test_a_sweep_has_a_key_for_senses(self):
         (self.folder / "grid.toml").write_text('engine = "kinematic"\nreplicates = 1\nsenses = true\n[set]\necology.duration_s = 20.0\n'
                                                "[grid]\nrules.capture.reach_m = [0.5, 1.0]\n")
-        self.run_ok("--sweep", "grid.toml", "--out", "sweep")
+        self.run_ok(*planned(PROGRAM, "grid.toml", "sweep", self.folder)[1:])
         tables = list((self.folder / "sweep").rglob("senses.csv"))
         self.assertEqual(len(tables), 2)
-        refused = self.call(PROGRAM, "--sweep", "grid.toml", "--senses", "--out", "other")
-        self.assert_refused(refused, ": --senses: not with --sweep, which goes with --out, ")
 
     def test_states_of_a_table_whose_rules_keep_some(self):
         rules = ("--rules", "released", "--seed", 3)
@@ -139,12 +137,10 @@ class Senses(InFolder):
             self.assertEqual(len(self.rows(f"set/{run}", "states.csv")), 30 * 11)
         (self.folder / "grid.toml").write_text('engine = "kinematic"\nreplicates = 1\nstates = true\n[set]\necology.duration_s = 20.0\n'
                                                "[grid]\nrules.capture.reach_m = [0.5, 1.0]\n")
-        self.run_ok("--sweep", "grid.toml", "--out", "sweep")
+        self.run_ok(*planned(PROGRAM, "grid.toml", "sweep", self.folder)[1:])
         tables = list((self.folder / "sweep").rglob("states.csv"))
         self.assertEqual(len(tables), 2)
         self.assertEqual(tables[0].read_text().splitlines()[0], "time_s,tick,body,id")
-        refused = self.call(PROGRAM, "--sweep", "grid.toml", "--states", "--out", "other")
-        self.assert_refused(refused, ": --states: not with --sweep, which goes with --out, ")
 
 
 if __name__ == "__main__":

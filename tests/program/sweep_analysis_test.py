@@ -36,7 +36,7 @@ class SweepAnalysis(InFolderWithSets):
                 (sweep / folder).parent.mkdir(parents=True, exist_ok=True)
                 (cls.sets / "cell" / ("shadow" if shadow else "") / f"replicate-{replicate:02}").rename(sweep / folder)
                 manifest = json.loads((sweep / folder / "manifest.json").read_text())
-                plan.append({"index": len(plan), "cell": cell, "replicate": replicate, "shadow": shadow, "rule_table": rules,
+                plan.append({"cell": cell, "replicate": replicate, "null": "shadow" if shadow else "none", "rule_table": rules,
                              "engine": "kinematic", "settings": {**settings, "ecology.duration_s": UNTIL_S}, "seed": manifest["seed"],
                              "until_s": UNTIL_S, "replay_hz": 0.0, "agents_every": 1, "senses": False, "states": False,
                              "work": 30 * UNTIL_S * 60, "folder": folder, "fingerprint": manifest["fingerprint"]})

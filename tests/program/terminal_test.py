@@ -58,7 +58,7 @@ class Help(InFolder):
     def test_groups_exit_codes_and_examples(self):
         head, examples = self.text(PREDATOR_PREY, "--help").split("\nExamples:\n")
         self.assertEqual(len(examples.splitlines()), 3)
-        for group in ("The experiment:", "How long and how many:", "A sweep:", "Output:", "Look:", "Resume and branch:", "Print:"):
+        for group in ("The experiment:", "How long and how many:", "A plan of runs:", "Output:", "Look:", "Resume and branch:", "Print:"):
             self.assertIn(f"\n{group}\n  --", head)
         self.assertIn("\nExit codes: 0 done; 1 ", head)
 
@@ -105,8 +105,8 @@ class Tool(InFolder):
 
     def test_refusals(self):
         for arguments, sentence in (
-            ([], "trophic: needs a command: analyze, contest, plot, cite, show, film, export, ablation-table, cross-check, evolve-gait, measure-gait, convert or help\n"),
-            (["analyse"], "trophic: analyse: must be analyze, contest, plot, cite, show, film, export, ablation-table, cross-check, evolve-gait, measure-gait, convert or help; did you mean analyze?\n"),
+            ([], "trophic: needs a command: plan, analyze, contest, plot, cite, show, film, export, ablation-table, cross-check, evolve-gait, measure-gait, convert or help\n"),
+            (["analyse"], "trophic: analyse: must be plan, analyze, contest, plot, cite, show, film, export, ablation-table, cross-check, evolve-gait, measure-gait, convert or help; did you mean analyze?\n"),
             (["analyze", "--publish"], "trophic analyze: --publish: unknown option; did you mean --published? (--help lists all)\n"),
             (["ablation-table"], "trophic ablation-table: runs is required\n"),
         ):

@@ -47,16 +47,6 @@ class ContactWatch {
   std::vector<std::optional<double>> contact_s_;
 };
 
-/// Calls `read(json)` for a file's JSON; errors name the file.
-template <class Read>
-auto read_json(const std::filesystem::path& path, Read&& read) {
-  try {
-    return read(parse_json(read_whole_file(path)));
-  } catch (const Json::exception& error) {
-    throw std::invalid_argument{path.string() + ": " + reason_of(error)};
-  }
-}
-
 }  // namespace detail
 
 Lineup lineup_of(const Plan& plan, const Match& match) {
@@ -79,46 +69,38 @@ Outcome play(const MakeContest& make, const Plan& plan, const Match& match, cons
   return watch.outcome(plan.duration_s);
 }
 
-std::string text_of(const Plan& plan) {
-  Json json{{"format", "trophic contests"},    {"version", 1},
-            {"rule_table", plan.rule_table},   {"engine", plan.engine},
-            {"fingerprint", plan.fingerprint}, {"params", plan.params},
-            {"duration_s", plan.duration_s},   {"reach_m", plan.reach_m},
-            {"teams", Json::array()},          {"matches", Json::array()}};
-  for (const Team& team : plan.teams) {
-    Json genomes = Json::array();
-    for (const Genome& one : team.genomes) genomes.push_back({one.weights, one.gait_genes, one.body_genes, one.traits});
-    json["teams"].push_back({{"species", team.species}, {"genomes", std::move(genomes)}});
-  }
-  for (const Match& match : plan.matches) json["matches"].push_back({match.hunters, match.victims, match.places});
-  return json_text(json) + "\n";
-}
-
 Plan read_plan(const std::filesystem::path& path) {
   const auto refuse = [&](const std::string& what) { throw std::invalid_argument{path.string() + ": " + what}; };
-  Plan plan = detail::read_json(path, [&](const Json& json) {
+  const auto read = [&](const Json& json) {
     if (json.value("format", "") != "trophic contests") refuse("is not a plan of contests, which trophic contest writes");
     if (const auto version = whole_number<std::int64_t>(json, "version"); version != 1) {
       refuse("version = " + std::to_string(version) + ": must be 1, which this program writes");
     }
-    Plan read{.rule_table = json.at("rule_table").get<std::string>(),
+    Plan plan{.rule_table = json.at("rule_table").get<std::string>(),
               .engine = json.at("engine").get<std::string>(),
               .fingerprint = json.at("fingerprint").get<std::string>(),
               .params = json.at("params"),
               .duration_s = json.at("duration_s").get<double>(),
               .reach_m = json.at("reach_m").get<double>()};
     for (const Json& team : json.at("teams")) {
-      read.teams.push_back({.species = whole_number<Species>(team, "species")});
+      plan.teams.push_back({.species = whole_number<Species>(team, "species")});
       for (const auto& [weights, gait, body, traits] : team.at("genomes").get<std::vector<std::array<std::vector<double>, 4>>>())
-        read.teams.back().genomes.push_back({.weights = weights, .gait_genes = gait, .body_genes = body, .traits = traits});
+        plan.teams.back().genomes.push_back({.weights = weights, .gait_genes = gait, .body_genes = body, .traits = traits});
     }
     for (const Json& match : json.at("matches")) {
-      read.matches.push_back({.hunters = match.at(0).get<std::size_t>(),
+      plan.matches.push_back({.hunters = match.at(0).get<std::size_t>(),
                               .victims = match.at(1).get<std::size_t>(),
                               .places = match.at(2).get<std::uint64_t>()});
     }
-    return read;
-  });
+    return plan;
+  };
+  const Plan plan = [&] {
+    try {
+      return read(parse_json(read_whole_file(path)));
+    } catch (const Json::exception& error) {
+      throw std::invalid_argument{path.string() + ": " + reason_of(error)};
+    }
+  }();
   if (!(plan.duration_s > 0.0 && plan.duration_s <= longest_run_s))
     refuse("duration_s: must be > 0 and <= " + number_text(longest_run_s));
   if (!(plan.reach_m > 0.0)) refuse("reach_m: must be > 0");
@@ -135,17 +117,6 @@ std::string text_of(const std::vector<Outcome>& outcomes) {
   Json json = Json::array();
   for (const Outcome& one : outcomes) json.push_back({one.contact_s, one.contacted});
   return json_text(json) + "\n";
-}
-
-std::vector<Outcome> read_outcomes(const std::filesystem::path& path, std::size_t matches) {
-  std::vector<Outcome> outcomes = detail::read_json(path, [](const Json& json) {
-    std::vector<Outcome> read;
-    for (const Json& one : json) read.push_back({.contact_s = one.at(0).get<double>(), .contacted = one.at(1).get<double>()});
-    return read;
-  });
-  if (outcomes.size() == matches) return outcomes;
-  throw std::invalid_argument{path.string() + ": has " + std::to_string(outcomes.size()) + " outcomes: must have " +
-                              std::to_string(matches)};
 }
 
 }  // namespace trophic::contest

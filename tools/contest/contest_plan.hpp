@@ -48,12 +48,10 @@ struct Outcome {
 [[nodiscard]] Outcome play(const MakeContest& make, const Plan& plan, const Match& match,
                            const replicates::StopOnSignal* stop = nullptr);
 
-/// A plan as JSON, and back. Reading throws std::invalid_argument naming the file and what is wrong.
-[[nodiscard]] std::string text_of(const Plan& plan);
+/// Reads a plan as `trophic contest` writes it, in JSON. Throws std::invalid_argument naming the file and what is wrong.
 [[nodiscard]] Plan read_plan(const std::filesystem::path& path);
 
-/// Outcomes as JSON, and back; `matches`: how many there must be.
+/// Outcomes as JSON.
 [[nodiscard]] std::string text_of(const std::vector<Outcome>& outcomes);
-[[nodiscard]] std::vector<Outcome> read_outcomes(const std::filesystem::path& path, std::size_t matches);
 
 }  // namespace trophic::contest

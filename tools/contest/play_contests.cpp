@@ -38,22 +38,21 @@ std::string why_not_played(const contest::Plan& plan, const Offer& offer, const 
          ", what this program makes of the runs' parameters; rules, models or engine changed";
 }
 
-Outcomes play(const contest::Plan& plan, const Offer& offer, std::size_t jobs, Outcomes outcomes,
-              const std::function<void(std::size_t, const contest::Outcome&)>& on_match) {
+int play_contests(const std::filesystem::path& path, std::size_t jobs, const Offer& offer) {
+  const std::string out = path.string() + ".outcomes";
+  check_new_file("--play", out);
+  if (jobs == 0) throw std::invalid_argument{"--jobs 0: must be >= 1"};
+  const contest::Plan plan = contest::read_plan(path);
   if (const std::string why = why_not_played(plan, offer); !why.empty()) throw std::invalid_argument{why};
   const MakeContest make = experiment_of(plan, offer)->contests();
-  outcomes.resize(plan.matches.size());
+  std::vector<contest::Outcome> outcomes(plan.matches.size());
   const replicates::StopOnSignal stop;
   std::atomic<bool> has_failed = false;
   const auto attempts = replicates::in_parallel(
       outcomes.size(), jobs,
       [&](std::size_t i) {
-        if (outcomes[i]) return;
         try {
-          const contest::Outcome outcome = contest::play(make, plan, plan.matches[i], &stop);
-          if (!stop.keep_running()) return;
-          outcomes[i] = outcome;
-          if (on_match) on_match(i, outcome);
+          outcomes[i] = contest::play(make, plan, plan.matches[i], &stop);
         } catch (...) {
           has_failed = true;
           throw;
@@ -63,21 +62,8 @@ Outcomes play(const contest::Plan& plan, const Offer& offer, std::size_t jobs, O
   for (const replicates::Attempt& attempt : attempts) {
     if (!attempt.error.empty()) throw std::invalid_argument{attempt.error};
   }
-  return outcomes;
-}
-
-std::filesystem::path outcomes_of(const std::filesystem::path& plan) {
-  return plan.string() + ".outcomes";
-}
-
-int play_contests(const std::filesystem::path& plan, std::size_t jobs, const Offer& offer) {
-  check_new_file("--play", outcomes_of(plan).string());
-  std::vector<contest::Outcome> outcomes;
-  for (const auto& one : play(contest::read_plan(plan), offer, jobs)) {
-    if (!one) return stopped;
-    outcomes.push_back(*one);
-  }
-  write_new_file(outcomes_of(plan).string(), contest::text_of(outcomes));
+  if (!stop.keep_running()) return stopped;
+  write_new_file(out, contest::text_of(outcomes));
   return 0;
 }
 

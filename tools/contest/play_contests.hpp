@@ -4,13 +4,10 @@
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <tools/command/offers.hpp>
 #include <tools/contest/contest_plan.hpp>
-#include <vector>
 
 namespace trophic::command {
 
@@ -21,19 +18,9 @@ namespace trophic::command {
 /// The experiment of a plan, with one thread for each contest. The offer must have its table and backend.
 [[nodiscard]] std::unique_ptr<AnyExperiment> experiment_of(const contest::Plan& plan, const Offer& offer);
 
-/// Outcomes by match; none of one that was not played.
-using Outcomes = std::vector<std::optional<contest::Outcome>>;
-
-/// Plays the matches of a plan whose outcomes are not known, `jobs` at a time; outcomes do not depend on it. `on_match` is called
-/// after each, by any thread. After a signal no more are played.
-/// Throws std::invalid_argument as `why_not_played`, and for genomes that the table's brain does not take.
-[[nodiscard]] Outcomes play(const contest::Plan& plan, const Offer& offer, std::size_t jobs, Outcomes known = {},
-                            const std::function<void(std::size_t, const contest::Outcome&)>& on_match = {});
-
-/// Plays the plan in a file and writes the outcomes into a new one, PLAN.outcomes. Returns the exit code.
+/// Plays the matches of the plan in a file, `jobs` at a time, and writes their outcomes into a new file, PLAN.outcomes; they do
+/// not depend on `jobs`. Returns the exit code. Throws std::invalid_argument as `why_not_played`, and for genomes that the
+/// table's brain does not take.
 [[nodiscard]] int play_contests(const std::filesystem::path& plan, std::size_t jobs, const Offer& offer);
-
-/// The file that play_contests writes.
-[[nodiscard]] std::filesystem::path outcomes_of(const std::filesystem::path& plan);
 
 }  // namespace trophic::command

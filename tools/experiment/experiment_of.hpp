@@ -43,7 +43,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
   return experiment;
 }
 
-/// The experiment of a cell of a sweep, whose runs have one thread each.
+/// The experiment of a planned run, which has one thread.
 [[nodiscard]] inline std::unique_ptr<AnyExperiment> planned_experiment(const AnyExperiment& chosen, const Config& config) {
   ExperimentOptions one_thread;
   one_thread.threads = 1;

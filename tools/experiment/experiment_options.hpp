@@ -44,15 +44,13 @@ struct ExperimentOptions {
   bool senses = false;
   bool states = false;
   bool print_config = false;
-  std::string sweep;               ///< file of a grid of settings
-  std::vector<std::uint64_t> run;  ///< numbers of its runs; empty: all of them
-  bool plan = false;
-  bool dry_run = false;
+  std::string plan;                       ///< file with a list of runs
+  std::vector<std::uint64_t> run;         ///< numbers of its runs; empty: all of them
+  bool status = false;                    ///< of its runs
+  bool describe = false;                  ///< its runs, which are drafts
   std::string print_table;                ///< markdown or latex; empty: no table is printed
   std::optional<std::string> unlike;      ///< rule table from which the printed one is to differ
   std::vector<PrintedRule> unlike_rules;  ///< of that table
-  bool status = false;                    ///< of a sweep
-  std::optional<std::uint64_t> sbatch;    ///< tasks of the Slurm script to print
   std::string play;                       ///< file of contests
   std::string program;                    ///< as it was called
   io::Provenance provenance;

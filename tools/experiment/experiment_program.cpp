@@ -12,8 +12,7 @@
 #include <tools/contest/play_contests.hpp>
 #include <tools/experiment/run_experiment.hpp>
 #include <tools/experiment/run_live.hpp>
-#include <tools/experiment/sweep.hpp>
-#include <tools/experiment/sweep_status.hpp>
+#include <tools/experiment/run_plan.hpp>
 #include <tools/trophic/analyze.hpp>
 #include <trophic/experiment.hpp>
 #include <trophic/io/next_free_folder.hpp>
@@ -61,39 +60,28 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
         .not_with = {"--from"}},
        {.name = "--jobs",
         .target = &options.jobs,
-        .help = "replicates, runs of a sweep or contests at a time (one per core); results do not depend on it",
-        .needs = {"--replicates", "--sweep", "--play"}},
+        .help = "replicates, runs of a plan or contests at a time (one per core); results do not depend on it",
+        .needs = {"--replicates", "--plan", "--play"}},
        {"--threads", &options.threads, "threads of the physics; results do not depend on it (all cores; 1 with --replicates)"}});
-  add("A sweep", {{.name = "--sweep",
-                   .target = &options.sweep,
-                   .help = "run the grid of settings that this TOML file lists into OUT, or resume what is not complete",
-                   .needs = {"--out", "--dry-run"},
-                   .only_with = {"--out", "--jobs", "--run", "--plan", "--dry-run", "--sbatch", "--checkpoint-s",
-                                 "--accept-other-build", "--no-verify"}},
-                  {.name = "--run",
-                   .target = &options.run,
-                   .help = "only the sweep's runs with these numbers, from 0; for Slurm, GNU parallel, MPI, ...",
-                   .needs = {"--sweep"}},
-                  {.name = "--plan",
-                   .target = &options.plan,
-                   .help = "write the sweep's plan into OUT and stop; each line of plan.jsonl is a run",
-                   .needs = {"--sweep"},
-                   .only_with = {"--sweep", "--out"}},
-                  {.name = "--dry-run",
-                   .target = &options.dry_run,
-                   .help = "print the sweep's cells and how long they will take, and stop",
-                   .needs = {"--sweep"},
-                   .only_with = {"--sweep", "--out"}},
-                  {.name = "--sbatch",
-                   .target = &options.sbatch,
-                   .help = "print a Slurm script with N array tasks for the sweep: time by short runs, memory, output, signal",
-                   .needs = {"--sweep"},
-                   .only_with = {"--sweep", "--out"}},
-                  {.name = "--status",
-                   .target = &options.status,
-                   .help = "print how many runs of the sweep in OUT are done, running, failed and missing, and the time left",
-                   .needs = {"--out"},
-                   .only_with = {"--out", "--no-verify"}}});
+  add("A plan of runs",
+      {{.name = "--plan",
+        .target = &options.plan,
+        .help = "make the runs that this file lists, next to it, or resume those that are not complete; trophic plan writes one",
+        .only_with = {"--jobs", "--run", "--status", "--describe", "--checkpoint-s", "--accept-other-build", "--no-verify"}},
+       {.name = "--run",
+        .target = &options.run,
+        .help = "only the plan's runs with these numbers, from 0; for Slurm, GNU parallel, MPI, ...",
+        .needs = {"--plan"}},
+       {.name = "--status",
+        .target = &options.status,
+        .help = "print how many runs of the plan are done, running, failed and missing, and the time left, and exit",
+        .needs = {"--plan"},
+        .only_with = {"--plan", "--no-verify"}},
+       {.name = "--describe",
+        .target = &options.describe,
+        .help = "check each run of the plan, print its length, amount of work and fingerprint as JSON, and exit",
+        .needs = {"--plan"},
+        .only_with = {"--plan"}}});
   add("Output",
       {{"--out", &options.out, "new folder for the run's files (the next free runs/" + options.program + "-1, -2, ...)"},
        {"--replay-hz", &options.replay_hz,
@@ -132,11 +120,11 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
         .target = &options.accept_other_build,
         .help = "resume runs that another build of this program made, whose rules may be other code under the same names; "
                 "manifests record it",
-        .needs = {"--resume", "--from", "--sweep"}},
+        .needs = {"--resume", "--from", "--plan"}},
        {.name = "--no-verify",
         .target = &options.no_verify,
         .help = "keep complete runs without comparing their files with their checksums, which takes time for ten thousand runs",
-        .needs = {"--resume", "--sweep", "--status"}},
+        .needs = {"--resume", "--plan"}},
        {.name = "--from",
         .target = &options.from,
         .help = "begin at the state of the run in this folder at --at, with another --seed, other rules or other parameters of "
@@ -266,10 +254,9 @@ int run_options(ExperimentOptions& options, const Offer& offer) {
     }
   }
   if (!options.play.empty()) return play_contests(options.play, options.jobs.value_or(1), offer);
-  if (options.status) return sweep_status(options);
-  if (options.sweep.empty()) return run_chosen(options, offer);
+  if (options.plan.empty()) return run_chosen(options, offer);
   check(options);
-  return run_sweep(options, offer);
+  return run_plan(options, offer);
 }
 
 }  // namespace detail
@@ -291,7 +278,7 @@ int experiment_program(int argc, const char* const* argv, const std::function<Of
                         .version = version_text(backend_versions(offer.backends)),
                         .examples = {options.program + " --backend kinematic --duration 600",
                                      options.program + " --replicates 10 --shadow --out runs/study",
-                                     options.program + " --sweep sweep.toml --out runs/sweep"}});
+                                     options.program + " --plan runs/sweep/plan.jsonl --jobs 4"}});
   });
 }
 

@@ -16,7 +16,6 @@
 #include <tools/recording/read_recording.hpp>
 #include <tools/recording/species_colour.hpp>
 #include <tools/replicates/rewind.hpp>
-#include <tools/replicates/run_in_folder.hpp>
 #include <tools/replicates/run_with_nulls.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/observe/progress.hpp>
@@ -372,20 +371,20 @@ int run_experiment(const AnyExperiment& chosen, const ExperimentOptions& options
                           nullptr);
 }
 
-PlannedFacts facts(const AnyExperiment& chosen, const Config& config, bool shadow) {
+PlannedFacts facts(const AnyExperiment& chosen, const Config& config, Null null) {
   const auto experiment = detail::planned_experiment(chosen, config);
   const EcologyParams& ecology = experiment->ecology();
   const double steps_a_second = experiment->backend().has_joints() ? 1.0 / experiment->physics().timestep_s : ecology.control_hz;
-  return {experiment->simulations(shadow ? Null::shadow : Null::none)(experiment->seed())->describe(ecology.duration_s),
+  return {experiment->simulations(null)(experiment->seed())->describe(ecology.duration_s),
           static_cast<double>(ecology.robots) * std::ceil(ecology.duration_s * ecology.clock_scale * steps_a_second)};
 }
 
-void run_planned(const AnyExperiment& chosen, const Config& config, bool shadow, std::uint64_t seed,
-                 const std::filesystem::path& folder, const replicates::CommonOptions& common,
-                 replicates::JointProgress::Part progress, const replicates::StopOnSignal& stop) {
+std::string run_planned(const AnyExperiment& chosen, const Config& config, Null null, const HistoryOf& history,
+                        std::uint64_t seed, const std::filesystem::path& folder, const replicates::CommonOptions& common,
+                        replicates::Watch watch) {
   const auto experiment = detail::planned_experiment(chosen, config);
-  const std::unique_ptr<Simulation> ecology = experiment->simulations(shadow ? Null::shadow : Null::none)(seed);
-  replicates::run_in_folder(*ecology, experiment->ecology().duration_s, folder, common, {std::move(progress), stop});
+  const std::unique_ptr<Simulation> ecology = experiment->simulations(null, history)(seed);
+  return replicates::run_in_folder(*ecology, experiment->ecology().duration_s, folder, common, std::move(watch));
 }
 
 }  // namespace trophic::command

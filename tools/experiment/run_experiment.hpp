@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Runs the experiment that a command line names: one run, replicates, a run from which another one begins, a run of a
-// sweep.
+// plan.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,7 @@
 #include <tools/experiment/experiment_options.hpp>
 #include <tools/live/live_server.hpp>
 #include <tools/replicates/common_options.hpp>
-#include <tools/replicates/joint_progress.hpp>
-#include <tools/replicates/stop_on_signal.hpp>
+#include <tools/replicates/run_in_folder.hpp>
 #include <trophic/experiment/any_experiment.hpp>
 #include <trophic/observe/run_description.hpp>
 
@@ -45,12 +44,12 @@ struct PlannedFacts {
   double work = 0.0;  ///< robots times steps of the engine
 };
 
-/// Facts of a run with the parameters of a configuration file, or of its neutral shadow.
-[[nodiscard]] PlannedFacts facts(const AnyExperiment& chosen, const Config& config, bool shadow);
+/// Facts of a run with the parameters of a configuration file, under a null.
+[[nodiscard]] PlannedFacts facts(const AnyExperiment& chosen, const Config& config, Null null);
 
-/// Runs or resumes that run in a folder.
-void run_planned(const AnyExperiment& chosen, const Config& config, bool shadow, std::uint64_t seed,
-                 const std::filesystem::path& folder, const replicates::CommonOptions& common,
-                 replicates::JointProgress::Part progress, const replicates::StopOnSignal& stop);
+/// Runs or resumes that run in a folder. `history`: of the neutral null. Returns a remark about the folder, which may be empty.
+std::string run_planned(const AnyExperiment& chosen, const Config& config, Null null, const HistoryOf& history,
+                        std::uint64_t seed, const std::filesystem::path& folder, const replicates::CommonOptions& common,
+                        replicates::Watch watch);
 
 }  // namespace trophic::command

@@ -38,12 +38,12 @@ template <class... Observers>
 Outcome run(const MakeSimulation& make, double until_s, const Plan& plan, const io::Provenance& provenance, std::ostream& out,
             Observers&... extra) {
   plan.check();
-  return run_pending(
-      plan, make(plan.master_seed)->describe(until_s), provenance, out,
-      [&](const Replicate& replicate, const CommonOptions& common, replicates::JointProgress::Part progress,
-          const replicates::StopOnSignal& stop) {
-        run_in_folder(*make(replicate.seed), until_s, replicate.folder, common, {std::move(progress), stop}, extra...);
-      });
+  return run_pending(plan, make(plan.master_seed)->describe(until_s), provenance, out,
+                     [&](const Replicate& replicate, const CommonOptions& common, replicates::JointProgress::Part progress,
+                         const replicates::StopOnSignal& stop) {
+                       static_cast<void>(run_in_folder(*make(replicate.seed), until_s, replicate.folder, common,
+                                                       {std::move(progress), stop}, extra...));
+                     });
 }
 
 /// Replicates of an experiment on a backend, for its `ecology.duration_s`.

@@ -30,13 +30,14 @@ struct Watch {
 };
 
 /// Runs an ecology that has not begun to `until_s` into a folder, from its beginning, from the moment of another run at which it
-/// begins or from the folder's checkpoint, until a signal comes; the manifest has the origin. `extra...` observe it. Throws as
-/// run_state_in and run_with_checkpoints do.
+/// begins or from the folder's checkpoint, until a signal comes; the manifest has the origin. `extra...` observe it. Returns the
+/// remark of run_state_in, which may be empty. Throws as run_state_in and run_with_checkpoints do.
 template <class... Observers>
-void run_in_folder(Simulation& ecology, double until_s, const std::filesystem::path& folder, const CommonOptions& common,
-                   Watch watch, Observers&... extra) {
+std::string run_in_folder(Simulation& ecology, double until_s, const std::filesystem::path& folder, const CommonOptions& common,
+                          Watch watch, Observers&... extra) {
   const observe::RunDescription run = ecology.describe(until_s);
   checkpoint::RunState run_state = checkpoint::run_state_in(folder, run, common.snapshot, common.checkpoints);
+  if (run_state.complete) return run_state.remark;
   io::RunFolder files{folder,
                       common.provenance,
                       common.output,
@@ -50,6 +51,7 @@ void run_in_folder(Simulation& ecology, double until_s, const std::filesystem::p
   checkpoint::run_with_checkpoints(ecology, until_s, folder, common.checkpoints, run_state.from, files, watch.progress,
                                    watch.stop, extra...);
   add_speed(files.manifest(), watch.progress.elapsed_s(), ecology);
+  return run_state.remark;
 }
 
 }  // namespace trophic::replicates

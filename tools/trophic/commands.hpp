@@ -17,6 +17,7 @@ namespace trophic::command {
 [[nodiscard]] Command ablation_table();
 [[nodiscard]] Command help(const std::function<Command()>& program);
 [[nodiscard]] Command measure_gait();
+[[nodiscard]] Command plan();
 [[nodiscard]] Command plot();
 [[nodiscard]] Command show();
 

@@ -12,11 +12,12 @@ namespace {
 trophic::command::Command program() {
   using namespace trophic::command;
   return {.name = {},
-          .about = "From runs to results: analyses, figures, pages and films; gaits for robots.",
+          .about = "From plans to results: lists of runs, analyses, figures, pages and films; gaits for robots.",
           .options = {},
           .work = {},
-          .subcommands = {analyze("trophic", shipped_offer()), contest_command(), plot(), cite(), show(), film(), export_run(),
-                          ablation_table(), cross_check_engines(), evolve_gait(), measure_gait(), convert_body(), help(&program)},
+          .subcommands = {plan(), analyze("trophic", shipped_offer()), contest_command(), plot(), cite(), show(), film(),
+                          export_run(), ablation_table(), cross_check_engines(), evolve_gait(), measure_gait(), convert_body(),
+                          help(&program)},
           .version = version_text(backend_versions(built_backends())),
           .examples = {"trophic analyze runs/study --out analysis", "trophic plot analysis", "trophic help slots"}};
 }

@@ -8,7 +8,7 @@
 
 namespace trophic {
 
-/// Tables that every run writes, including shadows and runs of sweeps; backends, the first of them the default.
+/// Tables that every run writes, including shadows and runs of plans; backends, the first of them the default.
 struct Offer {
   io::OwnTables tables = {};
   std::vector<BackendChoice> backends = {};  ///< empty: the kinematic one and every engine that trophic was built with

@@ -12,6 +12,7 @@ import claims
 import numpy
 import pandas
 import pytest
+from in_folder import planned
 from sets import around, metric, set_of
 from trophic import cite, judge
 from trophic.published import QUESTIONS, answers
@@ -229,7 +230,7 @@ def test_sweep_says_the_same_everywhere_and_as_a_comparison(folder, tmp_path, mo
     monkeypatch.chdir(folder)
     (folder / "sweep.toml").write_text('rule_table = "paper"\nengine = "kinematic"\nreplicates = 6\nshadow = true\n[grid]\necology.duration_s = [400.0]\n'
                                        "rules.capture.reach_m = [1.0, 3.0]\n")
-    subprocess.run([PROGRAM, "--sweep", "sweep.toml", "--out", "sweep"], check=True, capture_output=True)
+    subprocess.run(planned(PROGRAM, "sweep.toml", "sweep", folder), check=True, capture_output=True)
     sweep = sweep_report.analyze_sweep("sweep", how=analyze.measuring_of({"jobs": 1}))
     shown, summary = sweep_report.text_of(sweep), sweep_report.summary_of(sweep)
     rows = sweep_report.with_significance(sweep.differences)

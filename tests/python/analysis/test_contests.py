@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
 """The progress that contests show: by hand, as table and text, and over simulated studies without an effect and with one."""
+import itertools
 import re
 
 import numpy
 import pandas
 import pytest
 from pytest import approx
-from trophic.contests import progress_of, progress_of_runs, run, table, text
+from trophic.contest_plan import PLAYED, members, partner, places, play
+from trophic.contests import progress_of, progress_of_runs, report, table, text
 from trophic.runs import RunError
 
 EPOCHS = [0.0, 1000.0, 2000.0, 3000.0]
@@ -95,13 +97,8 @@ def test_epochs_are_printed_with_one_decimal():
 def test_the_command_writes_a_row_for_each_and_prints_them(tmp_path, capsys):
     frame = study(6)
     frame["hunters_run"] = "runs, all/" + frame["hunters_run"]
-    part, tmp_path = tmp_path / "contests.part", tmp_path / "contests"
-    part.mkdir()
-    frame.to_csv(part / "contests.csv", index=False)
-    (part / "played.jsonl").write_text("[]")
-    request = {"folder": str(part), "out": str(tmp_path), "split_s": None, "duration_s": 300.0, "taken_s": 3.14}
-    assert run(request) == 0
-    assert not part.exists() and not (tmp_path / "played.jsonl").exists()
+    frame.to_csv(tmp_path / "contests.csv", index=False)
+    assert report(tmp_path, str(tmp_path), {"split": None, "duration": 300.0}, 3.14) == 0
     shown = capsys.readouterr().out
     assert re.search(r"\npredator +own prey +0 +1000 +40\.0 \[40\.0, 40\.0\] .* \+40\.0 \[\+40\.0, \+40\.0\] +<0\.001 +above the shadow\n", shown)
     assert shown.endswith(f"tables  {tmp_path}/contests.csv, progress.csv: {len(frame)} contests of 300 s in 3.1 s\n")
@@ -109,10 +106,59 @@ def test_the_command_writes_a_row_for_each_and_prints_them(tmp_path, capsys):
     assert rows[0] == ("against,species,role,opponent,period,from_s,to_s,runs,mean_s,lower_s,upper_s,shadow_runs,shadow_s,over_shadow_s,over_shadow_lower_s,"
                        "over_shadow_upper_s,p,p_holm")
     assert rows[1].startswith("own,predator,hunter,prey,early,0,1000,6,40,40,40,6,0,40,40,40,0,0")
-    part.mkdir()
-    frame.to_csv(part / "contests.csv", index=False)
-    with pytest.raises(RunError, match="contests: exists already"):
-        run(request)
+
+
+def test_a_team_has_all_living_before_any_twice_and_each_its_own_draw():
+    few = members(1, (3, 0, 0, 0, 0), 4, 10)
+    assert len(few) == 10 and all(few.count(one) >= 2 for one in range(4))
+    assert len(set(members(1, (3, 0, 0, 0, 0), 100, 15))) == 15
+    drawn = {tuple(members(1, team, 100, 15)) for team in itertools.product(range(30), *([(0, 1)] * 4))}
+    assert len(drawn) == 30 * 16
+    assert members(1, (3, 0, 1, 0, 1), 100, 15) != members(2, (3, 0, 1, 0, 1), 100, 15)
+    assert members(2**64 - 1, (0, 0, 0, 0, 0), 5, 5) == members(2**64 - 1, (0, 0, 0, 0, 0), 5, 5)
+
+
+def test_the_draw_never_changes():
+    assert (members(1, (0, 0, 0, 0, 0), 8, 8), partner(1, 5, 0, 0), places(1, 0, 0)) == ([1, 4, 5, 6, 0, 7, 3, 2], 3, 24722562764685)
+
+
+def test_partners_are_other_replicates_each_once_and_another_for_each_team():
+    for team in range(3):
+        partners = [partner(5, 7, replicate, team) for replicate in range(7)]
+        assert sorted(partners) == list(range(7)) and all(one != replicate for replicate, one in enumerate(partners))
+        assert team == 0 or all(one != partner(5, 7, replicate, team - 1) for replicate, one in enumerate(partners))
+    assert [partner(5, 2, 0, team) for team in range(3)] == [1, 1, 1]
+    assert len({places(5, replicate, team) for replicate in range(30) for team in range(2)}) == 60
+
+
+PROGRAM = """#!/usr/bin/python3
+import json, pathlib, sys
+plan = json.loads(pathlib.Path(sys.argv[2]).read_text())
+with open("calls", "a") as calls:
+    calls.write("%d\\n" % len(plan["matches"]))
+if len(open("calls").readlines()) == FAILS:
+    sys.exit("program: no more")
+pathlib.Path(sys.argv[2] + ".outcomes").write_text(json.dumps([[plan["teams"][hunters]["genomes"][0], places] for hunters, victims, places in plan["matches"]]))
+"""
+
+
+def test_what_was_played_of_a_plan_is_not_played_again(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    program = tmp_path / "program"
+    plan = {"teams": [{"genomes": [number]} for number in range(10)], "matches": [[match % 10, (match + 1) % 10, match] for match in range(50)]}
+    for fails in (3, 0):
+        program.write_text(PROGRAM.replace("FAILS", str(fails)))
+        program.chmod(0o755)
+        if fails:
+            with pytest.raises(RunError, match="program: no more"):
+                play(plan, str(program), 1, tmp_path)
+            with (tmp_path / PLAYED).open("a") as file:
+                file.write("[49, 9")  # cut short
+    assert play(plan, str(program), 1, tmp_path) == [[match % 10, match] for match in range(50)]
+    calls = list(map(int, (tmp_path / "calls").read_text().split()))
+    assert sum(calls) - calls[2] == 50
+    plan["matches"][0][2] = 99  # another plan
+    assert play(plan, str(program), 1, tmp_path)[0] == [0, 99]
 
 
 def test_a_study_of_few_runs_without_a_shadow_has_empty_cells():

@@ -33,7 +33,7 @@ def plan_of(count=2, replicates=2, with_shadow=False, paired=True, settings=lamb
     for cell in range(count):
         for shadow in (False, True)[: 1 + with_shadow]:
             for k in range(replicates):
-                plan.append(PlannedRun(len(plan), cell, k, shadow, "paper", "kinematic", settings(cell), 100 + k + (0 if paired else cell * replicates), 6000.0, 0.0, 1,
+                plan.append(PlannedRun(len(plan), cell, k, "shadow" if shadow else "none", "paper", "kinematic", settings(cell), 100 + k + (0 if paired else cell * replicates), 6000.0, 0.0, 1,
                                        False, False, 1.0, f"cell-{cell}{'/shadow' if shadow else ''}/replicate-{k}", f"f{cell}{'s' if shadow else ''}"))
     return plan
 
@@ -89,13 +89,13 @@ def write_plan(folder, plan):
 
 
 @pytest.mark.parametrize("change, part", [
-    ({"index": 2}, ":4: index = 2: must be 3, as lines stand in the order of their index"), ({"folder": "cell-0/shadow/replicate-0"}, ":4: folder = "),
+    ({"folder": "cell-0/shadow/replicate-0"}, ":4: folder = "),
     ({"folder": "../x"}, "must be a folder within that of the plan"), ({"rule_table": "released"}, ':4: rule_table = "released": must be "paper", as in the other runs of cell 0'),
     ({"until_s": 300.0}, ":4: until_s = 300.0: must be 6000.0, as in the other runs"), ({"until_s": 0}, ":4: until_s = 0: must be > 0 and <= 100000000"),
     ({"seed": -1}, ":4: seed = -1: must be a whole number >= 0"), ({"seed": 7}, ":4: seed = 7: must be 101, as a replicate and its shadow have one"),
     ({"seed": 100}, ":4: seed = 100: must be another for each replicate of cell 0"), ({"replicate": 0}, ":4: replicate = 0: must be another for each run of cell 0"),
     ({"fingerprint": "other"}, ':4: fingerprint = "other": must be "f0s"'), ({"engine": "a\nb"}, "without control characters"), ({"settings": {"a": [1]}}, ":4: settings = "),
-    ({"shadow": 1}, ":4: shadow = 1: must be true or false"), ({"agents_every": 0}, ":4: agents_every = 0: must be >= 1"), ({"work": math.inf}, ":4: work = Infinity: must be >= 0")])
+    ({"null": 1}, ":4: null = 1: must be none or shadow"), ({"agents_every": 0}, ":4: agents_every = 0: must be >= 1"), ({"work": math.inf}, ":4: work = Infinity: must be >= 0")])
 def test_a_broken_plan_is_refused(tmp_path, change, part):
     lines = [dataclasses.asdict(run) for run in plan_of(2, 2, with_shadow=True)]
     write_plan(tmp_path, lines)
@@ -105,7 +105,7 @@ def test_a_broken_plan_is_refused(tmp_path, change, part):
     assert part in refusal(read_plan, tmp_path / "plan.jsonl")
 
 
-@pytest.mark.parametrize("text, part", [("", "plan.jsonl: must list a run"), ('{"index": 0', "plan.jsonl:1: must be a JSON object"), ("{}", "plan.jsonl:1: index: must be there"),
+@pytest.mark.parametrize("text, part", [("", "plan.jsonl: must list a run"), ('{"cell": 0', "plan.jsonl:1: must be a JSON object"), ("{}", "plan.jsonl:1: cell: must be there"),
                                         ("[1]", "plan.jsonl:1: must be a JSON object on a line of its own")])
 def test_a_file_that_is_not_a_plan_is_refused(tmp_path, text, part):
     (tmp_path / "plan.jsonl").write_text(text)

@@ -11,8 +11,8 @@ import signal
 import sys
 
 # The module whose run(request) does a command.
-MODULES = {"ablation-table": "ablations", "analyze": "report.analyze", "analyze-sweep": "sweeps.report", "card": "card", "cite": "cite", "contest": "contests",
-           "analyze-selection": "selection", "cross-check": "cross_check", "metrics": "metrics.help", "plot": "plot"}
+MODULES = {"ablation-table": "ablations", "analyze": "report.analyze", "analyze-sweep": "sweeps.report", "card": "card", "cite": "cite", "contest": "contest_plan",
+           "analyze-selection": "selection", "cross-check": "cross_check", "metrics": "metrics.help", "plan": "plan", "plot": "plot"}
 STOPPED = 3  # the exit code of a command that a signal ends
 SYSTEM = "/usr/bin/python3"  # has the packages of apt-get
 

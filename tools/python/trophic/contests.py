@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy
 import pandas
 
-from .report.tables import csv_text, publish, write_new
+from .report.tables import csv_text, write_new
 from .runs import RunError
 from .statistics import MIN_RUNS_FOR_TEST, Difference, Estimate, adjust_together, contrast, difference_of, estimate
 from .values import Metric
@@ -124,18 +124,12 @@ def text(progress: Sequence[Progress]) -> str:
     return columns(rows) + few
 
 
-def run(request: dict) -> int:
-    """`trophic contest` after its contests: reads FOLDER/contests.csv, writes FOLDER/progress.csv, names the folder `out` and prints the progress.
-
-    `request`: folder; out; split_s or None; duration_s of a contest; taken_s, the time that playing took."""
-    folder = pathlib.Path(request["folder"])
+def report(folder: pathlib.Path, out: str, request: dict, taken_s: float) -> int:
+    """Reads FOLDER/contests.csv, writes FOLDER/progress.csv and prints the progress. `taken_s`: the time that playing took."""
     contests = pandas.read_csv(folder / "contests.csv", dtype={name: str for name in ("hunters_run", "victims_run", "hunter", "victim")},
                                float_precision="round_trip", keep_default_na=False)
-    progress = progress_of(contests, request.get("split_s"))
+    progress = progress_of(contests, request["split"])
     write_new(folder / "progress.csv", csv_text(table(progress)))
-    (folder / "played.jsonl").unlink(missing_ok=True)
-    publish(folder, pathlib.Path(request["out"]))
     print(text(progress), end="")
-    print(f"tables  {request['out']}/contests.csv, progress.csv: {len(contests)} contests of {number_text(request['duration_s'])} s "
-          f"in {number_text(round(request['taken_s'], 1))} s")
+    print(f"tables  {out}/contests.csv, progress.csv: {len(contests)} contests of {number_text(request['duration'])} s in {number_text(round(taken_s, 1))} s")
     return 0

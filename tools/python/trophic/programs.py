@@ -23,6 +23,14 @@ def find_program(name: str) -> str:
     raise ProgramError(f"{name}: is not on the PATH; install trophic, or set TROPHIC_BIN to the folder of its programs")
 
 
+def chosen_program(request: dict) -> str:
+    """The experiment program of a command: `experiment` is its path or its name, which is looked for next to `program` first."""
+    named = request["experiment"]
+    if os.sep in named:
+        return str(pathlib.Path(named).absolute())
+    return shutil.which(named, path=os.path.dirname(request.get("program") or "") or None) or find_program(named)
+
+
 def call(program: str, arguments: list, what: str) -> None:
     """Calls a program. Raises ProgramError with its sentence, or with `what` and the exit code, if it fails."""
     try:

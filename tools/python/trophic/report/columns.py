@@ -185,6 +185,19 @@ p: of this effect alone
 p_holm: corrected for all effects of the analysis; raw differences next to an answer apart
 significant
 """),
+    "contests.csv": ("Results of `trophic contest`: one row per contest of two teams.", """
+shadow 0/1: whether both teams are from the neutral shadow
+against own,others,panel_victims,panel_hunters: own: both teams are from one run; others: from two replicates; panel_victims or panel_hunters: these are the panel's
+hunters_run text: folder of the run of the hunters
+victims_run text: folder of the run of the victims
+team whole: number of both teams, from 0
+hunter text: species of the hunters
+victim text: species of the victims
+hunter_epoch_s exact s: time of the run at which the hunters lived
+victim_epoch_s exact s: time of the run at which the victims lived
+contact_s exact s: mean over victims of the time until a hunter is within reach, at most the contest's length
+contacted exact 1: share of the victims that a hunter reached
+"""),
     "progress.csv": ("Progress that the contests show, and its test over the neutral shadow.", """
 against own,others: own: opponents from the same run (historical); others: of another replicate (global)
 species text: whose progress it is
@@ -231,22 +244,18 @@ difference_upper: of its own 95 % interval
 p
 p_holm: corrected for survival, parenthood and mutation of every trait and species (Holm)
 """),
-    "cross_check.csv": ("Results of `trophic cross-check` for gaits and ecologies.", """
-part text: gait or ecology
+    "cross_check.csv": ("Results of `trophic cross-check`: two rows per metric, of the first set and of the second.", """
 engine text: name of the physics engine
-settings text: which parameters of the engine; of gaits
-timestep_s exact? s: of the engine; of gaits
-target_angle_rad exact? rad: that the robots were steered by; of gaits
-quantity text: what was measured
-species text: of metrics
-group text: of metrics, as in metrics.csv
+quantity text: the metric
+species text: as in metrics.csv
+group text: as in metrics.csv
 unit text: of mean, margin, difference and intervals
-mean: over robots or runs
+mean: over runs
 lower: of its 95 % interval
 upper: of its 95 % interval
-n whole: robots or runs
+n whole: runs
 margin: within which engines are equivalent
-difference: of gaits: to MuJoCo's mean at its default timestep; of ecologies: the second set's less the first's
+difference: the second set's less the first's
 difference_lower: of its 90 % interval
 difference_upper: of its 90 % interval
 conclusion text: equivalent, different, inconclusive or unknown

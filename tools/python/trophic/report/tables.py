@@ -25,9 +25,9 @@ from .columns import names
 # Files
 
 @contextlib.contextmanager
-def result_folder(out: str | os.PathLike | None) -> Iterator[pathlib.Path]:
+def result_folder(out: str | os.PathLike | None, keeps: str = "") -> Iterator[pathlib.Path]:
     """A folder OUT.part for results, which gets the name `out`, or "analysis", "analysis-1", ... when the work is done. It goes again if the work
-    fails; what a killed program left there is removed. Raises RunError if the folder exists, or if another program works in OUT.part."""
+    fails; what a killed program left there is removed, but for a file called `keeps`. Raises RunError if the folder exists, or if another program works in OUT.part."""
     path = pathlib.Path(out if out is not None else "analysis")
     if out is None and os.path.lexists(path):
         path = next(free for free in (pathlib.Path(f"analysis-{i}") for i in range(1, 1_000_000)) if not os.path.lexists(free))
@@ -46,12 +46,13 @@ def result_folder(out: str | os.PathLike | None) -> Iterator[pathlib.Path]:
     except OSError:
         pass  # a file system without locks
     try:
-        for left in part.iterdir():
-            shutil.rmtree(left) if left.is_dir() and not left.is_symlink() else left.unlink()
+        _clear(part, keeps)
         yield part
         publish(part, path)
     except BaseException:
-        shutil.rmtree(part, ignore_errors=True)
+        with contextlib.suppress(OSError):
+            _clear(part, keeps)
+            part.rmdir()
         raise
     finally:
         os.close(lock)
@@ -61,6 +62,12 @@ def check_new(path: pathlib.Path) -> None:
     """Raises RunError if a folder exists."""
     if os.path.lexists(path):
         raise RunError(f"--out {path}: exists already; nothing is overwritten")
+
+
+def _clear(part: pathlib.Path, keeps: str) -> None:
+    for left in part.iterdir():
+        if left.name != keeps:
+            shutil.rmtree(left) if left.is_dir() and not left.is_symlink() else left.unlink()
 
 
 def publish(part: pathlib.Path, path: pathlib.Path) -> None:

@@ -19,9 +19,11 @@ PLAN = "plan.jsonl"
 class PlannedRun:
     """A line of plan.jsonl: a run with its place in the grid."""
     index: int
+    """its place in the plan, from 0"""
     cell: int
     replicate: int
-    shadow: bool
+    null: str
+    """none or shadow"""
     rule_table: str
     engine: str
     settings: dict[str, Any]
@@ -36,6 +38,10 @@ class PlannedRun:
     folder: str
     """from the folder of the plan"""
     fingerprint: str
+
+    @property
+    def shadow(self) -> bool:
+        return self.null == "shadow"
 
 
 @dataclasses.dataclass
@@ -146,7 +152,7 @@ def read_plan(path: pathlib.Path) -> list[PlannedRun]:
                 raise RunError(f"{where}: {field}: must be there")
             if not is_right(line[field]):
                 raise RunError(f"{where}: {field} = {_json(line[field])}: must {must}")
-        runs.append(PlannedRun(**{field: line[field] for field in _FIELDS}))
+        runs.append(PlannedRun(number - 1, **{field: line[field] for field in _FIELDS}))
         for field, must in _conflicts(runs, so_far):
             raise RunError(f"{where}: {field} = {_json(line[field])}: must be {must}")
     if not runs:
@@ -158,9 +164,6 @@ def _conflicts(runs: Sequence[PlannedRun], so_far: dict[Any, Any]):
     """(field, what it must be) for each conflict of the last run with those before it, of which `so_far` keeps what is compared."""
     run = runs[-1]
     cell = f"cell {run.cell}"
-    if run.index != len(runs) - 1:
-        yield "index", f"{len(runs) - 1}, as lines stand in the order of their index"
-
     def is_new(*key: Any) -> bool:
         return so_far.setdefault(key, run.index) == run.index
     if not is_new("folder", run.folder):
@@ -205,13 +208,13 @@ def _is_folder(value: Any) -> bool:
 
 
 _WHOLE = _is_whole, "be a whole number >= 0"
-_YES_OR_NO = (lambda value: isinstance(value, bool)), "be true or false"
+_SWITCH = (lambda value: isinstance(value, bool)), "be true or false"
 _TEXT = _is_text, "be a text that is not empty, without control characters"
 _FIELDS: dict[str, tuple[Callable[[Any], bool], str]] = {
-    "index": _WHOLE, "cell": _WHOLE, "replicate": _WHOLE, "shadow": _YES_OR_NO, "rule_table": _TEXT, "engine": _TEXT,
+    "cell": _WHOLE, "replicate": _WHOLE, "null": ((lambda value: value in ("none", "shadow")), "be none or shadow"), "rule_table": _TEXT, "engine": _TEXT,
     "settings": (_are_settings, "be an object of settings by their paths: numbers, texts, true or false"), "seed": _WHOLE,
     "until_s": (lambda value: _is_number(value, largest=MOST_TIME_S) and value > 0, f"be > 0 and <= {MOST_TIME_S:.0f}"),
     "replay_hz": (lambda value: _is_number(value, largest=1000.0), "be >= 0 and <= 1000"),
-    "agents_every": (lambda value: _is_whole(value) and 1 <= value < 2**63, f"be >= 1 and <= {2**63 - 1}"), "senses": _YES_OR_NO,
-    "states": _YES_OR_NO, "work": (_is_number, "be >= 0"), "folder": (_is_folder, "be a folder within that of the plan, without . and .."),
+    "agents_every": (lambda value: _is_whole(value) and 1 <= value < 2**63, f"be >= 1 and <= {2**63 - 1}"), "senses": _SWITCH,
+    "states": _SWITCH, "work": (_is_number, "be >= 0"), "folder": (_is_folder, "be a folder within that of the plan, without . and .."),
     "fingerprint": _TEXT}

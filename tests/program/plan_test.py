@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""sweep_test.py PREDATOR_PREY SWEEPS [--engines a,b] [--long] [unittest arguments]: one sweep, run in every way there is, gives the
-same files, and what cannot be run is refused in one line.
+"""plan_test.py PREDATOR_PREY TROPHIC SWEEPS [--engines a,b] [--long] [unittest arguments]: one plan, run in every way there is, gives
+the same files, and what cannot be run is refused in one line.
 
 SWEEPS: the folder of examples with a script for MPI and a Snakefile. The quick part has a small grid; --long runs 24 cells x 3."""
 
@@ -24,6 +24,7 @@ from in_folder import InFolderWithSets, call, run_ok
 
 PARSER = argparse.ArgumentParser()
 PARSER.add_argument("program")
+PARSER.add_argument("trophic")
 PARSER.add_argument("sweeps", type=pathlib.Path)
 PARSER.add_argument("--engines", default="kinematic")
 PARSER.add_argument("--long", action="store_true")
@@ -61,11 +62,10 @@ rules.capture.reach_m = [0.5, 1.0]
 # Parts of a manifest that describe the program that made a run, not the run.
 OF_PROGRAM = ["command_line", "host", "wall_s", "continued", "source_revision", "crc32"]
 
-
 def files_of(folder):
-    """Paths of all files but checkpoints, which contain the name of the program that wrote them."""
-    return sorted(path.relative_to(folder) for path in folder.rglob("*") if path.is_file() and path.name != "checkpoint.bin")
-
+    """Paths of all files but checkpoints, which contain the name of the program that wrote them, and what was set aside."""
+    return sorted(path.relative_to(folder) for path in folder.rglob("*") if path.is_file() and path.name != "checkpoint.bin" and
+                  ".incomplete-" not in str(path.relative_to(folder)))
 
 class Sweeps(InFolderWithSets):
     """`sets` holds the folders "one": the files of an undisturbed sweep."""
@@ -77,8 +77,9 @@ class Sweeps(InFolderWithSets):
     @classmethod
     def make(cls, text):
         (cls.sets / "sweep.toml").write_text(text)
+        run_ok(OPTIONS.trophic, "plan", "sweep.toml", "--program", OPTIONS.program, "--out", "one", cwd=cls.sets)
         began = time.monotonic()
-        run_ok(OPTIONS.program, "--sweep", "sweep.toml", "--out", "one", "--jobs", 1, cwd=cls.sets, timeout=3600)
+        run_ok(OPTIONS.program, "--plan", "one/plan.jsonl", "--jobs", 1, cwd=cls.sets, timeout=3600)
         cls.whole_s = time.monotonic() - began
 
     def setUp(self):
@@ -95,8 +96,19 @@ class Sweeps(InFolderWithSets):
     def run_ok(self, *words, **how):
         return super().run_ok(*words, timeout=3600, **how)
 
-    def sweep(self, *arguments, file="sweep.toml", out="out", run=None):
-        return (run or self.run_ok)(OPTIONS.program, "--sweep", file, "--out", out, *arguments)
+    def plan(self, *arguments, file="sweep.toml", out="out", run=None):
+        where = () if "--dry-run" in arguments else ("--out", out)
+        return (run or self.run_ok)(OPTIONS.trophic, "plan", file, "--program", OPTIONS.program, *where, *arguments)
+
+    def words(self, out, *arguments):
+        return [OPTIONS.program, "--plan", f"{out}/plan.jsonl", *arguments]
+
+    def make_runs(self, *arguments, out="out", run=None):
+        return (run or self.run_ok)(*self.words(out, *arguments))
+
+    def sweep(self, *arguments, file="sweep.toml", out="out"):
+        self.plan(file=file, out=out)
+        return self.make_runs(*arguments, out=out)
 
     def start(self, *words):
         return subprocess.Popen(words, cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
@@ -115,7 +127,6 @@ class Sweeps(InFolderWithSets):
                     manifest.pop(key, None)
             self.assertEqual(*manifests)
 
-
 class Ways(Sweeps):
     @classmethod
     def make_sets(cls):
@@ -123,7 +134,6 @@ class Ways(Sweeps):
 
     def test_plan(self):
         runs = [json.loads(line) for line in (self.sets / "one/plan.jsonl").read_text().splitlines()]
-        self.assertEqual([run["index"] for run in runs], list(range(len(runs))))
         self.assertEqual(len({run["folder"] for run in runs}), len(runs))
         seeds = {}
         for run in runs:
@@ -151,7 +161,7 @@ class Ways(Sweeps):
     def test_again_runs_nothing(self):
         times = lambda: {path: path.stat().st_mtime_ns for path in (self.sets / "one").rglob("*.csv")}
         before = times()
-        self.sweep(out=self.sets / "one")
+        self.make_runs(out=self.sets / "one")
         self.assertEqual(before, times())
 
     def runs(self, out="one"):
@@ -162,11 +172,12 @@ class Ways(Sweeps):
         self.sweep("--run", *numbers[:3])
         self.assertEqual(len(list(self.folder.glob("out/cell-*/*/manifest.json"))), 3)
         for number in numbers:  # the first three are complete
-            self.sweep("--run", number)
+            self.make_runs("--run", number)
         self.assert_same()
 
     def test_programs_that_make_the_same_runs_at_once(self):
-        words = [OPTIONS.program, "--sweep", "sweep.toml", "--out", "out", "--jobs", "1"]
+        self.plan()
+        words = self.words("out", "--jobs", "1")
         programs = [self.start(*words, *more) for more in ([], [], ["--run", "0"], ["--run", "0"])]
         self.assertLessEqual({program.wait(3600) for program in programs}, {0, 1})
         self.run_ok(*words)
@@ -177,45 +188,43 @@ class Ways(Sweeps):
         for ranks in (2, 3):
             out = f"ranks-{ranks}"
             words = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--mca", "orte_abort_on_non_zero_status", "0", "-n", str(ranks)]
-            self.run_ok(*words, OPTIONS.sweeps / "mpi.sh", OPTIONS.program, "sweep.toml", out)
+            self.plan(out=out)
+            self.run_ok(*words, OPTIONS.sweeps / "mpi.sh", OPTIONS.program, f"{out}/plan.jsonl")
             self.assert_same(out)
 
     @unittest.skipUnless(shutil.which("parallel"), "needs GNU parallel")
     def test_gnu_parallel_and_its_log(self):
-        self.sweep("--plan")
+        self.plan()
         def by_parallel(guard):
-            command = f"{guard}{OPTIONS.program} --sweep sweep.toml --out out --run {{}}"
+            command = f"{guard}{OPTIONS.program} --plan out/plan.jsonl --run {{}}"
             return self.call("bash", "-c", f"seq 0 {self.runs() - 1} | parallel --jobs 2 --joblog log --resume-failed '{command}'")
         self.assertEqual(by_parallel("[ {} -ne 1 ] && ").returncode, 1)
         self.assertEqual(by_parallel("").returncode, 0)
         self.assert_same()
 
     def test_printed_slurm_script_by_array_ids(self):
-        printed = self.sweep("--sbatch", 3)
-        self.assertEqual(printed.stderr, "")
-        self.assertFalse((self.folder / "out").exists())
-        for line in (r"#SBATCH --array=1-3", r"#SBATCH --time=\d+:\d\d:00", r"#SBATCH --mem=\d+M", r"#SBATCH --output=slurm-%A_%a.log",
-                     r"#SBATCH --signal=B:TERM@120", r"# \d+ runs in \d+ cells, about .* of one core"):
-            self.assertRegex(printed.stdout, rf"(?m)^{line}")
-        self.write("job.sh", printed.stdout)
-        self.write("base0.sh", printed.stdout.replace("--out 'out'", "--out 'base0'"))
-        for job, tasks in (("job.sh", (2, 1, 3)), ("base0.sh", (0, 1, 2))):
+        for out, tasks in (("out", (2, 1, 3)), ("base0", (0, 1, 2))):
+            printed = self.plan("--sbatch", 3, out=out)
+            self.assertEqual(printed.stderr, "")
+            for line in (r"#SBATCH --array=1-3", r"#SBATCH --time=\d+:\d\d:00", r"#SBATCH --mem=\d+M", r"#SBATCH --output=slurm-%A_%a.log",
+                         r"#SBATCH --signal=B:TERM@120", r"# \d+ runs in \d+ cells, about .* of one core"):
+                self.assertRegex(printed.stdout, rf"(?m)^{line}")
+            self.write("job.sh", printed.stdout)
             for task in tasks:
-                self.run_ok("bash", "-c", f"cd / && bash '{self.folder / job}'", env={**os.environ, "SLURM_ARRAY_TASK_ID": str(task)})
-        self.assert_same()
-        self.assert_same("base0")
-        most = self.sweep("--sbatch", 1000)
+                self.run_ok("bash", "-c", f"cd / && bash '{self.folder / 'job.sh'}'", env={**os.environ, "SLURM_ARRAY_TASK_ID": str(task)})
+            self.assert_same(out)
+        most = self.plan("--sbatch", 1000)
         self.assertIn(f"#SBATCH --array=1-{self.runs()}\n", most.stdout)
 
     @unittest.skipUnless(shutil.which("snakemake"), "needs Snakemake")
     def test_snakemake(self):
         words = ["snakemake", "--cores", "2", "--snakefile", OPTIONS.sweeps / "Snakefile", "--config", "sweep=sweep.toml",
-                 "out=out", f"program={OPTIONS.program}", "analyze=mkdir -p out.analysis; true"]
+                 "out=out", f"program={OPTIONS.program}", f"trophic={OPTIONS.trophic}"]
         self.run_ok(*words, env={**os.environ, "HOME": str(self.folder)})
         self.assert_same()
 
     def test_a_signal_of_slurm_ends_a_task_well(self):
-        self.write("job.sh", self.sweep("--sbatch", 1, file="killed.toml", out="signalled").stdout)
+        self.write("job.sh", self.plan("--sbatch", 1, file="killed.toml", out="signalled").stdout)
         running = subprocess.Popen(["bash", "job.sh"], cwd=self.folder, env={**os.environ, "SLURM_ARRAY_TASK_ID": "1"},
                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.wait_for("signalled/cell-*/*/agents.csv", running)
@@ -226,15 +235,14 @@ class Ways(Sweeps):
 
     @unittest.skipUnless(shutil.which("slurmctld", path=os.environ["PATH"] + ":/usr/sbin") and shutil.which("sbatch"), "needs Slurm")
     def test_slurm(self):
-        self.write("job.sh", self.sweep("--sbatch", 3).stdout)
-        self.write("base0.sh", (self.folder / "job.sh").read_text().replace("--out 'out'", "--out 'base0'"))
+        self.write("job.sh", self.plan("--sbatch", 3).stdout)
+        self.write("base0.sh", self.plan("--sbatch", 3, out="base0").stdout)
         with Slurm(self.folder) as environment:
             done = [self.call("sbatch", "--wait", *words, env=environment) for words in (["job.sh"], ["--array=0-2", "base0.sh"])]
         said = "".join(path.read_text() for path in self.folder.glob("slurm-*.log"))
         self.assertEqual([each.returncode for each in done], [0, 0], str(done) + said)
         self.assert_same()
         self.assert_same("base0")
-
 
 class Slurm:
     """A cluster of this machine alone, for one test."""
@@ -286,7 +294,6 @@ class Slurm:
             program.terminate()
             program.wait(30)
 
-
 class Killed(Sweeps):
     at_work = 0.1  # of the whole: the sweep cannot be done yet
 
@@ -303,7 +310,8 @@ class Killed(Sweeps):
         time.sleep(random.uniform(0.0, share * self.whole_s))
 
     def test_program_that_is_killed_and_started_again(self):
-        words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--jobs", "2", "--checkpoint-s", "50"]
+        self.plan(file="killed.toml")
+        words = self.words("out", "--jobs", "2", "--checkpoint-s", "50")
         for _ in range(2):
             program = self.start(*words)
             self.wait_for_work()
@@ -313,12 +321,13 @@ class Killed(Sweeps):
         self.assert_same()
 
     def status(self):
-        done = self.run_ok(OPTIONS.program, "--status", "--out", "out")
+        done = self.make_runs("--status")
         self.assertEqual(done.stderr, "")
         return done.stdout
 
     def test_status_says_what_runs_is_interrupted_and_is_done(self):
-        words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--jobs", "2", "--checkpoint-s", "50"]
+        self.plan(file="killed.toml")
+        words = self.words("out", "--jobs", "2", "--checkpoint-s", "50")
         program = self.start(*words)
         self.wait_for_work(self.at_work)
         running = self.status()
@@ -336,7 +345,8 @@ class Killed(Sweeps):
         self.assertRegex(self.status(), r"3 done, 0 running, 0 failed, 0 interrupted, 1 missing\nleft: about .* of one core \(0.\d+ core-hours\)")
 
     def test_one_of_two_is_killed(self):
-        words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--jobs", "1", "--checkpoint-s", "50"]
+        self.plan(file="killed.toml")
+        words = self.words("out", "--jobs", "1", "--checkpoint-s", "50")
         lives, dies = self.start(*words), self.start(*words)
         self.wait_for_work()
         dies.kill()
@@ -346,9 +356,10 @@ class Killed(Sweeps):
         self.assert_same()
 
     def test_a_run_that_is_made_is_refused_and_one_that_was_killed_resumes(self):
-        words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--checkpoint-s", "50", "--run", "2"]
+        self.plan(file="killed.toml")
+        words = self.words("out", "--checkpoint-s", "50", "--run", "2")
         program = self.start(*words)
-        self.wait_for("out/cell-001/replicate-00.making/checkpoint.bin", program)
+        self.wait_for("out/cell-001/replicate-00/checkpoint.bin", program)
         refused = self.call(*words)
         self.assertEqual(refused.returncode, 1, refused.stdout)
         self.assertIn("cell-001/replicate-00: another program is making it\n", refused.stderr)
@@ -356,11 +367,12 @@ class Killed(Sweeps):
         program.wait()
         self.run_ok(*words)
         self.assertIn("continued", json.loads((self.folder / "out/cell-001/replicate-00/manifest.json").read_text()))
-        self.sweep("--checkpoint-s", "50", file="killed.toml")
+        self.make_runs("--checkpoint-s", "50")
         self.assert_same()
 
     def test_stopped_program_prints_how_to_continue(self):
-        words = [OPTIONS.program, "--sweep", "killed.toml", "--out", "out", "--jobs", "1"]
+        self.plan(file="killed.toml")
+        words = self.words("out", "--jobs", "1")
         program = subprocess.Popen(words, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
         self.wait_for_work(self.at_work)
         program.send_signal(signal.SIGTERM)
@@ -370,10 +382,9 @@ class Killed(Sweeps):
         self.run_ok(*words)
         self.assert_same()
 
-
 class Refusals(Sweeps):
     def refused(self, *arguments, file="sweep.toml", out="out"):
-        done = self.sweep(*arguments, file=file, out=out, run=self.call)
+        done = self.plan(*arguments, file=file, out=out, run=self.call)
         self.assert_refused(done)
         self.assertFalse((self.folder / out / "cell-000").exists())
         return done.stderr
@@ -398,37 +409,66 @@ class Refusals(Sweeps):
     def test_cell_that_diverges_prints_no_advice_to_resume(self):
         self.write("diverges.toml", 'engine = "mujoco"\nreplicates = 1\n[set]\necology.duration_s = 600.0\n'
                                     "physics.timestep_s = 0.02\necology.control_hz = 50\n[grid]\nrules.capture.reach_m = [1.0]\n")
-        done = self.sweep(file="diverges.toml", run=self.call)
+        self.plan(file="diverges.toml")
+        done = self.make_runs(run=self.call)
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
         self.assertIn("1 diverged, as they will again with the same parameters\n", done.stderr)
         self.assertNotIn("resume", done.stderr)
 
-    def test_status_of_another_folder(self):
-        (self.folder / "out").mkdir()
-        for arguments, says in (([], "--status: needs --out"), (["--out", "out", "--jobs", "2"], "--jobs: needs"), (["--out", "out"], "out: is not a sweep's folder: it has no plan.jsonl"), (["--out", "none"], "none: does not exist")):
-            done = self.call(OPTIONS.program, "--status", *arguments)
-            self.assert_refused(done, says)
-            self.assertEqual(done.stdout, "")
+    def test_file_that_is_not_a_plan(self):
+        for name, text, says in (("none", None, "none: cannot be read: No such file"), ("empty", "", "empty: must list a run"), ("grid", "[grid]\n", "grid:1: must be a JSON object")):
+            if text is not None:
+                self.write(name, text)
+            for arguments in ([], ["--status"], ["--describe"]):
+                done = self.call(OPTIONS.program, "--plan", name, *arguments)
+                self.assert_refused(done, says)
+                self.assertEqual(done.stdout, "")
+
+    def test_plan_that_the_program_would_make_otherwise_is_refused(self):
+        self.plan()
+        path = self.folder / "out/plan.jsonl"
+        first, *others = path.read_text().splitlines()
+        line = json.loads(first)
+        for changes, says in (({"fingerprint": "0" * 16}, 'fingerprint = "0000000000000000": must be "'), ({"until_s": 11.0}, "until_s = 11.0: must be 10.0"),
+                              ({"rule_table": "papre"}, "rule_table = papre: must be paper or released; did you mean paper?"),
+                              ({"settings": {"rules.capture.reach": 1.0}}, "rules.capture.reach: unknown key; did you mean"),
+                              ({"settings": {"seed": 3}}, "seed: is not a setting of a plan")):
+            path.write_text("\n".join([json.dumps({**line, **changes}), *others]) + "\n")
+            self.assert_refused(self.make_runs(run=self.call), "out/plan.jsonl:1: ", says)
+            self.assertEqual(list(self.folder.glob("out/*/replicate-*")), [])
+
+    def test_neutral_null_repeats_the_run_of_the_plan(self):
+        line = {"rule_table": "paper", "engine": "kinematic", "settings": {"ecology.duration_s": 100.0}, "seed": 5, "replay_hz": 0, "agents_every": 1,
+                "senses": False, "states": False}
+        lines = [{**line, "null": null, "folder": null} for null in ("neutral", "none", "clones")]
+        self.write("draft", "".join(json.dumps(line) + "\n" for line in lines))
+        facts = self.run_ok(OPTIONS.program, "--plan", "draft", "--describe").stdout.splitlines()
+        self.write("mine.jsonl", "".join(json.dumps({**line, **json.loads(fact)}) + "\n" for line, fact in zip(lines, facts)))
+        refused = self.call(OPTIONS.program, "--plan", "mine.jsonl", "--run", "0")
+        self.assertIn("needs none, which is not complete", refused.stderr)
+        self.run_ok(OPTIONS.program, "--plan", "mine.jsonl")
+
+        self.assertEqual(*(self.rows(run, "phylogeny.csv")[-1]["id"] for run in ("neutral", "none")))
 
     def test_options(self):
-        for arguments, says in {
-            ("--sbatch", "0"): "--sbatch 0: must be >= 1",
-            ("--run", "3", "99"): "--run 99: must be < ",
-            ("--run", "3", "--plan"): "--run: not with --plan, which goes with",
-            ("--jobs", "0"): "--jobs 0: must be >= 1",
-            ("--set", "rules.mutation.sd=0.1"): "--set: not with --sweep",
-            ("--replicates", "3"): "--replicates: not with --sweep",
-            ("--agents-every", "3"): "--agents-every: not with --sweep",
-            ("--senses",): "--senses: not with --sweep, which goes with --out, --jobs",
-            ("--live-port", "5000", "--live"): "--live: not with --sweep",
-            ("--from", "run", "--at", "5"): "--from: not with --sweep",
-            ("--seed", "3"): "--seed: not with --sweep",
-            ("--resume",): "--resume: not with --sweep",
-        }.items():
+        for arguments, says in {("--sbatch", "0"): "--sbatch 0: must be >= 1"}.items():
             self.assertIn(says, self.refused(*arguments), arguments)
-        self.assert_refused(self.call(OPTIONS.program, "--sweep", "sweep.toml"), "needs --out")
-        for arguments in (["--run", "1"], ["--plan"], ["--dry-run"]):
-            self.assert_refused(self.call(OPTIONS.program, "--backend", "kinematic", *arguments), ": needs --sweep\n")
+        self.assert_refused(self.call(OPTIONS.trophic, "plan", "sweep.toml"), "needs --out or --dry-run")
+        self.plan()
+        for arguments, says in {
+            ("--run", "3", "99"): "--run 99: must be < ",
+            ("--run", "3", "--status"): "--run: not with --status, which goes with",
+            ("--jobs", "0"): "--jobs 0: must be >= 1",
+            ("--set", "rules.mutation.sd=0.1"): "--set: not with --plan",
+            ("--replicates", "3"): "--replicates: not with --plan",
+            ("--senses",): "--senses: not with --plan, which goes with --jobs",
+            ("--live",): "--live: not with --plan",
+            ("--seed", "3"): "--seed: not with --plan",
+            ("--resume",): "--resume: not with --plan",
+        }.items():
+            self.assert_refused(self.make_runs(*arguments, run=self.call), says)
+        for arguments in (["--run", "1"], ["--describe"], ["--status"]):
+            self.assert_refused(self.call(OPTIONS.program, "--backend", "kinematic", *arguments), ": needs --plan\n")
 
     def test_plan_that_changed_half_way_is_refused(self):
         self.write("small.toml", "engine = \"kinematic\"\nreplicates = 1\n[set]\necology.duration_s = 10.0\n"
@@ -437,10 +477,10 @@ class Refusals(Sweeps):
         text = (self.folder / "small.toml").read_text()
         self.write("small.toml", text.replace("0.2", "0.3"))
         other = dict(file="small.toml", out="small", run=self.call)
-        self.assert_refused(self.sweep(**other), "small/plan.jsonl:2: the folder holds another plan")
+        self.assert_refused(self.plan(**other), "small/plan.jsonl:2: the folder holds another plan")
         for keeps in ("replay_hz = 5.0", "agents_every = 2", "senses = true"):
             self.write("small.toml", f"{keeps}\n{text}")
-            self.assert_refused(self.sweep(**other), "small/plan.jsonl:1: the folder holds another plan")
+            self.assert_refused(self.plan(**other), "small/plan.jsonl:1: the folder holds another plan")
 
     def test_sweep_gets_longer_and_more_to_the_same_bytes(self):
         text = "engine = \"kinematic\"\nshadow = true\nreplicates = {}\n[set]\necology.duration_s = {}\n[grid]\nrules.mutation.sd = [0.05, 0.2{}]\n"
@@ -459,7 +499,7 @@ class Refusals(Sweeps):
                                         ("40.0", "30.0", "until_s = 40.0 there, 30.0 here"), ("replicates = 2", "replicates = 1", "replicate = 1 there, 0 here"),
                                         ("[grid]\nrules.mutation.sd", '"rule_table" = "released"\n[grid]\nrules.mutation.half_width', 'rule_table = "paper" there, "released" here; ')):
             self.write("whole.toml", text.format(2, 40.0, ", 0.8").replace(before, after))
-            self.assert_refused(self.sweep(file="whole.toml", out="small", run=self.call), sentence)
+            self.assert_refused(self.plan(file="whole.toml", out="small", run=self.call), sentence)
 
     def test_set_gets_longer_to_the_same_bytes(self):
         words = [OPTIONS.program, "--backend", "kinematic", "--replicates", "2", "--shadow", "--neutral", "--duration"]
@@ -474,10 +514,10 @@ class Refusals(Sweeps):
 
     def test_folder_of_something_else_is_refused(self):
         (self.folder / "out").mkdir()
-        self.assertIn("is not a sweep's folder", self.refused())
+        self.assertIn("out: exists already and does not have plan.jsonl", self.refused())
 
     def test_dry_run_prints_what_would_be_run(self):
-        done = self.run_ok(OPTIONS.program, "--sweep", "sweep.toml", "--dry-run")
+        done = self.plan("--dry-run")
         self.assertIn("rules.capture.reach_m=0.5 rules.mutation.sd=0.05", done.stdout)
         self.assertRegex(done.stdout, r"\d+ runs in \d+ cells, about .* of one core \(.* core-hours\)")
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["killed.toml", "sweep.toml"])
@@ -485,18 +525,16 @@ class Refusals(Sweeps):
     def test_dry_run_that_is_stopped_prints_no_time(self):
         self.write("long.toml", "engine = \"kinematic\"\nreplicates = 1\n[set]\necology.duration_s = 1e8\n[grid]\nrules.mutation.sd = [0.05, 0.2]\n")
         environment = {**os.environ, "TMPDIR": str(self.folder)}
-        run = subprocess.Popen([OPTIONS.program, "--sweep", "long.toml", "--dry-run"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
-        self.wait_for("*-probe*/run/events.csv", run)
-        run.send_signal(signal.SIGINT)
+        run = subprocess.Popen([OPTIONS.trophic, "plan", "long.toml", "--program", OPTIONS.program, "--dry-run"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
+        self.wait_for("trophic-probe-*/run/events.csv", run)
+        run.send_signal(signal.SIGTERM)
         printed, errors = run.communicate(timeout=60)
         self.assertEqual(run.returncode, 3, errors)
         self.assertNotIn("core-hours", printed)
-        self.assertEqual(list(self.folder.glob("*-probe*")), [])
+        self.assertEqual(list(self.folder.glob("trophic-probe-*")), [])
 
     def test_the_example(self):
-        done = self.run_ok(OPTIONS.program, "--sweep", OPTIONS.sweeps / "inheritance.toml", "--dry-run")
-        self.assertIn("1200 runs in 60 cells", done.stdout)
-
+        self.assertIn("1200 runs planned", self.plan(file=OPTIONS.sweeps / "inheritance.toml").stdout)
 
 if __name__ == "__main__":
     unittest.main(argv=[sys.argv[0], *REST])
