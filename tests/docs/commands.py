@@ -14,7 +14,7 @@ import tempfile
 INSTALLED = ("trophic", "trophic-predator-prey", "trophic-ablations", "trophic-readings", "trophic-worlds")
 SYSTEM = {
     "apt-get", "bash", "cat", "cd", "clang-format", "cp", "docker", "export", "for", "do", "done", "git", "head", "less", "ls", "mkdir", "mv",
-    "parallel", "pip", "pre-commit", "rm", "run-clang-tidy", "sbatch", "simulate", "snakemake", "source", "squeue", "srun", "sudo", "tar", "doxygen",
+    "parallel", "pip", "pre-commit", "rm", "run-clang-tidy", "sbatch", "simulate", "snakemake", "source", "squeue", "srun", "sudo", "tar",
     "dpkg-buildpackage", "lintian", "pkg-config", "g++", "clang++", "mpirun", "xdg-open", "CXX=clang++",
 }  # fmt: skip
 PLACEHOLDER = re.compile(r"^[A-Z][A-Z_]*$")
