@@ -16,11 +16,6 @@ struct PooledRuns {
   std::vector<std::string> remarks;
 };
 
-/// The folders of the runs that a path stands for: the path itself, or the replicates that its replicates.json lists. A listed
-/// folder that is missing gets a remark. Throws std::invalid_argument for a path that is not a folder or a broken list.
-[[nodiscard]] std::vector<std::filesystem::path> run_folders(const std::filesystem::path& path,
-                                                             std::vector<std::string>& remarks);
-
 /// Why two runs are not pooled: a sentence that names both; empty if they may be. `any_build`: also runs that different builds of
 /// a program made.
 [[nodiscard]] std::string why_not_pooled(const RunManifest& manifest, const RunManifest& other, bool is_cut,

@@ -79,19 +79,6 @@ TEST_CASE("pooled runs: different changes of parameters -> refused, the same, or
   }
 }
 
-TEST_CASE("pooled runs: folder of replicates -> the runs of its list, with a remark on missing ones") {
-  const TemporaryFolder folder;
-  static_cast<void>(folder.file("replicates.json", R"({"replicates": [{"folder": "replicate-00"}, {"folder": "replicate-01"},
-    {"folder": "replicate-02"}]})"));
-  write_run(folder.path() / "replicate-00", manifest("aa", 1));
-  write_run(folder.path() / "replicate-02", manifest("aa", 2));
-  write_run(folder.path() / "replicate-02.incomplete-1", manifest("bb", 2));
-  const auto set = pooled_runs(Paths{folder.path()}, false);
-  CHECK(set.manifests.size() == 2);
-  REQUIRE(set.remarks.size() == 1);
-  CHECK(set.remarks[0] == (folder.path() / "replicate-01").string() + ": missing, the replicate was not run");
-}
-
 TEST_CASE("pooled runs: other rules, or one run twice -> refused") {
   const TemporaryFolder folder;
   const auto a = write_run(folder.path() / "a", manifest("aa", 1));

@@ -7,9 +7,7 @@ import pathlib
 import shutil
 import subprocess
 
-
-class ProgramError(RuntimeError):
-    """A program that is not there or that failed; the message is the program's own sentence."""
+from .errors import ProgramError
 
 
 def find_program(name: str) -> str:
@@ -23,14 +21,15 @@ def find_program(name: str) -> str:
     raise ProgramError(f"{name}: is not on the PATH; install trophic, or set TROPHIC_BIN to the folder of its programs")
 
 
-def call(program: str, arguments: list, what: str) -> None:
-    """Calls a program. Raises ProgramError with its sentence, or with `what` and the exit code, if it fails."""
+def call(program: str, arguments: list, what: str) -> str:
+    """Calls a program and returns what it remarks on standard error. Raises ProgramError with its sentence, or with `what` and the exit code, if it fails."""
     try:
         done = subprocess.run([program, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     except OSError as error:
         raise ProgramError(f"{program}: {error.strerror}") from None
     if done.returncode != 0:
         raise ProgramError(done.stderr.strip() or f"{what}: exit code {done.returncode}")
+    return done.stderr
 
 
 class Page:
