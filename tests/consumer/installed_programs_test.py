@@ -14,11 +14,12 @@ import unittest
 BIN = pathlib.Path(sys.argv.pop(1))
 SOURCES = pathlib.Path(__file__).resolve().parents[2]
 PROGRAMS = ["trophic", "trophic-ablations", "trophic-predator-prey", "trophic-worlds"]
+VERBS = [f"trophic-{verb}" for verb in ("ablation-table", "analyze", "cite", "contest", "cross-check", "help", "plan", "plot")]
 
 
 class InstalledPrograms(unittest.TestCase):
     def test_names(self):
-        self.assertEqual(sorted(path.name for path in BIN.iterdir()), PROGRAMS)
+        self.assertEqual(sorted(path.name for path in BIN.iterdir()), sorted(PROGRAMS + VERBS))
         for program in PROGRAMS:
             shown = subprocess.run([BIN / program, "--version"], capture_output=True, text=True)
             self.assertEqual((shown.returncode, shown.stderr), (0, ""))
@@ -47,7 +48,7 @@ class InstalledPrograms(unittest.TestCase):
             prefix = pathlib.Path(folder) / "elsewhere"
             shutil.copytree(BIN.parent, prefix)
             self.assertTrue((prefix / "share/trophic/python/trophic/report/page.html.j2").exists())
-            (prefix / "share/trophic/python/trophic/command.py").write_text("print('installed')\n")
+            (prefix / "share/trophic/python/trophic/__main__.py").write_text("print('installed')\n")
             done = subprocess.run([prefix / "bin/trophic", "cite", folder], capture_output=True, text=True)
             self.assertEqual((done.returncode, done.stdout), (0, "installed\n"), done.stderr)
 

@@ -14,8 +14,8 @@ import tempfile
 INSTALLED = ("trophic", "trophic-predator-prey", "trophic-ablations", "trophic-worlds")
 STUDIES = ("trophic-arms-race", "trophic-bodies", "trophic-readings")  # of studies/CMakeLists.txt
 SYSTEM = {
-    "apt-get", "bash", "black", "cat", "cd", "clang-format", "cp", "docker", "export", "for", "do", "done", "git", "head", "less", "ls", "mkdir", "mv",
-    "parallel", "pip", "pre-commit", "rm", "run-clang-tidy", "sbatch", "simulate", "snakemake", "source", "squeue", "srun", "sudo", "tar", "doxygen",
+    "apt-get", "bash", "black", "cat", "cd", "clang-format", "cp", "diff", "docker", "export", "for", "do", "done", "git", "head", "less", "ls", "mkdir", "mv", "pandoc",
+    "parallel", "pip", "pre-commit", "rm", "run-clang-tidy", "sbatch", "simulate", "snakemake", "source", "squeue", "srun", "sudo", "tar",
     "dpkg-buildpackage", "lintian", "pkg-config", "g++", "clang++", "mpirun", "xdg-open", "CXX=clang++",
 }  # fmt: skip
 PLACEHOLDER = re.compile(r"^[A-Z][A-Z_]*$")
@@ -203,8 +203,8 @@ def check_ours(tree, programs: Programs, name: str, words: list[str]) -> list[st
         if offences or not command:
             return offences
     else:
-        command = [word for word in arguments[:1] if word == "analyze"]
-        offences = check_flags(programs.help(executable, *command) + " --help", arguments, name)
+        command = []
+        offences = check_flags(programs.help(executable) + " --help", arguments, name)
         if offences:
             return offences
     if any(PLACEHOLDER.match(word.split("=")[-1]) or "$" in word for word in arguments) or (name == "trophic" and "--resume" in arguments) or "--plan" in arguments:

@@ -15,7 +15,7 @@ from documents import all_documents
 
 ROOT = pathlib.Path(sys.argv[1]).resolve()
 SHORT = {"build-deb": "", "fuzz": "1 manifest", "hostile": "build/ci", "kill-and-resume": "1 build/ci", "quickstart": "", "run-tests": "", "setup": "g++",
-         "soak": "120 6000", "compile-time": "--help", "build-site": "--help", "mutation-check": "--list", "check-systems": "trixie"}  # fmt: skip
+         "soak": "120 6000", "compile-time": "--help", "mutation-check": "--list", "check-systems": "trixie"}  # fmt: skip
 ELSEWHERE = {"architecture-picture", "release", "size"}  # tests of their own
 PROGRAMS = {f"ci/{name}": "echo mujoco" for name in ("examples/trophic-predator-prey", "tests/soak/soak", "tests/fuzz/fuzz_extremes", "tests/hostile/contraction")} | {
     "fuzz/fuzz": "echo stat::peak_rss_mb >&2", "release/examples/trophic-predator-prey": "", "bin/dpkg-query": "echo installed", "bin/dpkg-parsechangelog": "echo 1.0-1",

@@ -199,8 +199,13 @@ void read_two_tables(std::string_view bytes, const char* first, const char* seco
 }
 
 inline void read_lineages(std::string_view bytes) {
-  read_two_tables(bytes, "phylogeny.csv", "genomes.csv",
-                  [](const analysis::RunManifest& run) { static_cast<void>(analysis::read_lineages(run)); });
+  read_two_tables(bytes, "phylogeny.csv", "genomes.csv", [](const analysis::RunManifest& run) {
+    analysis::for_each_row<io::TaxonRow>(run, "phylogeny.csv", [&](const io::TaxonRow& row) {
+      analysis::check_taxon(row, run);
+      static_cast<void>(analysis::parents_in(row.ancestor_list));
+    });
+    analysis::for_each_row<io::GenomeRow>(run, "genomes.csv", [](const io::GenomeRow&) {});
+  });
 }
 inline void read_changes(std::string_view bytes) {
   static_cast<void>(changes::read_changes(FileInMemory{bytes}.path()));

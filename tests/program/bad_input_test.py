@@ -70,7 +70,7 @@ class BadInput(InFolder):
                 self.assertIn(must, said)
 
     def test_empty_texts(self):
-        texts = ["--config", "--from", "--plan", "--save-mjcf", "--robot", "--rules", "--backend", "--set", "--print-table"]
+        texts = ["--config", "--from", "--plan", "--save-mjcf", "--robot", "--rules", "--backend", "--set"]
         for option in texts:
             with self.subTest(option=option):
                 self.assertIn(f"{option}: must not be empty", self.run_refused(option, ""))

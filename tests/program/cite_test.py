@@ -46,12 +46,6 @@ class Cite(InFolder):
         self.assertEqual(manifest["identity"], manifest["fingerprint"])
         self.assertIn(f"note = {{Software, version {manifest['trophic']}, revision {manifest['source_revision']}}}", entries)
 
-    def test_replicates_are_counted_and_have_a_master_seed(self):
-        self.make("--replicates", 3, "--shadow", "--out", "set")
-        sentence, _ = self.cited("set")
-        self.assertTrue(sentence.startswith("3 runs of 20 s on kinematic 1 in trophic"), sentence)
-        self.assertTrue(sentence.endswith("master seed 1), with the rule table `paper` and its parameters."), sentence)
-
     def test_changes_during_the_run_and_its_branch_are_said(self):
         (self.folder / "changes.csv").write_text("time_s,number,value\n8,rules.capture.reach_m,0.5\n12,rules.mutation.sd,0.05\n")
         self.make("--replicates", 2, "--changes", "changes.csv", "--out", "changed")
@@ -69,12 +63,6 @@ class Cite(InFolder):
             self.assertTrue(sentence.endswith(f"with the rule table `paper` and its parameters{words}"), sentence)
         one = self.call(figures_python.PYTHON, "-c", OF_AN_OLDER_PROGRAM, self.folder / "changed/replicate-00", self.folder / "branch", cwd=ROOT / "tools/python")
         self.assertEqual((one.stderr, one.stdout.split()), ("", [changed["identity"], branch["identity"]]))
-
-    def test_a_sweep_is_refused(self):
-        (self.folder / "sweep").mkdir()
-        (self.folder / "sweep/plan.jsonl").write_text("{}\n")
-        refused = self.call(TROPHIC, "cite", "sweep")
-        self.assertEqual((refused.returncode, refused.stderr), (2, "trophic cite: sweep: is a sweep; name one of its cells\n"))
 
     def test_readme_citation_file_and_program_make_the_same_request(self):
         self.make("--out", "run")

@@ -100,12 +100,13 @@ class Contest(InFolder):
         self.runs("shared", "--rules", "released", "--senses")
         refused("shared", says="rule heredity = shared_copy: must give each individual a genome of its own")
         self.runs("mine", "--senses", program=OWN_TABLE)
-        refused("mine", says="rule table ageing: must be paper or released, those of this program; analyze them with the program that made them")
+        refused("mine", says="rule table ageing: must be paper or released, those of this program; --program names the one that made the runs")
+        self.run_ok(TROPHIC, *lineages, "mine", "--program", OWN_TABLE, "--out", "ageing")
         first = self.folder / "study/replicate-00"
         (first / "senses.csv").unlink()
-        refused("study", says="senses.csv: cannot be read")
+        refused("study", says="senses.csv: is missing")
         (first / "genomes.csv").unlink()
-        refused("study", says="genomes.csv: cannot be read")
+        refused("study", says="genomes.csv: is missing")
         self.runs("blind")
         refused("blind", says="senses.csv: is missing: lineage measures need it of the first run; run with --senses")
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""own_metric_test.py PROGRAM: a Python function of a run has what shipped metrics have in sets, comparisons, sweeps and pages; one that fails
+"""own_metric_test.py PROGRAM TROPHIC: a Python function of a run has what shipped metrics have in sets, comparisons, sweeps and pages; one that fails
 names the run and leaves nothing."""
 
 import sys
@@ -8,7 +8,7 @@ import unittest
 
 from in_folder import InFolderWithSets, planned, run_ok
 
-PROGRAM = sys.argv.pop(1)
+PROGRAM, TROPHIC = (sys.argv.pop(1) for _ in range(2))
 METRICS = """import numpy, trophic
 
 @trophic.metric(unit="m")
@@ -37,7 +37,7 @@ class OwnMetric(InFolderWithSets):
             run_ok(PROGRAM, *arguments, cwd=cls.sets)
 
     def analyze(self, *arguments):
-        return self.run_ok(PROGRAM, "analyze", *arguments, "--metric-file", "metrics.py", cwd=self.sets)
+        return self.run_ok(TROPHIC, "analyze", *arguments, "--metric-file", "metrics.py", cwd=self.sets)
 
     def rows(self, file):
         return super().rows(self.sets / file)
@@ -66,7 +66,7 @@ class OwnMetric(InFolderWithSets):
 
     def test_one_that_fails_names_the_run_and_leaves_nothing(self):
         for of, where in (("runs", "runs"), ("sweep", "sweep/cell-000")):
-            refused = self.call(PROGRAM, "analyze", of, "--out", "nothing", "--metric-file", "fails.py", cwd=self.sets)
+            refused = self.call(TROPHIC, "analyze", of, "--out", "nothing", "--metric-file", "fails.py", cwd=self.sets)
             self.assertEqual(refused.stdout, "")
             self.assert_refused(refused, f" analyze: metric odd: {where}/replicate-01: ValueError: no robot is there\n")
             self.assertFalse((self.sets / "nothing").exists())

@@ -35,16 +35,11 @@ class OwnTable(InFolder):
 
     def test_its_rules_are_printed_as_a_table_with_the_numbers_that_are_set(self):
         options = ["--backend", "kinematic", "--set", "rules.senescence.max_age_s=1234"]
-        rows = [line for line in self.call_ok(*options, "--print-table", "markdown").splitlines() if "| senescence |" in line]
+        rows = [line for line in self.call_ok(*options, "--print-table").splitlines() if "| senescence |" in line]
         self.assertEqual(len(rows), 1)
         self.assertIn("old\\_age | max\\_age\\_s = 1234", rows[0])
-        changed = self.call_ok(*options, "--print-table", "markdown", "--set", "ecology.robots=17")
+        changed = self.call_ok(*options, "--print-table", "--set", "ecology.robots=17")
         self.assertIn("robots = 17", next(line for line in changed.splitlines() if line.startswith("| ecology |")))
-        latex = self.call_ok(*options, "--print-table", "latex")
-        self.assertIn("\\begin{tabularx}", latex)
-        self.assertIn("max\\_age\\_s = 1234", latex.replace("\\allowbreak{}", ""))
-        refused = self.call(*options, "--print-table", "word")
-        self.assertEqual((refused.returncode, refused.stderr), (2, f"{pathlib.Path(PROGRAM).name}: --print-table word: must be markdown or latex\n"))
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_robots_of_a_run_die_of_old_age(self):

@@ -10,7 +10,7 @@ import sys
 import unittest
 
 import figures_python
-from in_folder import InFolderWithSets, call, run_ok
+from in_folder import InFolderWithSets, run_ok
 
 PREDATOR_PREY, TROPHIC = (sys.argv.pop(1) for _ in range(2))
 if shutil.which("pdflatex") is None:
@@ -48,27 +48,6 @@ class PaperTables(InFolderWithSets):
         (self.folder / "paper.tex").write_text(DOCUMENT % (options, preamble, environment, table, environment))
         done = self.run_ok("pdflatex", "-interaction=nonstopmode", "paper.tex")
         self.assertEqual(re.findall(r"^(?:Overfull|LaTeX Warning: Float too large).*", done.stdout, re.M), [], f"{table} in {environment}")
-
-    def test_rule_tables_fit_a_column_and_a_page(self):
-        for rules in ("paper", "released"):
-            for name, more in (("whole", []), ("unlike", ["--unlike", "released" if rules == "paper" else "paper"])):
-                text = self.call(PREDATOR_PREY, "--rules", rules, "--print-table", "latex", *more)
-                (self.folder / f"{name}.tex").write_text(text)
-                self.compiled("", "table", name, r"\usepackage[margin=1in]{geometry}")
-                self.compiled("twocolumn", "table*", name)
-        few = self.call(PREDATOR_PREY, "--print-table", "latex", "--unlike", "paper", "--set", "rules.mutation.sd=0.1", "--set", "rules.capture.reach_m=2",
-                        "--set", "ecology.robots=40")
-        (self.folder / "few.tex").write_text(few)
-        self.compiled("twocolumn", "table", "few")
-
-    def test_unlike_prints_only_what_differs(self):
-        whole = self.call(PREDATOR_PREY, "--rules", "paper", "--print-table", "markdown")
-        unlike = self.call(PREDATOR_PREY, "--rules", "paper", "--print-table", "markdown", "--unlike", "released")
-        self.assertLess(len(unlike.splitlines()), len(whole.splitlines()))
-        same = self.call(PREDATOR_PREY, "--rules", "paper", "--print-table", "markdown", "--unlike", "paper", "--set", "rules.mutation.sd=0.123")
-        self.assertEqual(same.splitlines()[2:], ["| reproduction | mutation | " + same.splitlines()[2].split(" | ")[2] + " | sd = 0.123 | "
-                                                 + same.splitlines()[2].split(" | ")[4]])
-        self.assert_refused(call(PREDATOR_PREY, "--print-table", "latex", "--unlike", "releasd"), "did you mean released?")
 
     def test_results_fit_a_page(self):
         for table in ("means", "differences"):

@@ -271,7 +271,7 @@ class Refusals(PredatorPrey):
         self.assert_refused(self.call("--bogus"), "--bogus: unknown option")
         self.assert_refused(self.call("--replicate", 2), "--replicate: unknown option; did you mean --replicates?")
         self.assert_refused(self.call("--replicate=2"), "--replicate: unknown option; did you mean --replicates?")
-        self.assert_refused(self.call("nonsense"), "nonsense: must be analyze")
+        self.assert_refused(self.call("nonsense"), "nonsense: unexpected argument")
 
     def test_configuration_of_another_backend_or_table(self):
         for name, options in (("other", ["--backend", "ode"] if HAS_ODE else ["--backend", "mujoco"]), ("kinematic", ["--backend", "kinematic"])):

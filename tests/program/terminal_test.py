@@ -74,21 +74,19 @@ class Help(InFolder):
         self.assertEqual(self.text(TROPHIC, "help", "plot"), self.text(TROPHIC, "plot", "--help"))
         self.assertEqual(self.text(TROPHIC, "help"), self.text(TROPHIC, "--help"))
         self.assert_refused(self.call(TROPHIC, "help", "slot"), "did you mean slots?")
-
-    def test_every_slot_is_asked_about_with_its_policies(self):
-        text = self.text(TROPHIC, "help", "slots")
-        include = pathlib.Path(__file__).resolve().parents[2] / "include/trophic"
-        slots = re.findall(r"^(\w+) \((\w+)\)\n  (.*\?)\n  policies: (.*)\n  swap: with_\1<", text, re.M)
-        self.assertEqual(len(slots), text.count("\n  policies: "))
-        for slot, kind, question, policies in slots:
-            folder = include / kind / slot
-            self.assertTrue((folder / "contract.hpp").exists(), folder)
-            of_parts = dict(part.split(": ") for part in f"{slot}: {policies.removeprefix('list of: ')}".split("; "))
-            no_policies = {"contract", "list"} if policies.startswith("list of: ") else {"contract"}
-            there = {path.parent.name: {other.stem for other in path.parent.glob("*.hpp")} - no_policies for path in folder.rglob("contract.hpp")}
-            self.assertEqual({part: set(names.split()) for part, names in of_parts.items()}, there)
-        self.assertIn("Who becomes a parent?", self.text(TROPHIC, "help", "slots", "parent"))
         self.assertIn("velocity_stored", self.text(TROPHIC, "help", "metrics"))
+
+    def test_a_program_on_the_path_is_found_and_no_file_of_the_user_shadows_a_module(self):
+        (self.folder / "trophic-hello").write_text("#!/bin/sh\necho hello $1\n")
+        (self.folder / "trophic-hello").chmod(0o755)
+        found = {"env": os.environ | {"PATH": f"{self.folder}:{os.environ['PATH']}"}}
+        self.assertEqual(self.run_ok(TROPHIC, "hello", "you", **found).stdout, "hello you\n")
+        self.assertIn("hello", self.run_ok(TROPHIC, "--help", **found).stdout)
+        self.assert_refused(self.call(TROPHIC, "hello"), "hello: must be")
+        for module in ("json", "pandas", "trophic"):
+            (self.folder / f"{module}.py").write_text("raise SystemExit('shadowed')\n")
+        self.assertIn("usage: trophic analyze", self.run_ok(TROPHIC, "analyze", "--help").stdout)
+        self.assert_refused(self.call(TROPHIC, "cite", "nowhere"), "nowhere: does not exist")
 
 
 class Tool(InFolder):
@@ -105,13 +103,14 @@ class Tool(InFolder):
 
     def test_refusals(self):
         for arguments, sentence in (
-            ([], "trophic: needs a command: plan, analyze, contest, plot, cite, show, film, export, ablation-table, cross-check, evolve-gait, measure-gait, convert or help\n"),
-            (["analyse"], "trophic: analyse: must be plan, analyze, contest, plot, cite, show, film, export, ablation-table, cross-check, evolve-gait, measure-gait, convert or help; did you mean analyze?\n"),
-            (["analyze", "--publish"], "trophic analyze: --publish: unknown option; did you mean --published? (--help lists all)\n"),
+            ([], r"trophic: needs a command: contest, show, .*analyze, .*\n"),
+            (["analyse"], r"trophic: analyse: must be contest, .*analyze, .*; did you mean analyze\?\n"),
+            (["analyze", "--publish"], r"trophic analyze: --publish: unknown option; did you mean --published\? \(--help lists all\)\n"),
             (["ablation-table"], "trophic ablation-table: runs is required\n"),
         ):
             result = self.call(*arguments)
-            self.assertEqual((result.returncode, result.stderr), (2, sentence))
+            self.assertEqual(result.returncode, 2)
+            self.assertRegex(result.stderr, f"^{sentence}$")
 
 
 if __name__ == "__main__":

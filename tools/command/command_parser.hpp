@@ -70,6 +70,14 @@ inline void add_program(CLI::App& app, const Command& command, const std::functi
     app.set_version_flag("--version", command.version, "print what this program is made of and stop")->group("Help");
 }
 
+/// The names of all commands.
+[[nodiscard]] inline std::vector<std::string> command_names(const Command& command) {
+  std::vector<std::string> names;
+  for (const Command& subcommand : command.subcommands) names.push_back(subcommand.name);
+  names.insert(names.end(), command.elsewhere.begin(), command.elsewhere.end());
+  return names;
+}
+
 /// Returns the sentence about arguments that no option takes.
 [[nodiscard]] inline std::string about_extras(const std::vector<std::string>& extras, const Command& command) {
   const auto option = std::ranges::find_if(extras, [](const std::string& extra) { return extra.starts_with('-'); });
@@ -83,7 +91,7 @@ inline void add_program(CLI::App& app, const Command& command, const std::functi
     return word + ": unknown option" + did_you_mean(nearest_word(word, names)) + " (--help lists all)";
   }
   const std::string& word = extras.front();
-  for (const Command& subcommand : command.subcommands) names.push_back(subcommand.name);
+  names = command_names(command);
   if (names.empty()) return word + ": unexpected argument (--help lists all)";
   return must_be_one_of(word, names) + did_you_mean(nearest_word(word, names));
 }
@@ -127,9 +135,7 @@ inline void check_arguments(const CLI::App& app, const Command& command, const C
   }
   check_combinations(&chosen == &command ? app : *app.get_subcommand(chosen.name), chosen);
   if (chosen.work) return;
-  std::vector<std::string> names;
-  for (const Command& subcommand : command.subcommands) names.push_back(subcommand.name);
-  throw std::invalid_argument{"needs a command: " + one_of(names)};
+  throw std::invalid_argument{"needs a command: " + one_of(command_names(command))};
 }
 
 }  // namespace trophic::command::detail

@@ -16,10 +16,12 @@ namespace trophic::command::detail {
   return formatter;
 }
 
-/// The end of --help: exit codes, then examples.
+/// The end of --help: commands elsewhere, exit codes, then examples.
 [[nodiscard]] inline std::string footer_of(const Command& command) {
-  std::string text =
-      "Exit codes: 0 done; 1 a run or a computation failed; 2 wrong arguments, nothing was started; 3 stopped by a signal";
+  std::string text;
+  for (const std::string& name : command.elsewhere) text += (text.empty() ? "Programs of their own, with --help: " : ", ") + name;
+  text += text.empty() ? "" : "\n\n";
+  text += "Exit codes: 0 done; 1 a run or a computation failed; 2 wrong arguments, nothing was started; 3 stopped by a signal";
   for (const std::string& example : command.examples) {
     text += (&example == command.examples.data() ? "\n\nExamples:\n  " : "\n  ") + example;
   }

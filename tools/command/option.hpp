@@ -45,8 +45,9 @@ struct Command {
   std::vector<Option> options = {};
   std::function<int()> work = {};  ///< returns the exit code; empty if a subcommand must be named
   std::vector<Command> subcommands = {};
-  std::string version = {};                ///< what --version prints
-  std::vector<std::string> examples = {};  ///< command lines, the last lines of --help
+  std::string version = {};                 ///< what --version prints
+  std::vector<std::string> examples = {};   ///< command lines, the last lines of --help
+  std::vector<std::string> elsewhere = {};  ///< names of further commands, which are programs of their own
 };
 
 /// Exit codes: errors in the arguments, and errors at run time.

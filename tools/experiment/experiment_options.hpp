@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <tools/command/read_parameters.hpp>
-#include <tools/experiment/printed_rules.hpp>
 #include <tools/replicates/rewind.hpp>
 #include <trophic/io/run_folder.hpp>
 #include <trophic/run/checkpoint/schedule.hpp>
@@ -44,15 +43,14 @@ struct ExperimentOptions {
   bool senses = false;
   bool states = false;
   bool print_config = false;
-  std::string plan;                       ///< file with a list of runs
-  std::vector<std::uint64_t> run;         ///< numbers of its runs; empty: all of them
-  bool status = false;                    ///< of its runs
-  bool describe = false;                  ///< its runs, which are drafts
-  std::string print_table;                ///< markdown or latex; empty: no table is printed
-  std::optional<std::string> unlike;      ///< rule table from which the printed one is to differ
-  std::vector<PrintedRule> unlike_rules;  ///< of that table
-  std::string play;                       ///< file of contests
-  std::string program;                    ///< as it was called
+  std::string plan;                ///< file with a list of runs
+  std::vector<std::uint64_t> run;  ///< numbers of its runs; empty: all of them
+  bool status = false;             ///< of its runs
+  bool describe = false;           ///< its runs, which are drafts
+  bool print_table = false;
+  std::string play;        ///< file of contests
+  std::string signatures;  ///< file of genomes
+  std::string program;     ///< as it was called
   io::Provenance provenance;
   io::OwnTables own_tables;  ///< the program's own tables, written by each run
 };
@@ -73,7 +71,7 @@ struct OriginRun {
   io::OutputOptions output;  ///< how much of it is written
   toml::table params;
   observe::RunDescription description;  ///< as this program makes it from these parameters
-  /// Makes its state at the moment in a folder, as `replay`.
+  /// Makes its state at the moment in a folder, as `replay_origin`.
   std::function<bool(const std::filesystem::path& folder)> make;
 };
 

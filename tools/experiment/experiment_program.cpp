@@ -13,7 +13,7 @@
 #include <tools/experiment/run_experiment.hpp>
 #include <tools/experiment/run_live.hpp>
 #include <tools/experiment/run_plan.hpp>
-#include <tools/trophic/analyze.hpp>
+#include <tools/experiment/signatures.hpp>
 #include <trophic/experiment.hpp>
 #include <trophic/io/next_free_folder.hpp>
 #include <utility>
@@ -143,22 +143,22 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
         .target = &options.play,
         .help = "play the contests in this file, with --jobs at a time, and write their outcomes next to it; trophic contest "
                 "--program writes the file and calls this",
-        .only_with = {"--jobs"}}});
-  const std::vector<std::string> of_the_experiment{"--rules",  "--backend",  "--config", "--set",     "--robot",
-                                                   "--robots", "--duration", "--seed",   "--threads", "--unlike"};
+        .only_with = {"--jobs"}},
+       {.name = "--signatures",
+        .target = &options.signatures,
+        .help = "print which genomes in this file decide alike; trophic analyze --lineages --program writes the file and calls "
+                "this",
+        .only_with = {"--signatures"}}});
+  const std::vector<std::string> of_the_experiment{"--rules",  "--backend",  "--config", "--set",    "--robot",
+                                                   "--robots", "--duration", "--seed",   "--threads"};
   add("Print", {{.name = "--print-config",
                  .target = &options.print_config,
                  .help = "print every parameter as TOML and stop",
                  .only_with = of_the_experiment},
                 {.name = "--print-table",
                  .target = &options.print_table,
-                 .help = "print the rules with their parameters and sources, as markdown or latex, and stop",
-                 .words = {"markdown", "latex"},
-                 .only_with = of_the_experiment},
-                {.name = "--unlike",
-                 .target = &options.unlike,
-                 .help = "with --print-table: only rules and parameters that differ from this rule table",
-                 .needs = {"--print-table"}}});
+                 .help = "print the rules with their parameters and sources as a Markdown table, and stop",
+                 .only_with = of_the_experiment}});
   return all;
 }
 
@@ -209,18 +209,13 @@ int run_chosen(ExperimentOptions& options, const Offer& offer) {
   if (!options.from.empty()) origin = read_origin(options);
   const std::string table =
       options.rules.value_or(config.rule_table.value_or(origin ? origin->rule_table : offer.rule_tables.front().first));
-  const bool needs_engine = options.print_table.empty();  // a printed table is the same for all
+  const bool needs_engine = !options.print_table;  // a printed table is the same for all
   const std::string usual =
       needs_engine || find_backend(offer, offer.default_backend) != nullptr ? offer.default_backend : "kinematic";
   const std::string backend = options.backend.value_or(config.engine.value_or(origin ? origin->engine : usual));
   std::unique_ptr<AnyExperiment> chosen = chosen_experiment(offer, table, backend);
   check(options);
   check_made_for(config, table, backend);
-  if (options.unlike) {
-    check_rule_table("--unlike", *options.unlike, offer);
-    const auto other = find_experiment(offer, *options.unlike, backend);
-    options.unlike_rules = printed_rules(other->slot_rules(), named_params_of(other->params()));
-  }
   if (options.resume && !std::filesystem::exists(options.out)) {
     std::cout << "--resume: " << options.out << " is not there: a new run of " << table << " on " << backend << " starts"
               << std::endl;
@@ -239,9 +234,9 @@ int run_chosen(ExperimentOptions& options, const Offer& offer) {
     check_unchanged(*origin);
     config.origin = origin->params;
     if (table != origin->rule_table) config.origin.erase("rules");
-    origin->make = [&](const std::filesystem::path& folder) { return replay(*its, *origin, options, folder); };
+    origin->make = [&](const std::filesystem::path& folder) { return replay_origin(*its, *origin, options, folder); };
   }
-  const bool is_printed = options.print_config || !options.print_table.empty();
+  const bool is_printed = options.print_config || options.print_table;
   if (options.live && !is_printed) return run_live(std::move(chosen), options, config, offer);
   return run_experiment(*chosen, options, config, origin);
 }
@@ -254,6 +249,7 @@ int run_options(ExperimentOptions& options, const Offer& offer) {
     }
   }
   if (!options.play.empty()) return play_contests(options.play, options.jobs.value_or(1), offer);
+  if (!options.signatures.empty()) return print_signatures(options.signatures, offer);
   if (options.plan.empty()) return run_chosen(options, offer);
   check(options);
   return run_plan(options, offer);
@@ -274,7 +270,6 @@ int experiment_program(int argc, const char* const* argv, const std::function<Of
                                  ", and writes its events, agents, phylogeny and genomes with a manifest into a new folder.",
                         .options = detail::options_of(options, offer),
                         .work = [&] { return detail::run_options(options, offer); },
-                        .subcommands = {analyze(options.program, offer)},
                         .version = version_text(backend_versions(offer.backends)),
                         .examples = {options.program + " --backend kinematic --duration 600",
                                      options.program + " --replicates 10 --shadow --out runs/study",

@@ -3,7 +3,6 @@
 #include <tools/experiment/printed_rules.hpp>
 
 #include <algorithm>
-#include <tools/experiment/escaped.hpp>
 
 namespace trophic::command {
 
@@ -27,6 +26,16 @@ PrintedParams params_in(const NamedParams& params, const std::string& root) {
   return printed;
 }
 
+/// A text as Markdown shows it letter by letter.
+std::string markdown_text(std::string_view text) {
+  std::string escaped;
+  for (const char letter : text) {
+    if (std::string_view{"\\`*_<>[]|~"}.find(letter) != std::string_view::npos) escaped += '\\';
+    escaped += letter;
+  }
+  return escaped;
+}
+
 }  // namespace
 
 std::vector<PrintedRule> printed_rules(std::span<const rules::SlotRule> rules, const NamedParams& params) {
@@ -46,27 +55,6 @@ std::string params_text(const PrintedParams& params) {
   return text;
 }
 
-std::vector<PrintedRule> unlike(std::span<const PrintedRule> rules, std::span<const PrintedRule> other) {
-  std::vector<PrintedRule> lines;
-  const auto same_slot = [](const PrintedRule& rule) {
-    return [&rule](const PrintedRule& each) { return each.kind == rule.kind && each.slot == rule.slot; };
-  };
-  for (const PrintedRule& rule : rules) {
-    const auto found = std::ranges::find_if(other, same_slot(rule));
-    if (found == other.end() || found->policy != rule.policy) {
-      lines.push_back(rule);
-      continue;
-    }
-    PrintedRule line = rule;
-    std::erase_if(line.params, [&](const auto& param) { return std::ranges::find(found->params, param) != found->params.end(); });
-    if (!line.params.empty()) lines.push_back(std::move(line));
-  }
-  for (const PrintedRule& rule : other) {
-    if (std::ranges::none_of(rules, same_slot(rule))) lines.push_back({rule.kind, rule.slot, "none", {}, ""});
-  }
-  return lines;
-}
-
 std::string markdown_table(std::span<const PrintedRule> rules) {
   std::string text = "| kind | slot | policy | parameters | source |\n|---|---|---|---|---|\n";
   for (const PrintedRule& rule : rules) {
@@ -77,22 +65,6 @@ std::string markdown_table(std::span<const PrintedRule> rules) {
     text += line + "\n";
   }
   return text;
-}
-
-std::string latex_table(std::span<const PrintedRule> rules) {
-  std::string text =
-      "% \\usepackage{booktabs,tabularx}; \\input{} this file in a table, or in a table* of two columns.\n"
-      "{\\scriptsize\\setlength{\\tabcolsep}{3pt}\\newcolumntype{L}[1]{>{\\hsize=#1\\hsize\\raggedright\\arraybackslash\\hspace{"
-      "0pt}}X}%\n"
-      "\\begin{tabularx}{\\linewidth}{@{}L{0.75}L{0.95}L{1.2}L{1.1}@{}}\n\\toprule\nslot & policy & parameters & source \\\\\n";
-  std::string kind;
-  for (const PrintedRule& rule : rules) {
-    if (rule.kind != kind) text += "\\midrule\n\\multicolumn{4}{@{}l}{\\itshape " + latex_text(rule.kind) + "} \\\\\n";
-    kind = rule.kind;
-    text += latex_text(rule.slot) + " & " + latex_text(rule.policy) + " & " + latex_text(params_text(rule.params)) + " & " +
-            latex_text(rule.source) + " \\\\\n";
-  }
-  return text + "\\bottomrule\n\\end{tabularx}}\n";
 }
 
 }  // namespace trophic::command

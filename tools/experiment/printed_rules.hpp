@@ -25,13 +25,6 @@ struct PrintedRule {
 /// "cool_down_s = 50, ...".
 [[nodiscard]] std::string params_text(const PrintedParams& params);
 
-/// The lines in which a table differs from another one: those with another policy, and of those with the same policy the
-/// parameters that differ. A rule that only the other table has stands there without parameters, with the policy "none".
-[[nodiscard]] std::vector<PrintedRule> unlike(std::span<const PrintedRule> rules, std::span<const PrintedRule> other);
-
 [[nodiscard]] std::string markdown_table(std::span<const PrintedRule> rules);
-
-/// For the packages booktabs, tabularx and array. As wide as the line that it is put into: a column or a page.
-[[nodiscard]] std::string latex_table(std::span<const PrintedRule> rules);
 
 }  // namespace trophic::command

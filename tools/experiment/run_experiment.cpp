@@ -12,6 +12,7 @@
 #include <tools/command/toml_of_json.hpp>
 #include <tools/command/toml_writer.hpp>
 #include <tools/experiment/experiment_of.hpp>
+#include <tools/experiment/printed_rules.hpp>
 #include <tools/experiment/run_experiment.hpp>
 #include <tools/recording/read_recording.hpp>
 #include <tools/recording/species_colour.hpp>
@@ -339,8 +340,8 @@ observe::RunDescription describe(const AnyExperiment& chosen, const OriginRun& o
   return detail::experiment_of(chosen, origin)->simulations(Null::none)(origin.moment.seed)->describe(0.0);
 }
 
-bool replay(const AnyExperiment& chosen, const OriginRun& origin, const ExperimentOptions& options,
-            const std::filesystem::path& folder) {
+bool replay_origin(const AnyExperiment& chosen, const OriginRun& origin, const ExperimentOptions& options,
+                   const std::filesystem::path& folder) {
   const std::unique_ptr<Simulation> ecology = detail::experiment_of(chosen, origin)->simulations(Null::none)(origin.moment.seed);
   if (checkpoint::read_all(folder).empty()) {
     std::filesystem::remove_all(folder);  // a copy that was interrupted
@@ -361,11 +362,8 @@ int run_experiment(const AnyExperiment& chosen, const ExperimentOptions& options
   const auto experiment = detail::experiment_of(chosen, options, config);
   if (options.print_config)
     return detail::print_config(chosen.rule_table(), experiment->backend().name(), named_params_of(experiment->params()));
-  if (!options.print_table.empty()) {
-    std::vector<PrintedRule> rules = printed_rules(experiment->slot_rules(), named_params_of(experiment->params()));
-    if (!options.unlike_rules.empty()) rules = unlike(rules, options.unlike_rules);
-    return print_text(options.print_table == "latex" ? latex_table(rules) : markdown_table(rules));
-  }
+  if (options.print_table)
+    return print_text(markdown_table(printed_rules(experiment->slot_rules(), named_params_of(experiment->params()))));
   if (options.replicates) return detail::run_replicates(chosen, options, config, *experiment, origin);
   return detail::run_once(options, *experiment, detail::simulations(chosen, options, config, *experiment, Null::none), origin,
                           nullptr);

@@ -23,8 +23,8 @@ namespace trophic::command {
 [[nodiscard]] observe::RunDescription describe(const AnyExperiment& chosen, const OriginRun& origin);
 
 /// Makes in a folder that run up to its moment, byte for byte, with one's own tables. Returns false if a signal came first.
-[[nodiscard]] bool replay(const AnyExperiment& chosen, const OriginRun& origin, const ExperimentOptions& options,
-                          const std::filesystem::path& folder);
+[[nodiscard]] bool replay_origin(const AnyExperiment& chosen, const OriginRun& origin, const ExperimentOptions& options,
+                                 const std::filesystem::path& folder);
 
 /// Does the work of the options with an experiment of the chosen table and backend and returns the exit code.
 [[nodiscard]] int run_experiment(const AnyExperiment& chosen, const ExperimentOptions& options, const Config& config,

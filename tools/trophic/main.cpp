@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The program trophic: everything that does not depend on a rule table. `trophic --help` lists its commands.
+#include <algorithm>
 #include <tools/command/backends.hpp>
 #include <tools/command/provenance.hpp>
 #include <tools/command/run_command.hpp>
 
 #include "commands.hpp"
-#include "shipped_offer.hpp"
+#include "found_programs.hpp"
 
 namespace {
 
@@ -15,9 +16,7 @@ trophic::command::Command program() {
           .about = "From plans to results: lists of runs, analyses, figures, pages and films; gaits for robots.",
           .options = {},
           .work = {},
-          .subcommands = {plan(), analyze("trophic", shipped_offer()), contest_command(), plot(), cite(), show(), film(),
-                          export_run(), ablation_table(), cross_check_engines(), evolve_gait(), measure_gait(), convert_body(),
-                          help(&program)},
+          .subcommands = {show(), film(), export_run(), evolve_gait(), measure_gait(), convert_body()},
           .version = version_text(backend_versions(built_backends())),
           .examples = {"trophic analyze runs/study --out analysis", "trophic plot analysis", "trophic help slots"}};
 }
@@ -25,5 +24,15 @@ trophic::command::Command program() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  return trophic::command::guarded(argv[0], [&] { return trophic::command::run_command(argc, argv, program()); });
+  using namespace trophic::command;
+  return guarded(argv[0], [&] {
+    Command command = program();
+    const auto found = found_programs();
+    for (const auto& [name, _] : found) command.elsewhere.push_back(name);
+    const std::string asked = argc > 1 ? argv[1] : "";
+    if (std::ranges::find(command.subcommands, asked, &Command::name) == command.subcommands.end() && found.contains(asked)) {
+      become(found.at(asked), argv);
+    }
+    return run_command(argc, argv, command);
+  });
 }

@@ -5,7 +5,7 @@
 #include <memory>
 #include <tools/command/option.hpp>
 #include <tools/command/output.hpp>
-#include <tools/reading/pooled_runs.hpp>
+#include <tools/reading/run_folders.hpp>
 #include <tools/trophic/replay/page.hpp>
 #include <tools/trophic/replay/recorded_run.hpp>
 #include <trophic/support/new_file.hpp>

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Measures of bodies, gaits and brains."""
 import pathlib
+import re
 
 import numpy
 import pandas
@@ -8,6 +9,7 @@ import pytest
 from hand_written import WEB, event, robot, write_run
 from trophic import pool
 from trophic.metrics import OPTIONAL, Measuring, bodies
+from trophic.metrics.plans import distances_from_first, edit_distance, read_plan
 from trophic.runs import RunError
 
 COLUMNS = ("id time_s species plan parent_plan edit_distance modules_text modules hinges bricks mass_kg reach_m size proportion coverage branching "
@@ -29,13 +31,11 @@ def run(tmp_path, monkeypatch):
                                               event("birth", 10, 3, "prey", body=1)],
               of_agents=[robot(0, 0, "prey", 1.0, 2.0), robot(1, 0, "prey", 1.1, 2.0), robot(2, 0, "prey", 1.1, 2.3)],
               files={"bodies.csv": pandas.DataFrame(rows), "genes.csv": pandas.DataFrame(genes, columns=["id", "part"]).assign(index=0, value=1.0)})
-    pathlib.Path("plan_distances.csv").write_text("run,id,distance\nrun,0,0\nrun,1,0\nrun,3,1\n")
-    bodies.plan_distances.cache_clear()
     return pathlib.Path("run")
 
 
 def measured():
-    (values,) = pool.read_set(["run"], how=Measuring(bodies=pathlib.Path("plan_distances.csv"))).values
+    (values,) = pool.read_set(["run"], how=Measuring(bodies=True)).values
     return values
 
 
@@ -74,13 +74,37 @@ def test_the_names_are_those_of_the_values(run):
     (lambda run: (run / "bodies.csv").write_text((run / "bodies.csv").read_text().replace(",2,", ",many,", 1)),
      'run/bodies.csv:2: modules = "many": must be a number'),
     (lambda run: (run / "bodies.csv").write_text((run / "bodies.csv").read_text()[:-3]), "run/bodies.csv: the last line is truncated"),
-    (lambda run: pathlib.Path("plan_distances.csv").write_text("run,id,distance\nrun,0,0\n"), "plan_distances.csv: has not the bodies of run")])
+    (lambda run: (run / "bodies.csv").write_text((run / "bodies.csv").read_text().replace("core[left:hinge0 ", "core[left:hinge4 ")),
+     'run/bodies.csv: id 3: body plan "core[left:hinge4 right:hinge0]", character 6: must be FACE:hinge')])
 def test_tables_that_are_missing_or_damaged_are_refused(run, change, why):
     change(run)
-    with pytest.raises(RunError, match="^" + why.replace("(", r"\(")):
+    with pytest.raises(RunError, match="^" + re.escape(why)):
         measured()
 
 
 @pytest.mark.parametrize("counts, number", [([], 0.0), ([4], 1.0), ([3, 3, 3], 3.0), ([1, 1, 2], 2 ** 1.5)])
 def test_shannon_number(counts, number):
     assert bodies.shannon_number(numpy.array(counts)) == pytest.approx(number)
+
+
+@pytest.mark.parametrize("a, b, distance", [
+    ("core", "core", 0), ("core", "core[front:hinge0[front:brick1]]", 2), ("core[front:hinge0]", "core[front:hinge1]", 1),
+    ("core[front:hinge0]", "core[left:brick1]", 1), ("core[front:hinge0[front:brick0]]", "core[front:brick0]", 1),
+    ("core[front:brick0[left:hinge0 right:hinge0]]", "core[left:hinge0 right:hinge0]", 1),
+    ("core[front:brick0 left:hinge0]", "core[left:hinge0]", 1)])
+def test_the_edit_distance_is_the_number_of_modules_that_change(a, b, distance):
+    assert edit_distance(read_plan(a), read_plan(b)) == edit_distance(read_plan(b), read_plan(a)) == distance
+
+
+def test_distances_are_from_the_first_of_a_species_by_id():
+    assert distances_from_first([4, 0, 1], ["prey", "prey", "predator"], ["core", "core[left:hinge0]", "core[left:hinge1]"]) == [1, 0, 0]
+
+
+@pytest.mark.parametrize("text", ["", "core[", "core[front:hinge4]", "core]", "core[front:hinge0 ]", "core[front:hinge0][back:brick0]", "core[up:hinge0]"])
+def test_a_text_that_is_not_a_plan_is_refused(text):
+    with pytest.raises(ValueError, match="must be"):
+        read_plan(text)
+
+
+def test_a_plan_of_a_thousand_modules_is_read():
+    assert len(read_plan("core" + "[front:brick0" * 999 + "]" * 999).labels) == 1000

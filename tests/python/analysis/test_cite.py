@@ -26,7 +26,7 @@ def replicates(folder, *entries):
 
 
 def cited(folder, capsys):
-    assert cite.run({"command": "cite", "who": "trophic cite", "run": str(folder)}) == 0
+    assert cite.run({"who": "trophic cite", "run": str(folder)}) == 0
     return capsys.readouterr().out.split("\n\n", 1)
 
 
@@ -67,4 +67,4 @@ def test_what_is_not_one_set_is_refused(tmp_path, monkeypatch, make, sentence):
     monkeypatch.chdir(tmp_path)
     make(tmp_path / "set")
     with pytest.raises(RunError, match=re.escape(sentence)):
-        cite.run({"command": "cite", "who": "trophic cite", "run": "set"})
+        cite.run({"who": "trophic cite", "run": "set"})

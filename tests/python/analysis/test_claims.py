@@ -24,7 +24,7 @@ from trophic.words import Reading, metric_title
 
 PROGRAM = os.environ.get("TROPHIC_PREDATOR_PREY")
 needs_program = pytest.mark.skipif(PROGRAM is None, reason="TROPHIC_PREDATOR_PREY names no program")
-WHO = {"command": "analyze", "who": "trophic analyze", "program": "trophic"}
+WHO = {"who": "trophic analyze"}
 
 
 def title_of(row):

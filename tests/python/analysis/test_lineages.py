@@ -2,7 +2,6 @@
 """Lineage measures of forests by hand."""
 import dataclasses
 import itertools
-import json
 import math
 
 import numpy
@@ -10,8 +9,9 @@ import pandas
 import pytest
 from pytest import approx
 from trophic.metrics.forests import Forest, activity, descent, modes, persistent, presence
-from trophic.metrics.lineages import DRIFT, lineage_values, measure_run, metric_names, window_of
-from trophic.runs import Run, RunError, read_run
+from trophic.metrics.lineages import DRIFT, lineage_values, metric_names, window_of
+from trophic.errors import RunError
+from trophic.runs import Run
 
 ALIVE = math.inf
 
@@ -156,19 +156,3 @@ def test_a_window_is_a_quarter_of_a_short_run_by_default_and_no_more(reached_s, 
     for wrong in (0.0, 0.26 * reached_s[0], math.nan):
         with pytest.raises(RunError, match=f"must be > 0 and <= {reached_s[0] / 4:g}, a quarter of the runs"):
             window_of(runs, wrong)
-
-
-def test_forests_of_a_run_are_read_from_its_phylogeny_and_the_signatures(tmp_path):
-    run = tmp_path / "run"
-    run.mkdir()
-    (run / "manifest.json").write_text(json.dumps({"status": "complete", "seed": 1, "fingerprint": "f", "rule_table": "paper",
-                                                   "species": ["prey", "predator"], "result": {"reached_s": 40.0}}))
-    (run / "phylogeny.csv").write_text("id,ancestor_list,ancestor_id,origin_time,destruction_time,species\n9,[2],2,10,inf,prey\n2,[none],2,0,20,prey\n")
-    rows = [f"{run},{number},{row}" for number in range(5) for row in ("2,2,,0,3", "9,2,,1,4" if number == 0 else "9,9,,1,4")]
-    (tmp_path / "signatures.csv").write_text("\n".join(["run,forest,id,parent,other_parents,type,complexity", *rows]) + "\n")
-    values = measure_run(read_run(run), tmp_path / "signatures.csv", 10).values
-    depth = values[(values.metric == "descent_greatest_depth") & (values.species == "prey")]
-    assert depth.value.tolist() == [1, 0]
-    (tmp_path / "other.csv").write_text("run,forest,id,parent,other_parents,type,complexity\n" + f"{run},0,2,2,,0,3\n")
-    with pytest.raises(RunError, match="other.csv: has not the individuals of"):
-        measure_run(read_run(run), tmp_path / "other.csv", 10)

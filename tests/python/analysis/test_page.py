@@ -16,8 +16,11 @@ from trophic.values import VALUE_COLUMNS, MeasuredSet, Metric, RunValues
 
 VELOCITY = Metric("velocity", "prey", "all", "m/s")
 STARVED = Metric("deaths", "prey", "starved", "1")
-REQUEST = {"command": "analyze", "who": "trophic analyze", "program": "/bin/trophic", "runs": ["runs/a<b"], "compare": [], "until": 600.0, "metric": ["velocity"],
+REQUEST = {"who": "trophic analyze", "runs": ["runs/a<b"], "compare": [], "until": 600.0, "metric": ["velocity"],
            "html": "page.html", "all": True, "shadow": None}
+
+INDEX = '<script type="application/json" id="trophic-index">{"a": "b"}</script>\n'
+FILE = '<script type="text/plain" data-run="0" data-file="replay">AAAA</script>\n'
 
 
 def set_of(folder, label, mean, shadow=None, runs=10):
@@ -74,20 +77,23 @@ def test_two_sets_show_their_difference_and_common_facts_once(tmp_path, paper):
     assert "In what do paper and released differ?" in text
 
 
-def test_figures_and_replays_are_carried(tmp_path, paper):
+def test_figures_and_replays_are_carried(tmp_path, paper, monkeypatch, capsys):
     figures = tmp_path / "figures"
     figures.mkdir()
     (figures / "captions.json").write_text(json.dumps({"tree": "A & B"}))
     (figures / "tree.png").write_bytes(b"\x89PNG...")
-    (tmp_path / "viewer.html").write_text("<!--RUNS-->")
-    (tmp_path / "part.html").write_text('<script type="text/plain">{"a": "<"}</script>')
-    parts = [{"run": str(paper.runs[0].path), "part": str(tmp_path / "part.html")}]
-    request = {**REQUEST, "figures": str(figures), "recordings": {"viewer": str(tmp_path / "viewer.html"), "runs": parts}}
-    said, text = written(tmp_path, [paper], judge.summarize(paper), request)
+    shown = tmp_path / "trophic"  # a program that shows a run as `trophic show RUN -o PAGE` does
+    shown.write_text(f"#!/bin/sh\ncat > $4 <<'END'\n<p>{INDEX}{FILE}</p>\nEND\necho trophic show: a remark >&2\n")
+    shown.chmod(0o755)
+    monkeypatch.setenv("TROPHIC_BIN", str(tmp_path))
+    replays = page.replays_of([paper], 1, "trophic analyze")
+    assert capsys.readouterr().err == "trophic analyze: a remark\n"
+    said, text = written(tmp_path, [paper], judge.summarize(paper), {**REQUEST, "figures": str(figures)}, replays=replays)
     assert "1 figures, 1 replays" in said
     assert f'src="data:image/png;base64,{base64.b64encode(b"%cPNG..." % 0x89).decode()}"' in text and "<figcaption>A &amp; B</figcaption>" in text
-    assert f'id="viewer">{base64.b64encode(b"<!--RUNS-->").decode()}</script>' in text
-    assert '<template data-replay="0"><script type="text/plain">{"a": "<"}</script></template>' in text and ">replicate-00</button>" in text
+    viewer = base64.b64encode(b"<p><!--RUNS--></p>\n").decode()
+    assert f'id="viewer">{viewer}</script>' in text
+    assert '<template data-replay="0">' + INDEX + FILE + "</template>" in text and ">replicate-00</button>" in text
 
 
 @pytest.mark.parametrize("captions, png, sentence", [

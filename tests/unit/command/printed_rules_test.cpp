@@ -46,10 +46,6 @@ std::vector<PrintedRule> printed(Experiment<Rules> experiment = {}) {
   return command::printed_rules(rules::slot_rules<Rules>(), named_params_of(param_refs(experiment)));
 }
 
-bool has(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 }  // namespace
 
 TEST_CASE("print table: rule table -> a line per rule in the order of slots, then ecology and physics") {
@@ -70,7 +66,7 @@ TEST_CASE("print table: rule table -> a line per rule in the order of slots, the
   CHECK(params_text(lines.back().params) == "timestep_s = 0.0012, integrator = semi_implicit_euler, gravity_m_s2 = 9.81");
 }
 
-TEST_CASE("print table: special characters -> escaped in Markdown and LaTeX") {
+TEST_CASE("print table: special characters -> escaped in Markdown") {
   const std::string markdown = markdown_table(printed<Swapped>());
   CHECK(markdown.starts_with(
       "| kind | slot | policy | parameters | source |\n|---|---|---|---|---|\n"
@@ -79,33 +75,6 @@ TEST_CASE("print table: special characters -> escaped in Markdown and LaTeX") {
         R"(| death | senescence | odd\_rule | share = 0.333333, strict\_one = true | )"
         R"(50 % of "A & B" {$5} #1 a\_b ^ \~ \\ \<c\|d\> \* |)");
   CHECK(line_of(markdown, "| death | floor |") == "| death | floor | plain |  |  |");
-
-  const std::string latex = latex_table(printed<Swapped>());
-  CHECK(has(latex,
-            "\nslot & policy & parameters & source \\\\\n\\midrule\n\\multicolumn{4}{@{}l}{\\itshape initialization} \\\\\n"
-            "community & predator\\_\\allowbreak{}prey & predators = 14 & paper, Sec. ``Initialization'' \\\\\n"));
-  CHECK(line_of(latex, "senescence & odd") ==
-        R"(senescence & odd\_\allowbreak{}rule & share = 0.333333, strict\_\allowbreak{}one = true & )"
-        R"(50 \% of ``A \& B'' \{\$5\} \#1 a\_\allowbreak{}b \textasciicircum{} \textasciitilde{} \textbackslash{} )"
-        R"(\textless{}c\textbar{}d\textgreater{} * \\)");
-  CHECK(latex.ends_with("\\bottomrule\n\\end{tabularx}}\n"));
-}
-
-TEST_CASE("unlike: two tables -> rules and parameters that differ, and rules that only the other one has") {
-  const std::vector<PrintedRule> ours{{"death", "capture", "touch", {{"reach_m", "0.5"}, {"every", "1"}}, "a"},
-                                      {"death", "floor", "plain", {}, "b"},
-                                      {"death", "minimum_predators", "same", {{"below", "8"}}, "c"}};
-  const std::vector<PrintedRule> other{{"death", "capture", "touch", {{"reach_m", "1"}, {"every", "1"}}, "a"},
-                                       {"death", "floor", "other", {}, "d"},
-                                       {"death", "minimum_predators", "same", {{"below", "8"}}, "c"},
-                                       {"death", "senescence", "old_age", {{"max_age_s", "600"}}, "e"}};
-  const auto lines = unlike(ours, other);
-  REQUIRE(lines.size() == 3);
-  CHECK(params_text(lines[0].params) == "reach_m = 0.5");
-  CHECK(lines[1].policy == "plain");
-  CHECK(lines[2].slot == "senescence");
-  CHECK(lines[2].policy == "none");
-  CHECK(unlike(ours, ours).empty());
 }
 
 TEST_CASE("print table: given numbers -> printed instead of the table's own") {

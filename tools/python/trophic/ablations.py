@@ -11,10 +11,10 @@ from typing import Any
 import pandas
 
 from . import judge, pool
+from .errors import RunError
 from .metrics import Measuring
 from .report import tables
 from .report.columns import names as column_names
-from .runs import RunError
 from .sweeps.cells import answers, corrected, count, metric_of
 from .sweeps.report import compared_title, with_significance
 from .values import METRIC, MeasuredSet, Metric

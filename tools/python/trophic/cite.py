@@ -6,8 +6,9 @@ import pathlib
 from collections.abc import Sequence
 
 from . import description
+from .errors import RunError
 from .pool import read_pooled, run_folders
-from .runs import RunError, Runs, verify
+from .runs import Runs, verify
 from .words import latex_text
 
 ENTRIES = """@misc{trophic,

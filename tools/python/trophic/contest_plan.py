@@ -23,11 +23,11 @@ import numpy
 import pandas
 
 from . import contests, pool
+from .errors import RunError
 from .metrics import Measuring
 from .pool import MOST_TIME_S, PooledRun
 from .programs import chosen_program
 from .report.tables import csv_text, result_folder, write_new
-from .runs import RunError
 from .sweeps.runs import is_sweep
 from .words import number_text
 

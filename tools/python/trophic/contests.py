@@ -9,8 +9,8 @@ from collections.abc import Sequence
 import numpy
 import pandas
 
+from .errors import RunError
 from .report.tables import csv_text, write_new
-from .runs import RunError
 from .statistics import MIN_RUNS_FOR_TEST, Difference, Estimate, adjust_together, contrast, difference_of, estimate
 from .values import Metric
 from .words import Reading, columns, number_text, p_text

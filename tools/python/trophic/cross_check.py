@@ -10,9 +10,9 @@ import numpy
 import pandas
 
 from . import pool
+from .errors import RunError
 from .report.columns import names
 from .report.tables import csv_text, result_folder, write_new
-from .runs import RunError
 from .statistics import EquivalenceTest, contrast, estimate, test_equivalence
 from .values import MeasuredSet
 from .words import Reading, columns, metric_title, number_text

@@ -14,8 +14,8 @@ import numpy
 import pandas
 
 from . import published
+from .errors import RunError
 from .metrics import READINGS, chosen, living
-from .runs import RunError
 from .statistics import (MIN_RUNS_FOR_TEST, SIGNIFICANCE, Difference, adjust_together, contrast, difference_of, estimate, known, mean_of,
                          is_by_chance, scatter_of, share_difference, share_interval)
 from .values import METRIC, NEUTRAL, SHADOW, MeasuredSet, Metric

@@ -47,7 +47,7 @@ from typing import Any
 import numpy
 
 from .programs import chosen_program
-from .runs import RunError
+from .errors import RunError
 from .sweeps.grid import PLAN, read_plan
 from .words import number_text, one_line
 

@@ -11,15 +11,18 @@ def run(request: dict) -> int:
     matplotlib.use("Agg")
     from .figures import bodies, contests, cross_check, paper, style, sweep
     from .report.tables import check_new, result_folder
-    from .runs import RunError, read_analysis
+    from .errors import RunError
+    from .runs import read_analysis
     folder = pathlib.Path(request["analysis"])
+    if not folder.is_dir():
+        raise RunError(f"{folder}: {'is not a folder' if folder.exists() else 'does not exist'}")
     out = pathlib.Path(request["out"] or folder / "figures")
-    which, metrics, axes, program = request["run"] or 0, request["metric"], request["axes"], request["program"]
+    which, metrics, axes = request["run"] or 0, request["metric"] or [], request["axes"] or []
     check_new(out)
     is_sweep = (folder / "sweep_metrics.csv").exists()
     if not is_sweep and (metrics or axes):
         raise RunError("--metric and --axes: only of an analysed sweep, a folder with sweep_metrics.csv")
-    style.use(request["style"], int(request["columns"]))
+    style.use(request["style"], request["columns"])
     try:
         if is_sweep:
             figures = sweep.figures_of(folder, metrics, axes)
@@ -28,9 +31,9 @@ def run(request: dict) -> int:
         elif (folder / "contests.csv").exists():
             figures = contests.figures_of(folder)
         elif bodies.has_bodies(read_analysis(folder).metrics):
-            figures = bodies.figures_of(folder, which, program)
+            figures = bodies.figures_of(folder, which)
         else:
-            figures = paper.figures_of(folder, which, program)
+            figures = paper.figures_of(folder, which)
     except RunError:
         raise
     except IndexError as error:

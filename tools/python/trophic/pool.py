@@ -21,8 +21,9 @@ import pandas
 
 from . import metrics, runs
 from .description import changes_of, describe
+from .errors import RunError
 from .metrics import Measuring, Web, bodies, own, walls
-from .runs import Run, RunError
+from .runs import Run
 from .values import CLONES, NEUTRAL, SHADOW, MeasuredSet, RunValues
 from .words import NO_NEUTRAL, NULLS, excerpt, number_text
 
@@ -140,17 +141,17 @@ def read_set(paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | Non
     inherited = metrics.inherited(shipped, how)
     if inherited and NEUTRAL not in nulls:
         remarks.append(f"{pooled[0].path}: {NO_NEUTRAL}")
-    if how.bodies is None and how.lineages is None and (lost := metrics.lost_to_thinning(pooled[0].every_ticks)):
+    if not how.bodies and how.lineages is None and (lost := metrics.lost_to_thinning(pooled[0].every_ticks)):
         remarks.append(lost)
     for run in every:
         for column in how.columns:
             own.check_column(column, run)  # type: ignore[arg-type]
-        if how.bodies is not None:
+        if how.bodies:
             bodies.check(run)
     metrics.check_names(shipped, how)
     if how.lineages is not None:
         from .metrics import lineages  # type: ignore[attr-defined]
-        how = dataclasses.replace(how, window_s=lineages.window_of(every, how.window_s))
+        how = lineages.prepared(pooled, nulls.get(SHADOW, ([], []))[0], every, how)
     values = measure(every, how)
     metrics.same_metrics(values, how.metrics)
     rest = iter(values)
@@ -172,7 +173,7 @@ def pooled_sets(paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | 
     """The runs of some folders, and those of their nulls by name, each with remarks. Raises RunError as `read_set`."""
     folders = [pathlib.Path(path) for path in paths]
     pooled, nulls = pooled_runs(folders, how), {}
-    for name in NULLS if how.bodies is None and how.lineages is None else (SHADOW, NEUTRAL):
+    for name in NULLS if not how.bodies and how.lineages is None else (SHADOW, NEUTRAL):
         its_folders = [pathlib.Path(shadow)] if name == SHADOW and shadow is not None else null_folders(folders, name)
         if its_folders:
             nulls[name] = pooled_runs(its_folders, how)

@@ -7,9 +7,7 @@ import pathlib
 import shutil
 import subprocess
 
-
-class ProgramError(RuntimeError):
-    """A program that is not there or that failed; the message is the program's own sentence."""
+from .errors import ProgramError
 
 
 def find_program(name: str) -> str:
@@ -24,21 +22,20 @@ def find_program(name: str) -> str:
 
 
 def chosen_program(request: dict) -> str:
-    """The experiment program of a command: `experiment` is its path or its name, which is looked for next to `program` first."""
+    """The experiment program of a command: `experiment` is its path or its name."""
     named = request["experiment"]
-    if os.sep in named:
-        return str(pathlib.Path(named).absolute())
-    return shutil.which(named, path=os.path.dirname(request.get("program") or "") or None) or find_program(named)
+    return str(pathlib.Path(named).absolute()) if os.sep in named else find_program(named)
 
 
-def call(program: str, arguments: list, what: str) -> None:
-    """Calls a program. Raises ProgramError with its sentence, or with `what` and the exit code, if it fails."""
+def call(program: str, arguments: list, what: str) -> str:
+    """Calls a program and returns what it remarks on standard error. Raises ProgramError with its sentence, or with `what` and the exit code, if it fails."""
     try:
         done = subprocess.run([program, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
     except OSError as error:
         raise ProgramError(f"{program}: {error.strerror}") from None
     if done.returncode != 0:
         raise ProgramError(done.stderr.strip() or f"{what}: exit code {done.returncode}")
+    return done.stderr
 
 
 class Page:

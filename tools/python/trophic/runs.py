@@ -18,6 +18,7 @@ from collections.abc import Iterator
 import pandas
 
 from . import description, programs
+from .errors import RunError
 
 TABLES = ("events", "agents", "phylogeny", "genomes", "senses", "states")
 # Columns of texts, whose empty cells are empty texts.
@@ -26,10 +27,6 @@ _TEXT = ("same_as", "null", "compared", "event", "species", "cause", "cause_of_d
 # Columns of whole numbers that are never empty. All other numbers may have empty cells or fractions in some run.
 _WHOLE = ("tick", "id", "body", "genome_id", "active", "tag", "tag_at_birth")
 _CATEGORIES = ("event", "species", "cause", "cause_of_death", "origin", "tag_outcome", "run", "set")
-
-
-class RunError(ValueError):
-    """Raised for a folder that is not a run or a set of runs; the message names it."""
 
 
 @dataclasses.dataclass(frozen=True)

@@ -27,12 +27,13 @@ import pandas
 
 from . import pool, statistics
 from .description import describe
+from .errors import RunError
 from .metrics import AGENTS, Agents, Measuring, velocity, walls
 from .metrics.tables import numbers, ratio
 from .pool import PooledRun
 from .report.columns import names
 from .report.tables import csv_text, result_folder, write_new
-from .runs import RunError, verify
+from .runs import verify
 from .values import MeasuredSet, Metric
 from .words import Reading, columns, number_text, p_text
 

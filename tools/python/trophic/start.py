@@ -7,7 +7,8 @@ import pathlib
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from .programs import Page, ProgramError, call, find_program
+from .errors import ProgramError
+from .programs import Page, call, find_program
 from .runs import Analysis, Run, Runs, read_run, read_runs
 
 __all__ = ["Page", "ProgramError", "analyze", "find_program", "run", "show"]

@@ -126,12 +126,12 @@ def robot_file(plan):
     return "\n".join(lines) + "\n"
 
 
-def picture_of(plan, trophic):
+def picture_of(plan):
     """The picture of a plan by `trophic film`."""
     with tempfile.TemporaryDirectory() as name:
         robot = pathlib.Path(name) / "plan.toml"
         robot.write_text(robot_file(plan))
-        return film(trophic, "--robot", robot, "--size", "240x180", "--legend", "off")[0][24:174, 30:210]
+        return film("--robot", robot, "--size", "240x180", "--legend", "off")[0][24:174, 30:210]
 
 
 def plans(data, most=5):
@@ -179,7 +179,7 @@ def plans(data, most=5):
         mark = chr(ord("A") + number)
         ax.annotate(mark, (first.time_s[plan], height[plan]), xytext=(-7, -2), textcoords="offset points", fontsize=7, fontweight="bold")
         frame = side.inset_axes([0.5 * (number % 2), 1 - (number // 2 + 1) / rows, 0.48, 0.84 / rows])
-        frame.imshow(picture_of(first.modules_text[plan], data.trophic))
+        frame.imshow(picture_of(first.modules_text[plan]))
         frame.set_title(f"{mark}: {counts.get(plan, 0)} alive", fontsize=6, pad=1)
         frame.set_axis_off()
     side.set_axis_off()
@@ -192,10 +192,10 @@ def plans(data, most=5):
                         "commonest plans of the living.")
 
 
-def figures_of(folder, run=0, trophic="trophic"):
+def figures_of(folder, run=0):
     """(name, function) for each figure of an analysis by `--bodies`."""
     analysis = read_analysis(folder)
-    sets = [Data(analysis.metrics[analysis.metrics["set"] == s["set"]], s, run, trophic) for s in analysis.summary["sets"]]
+    sets = [Data(analysis.metrics[analysis.metrics["set"] == s["set"]], s, run) for s in analysis.summary["sets"]]
     sets.sort(key=lambda data: bool(null_of(data)), reverse=True)
     if any(not 0 <= run < len(data.folders) for data in sets):
         raise IndexError(f"--run {run}: must be >= 0 and < the number of runs")

@@ -12,8 +12,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 import pandas as pd
 
+from ..errors import RunError
 from ..metrics import Web, names_of
-from ..runs import Analysis, RunError, read_analysis
+from ..runs import Analysis, read_analysis
 from ..sweeps import arrays
 from ..words import over_nulls
 from .pictures import catches, film_strip, phylogeny, trajectories
@@ -31,8 +32,8 @@ def interval(runs):
 class Data:
     """One set of runs."""
 
-    def __init__(self, metrics, summary, run, trophic):
-        self.metrics, self.summary, self.trophic = metrics, summary, trophic
+    def __init__(self, metrics, summary, run):
+        self.metrics, self.summary = metrics, summary
         self.folders = [pathlib.Path(r["folder"]) for r in summary["runs"]]
         self.run = run
         self.species = list(dict.fromkeys(metrics.loc[metrics.metric == "population", "species"]))
@@ -353,11 +354,11 @@ def analysis_of(analysis):
     return analysis if isinstance(analysis, Analysis) else read_analysis(analysis)
 
 
-def sets_of(analysis, run=0, trophic="trophic"):
+def sets_of(analysis, run=0):
     """The sets of an Analysis, or of its folder, each as Data. Raises RunError for a folder that is not one, and IndexError for a `run` that is not
     there."""
     analysis = analysis_of(analysis)
-    sets = [Data(analysis.metrics[analysis.metrics["set"] == s["set"]], s, run, trophic) for s in analysis.summary["sets"]]
+    sets = [Data(analysis.metrics[analysis.metrics["set"] == s["set"]], s, run) for s in analysis.summary["sets"]]
     if any(not 0 <= run < len(data.folders) for data in sets):
         raise IndexError(f"--run {run}: must be >= 0 and < the number of runs")
     return sets
@@ -375,9 +376,9 @@ def data_of(analysis, set=None, run=0):
     return sets[set]
 
 
-def figures_of(folder, run=0, trophic="trophic"):
+def figures_of(folder, run=0):
     """(name, function) for each figure of an analysis; of a comparison each set has its own, and there is a forest plot."""
-    sets = sets_of(folder, run, trophic)
+    sets = sets_of(folder, run)
     figures = []
     for data in sets:
         prefix = "" if len(sets) == 1 else re.sub(r"\W+", "_", data.summary["set"]).strip("_") + "-"

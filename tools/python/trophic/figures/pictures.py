@@ -12,6 +12,8 @@ import pandas as pd
 from matplotlib.collections import LineCollection
 from matplotlib.colors import PowerNorm
 
+from ..errors import ProgramError
+from ..programs import find_program
 from .style import Missing, caption, colour, legend_above, line, width_in
 
 MOST_ROWS = 150
@@ -149,14 +151,14 @@ def trajectories(data):
                         "walls.")
 
 
-def film(trophic, *words):
+def film(*words):
     """The pixels of a picture by `trophic film`, and the line that it prints."""
     with tempfile.TemporaryDirectory() as name:
         picture = pathlib.Path(name) / "picture.png"
         try:
-            done = subprocess.run([trophic, "film", *map(str, words), "-o", str(picture)], capture_output=True, text=True, timeout=120)
-        except OSError as error:
-            raise Missing(f"{trophic}: {error.strerror}; set --trophic") from error
+            done = subprocess.run([find_program("trophic"), "film", *map(str, words), "-o", str(picture)], capture_output=True, text=True, timeout=120)
+        except ProgramError as error:
+            raise Missing(str(error)) from None
         if done.returncode != 0:
             raise Missing(done.stderr.strip() or "trophic film failed")
         return plt.imread(picture), done.stdout.strip()
@@ -167,7 +169,7 @@ def film_strip(data):
     folder = data.folders[data.run]
     if not (folder / "replay.trp").exists():
         raise Missing(f"{folder / 'replay.trp'}: no recording")
-    pixels, said = film(data.trophic, folder, "--catch", "best", "--sheet", "2x2", "--size", "520x360", "--lines", "off")
+    pixels, said = film(folder, "--catch", "best", "--sheet", "2x2", "--size", "520x360", "--lines", "off")
     fig, ax = plt.subplots(figsize=(width_in(), width_in() * pixels.shape[0] / pixels.shape[1]))
     fig.get_layout_engine().set(w_pad=0, h_pad=0)
     ax.imshow(pixels)

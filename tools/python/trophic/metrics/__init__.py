@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 import numpy
 import pandas
 
-from ..runs import RunError, verify
+from ..errors import RunError
+from ..runs import verify
 from ..values import METRIC, Metric, RunValues
 from ..words import number_text
 from . import attribution, demography, living, locked, motion, own, stuck, tags, velocity, walls
@@ -48,10 +49,14 @@ class Measuring:
     """Columns of tables, as "FILE:COLUMN" or "FILE:COLUMN:UNIT"."""
     functions: Sequence = ()
     """Own metrics: functions of a Run."""
-    bodies: pathlib.Path | None = None
-    """The program's file plan_distances.csv: measures of bodies, and no others but own ones."""
-    lineages: pathlib.Path | None = None
-    """The program's file signatures.csv: measures of lineages, and no others."""
+    bodies: bool = False
+    """Measures of bodies, and no others but own ones."""
+    lineages: str | None = None
+    """The program that made the runs, whose brains are asked: measures of lineages, and no others."""
+    inputs: Sequence = ()
+    """The inputs by which brains are compared for lineages, by species."""
+    first: PooledRun | None = None
+    """The run whose rule table has the brains that are asked for lineages; its nulls have the same."""
     window_s: float | None = None
     """The length of the windows of lineages, s."""
     jobs: int | None = None
@@ -102,14 +107,14 @@ def measure_run(run: PooledRun, how: Measuring) -> RunValues:
     verify(run.path)
     if how.lineages is not None:
         from . import lineages
-        return lineages.measure_run(run, how.lineages, how.window_s)  # type: ignore[arg-type]  # known since the runs were pooled
+        return lineages.measure_run(run, how)  # type: ignore[arg-type]  # known since the runs were pooled
     status = run.manifest["status"]
     remarks = [] if status == "complete" else [f'{run.path}/manifest.json: status "{status}": the run did not reach its end']
     events, agents = run.load("events.csv", EVENTS, remarks), run.load("agents.csv", AGENTS, remarks)
     agents = motion.with_contacts(agents, run, remarks)
-    if how.bodies is not None:
+    if how.bodies:
         from . import bodies
-        results = bodies.measure_run(run, how.bodies, events, agents)
+        results = bodies.measure_run(run, events, agents)
     else:
         is_constant = not living.changes_numbers(run)
         results = shipped(run.web, events, agents, until_s=run.lived_s, floor=run.floor, every_ticks=run.every_ticks, tag_values=run.tags,
@@ -141,7 +146,7 @@ def names(run: PooledRun, how: Measuring | None = None) -> list[Metric]:
     if how is not None and how.lineages is not None:
         from . import lineages  # type: ignore[attr-defined]
         return lineages.metric_names(run.web.species)
-    if how is not None and how.bodies is not None:
+    if how is not None and how.bodies:
         from . import bodies
         return bodies.names(run.web)
     is_constant = not living.changes_numbers(run)

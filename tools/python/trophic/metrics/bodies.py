@@ -5,18 +5,17 @@ Each is measured among those alive at the ends of windows of 200 s, or of a twen
 and of the late half of the run, and as curves. A measure whose table the run lacks has no value."""
 from __future__ import annotations
 
-import functools
-import os
-import pathlib
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy
 import pandas
 
-from ..runs import Run, RunError
+from ..errors import RunError
+from ..runs import Run
 from ..values import Metric
 from . import motion
+from .plans import distances_from_first
 from .tables import Agents, Results, Web, mean_of, numbers
 
 if TYPE_CHECKING:
@@ -45,14 +44,14 @@ def names(web: Web) -> list[Metric]:
     return [Metric(metric, species, group, unit) for species in web.species for metric, unit in _MEASURES.items() for group in ("early", "late")]
 
 
-def measure_run(run: PooledRun, distances: str | os.PathLike, events: pandas.DataFrame, agents: pandas.DataFrame) -> Results:
-    """Measures a run. `distances`: the program's file plan_distances.csv. Raises RunError for a table that is cut or was changed after the run."""
+def measure_run(run: PooledRun, events: pandas.DataFrame, agents: pandas.DataFrame) -> Results:
+    """Measures a run. Raises RunError for a table that is cut or was changed after the run."""
     check(run)
     end_s = run.lived_s
     window_s = min(_WINDOW_S, end_s / _WINDOWS_OF_A_SHORT_RUN)
     times_s = numpy.minimum(numpy.arange(1, int(end_s / window_s * (1 + 1e-12)) + 1) * window_s if window_s > 0 else numpy.empty(0), end_s)
     robots = Agents(agents, run.web)
-    lives = _lives(events).join(_bodies(run, distances)).join(_genes(run))
+    lives = _lives(events).join(_bodies(run)).join(_genes(run))
     results = Results()
     for species in run.web.species:
         curves = {metric: (times_s, points) for metric, points in _alive(lives[lives.species == species], times_s).items()}
@@ -97,19 +96,20 @@ def _lives(events: pandas.DataFrame) -> pandas.DataFrame:
                              "death_s": deaths.time_s.reindex(births.index).fillna(numpy.inf)})
 
 
-def _bodies(run: PooledRun, distances: str | os.PathLike) -> pandas.DataFrame:
+def _bodies(run: PooledRun) -> pandas.DataFrame:
     """The measures of each individual's body, and its plan, by id."""
     columns = [f"body_{column.removesuffix('_kg')}" for column in _SHAPES]
     path = run.path / "bodies.csv"
     if not path.exists():
         return pandas.DataFrame(columns=[*columns, "plan", "body_change"], dtype=float)
-    table = _whole(run, "bodies.csv", ["id", "modules_text", *_SHAPES])
+    table = _whole(run, "bodies.csv", ["id", "species", "modules_text", *_SHAPES])
     frame = pandas.DataFrame({name: numbers(path, table[column]) for name, column in zip(columns, _SHAPES)},
                              index=numbers(path, table["id"]).astype(int))
     frame["plan"] = pandas.factorize(table["modules_text"])[0]
-    frame["body_change"] = plan_distances(os.fspath(distances)).get(run.path.resolve(), pandas.Series(dtype=float)).reindex(frame.index)
-    if frame.body_change.isna().any():
-        raise RunError(f"{os.fspath(distances)}: has not the bodies of {run.path}")
+    try:
+        frame["body_change"] = distances_from_first(frame.index.tolist(), table["species"].tolist(), table["modules_text"].tolist())
+    except ValueError as error:
+        raise RunError(f"{path}: {error}") from None
     return frame
 
 
@@ -129,10 +129,3 @@ def _whole(run: PooledRun, file: str, columns: Sequence[str]) -> pandas.DataFram
     if remarks:
         raise RunError(f"{run.path / file}: the last line is truncated; resume the run")
     return table
-
-
-@functools.lru_cache(maxsize=1)
-def plan_distances(path: str) -> dict[pathlib.Path, pandas.Series]:
-    """The distance of each individual's plan from that of its species' first, by run and id."""
-    table = pandas.read_csv(path, dtype={"run": str})
-    return {pathlib.Path(run).resolve(): of.set_index("id").distance for run, of in table.groupby("run", sort=False)}

@@ -2,22 +2,26 @@
 """Lineage measures of a run, each with the same measure under drift: in forests in which the run's births and deaths have parents, newcomers'
 genomes and mutations by chance, so that no genome lives longer or has more offspring for what it does.
 
-The types and the complexity of genomes, and the forests of drift, are in signatures.csv, which `trophic analyze` writes with the brain of the
-run's rule table."""
+The program that made the runs says which genomes' brains decide alike."""
 from __future__ import annotations
 
-import functools
-import os
-import pathlib
+import dataclasses
 from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
 
 import numpy
 import pandas
 
-from ..runs import Run, RunError
+from ..errors import RunError
+from ..runs import Run
 from ..values import CURVE_COLUMNS, VALUE_COLUMNS, Metric, RunValues
 from ..words import number_text
+from . import drift
 from .forests import Forest, activity, descent, modes, presence
+
+if TYPE_CHECKING:
+    from ..pool import PooledRun
+    from . import Measuring
 
 DRIFT = "drift"
 """The baseline: the mean of a measure over the forests of drift."""
@@ -48,31 +52,27 @@ def metric_names(species: Sequence[str]) -> list[Metric]:
             for group in (("all",) if names is _DESCENT else _HALVES)]
 
 
-def measure_run(run: Run, signatures: str | os.PathLike, window_s: float) -> RunValues:
-    """Measures a run, in windows of `window_s` up to its end. Raises RunError if a table was changed or `signatures` is not of this run."""
-    return lineage_values(read_forests(run, signatures), run.manifest["species"], window_s, run.manifest["result"]["reached_s"])
+def prepared(runs: Sequence[PooledRun], shadow: Sequence[PooledRun], every: Sequence[PooledRun], how: Measuring) -> Measuring:
+    """How these runs and their nulls are measured: with the windows, and with inputs that brains met in the first run and in the first one of the
+    shadow. Raises RunError if a run lacks what lineage measures need, or if the program has not the rule table that made the runs."""
+    for run in every:
+        drift.check(run)
+    window_s = window_of(every, how.window_s)
+    drift.ask(str(how.lineages), runs[0], [[] for _ in runs[0].web.species])
+    return dataclasses.replace(how, window_s=window_s, first=runs[0], inputs=drift.met_inputs([runs[0], *shadow[:1]]))
 
 
-def read_forests(run: Run, signatures: str | os.PathLike) -> list[Forest]:
+def measure_run(run: PooledRun, how: Measuring) -> RunValues:
+    """Measures a run, in windows of `how.window_s` up to its end. Raises RunError if a table was changed or the program cannot ask its brains."""
+    return lineage_values(read_forests(run, how), run.manifest["species"], how.window_s, run.manifest["result"]["reached_s"])
+
+
+def read_forests(run: PooledRun, how: Measuring) -> list[Forest]:
     """Returns the run's forest, and those of drift after it."""
-    individuals = run.table("phylogeny", ["id", "origin_time", "destruction_time", "species"]).sort_values("id")
-    ids = individuals["id"].to_numpy()
-    birth_s, death_s, species = (individuals[column].to_numpy() for column in ("origin_time", "destruction_time", "species"))
-    rows = _signatures(os.fspath(signatures)).get(run.path.resolve())
-    if rows is None or not all(numpy.array_equal(forest["id"], ids) for _, forest in rows.groupby("forest")):
-        raise RunError(f"{os.fspath(signatures)}: has not the individuals of {run.path}")
-    forests = []
-    for _, forest in rows.groupby("forest"):
-        others = {place: numpy.searchsorted(ids, [int(one) for one in text.split()]).tolist()
-                  for place, text in forest["other_parents"].reset_index(drop=True).dropna().items()}
-        first = numpy.where(forest["parent"] == forest["id"], -1, numpy.searchsorted(ids, forest["parent"]))
-        forests.append(Forest(first, birth_s, death_s, species, forest["type"].to_numpy(), forest["complexity"].to_numpy(), others))
-    return forests
-
-
-@functools.lru_cache(maxsize=1)
-def _signatures(path: str) -> dict[pathlib.Path, pandas.DataFrame]:
-    return {pathlib.Path(run).resolve(): rows for run, rows in pandas.read_csv(path, dtype={"run": str, "other_parents": str}).groupby("run", sort=False)}
+    own = drift.read_descent(run)
+    every = [own, *(drift.drift_of(own, run.web.species, drift.stream(run.seed, number)) for number in range(drift.FORESTS))]
+    found = drift.ask(str(how.lineages), how.first or run, how.inputs, every)
+    return [drift.forest_of(of, *its) for of, its in zip(every, found)]
 
 
 def lineage_values(forests: Sequence[Forest], species: Sequence, window_s: float, end_s: float) -> RunValues:

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy
 import pandas
 
-from ..runs import Run, RunError
+from ..errors import RunError
+from ..runs import Run
 from ..words import number_text
 from .tables import Results, means, numbers, window_of
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy
 import pandas
 
-from ..runs import RunError
+from ..errors import RunError
 from ..values import METRIC, RunValues
 
 WINDOW_S = 200.0

@@ -13,8 +13,10 @@ import pandas
 
 from .. import judge, pool, published
 from ..description import describe, distinct
+from ..errors import RunError
 from ..metrics import Measuring, own
-from ..runs import Analysis, RunError
+from ..programs import find_program
+from ..runs import Analysis
 from ..values import MeasuredSet
 from . import tables, tex, text
 
@@ -68,12 +70,51 @@ def measuring_of(request: Mapping[str, Any]) -> Measuring:
     """How the runs of a request are measured."""
     functions = [function for file in request.get("metric_file") or () for function in own.read_metrics(file)]
     return Measuring(until_s=request.get("until"), accept_other_build=bool(request.get("accept_other_build")), columns=request.get("column") or (),
-                     functions=functions, bodies=request.get("plan_distances"), lineages=request.get("signatures"), window_s=request.get("window"),
-                     jobs=request.get("jobs"), metrics=request.get("metric") or ())
+                     functions=functions, bodies=bool(request.get("bodies")), lineages=_program_of(request), window_s=request.get("window"), jobs=request.get("jobs"), metrics=request.get("metric") or ())
+
+
+def _program_of(request: Mapping[str, Any]) -> str | None:
+    """The program that --lineages asks: a path, or one of trophic's by its name."""
+    if not request.get("lineages"):
+        return None
+    named = request.get("program") or "trophic-predator-prey"
+    return os.path.abspath(named) if os.sep in named else find_program(named)
+
+
+def is_sweep(folder: str | os.PathLike) -> bool:
+    return (pathlib.Path(folder) / "plan.jsonl").exists()
+
+
+def _check(request: Mapping[str, Any]) -> None:
+    """Raises RunError for options that do not go together."""
+    runs, compare = request.get("runs") or [], request.get("compare") or []
+    if bool(runs) == bool(compare):
+        raise RunError("either folders of runs, or --compare and two of them")
+    for folder in filter(is_sweep, compare):
+        raise RunError(f"--compare {folder}: is a sweep; name two of its cells")
+    if not (sweeps := [folder for folder in runs if is_sweep(folder)]):
+        for option in ("reference", "difference", "allow_missing"):
+            if request.get(option) not in (None, False):
+                raise RunError(f"--{option.replace('_', '-')}: only with a sweep, a folder with plan.jsonl")
+    elif len(runs) > 1:
+        raise RunError(f"{sweeps[0]}: is a sweep, which must be analyzed alone")
+    for option in ("shadow", "published"):
+        if sweeps and request.get(option):
+            raise RunError(f"{sweeps[0]}: is a sweep: not with --{option}")
+    for option in ("html", "lineages", "selection"):
+        if sweeps and request.get(option):
+            raise RunError(f"{sweeps[0]}: is a sweep: not with --{option}; name one of its cells")
 
 
 def run(request: Mapping[str, Any]) -> int:
     """The command. Raises RunError before any work for options that do not go together, and for a file or folder that exists."""
+    _check(request)
+    if request.get("selection"):
+        from .. import selection
+        return selection.run(request)
+    if request["runs"] and is_sweep(request["runs"][0]):
+        from ..sweeps import report
+        return report.run(request)
     how = measuring_of(request)
     if request.get("html"):
         from . import page
@@ -86,6 +127,7 @@ def run(request: Mapping[str, Any]) -> int:
     wants_tables = request.get("out") is not None or not request.get("html")
     with tables.result_folder(request.get("out")) if wants_tables else contextlib.nullcontext() as folder:
         outcome = analyse(request.get("runs") or (), request.get("compare") or (), request.get("shadow"), how)
+        replays = page.replays_of(outcome.sets, request.get("replays"), request["who"]) if request.get("html") else None
         for remark in outcome.remarks():
             print(f"{request['who']}: {remark}", file=sys.stderr)
         whole, brief = texts(outcome, bool(request.get("published")))
@@ -95,7 +137,7 @@ def run(request: Mapping[str, Any]) -> int:
         if request.get("html"):
             frames = outcome.frames if outcome.compared is None else [outcome.compared]
             downloads = {"metrics.csv": tables.csv_text(tables.metrics(outcome.sets))}
-            print(page.write(request["html"], outcome.sets, frames, judge.findings(outcome.answer), request, text=whole, downloads=downloads), end="")
+            print(page.write(request["html"], outcome.sets, frames, judge.findings(outcome.answer), request, text=whole, downloads=downloads, replays=replays), end="")
         sys.stdout.flush()
     return 0
 

@@ -8,18 +8,26 @@ import json
 import math
 import os
 import pathlib
+import re
+import sys
+import tempfile
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, Dict, List, Tuple
 
 import jinja2
 import pandas
 
 from .. import description, judge
-from ..runs import RunError
+from ..errors import ProgramError, RunError
+from ..programs import call, find_program
 from ..values import METRIC, MeasuredSet, Metric
 from ..words import NO_NEUTRAL, NULLS, Reading, metric_title, over_text, p_text
 from .tables import write_new
 from .text import answers_of
+
+Replays = Tuple[str, List[Dict[str, str]]]
+"""The viewer's page, with a place for runs, and the runs as parts of it with their labels."""
+_PART = re.compile(r'(.*?)(<script type="application/json" id="trophic-index">.*?</script>\n(?:<script type="text/plain" data-run="[^<]*</script>\n)*)(.*)', re.S)
 
 
 def read_figures(folder: str | os.PathLike) -> list[dict[str, Any]]:
@@ -47,33 +55,32 @@ def read_figures(folder: str | os.PathLike) -> list[dict[str, Any]]:
 
 
 def write(path: str | os.PathLike, sets: Sequence[MeasuredSet], frames: Sequence[pandas.DataFrame], findings: Sequence[judge.Finding],
-          request: Mapping[str, Any], *, text: str = "", downloads: Mapping[str, str] | None = None) -> str:
+          request: Mapping[str, Any], *, text: str = "", downloads: Mapping[str, str] | None = None, replays: Replays | None = None) -> str:
     """Writes the page into a new file and returns the line about it for the terminal.
 
     `frames`: of judge.summarize for each set, or of judge.compare; `findings`: what they found, in order. `text`: the table of the terminal.
-    `downloads`: CSV texts by file name. The request has `figures` (a folder of `trophic plot` or null), `recordings` (null, or {"viewer": file,
-    "runs": [{"run": folder, "part": file}, ...]}: the viewer's page and, as a part for its place of runs, each run that it replays), `who` and the
-    options for the command that makes the page again. Raises RunError if the file exists or a figure is missing; then nothing is written."""
+    `downloads`: CSV texts by file name. The request has `figures` (a folder of `trophic plot` or null), `who` and the options for the command that
+    makes the page again. Raises RunError if the file exists or a figure is missing; then nothing is written."""
     described = [description.describe(one) for one in sets]
     tables = [_table(frame) for frame in frames]
     figures = read_figures(request["figures"]) if request.get("figures") else []
-    viewer, replays = _replays(request.get("recordings"), sets)
+    viewer, parts = replays or ("", [])
     files = {"table.csv": _csv(tables), **(downloads or {})}
     page = jinja2.Environment(loader=jinja2.FileSystemLoader(pathlib.Path(__file__).parent), autoescape=True, keep_trailing_newline=True).get_template("page.html.j2").render(
         title=" and ".join(f"{one.label} on {its.engine}" for one, its in zip(sets, described)), question=_question(sets), sentences=_sentences(sets, frames, findings),
-        facts=_told(sets, [its.facts() for its in described]), replays=replays, viewer=viewer, tables=tables, text=text, figures=figures,
+        facts=_told(sets, [its.facts() for its in described]), replays=parts, viewer=_base64(viewer.encode()), tables=tables, text=text, figures=figures,
         rules=_told(sets, [one.runs[0].manifest.get("rules", {}) for one in sets]),
         commands=[*(one.runs[0].manifest[key] for one in sets for key in ("command_line",) if key in one.runs[0].manifest), command_of(request)],
         downloads=[(name, _base64(content.encode())) for name, content in files.items()])
     write_new(path, page)
-    return f"page    {path}: {len(figures)} figures, {len(replays)} replays, {len(page.encode()) / 1e6:.1f} MB\n"
+    return f"page    {path}: {len(figures)} figures, {len(parts)} replays, {len(page.encode()) / 1e6:.1f} MB\n"
 
 
 def command_of(request: Mapping[str, Any]) -> str:
     """The command line that makes the page of a request again: the options that were given."""
     words = [str(request["who"]), *(request.get("runs") or [])]
     for name, value in request.items():
-        if name in ("command", "who", "program", "temporary", "runs", "recordings", "signatures", "plan_distances", "replays", "jobs", "out", "all") or value in (None, False, [], ""):
+        if name in ("who", "runs", "replays", "jobs", "out", "all") or value in (None, False, [], ""):
             continue
         option = "--" + name.replace("_", "-")
         if value is True:
@@ -115,15 +122,25 @@ def _sentences(sets: Sequence[MeasuredSet], frames: Sequence[pandas.DataFrame], 
     return [*sentences, *(judge.count(frame).sentence() for frame in frames)]
 
 
-def _replays(recordings: Mapping[str, Any] | None, sets: Sequence[MeasuredSet]) -> tuple[str, list[dict[str, str]]]:
-    if not recordings:
-        return "", []
-    label_of = {pathlib.Path(run.path).resolve(): one.label for one in sets for run in one.runs}
-    replays = []
-    for each in recordings["runs"]:
-        run = pathlib.Path(each["run"]).resolve()
-        replays.append({"label": f"{label_of[run]} {run.name}" if len(sets) > 1 and run in label_of else run.name, "part": pathlib.Path(each["part"]).read_text()})
-    return _base64(pathlib.Path(recordings["viewer"]).read_bytes()), replays
+def replays_of(sets: Sequence[MeasuredSet], most: int | None, who: str) -> Replays | None:
+    """The viewer's page and the first `most` runs of each set, as `trophic show` makes them. By default there are two of each set, and a run that
+    cannot be shown is a remark; otherwise it raises ProgramError."""
+    viewer, parts = "", []
+    with tempfile.TemporaryDirectory(prefix="trophic-") as folder:
+        try:
+            for run, label in [(run, one.label) for one in sets for run in one.runs[:2 if most is None else most]]:
+                made = pathlib.Path(folder) / f"{len(parts)}.html"
+                for remark in call(find_program("trophic"), ["show", run.path, "-o", made], "trophic show").splitlines():
+                    print(remark.replace("trophic show", who, 1), file=sys.stderr)
+                before, part, after = _PART.fullmatch(made.read_text()).groups()  # type: ignore[union-attr]
+                viewer, name = f"{before}<!--RUNS-->{after}", run.path.resolve().name
+                parts.append({"label": f"{label} {name}" if len(sets) > 1 else name, "part": part})
+        except ProgramError as error:
+            if most is not None:
+                raise
+            print(f"{who}: no replays: {str(error).removeprefix('trophic show: ')}", file=sys.stderr)
+            return None
+    return (viewer, parts) if parts else None
 
 
 def _table(frame: pandas.DataFrame) -> dict[str, Any]:

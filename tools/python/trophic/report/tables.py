@@ -15,7 +15,7 @@ import numpy
 import pandas
 
 from .. import __version__, judge, published
-from ..runs import RunError
+from ..errors import RunError
 from ..statistics import MIN_RUNS_FOR_TEST, is_significant, survival
 from ..values import CLONES, METRIC, NEUTRAL, SHADOW, MeasuredSet
 from ..words import number_text

@@ -9,8 +9,8 @@ import pathlib
 from collections.abc import Callable, Sequence
 from typing import Any
 
+from ..errors import RunError
 from ..pool import MOST_TIME_S
-from ..runs import RunError
 
 PLAN = "plan.jsonl"
 

@@ -15,12 +15,13 @@ import pandas
 
 from .. import __version__, judge, metrics, pool
 from ..description import describe
+from ..errors import RunError
 from ..judge import Finding
 from ..metrics import Measuring
 from ..report import tables
 from ..report.analyze import measuring_of
 from ..report.columns import names as column_names
-from ..runs import RunError, Runs, read_run
+from ..runs import Runs, read_run
 from ..statistics import MIN_RUNS_FOR_TEST, USUAL_POWER, is_significant
 from ..values import METRIC, Metric
 from ..words import Reading, columns, metric_title, number_text, p_text, runs_text

@@ -10,9 +10,9 @@ from collections.abc import Sequence
 import numpy
 
 from .. import metrics, pool
+from ..errors import RunError
 from ..metrics import Measuring, kept, own
 from ..pool import PooledRun
-from ..runs import RunError
 from ..values import METRIC, Metric, RunValues
 from ..words import number_text
 from .cells import SweepValues

@@ -2,11 +2,11 @@
 #include <doctest/doctest.h>
 
 #include <span>
-#include <tools/reading/signatures.hpp>
+#include <tools/experiment/signatures.hpp>
 #include <vector>
 
 using namespace trophic;
-using namespace trophic::analysis;
+using namespace trophic::command;
 
 namespace {
 

@@ -2,12 +2,17 @@
 // Behavioural signatures: types of genomes by what their brains decide.
 #pragma once
 
+#include <filesystem>
 #include <functional>
-#include <tools/reading/met_inputs.hpp>
+#include <span>
+#include <tools/command/offers.hpp>
 #include <trophic/population/food_web.hpp>
 #include <unordered_map>
 
-namespace trophic::analysis {
+namespace trophic::command {
+
+/// Inputs of a brain.
+using Inputs = std::vector<double>;
 
 /// The acts of a species' brain for these inputs with the weights of a genome, a whole number each: AskBrain in
 /// trophic/experiment/any_experiment.hpp.
@@ -37,4 +42,11 @@ class Signatures {
   std::unordered_map<std::string, Type> types_;
 };
 
-}  // namespace trophic::analysis
+/// Prints a line for each genome in a file: its type and its complexity by the brain of the rule table that the file names.
+///
+/// The file is a line of JSON, {"rule_table", "engine", "fingerprint", "params": of the runs, "inputs": of each species,
+/// "sizes": the weights of a genome of each species, "species": of each genome}, and the genomes' weights as doubles.
+/// Throws std::invalid_argument, a sentence, if the offer has not that rule table as it was, or if its brain does not take them.
+[[nodiscard]] int print_signatures(const std::filesystem::path& file, const Offer& offer);
+
+}  // namespace trophic::command
