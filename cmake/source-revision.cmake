@@ -1,6 +1,6 @@
-# cmake -DSOURCE=FOLDER -DPYTHON=FOLDER -DFILE=OUTPUT.cpp -P source-revision.cmake: writes a C++ file with the revision of the sources, the
-# folder of the Python module and the build that the definition TROPHIC_BUILD states, only if it changed. Revision and folder are data: code and
-# constants, by which trophic::program_code identifies a program, do not change with them. The revision is "unknown" if SOURCE is neither the top of a git checkout
+# cmake -DSOURCE=FOLDER -DFILE=OUTPUT.cpp -P source-revision.cmake: writes a C++ file with the revision of the sources and
+# the build that the definition TROPHIC_BUILD states, only if it changed. The revision is data: code and constants, by which
+# trophic::program_code identifies a program, do not change with it. The revision is "unknown" if SOURCE is neither the top of a git checkout
 # (an enclosing project's revision is not ours) nor trophic's own archive, into which `git archive` writes its commit.
 set(revision unknown)
 set(archived "$Format:%H$")
@@ -26,12 +26,9 @@ endif()
 set(text "extern \"C\" {
 extern const char* trophic_source_revision;
 extern const char* trophic_build;
-extern const char* trophic_python_folder;
 char trophic_source_revision_text[256] = \"${revision}\";
 const char* trophic_source_revision = trophic_source_revision_text;
 const char* trophic_build = TROPHIC_BUILD;
-char trophic_python_folder_text[4096] = R\"(${PYTHON})\";
-const char* trophic_python_folder = trophic_python_folder_text;
 }
 ")
 set(before "")

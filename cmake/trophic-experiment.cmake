@@ -12,12 +12,10 @@ function(trophic_link_provenance name)
   string(MAKE_C_IDENTIFIER "trophic_provenance_of_${PROJECT_NAME}" provenance)
   if(NOT TARGET ${provenance})
     set(revision ${PROJECT_BINARY_DIR}/trophic_provenance/source_revision.cpp)
-    get_property(python GLOBAL PROPERTY TROPHIC_PYTHON_FOLDER)
     add_custom_target(
       ${provenance}_look_up_revision
       BYPRODUCTS ${revision}
-      COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DPYTHON=${python} -DFILE=${revision}
-              -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/source-revision.cmake
+      COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DFILE=${revision} -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/source-revision.cmake
       COMMENT "Looking up the source revision" VERBATIM)
     add_library(${provenance} OBJECT ${revision})
     add_dependencies(${provenance} ${provenance}_look_up_revision)

@@ -9,13 +9,11 @@
 #include <trophic/io/program_code.hpp>
 #include <trophic/support/version.hpp>
 
-/// `git describe` of the program's sources at the last build, its build type and flags, and the folder of trophic's Python
-/// module. The CMake function trophic_add_experiment gives them by definitions that replace these; a program that is built
-/// otherwise lacks them.
+/// `git describe` of the program's sources at the last build, its build type and flags. The CMake function
+/// trophic_add_experiment gives them by definitions that replace these; a program that is built otherwise lacks them.
 extern "C" {
 [[gnu::weak]] const char* trophic_source_revision = nullptr;
 [[gnu::weak]] const char* trophic_build = nullptr;
-[[gnu::weak]] const char* trophic_python_folder = nullptr;
 }
 
 namespace trophic::command {
