@@ -58,14 +58,13 @@ def rows_of(path):
                 speeds.append(f"{start} {memory:,.0f} |")
             else:
                 robots, whole, *ways = line.replace("= 1/", "").split()
-                cells = (f"{time if float(time) < 100 else round(float(time))} ({ratio(times_faster)})"
-                         for time, times_faster in zip(ways[::2], ways[1::2]))
+                cells = (
+                    f"{time if float(time) < 100 else round(float(time))} ({ratio(times_faster)})"
+                    for time, times_faster in zip(ways[::2], ways[1::2])
+                )
                 whole = whole if float(whole) < 100 else round(float(whole))
                 times.append(f"| {robots} | {whole} | " + " | ".join(cells) + " |")
-    return {
-        "| robots | one model | islands, 1 thread |": times,
-        "| robots | one model | fast, 1 thread |": speeds,
-    }
+    return {"| robots | one model | islands, 1 thread |": times, "| robots | one model | fast, 1 thread |": speeds}
 
 
 def ratio(text):
@@ -82,7 +81,7 @@ def fill(document, tables):
             end = start + 2
             while end < len(lines) and lines[end].startswith("|"):
                 end += 1
-            lines[start + 2:end] = rows
+            lines[start + 2 : end] = rows
     with open(document, "w") as file:
         file.write("\n".join(lines) + "\n")
 
@@ -96,7 +95,9 @@ def main(source, target, document):
         points = [(robots, speeds[column]) for robots, speeds in sorted(table.items()) if speeds[column]]
         x, y = zip(*points)
         axes.plot(x, y, style, color=colour, marker=marker, markersize=6, linewidth=1.8)
-        axes.annotate(label, (x[-1], y[-1]), xytext=(8, 0), textcoords="offset points", color="#333333", va="center", fontsize=10)
+        axes.annotate(
+            label, (x[-1], y[-1]), xytext=(8, 0), textcoords="offset points", color="#333333", va="center", fontsize=10
+        )
     axes.set_xscale("log")
     axes.set_yscale("log")
     axes.set_xlim(0.8, 4e6)

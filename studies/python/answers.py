@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: MIT
 """The tables of claims: each question with the answer, the effect, its interval and the number of runs, all from results/data."""
 
-SETS = {"mujoco_released": ("released code, MuJoCo", "released-on-mujoco.md"), "mujoco_paper": ("text's rules, MuJoCo", "paper-on-mujoco.md"),
-        "kinematic_released": ("released code, no bodies", "released-without-bodies.md"),
-        "kinematic_paper": ("text's rules, no bodies", "paper-without-bodies.md")}
+SETS = {
+    "mujoco_released": ("released code, MuJoCo", "released-on-mujoco.md"),
+    "mujoco_paper": ("text's rules, MuJoCo", "paper-on-mujoco.md"),
+    "kinematic_released": ("released code, no bodies", "released-without-bodies.md"),
+    "kinematic_paper": ("text's rules, no bodies", "paper-without-bodies.md"),
+}
 SWAPPED_INTO = {"paper": "swap into the text's rules", "released": "swap into the released code"}
 
 HEADS = ["question", "answer", "effect [95 % interval]", "runs", "study"]
@@ -33,7 +36,15 @@ def evolved(data, sets=SETS, most=None, folder=""):
     for questions in list(zip(*answers.values()))[:most]:
         for number, (name, row) in enumerate(zip(sets, questions)):
             where = (sets[name][0], folder + sets[name][1])
-            lines.append(line("" if number else row["question"], row["answer"], signed(row, ("difference", "lower", "upper")), row["runs"], where))
+            lines.append(
+                line(
+                    "" if number else row["question"],
+                    row["answer"],
+                    signed(row, ("difference", "lower", "upper")),
+                    row["runs"],
+                    where,
+                )
+            )
     return lines
 
 
@@ -49,22 +60,51 @@ def choices_that_matter(data):
     question = "Do prey evolve to flee, by the parent of a newborn prey and the range in which it is looked for?"
     for parent, words in (("active", "parent must be active"), ("any", "parent may be inactive")):
         for range_m in ("12", "4"):
-            row = of(data("ranges"), parent=parent, range_m=range_m, activation_m="5", metric="velocity", species="prey", group="inherited")
+            row = of(
+                data("ranges"),
+                parent=parent,
+                range_m=range_m,
+                activation_m="5",
+                metric="velocity",
+                species="prey",
+                group="inherited",
+            )
             answer = f"{words}, range {range_m} m. {row['flee'][0].upper()}{row['flee'][1:]}"
-            lines.append(line("" if lines else question, answer, signed(row, keys), row["runs"], ("readings of the text", "readings.md")))
+            lines.append(
+                line(
+                    "" if lines else question,
+                    answer,
+                    signed(row, keys),
+                    row["runs"],
+                    ("readings of the text", "readings.md"),
+                )
+            )
     rows = [row for row in data("ablations") if row["metric"] == "wall_sticking" and row["species"] == "prey"]
     if any(row["swap"] != "brain_with_biases" for row in data("ablations")):
-        raise SystemExit("ablations.csv: another rule swap is significant, and answers.py says that biases are the only one")
+        raise SystemExit(
+            "ablations.csv: another rule swap is significant, and answers.py says that biases are the only one"
+        )
     for number, row in enumerate(rows):
         question = "" if number else "Which single difference between text and code changes a metric significantly?"
         answer = "biases in the network: prey " + ("less at walls" if float(row["difference"]) < 0 else "more at walls")
         effect = signed(row, ("difference", "lower", "upper"))
         lines.append(line(question, answer, effect, 10, (SWAPPED_INTO[row["from"]], "ablations.md")))
     for number, value in enumerate(("0.2", "0.8")):
-        row = of(data("inheritance"), axis="rules.mutation.sd", value=value, metric="velocity", species="predator", group="inherited")
+        row = of(
+            data("inheritance"),
+            axis="rules.mutation.sd",
+            value=value,
+            metric="velocity",
+            species="predator",
+            group="inherited",
+        )
         question = "" if number else "Do larger mutations reduce chasing?"
         keys = ("difference", "lower", "upper")
-        answer = f"yes, at sd {value} instead of 0.05" if float(row["p_holm"]) <= 0.05 and float(row["difference"]) < 0 else "undecided"
+        answer = (
+            f"yes, at sd {value} instead of 0.05"
+            if float(row["p_holm"]) <= 0.05 and float(row["difference"]) < 0
+            else "undecided"
+        )
         lines.append(line(question, answer, signed(row, keys), row["seeds"], ("three parameters", "inheritance.md")))
     return lines
 

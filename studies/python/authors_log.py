@@ -12,7 +12,9 @@ import zlib
 import pandas
 
 COLUMNS = "time_s tick body id species origin active tag x_m y_m heading_rad target_angle_rad adversary_id adversary_distance_m hunger_ticks".split()
-EVENTS = "time_s tick event id species body tag active origin parent_id genome_id cause killer_id victim_id x_m y_m".split()
+EVENTS = (
+    "time_s tick event id species body tag active origin parent_id genome_id cause killer_id victim_id x_m y_m".split()
+)
 
 
 def agents(log: pandas.DataFrame) -> pandas.DataFrame:
@@ -21,12 +23,29 @@ def agents(log: pandas.DataFrame) -> pandas.DataFrame:
     place = log.position.str.strip("[]").str.split(expand=True).astype(float)
     species = log.predprey.map({"prey": "prey", "pred": "predator"})
     changes = species.ne(species.groupby(log.id).shift()).groupby(log.id).cumsum() - 1
-    rows = pandas.DataFrame({"time_s": log.simTime, "tick": pandas.factorize(log.simTime)[0] + 1, "body": log.id, "id": log.id + bodies * changes,
-                             "species": species, "origin": log.RanW.map({True: "random", False: "inherited"}), "active": log.immCheck.astype(int),
-                             "tag": log.tag, "x_m": place[0].round(6), "y_m": place[1].round(6), "heading_rad": log.angle, "body_b": log.otherID})
-    its = rows[["tick", "body", "id", "species"]].rename(columns={"body": "body_b", "id": "adversary_id", "species": "species_b"})
+    rows = pandas.DataFrame(
+        {
+            "time_s": log.simTime,
+            "tick": pandas.factorize(log.simTime)[0] + 1,
+            "body": log.id,
+            "id": log.id + bodies * changes,
+            "species": species,
+            "origin": log.RanW.map({True: "random", False: "inherited"}),
+            "active": log.immCheck.astype(int),
+            "tag": log.tag,
+            "x_m": place[0].round(6),
+            "y_m": place[1].round(6),
+            "heading_rad": log.angle,
+            "body_b": log.otherID,
+        }
+    )
+    its = rows[["tick", "body", "id", "species"]].rename(
+        columns={"body": "body_b", "id": "adversary_id", "species": "species_b"}
+    )
     rows = rows.merge(its, how="left", on=["tick", "body_b"])
-    return rows.assign(adversary_id=rows.adversary_id.where(rows.species != rows.species_b).astype("Int64")).reindex(columns=COLUMNS)
+    return rows.assign(adversary_id=rows.adversary_id.where(rows.species != rows.species_b).astype("Int64")).reindex(
+        columns=COLUMNS
+    )
 
 
 def write(source: pathlib.Path, out: pathlib.Path) -> None:
@@ -35,10 +54,19 @@ def write(source: pathlib.Path, out: pathlib.Path) -> None:
     rows.to_csv(out / "agents.csv", index=False)
     pandas.DataFrame(columns=EVENTS).to_csv(out / "events.csv", index=False)
     end_s = float(rows.time_s.max())
-    manifest = {"fingerprint": f"{zlib.crc32(source.read_bytes()):08x}", "rule_table": "authors_code", "backend": "mujoco", "status": "complete", "seed": 0,
-                "clock": {"tick_s": 2.0, "simulated_s_per_clock_s": 1.2, "until_s": end_s}, "result": {"reached_s": end_s},
-                "arena": {"half_side_m": 28 / 3}, "species": ["prey", "predator"], "food_web": [{"hunter": "predator", "victim": "prey"}],
-                "description": {"name": "authors' log", "sentence": f"rules of the authors' code, from {source.name}"}}
+    manifest = {
+        "fingerprint": f"{zlib.crc32(source.read_bytes()):08x}",
+        "rule_table": "authors_code",
+        "backend": "mujoco",
+        "status": "complete",
+        "seed": 0,
+        "clock": {"tick_s": 2.0, "simulated_s_per_clock_s": 1.2, "until_s": end_s},
+        "result": {"reached_s": end_s},
+        "arena": {"half_side_m": 28 / 3},
+        "species": ["prey", "predator"],
+        "food_web": [{"hunter": "predator", "victim": "prey"}],
+        "description": {"name": "authors' log", "sentence": f"rules of the authors' code, from {source.name}"},
+    }
     (out / "manifest.json").write_text(json.dumps(manifest, indent=1) + "\n")
 
 

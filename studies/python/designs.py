@@ -13,11 +13,19 @@ from trophic import statistics
 from trophic.statistics import holm
 
 # Metrics of the screening design: (metric, species, group, over the shadow).
-SCREENED = [("velocity", "prey", "inherited", True), ("velocity", "predator", "inherited", True),
-            ("velocity", "prey", "active", False), ("velocity", "prey", "all", False), ("velocity", "predator", "all", False),
-            ("attribution_caught", "prey", "all", False), ("attribution_credited", "predator", "all", False),
-            ("wall_sticking", "prey", "all", False), ("wall_sticking", "predator", "all", False),
-            ("wall_sticking_gap", "prey-predator", "all", False), ("tag_symmetry", "prey+predator", "inherited", False)]
+SCREENED = [
+    ("velocity", "prey", "inherited", True),
+    ("velocity", "predator", "inherited", True),
+    ("velocity", "prey", "active", False),
+    ("velocity", "prey", "all", False),
+    ("velocity", "predator", "all", False),
+    ("attribution_caught", "prey", "all", False),
+    ("attribution_credited", "predator", "all", False),
+    ("wall_sticking", "prey", "all", False),
+    ("wall_sticking", "predator", "all", False),
+    ("wall_sticking_gap", "prey-predator", "all", False),
+    ("tag_symmetry", "prey+predator", "inherited", False),
+]
 
 
 def two_levels(factors):
@@ -54,7 +62,9 @@ def runs_of(metrics):
     for metric, species, group, over_shadow in SCREENED:
         ours, null = own.get((metric, species, group), {}), shadow.get((metric, species, group), {})
         seeds = sorted(seed for seed in ours if not over_shadow or seed in null)
-        values[metric, species, group, over_shadow] = [ours[seed] - (null[seed] if over_shadow else 0.0) for seed in seeds]
+        values[metric, species, group, over_shadow] = [
+            ours[seed] - (null[seed] if over_shadow else 0.0) for seed in seeds
+        ]
     return values
 
 
@@ -65,7 +75,9 @@ def mean(values):
 def welch(ours, theirs):
     """Difference of two means, each given as mean, deviation and number of runs, with Welch's 95 % interval."""
     variances = [deviation**2 / count for _, deviation, count in (ours, theirs)]
-    freedom = sum(variances) ** 2 / sum(variance**2 / (count - 1) for variance, (_, _, count) in zip(variances, (ours, theirs)))
+    freedom = sum(variances) ** 2 / sum(
+        variance**2 / (count - 1) for variance, (_, _, count) in zip(variances, (ours, theirs))
+    )
     middle = ours[0] - theirs[0]
     return middle, *statistics.interval_of(statistics.Contrast(middle, math.sqrt(sum(variances)), freedom))
 
@@ -80,7 +92,14 @@ def cell_rows(names, cells):
     rows = []
     for levels, values in cells:
         for key, runs in values.items():
-            rows.append({**dict(zip(names, levels)), **named(key), "runs": len(runs), "mean": f"{mean(runs):.6g}" if runs else ""})
+            rows.append(
+                {
+                    **dict(zip(names, levels)),
+                    **named(key),
+                    "runs": len(runs),
+                    "mean": f"{mean(runs):.6g}" if runs else "",
+                }
+            )
     return rows
 
 
@@ -100,8 +119,17 @@ def effect_rows(names, cells):
             effects = [2.0 * mean([sign * values[seed] for sign, values in zip(signs, runs)]) for seed in range(count)]
             of = statistics.contrast((1.0, effects))
             (lower, upper), p = statistics.interval_of(of), statistics.p_value(of)
-            rows.append({**named(key), "choice": name, "runs": count, "effect": f"{of.value:.6g}", "lower": f"{lower:.6g}",
-                         "upper": f"{upper:.6g}", "p": 1.0 if p is None else p})
+            rows.append(
+                {
+                    **named(key),
+                    "choice": name,
+                    "runs": count,
+                    "effect": f"{of.value:.6g}",
+                    "lower": f"{lower:.6g}",
+                    "upper": f"{upper:.6g}",
+                    "p": 1.0 if p is None else p,
+                }
+            )
     for row, p in zip(rows, holm([row["p"] for row in rows])):
         row["p"] = f"{row['p']:.3g}"
         row["p_holm"] = f"{p:.3g}"
@@ -117,11 +145,23 @@ def set_rows(name, summary):
     rows = []
     for metric in summary["sets"][0]["metrics"]:
         shadow = next((one for one in metric["baselines"] if one["name"] == "shadow"), {})
-        rows.append({"set": name, "metric": metric["metric"], "species": metric["species"], "group": metric["group"],
-                     "unit": metric["unit"], "runs": metric["runs"], **{key: number(metric[key]) for key in ("mean", "deviation", "lower", "upper")},
-                     "shadow": number(shadow.get("value")), "difference": number(shadow.get("difference")),
-                     "difference_lower": number(shadow.get("lower")), "difference_upper": number(shadow.get("upper")),
-                     "p_holm": number(shadow.get("p_adjusted")), "conclusion": shadow.get("conclusion") or ""})
+        rows.append(
+            {
+                "set": name,
+                "metric": metric["metric"],
+                "species": metric["species"],
+                "group": metric["group"],
+                "unit": metric["unit"],
+                "runs": metric["runs"],
+                **{key: number(metric[key]) for key in ("mean", "deviation", "lower", "upper")},
+                "shadow": number(shadow.get("value")),
+                "difference": number(shadow.get("difference")),
+                "difference_lower": number(shadow.get("lower")),
+                "difference_upper": number(shadow.get("upper")),
+                "p_holm": number(shadow.get("p_adjusted")),
+                "conclusion": shadow.get("conclusion") or "",
+            }
+        )
     return rows
 
 
@@ -130,9 +170,17 @@ def answer_rows(summary):
     rows = []
     for answer in summary["sets"][0]["answers"]:
         shown = answer["readings"][answer["shown"]]
-        rows.append({"question": answer["question"], "answer": answer["answer"], "metric": shown["metric"], "runs": len(summary["sets"][0]["runs"]),
-                     "readings": len(answer["readings"]), **{name: number(shown[name]) for name in ("difference", "lower", "upper")},
-                     "p_holm": number(shown["p_adjusted"])})
+        rows.append(
+            {
+                "question": answer["question"],
+                "answer": answer["answer"],
+                "metric": shown["metric"],
+                "runs": len(summary["sets"][0]["runs"]),
+                "readings": len(answer["readings"]),
+                **{name: number(shown[name]) for name in ("difference", "lower", "upper")},
+                "p_holm": number(shown["p_adjusted"]),
+            }
+        )
     return rows
 
 
@@ -147,9 +195,21 @@ def swap_rows(swaps):
     for table, effects in compared.items():
         for (row, over_shadow), p in zip(effects, holm([float(row["p"]) for row, _ in effects])):
             if p <= 0.05:
-                rows.append({"from": table, "swap": row["swap"], "metric": row["metric"], "species": row["species"], "group": row["group"],
-                             "over_shadow": int(over_shadow),
-                             **{name: number(float(row[name])) for name in ("base", "swapped", "difference", "lower", "upper")}, "p_holm": f"{p:.2g}"})
+                rows.append(
+                    {
+                        "from": table,
+                        "swap": row["swap"],
+                        "metric": row["metric"],
+                        "species": row["species"],
+                        "group": row["group"],
+                        "over_shadow": int(over_shadow),
+                        **{
+                            name: number(float(row[name]))
+                            for name in ("base", "swapped", "difference", "lower", "upper")
+                        },
+                        "p_holm": f"{p:.2g}",
+                    }
+                )
     return rows
 
 
@@ -159,7 +219,12 @@ def claim_rows(summary):
     for claim in summary["sets"][0]["claims"]:
         for reading in claim["readings"]:
             row = {"claim": claim["claim"], "summary": claim["summary"], **reading}
-            rows.append({key: number(value) if isinstance(value, float) else "" if value is None else value for key, value in row.items()})
+            rows.append(
+                {
+                    key: number(value) if isinstance(value, float) else "" if value is None else value
+                    for key, value in row.items()
+                }
+            )
     return rows
 
 
@@ -169,9 +234,22 @@ def sweep_rows(effects):
     for row in read(effects):
         over_shadow = row["compared"] == "over_shadow"
         if over_shadow == row["metric"].startswith(("velocity", "attribution")):
-            rows.append({"axis": row["axis"], "value": row["value"], "reference": row["reference"], "metric": row["metric"],
-                         "species": row["species"], "group": row["group"], "over_shadow": int(over_shadow), "seeds": row["seeds"],
-                         **{name: row[name] and number(float(row[name])) for name in ("difference", "lower", "upper", "p_holm")}})
+            rows.append(
+                {
+                    "axis": row["axis"],
+                    "value": row["value"],
+                    "reference": row["reference"],
+                    "metric": row["metric"],
+                    "species": row["species"],
+                    "group": row["group"],
+                    "over_shadow": int(over_shadow),
+                    "seeds": row["seeds"],
+                    **{
+                        name: row[name] and number(float(row[name]))
+                        for name in ("difference", "lower", "upper", "p_holm")
+                    },
+                }
+            )
     return rows
 
 
@@ -196,7 +274,10 @@ def cells_of(sweep, grid):
     for line in (pathlib.Path(sweep) / "plan.jsonl").read_text().splitlines():
         run = json.loads(line)
         of_run = {**run["settings"], "rule_table": run["rule_table"]}
-        words = [str(of_run[key]) if key == "rule_table" else f"{key.split('.')[-1]} {of_run[key]:.4g}" for key, _ in flat(grid)]
+        words = [
+            str(of_run[key]) if key == "rule_table" else f"{key.split('.')[-1]} {of_run[key]:.4g}"
+            for key, _ in flat(grid)
+        ]
         cells[run["cell"]] = ", ".join(words)
     return sorted(cells.items())
 
@@ -210,11 +291,26 @@ def flat(table, path=""):
 
 def progress_rows(cell, progress):
     """Progress over the shadow, by kind of opponents, species and period, from a progress.csv."""
-    return [{**cell, "measure": f"{'global' if row['against'] == 'others' else 'historical'} {row['period']}", "species": row["species"],
-             "runs": row["runs"], **{key: row[name] and number(float(row[name])) for key, name in
-                                     (("mean", "mean_s"), ("shadow", "shadow_s"), ("over_shadow", "over_shadow_s"),
-                                      ("lower", "over_shadow_lower_s"), ("upper", "over_shadow_upper_s"), ("p_holm", "p_holm"))}}
-            for row in read(progress)]
+    return [
+        {
+            **cell,
+            "measure": f"{'global' if row['against'] == 'others' else 'historical'} {row['period']}",
+            "species": row["species"],
+            "runs": row["runs"],
+            **{
+                key: row[name] and number(float(row[name]))
+                for key, name in (
+                    ("mean", "mean_s"),
+                    ("shadow", "shadow_s"),
+                    ("over_shadow", "over_shadow_s"),
+                    ("lower", "over_shadow_lower_s"),
+                    ("upper", "over_shadow_upper_s"),
+                    ("p_holm", "p_holm"),
+                )
+            },
+        }
+        for row in read(progress)
+    ]
 
 
 def raced_rows(cell, summary, shadow=None):
@@ -224,15 +320,37 @@ def raced_rows(cell, summary, shadow=None):
         names = ("shadow", "difference", "difference_lower", "difference_upper")
         if shadow:
             theirs = next(one for one in raced(shadow) if one["species"] == row["species"])
-            row.update(zip(names, (theirs["mean"], *welch(*([float(one[key]) for key in ("mean", "deviation", "runs")] for one in (row, theirs))))))
-        rows.append({**cell, "measure": "velocity", "species": row["species"], "runs": row["runs"],
-                     **{key: number(100.0 * float(row[name])) if row[name] != "" else "" for key, name in
-                        zip(("mean", "shadow", "over_shadow", "lower", "upper"), ("mean", *names))}, "p_holm": ""})
+            row.update(
+                zip(
+                    names,
+                    (
+                        theirs["mean"],
+                        *welch(*([float(one[key]) for key in ("mean", "deviation", "runs")] for one in (row, theirs))),
+                    ),
+                )
+            )
+        rows.append(
+            {
+                **cell,
+                "measure": "velocity",
+                "species": row["species"],
+                "runs": row["runs"],
+                **{
+                    key: number(100.0 * float(row[name])) if row[name] != "" else ""
+                    for key, name in zip(("mean", "shadow", "over_shadow", "lower", "upper"), ("mean", *names))
+                },
+                "p_holm": "",
+            }
+        )
     return rows
 
 
 def raced(summary):
-    return [row for row in set_rows("", summary) if row["metric"] == "velocity" and row["group"] == "inherited" and row["mean"]]
+    return [
+        row
+        for row in set_rows("", summary)
+        if row["metric"] == "velocity" and row["group"] == "inherited" and row["mean"]
+    ]
 
 
 def lineage_rows(cell, summary):
@@ -240,19 +358,47 @@ def lineage_rows(cell, summary):
     rows = []
     for metric in summary["sets"][0]["metrics"]:
         for null in metric["baselines"]:
-            rows.append({**cell, "measure": metric["metric"], "species": metric["species"], "group": metric["group"], "unit": metric["unit"],
-                         "runs": metric["runs"], "mean": number(metric["mean"]), "null": null["name"], "null_mean": number(null.get("value")),
-                         **{key: number(null.get(key)) for key in ("difference", "lower", "upper")}, "p_holm": number(null.get("p_adjusted"))})
+            rows.append(
+                {
+                    **cell,
+                    "measure": metric["metric"],
+                    "species": metric["species"],
+                    "group": metric["group"],
+                    "unit": metric["unit"],
+                    "runs": metric["runs"],
+                    "mean": number(metric["mean"]),
+                    "null": null["name"],
+                    "null_mean": number(null.get("value")),
+                    **{key: number(null.get(key)) for key in ("difference", "lower", "upper")},
+                    "p_holm": number(null.get("p_adjusted")),
+                }
+            )
     return rows
 
 
 def persisting(metrics):
     """The names of the runs in which every species lives to the end."""
-    return [row["run"] for row in read(metrics) if (row["metric"], row["species"], row["baseline"], row["time_s"], row["value"]) == ("persists", "all", "", "", "1")]
+    return [
+        row["run"]
+        for row in read(metrics)
+        if (row["metric"], row["species"], row["baseline"], row["time_s"], row["value"])
+        == ("persists", "all", "", "", "1")
+    ]
 
 
-LIVING = {"persists", "velocity", "generation_time", "lineage_depth", "pyramid_numbers", "cycles", "period", "phase", "search_rate_holling", "handling_time",
-          "trophic_efficiency"}
+LIVING = {
+    "persists",
+    "velocity",
+    "generation_time",
+    "lineage_depth",
+    "pyramid_numbers",
+    "cycles",
+    "period",
+    "phase",
+    "search_rate_holling",
+    "handling_time",
+    "trophic_efficiency",
+}
 
 
 def living_rows(name, summary):
@@ -263,11 +409,20 @@ def living_rows(name, summary):
             continue
         nulls = {null["name"]: null for null in metric["baselines"]}
         shadow = nulls.get("shadow", {})
-        rows.append({"set": name, "metric": metric["metric"], "species": metric["species"], "unit": metric["unit"], "runs": metric["runs"],
-                     **{key: number(metric[key]) for key in ("mean", "lower", "upper")},
-                     **{null: number(nulls.get(null, {}).get("value")) for null in ("shadow", "clones", "mean_field")},
-                     **{key: number(shadow.get(key)) for key in ("difference", "p")},
-                     **{f"difference_{key}": number(shadow.get(key)) for key in ("lower", "upper")}, "p_holm": ""})
+        rows.append(
+            {
+                "set": name,
+                "metric": metric["metric"],
+                "species": metric["species"],
+                "unit": metric["unit"],
+                "runs": metric["runs"],
+                **{key: number(metric[key]) for key in ("mean", "lower", "upper")},
+                **{null: number(nulls.get(null, {}).get("value")) for null in ("shadow", "clones", "mean_field")},
+                **{key: number(shadow.get(key)) for key in ("difference", "p")},
+                **{f"difference_{key}": number(shadow.get(key)) for key in ("lower", "upper")},
+                "p_holm": "",
+            }
+        )
     tested = [row for row in rows if row["metric"] == "velocity" and row["p"]]
     for row, p in zip(tested, holm([float(row["p"]) for row in tested])):
         row["p_holm"] = number(p)
@@ -276,10 +431,28 @@ def living_rows(name, summary):
 
 def atlas_rows(analysis):
     """Persistence and velocities over the shadow in each cell of a sweep, with its two settings."""
-    cells = {row["cell"]: {"reach_m": row["rules.capture.reach_m"], "growth_1_s": row["rules.resource.growth_1_s"]} for row in read(analysis / "cells.csv")}
-    keys = ("metric", "species", "unit", "runs", "mean", "lower", "upper", "shadow", "over_shadow", "over_lower", "over_upper")
-    return [{**cells[row["cell"]], **{key: row[key] for key in keys}} for row in read(analysis / "sweep_metrics.csv")
-            if (row["metric"], row["group"]) in (("persists", "all"), ("velocity", "inherited"))]
+    cells = {
+        row["cell"]: {"reach_m": row["rules.capture.reach_m"], "growth_1_s": row["rules.resource.growth_1_s"]}
+        for row in read(analysis / "cells.csv")
+    }
+    keys = (
+        "metric",
+        "species",
+        "unit",
+        "runs",
+        "mean",
+        "lower",
+        "upper",
+        "shadow",
+        "over_shadow",
+        "over_lower",
+        "over_upper",
+    )
+    return [
+        {**cells[row["cell"]], **{key: row[key] for key in keys}}
+        for row in read(analysis / "sweep_metrics.csv")
+        if (row["metric"], row["group"]) in (("persists", "all"), ("velocity", "inherited"))
+    ]
 
 
 def compared_raw(differences):
@@ -289,8 +462,16 @@ def compared_raw(differences):
 
 def over_survival(row, scale):
     """Numbers of runs, means and difference of a comparison with survival alone; the numbers in the unit that `scale` makes."""
-    scaled = {name: row[key] and number(scale * float(row[key])) for name, key in
-              (("mean", "mean_b"), ("survival", "mean_a"), ("over_survival", "difference"), ("lower", "lower"), ("upper", "upper"))}
+    scaled = {
+        name: row[key] and number(scale * float(row[key]))
+        for name, key in (
+            ("mean", "mean_b"),
+            ("survival", "mean_a"),
+            ("over_survival", "difference"),
+            ("lower", "lower"),
+            ("upper", "upper"),
+        )
+    }
     return {"runs": row["n_b"], "survival_runs": row["n_a"], **scaled}
 
 
@@ -298,42 +479,90 @@ def evolved_rows(study, differences, means, neutral=None):
     """Measures of bodies, gaits and brains in the late half of runs, with their differences from survival alone, from the shadow and, if there are
     such differences, from the neutral null."""
     shadows = {(row["metric"], row["species"], row["group"]): row for row in read(means) if row["null"] == "shadow"}
-    neutrals = {(row["metric"], row["species"], row["group"]): row for row in (compared_raw(neutral) if neutral else ())}
+    neutrals = {
+        (row["metric"], row["species"], row["group"]): row for row in (compared_raw(neutral) if neutral else ())
+    }
     rows = []
     for row in compared_raw(differences):
         key = (row["metric"], row["species"], row["group"])
         scale = 100.0 if row["unit"] == "m/s" else 1.0
         shadow = shadows.get(key, {})
-        of_shadow = {name: shadow.get(column) and number(scale * float(shadow[column])) for name, column in
-                     (("shadow", "null_mean"), ("over_shadow", "difference"), ("shadow_lower", "difference_lower"), ("shadow_upper", "difference_upper"))}
+        of_shadow = {
+            name: shadow.get(column) and number(scale * float(shadow[column]))
+            for name, column in (
+                ("shadow", "null_mean"),
+                ("over_shadow", "difference"),
+                ("shadow_lower", "difference_lower"),
+                ("shadow_upper", "difference_upper"),
+            )
+        }
         null = neutrals.get(key, {})
-        of_neutral = {name: number(scale * float(null[column])) if null.get(column) else "" for name, column in
-                      (("neutral", "mean_a"), ("over_neutral", "difference"), ("neutral_lower", "lower"), ("neutral_upper", "upper"))}
-        p_values = {name: of.get("p_holm") and number(float(of["p_holm"])) for name, of in
-                    (("p_holm", row), ("shadow_p_holm", shadow), ("neutral_p_holm", null))}
-        rows.append({"study": study, "metric": row["metric"], "species": row["species"], "group": row["group"],
-                     "unit": "cm/s" if scale == 100.0 else row["unit"], **over_survival(row, scale), **of_shadow, **of_neutral, **p_values})
+        of_neutral = {
+            name: number(scale * float(null[column])) if null.get(column) else ""
+            for name, column in (
+                ("neutral", "mean_a"),
+                ("over_neutral", "difference"),
+                ("neutral_lower", "lower"),
+                ("neutral_upper", "upper"),
+            )
+        }
+        p_values = {
+            name: of.get("p_holm") and number(float(of["p_holm"]))
+            for name, of in (("p_holm", row), ("shadow_p_holm", shadow), ("neutral_p_holm", null))
+        }
+        rows.append(
+            {
+                "study": study,
+                "metric": row["metric"],
+                "species": row["species"],
+                "group": row["group"],
+                "unit": "cm/s" if scale == 100.0 else row["unit"],
+                **over_survival(row, scale),
+                **of_shadow,
+                **of_neutral,
+                **p_values,
+            }
+        )
     return rows
 
 
 def walked_rows(differences):
     """How far prey walk in the late half of runs, over survival alone, in cm/s: one measure, so p needs no correction."""
-    rows = [row for row in compared_raw(differences) if (row["metric"], row["species"], row["group"]) == ("walked", "prey", "late")]
-    return [{"metric": row["metric"], "species": row["species"], "group": row["group"], **over_survival(row, 100.0),
-             "p": row["p"] and number(float(row["p"]))} for row in rows]
+    rows = [
+        row
+        for row in compared_raw(differences)
+        if (row["metric"], row["species"], row["group"]) == ("walked", "prey", "late")
+    ]
+    return [
+        {
+            "metric": row["metric"],
+            "species": row["species"],
+            "group": row["group"],
+            **over_survival(row, 100.0),
+            "p": row["p"] and number(float(row["p"])),
+        }
+        for row in rows
+    ]
 
 
 def lives_of(runs):
     """Births, mean and greatest number of ancestors of newborn, and deaths of diverged bodies, as means over the runs of a set."""
     counts = []
-    for phylogeny in sorted(pathlib.Path(runs).glob("replicate-*/phylogeny.csv")) or sorted(pathlib.Path(runs).glob("phylogeny.csv")):
+    for phylogeny in sorted(pathlib.Path(runs).glob("replicate-*/phylogeny.csv")) or sorted(
+        pathlib.Path(runs).glob("phylogeny.csv")
+    ):
         depth, depths = {}, []
         for row in sorted(read(phylogeny), key=lambda row: int(row["id"])):
             depth[row["id"]] = 0 if row["ancestor_id"] == row["id"] else depth[row["ancestor_id"]] + 1
             depths.append(depth[row["id"]])
-        diverged = sum(row["event"] == "death" and row["cause"] == "diverged" for row in read(phylogeny.parent / "events.csv"))
+        diverged = sum(
+            row["event"] == "death" and row["cause"] == "diverged" for row in read(phylogeny.parent / "events.csv")
+        )
         counts.append((len(depths), mean(depths), max(depths), diverged))
-    return {name: number(mean(values)) for name, values in zip(("births", "mean_depth", "greatest_depth", "diverged"), zip(*counts))}
+    return {
+        name: number(mean(values))
+        for name, values in zip(("births", "mean_depth", "greatest_depth", "diverged"), zip(*counts))
+    }
 
 
 def generations_of(runs):

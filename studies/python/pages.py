@@ -9,10 +9,17 @@ import designs
 
 MARKED = re.compile(r"(<!-- table: ([\w ]+) -->\n).*?(<!-- /table -->)", re.S)
 TITLES = {
-    "attribution_caught": "inherited among the caught prey", "attribution_credited": "prey deaths credited to inherited predators",
-    "attribution_catches": "catches by inherited predators", "attribution_catchers": "inherited among the predators that ever caught",
-    "velocity": "velocity", "wall_sticking": "at walls", "wall_sticking_gap": "at walls, prey less predators",
-    "tag_symmetry": "tag symmetry", "deaths": "deaths in a run", "ticks_at": "share of time with", "stuck": "stuck",
+    "attribution_caught": "inherited among the caught prey",
+    "attribution_credited": "prey deaths credited to inherited predators",
+    "attribution_catches": "catches by inherited predators",
+    "attribution_catchers": "inherited among the predators that ever caught",
+    "velocity": "velocity",
+    "wall_sticking": "at walls",
+    "wall_sticking_gap": "at walls, prey less predators",
+    "tag_symmetry": "tag symmetry",
+    "deaths": "deaths in a run",
+    "ticks_at": "share of time with",
+    "stuck": "stuck",
 }
 
 
@@ -86,13 +93,24 @@ def claims(rows):
         reading = ", ".join(part for part in (row["members"], row["counting"]) if part)
         needed = f" ({row['runs_needed']} runs would decide)" if row["runs_needed"] else ""
         margin = f"{digits(row, row['margin'])} ({row['margin_from']})" if row["margin"] else "unknown"
-        lines.append([claim, reading, digits(row, row["published"]), margin, ranged(row, ("mean", "lower", "upper")), row["conclusion"] + needed])
+        lines.append(
+            [
+                claim,
+                reading,
+                digits(row, row["published"]),
+                margin,
+                ranged(row, ("mean", "lower", "upper")),
+                row["conclusion"] + needed,
+            ]
+        )
     return table(["published figure", "reading", "published", "margin", "ours", "conclusion"], lines)
 
 
 def summaries(rows):
     """One line for each published figure."""
-    return table(["published figure", "conclusion"], [[row["claim"], row["summary"]] for row in first_of(rows, "claim")])
+    return table(
+        ["published figure", "conclusion"], [[row["claim"], row["summary"]] for row in first_of(rows, "claim")]
+    )
 
 
 def first_of(rows, key):
@@ -100,12 +118,24 @@ def first_of(rows, key):
     return [row for row in rows if not (row[key] in seen or seen.add(row[key]))]
 
 
-AGAINST_SHADOW = [("attribution_caught", "prey", "all"), ("attribution_catches", "predator", "all"), ("attribution_catchers", "predator", "all"),
-                  ("attribution_credited", "predator", "all"), ("velocity", "prey", "random"), ("velocity", "prey", "inherited"),
-                  ("velocity", "prey", "active"), ("velocity", "predator", "random"), ("velocity", "predator", "inherited"),
-                  ("wall_sticking", "prey", "all"), ("wall_sticking", "predator", "all"), ("wall_sticking_gap", "prey-predator", "all"),
-                  ("tag_symmetry", "prey+predator", "inherited"), ("deaths", "prey", "caught"), ("deaths", "predator", "all"),
-                  ("ticks_at", "predator", "8")]
+AGAINST_SHADOW = [
+    ("attribution_caught", "prey", "all"),
+    ("attribution_catches", "predator", "all"),
+    ("attribution_catchers", "predator", "all"),
+    ("attribution_credited", "predator", "all"),
+    ("velocity", "prey", "random"),
+    ("velocity", "prey", "inherited"),
+    ("velocity", "prey", "active"),
+    ("velocity", "predator", "random"),
+    ("velocity", "predator", "inherited"),
+    ("wall_sticking", "prey", "all"),
+    ("wall_sticking", "predator", "all"),
+    ("wall_sticking_gap", "prey-predator", "all"),
+    ("tag_symmetry", "prey+predator", "inherited"),
+    ("deaths", "prey", "caught"),
+    ("deaths", "predator", "all"),
+    ("ticks_at", "predator", "8"),
+]
 
 
 def against_shadow(rows):
@@ -115,9 +145,19 @@ def against_shadow(rows):
         for row in rows:
             if (row["metric"], row["species"], row["group"]) != key or not row["mean"]:
                 continue
-            says = {"inconclusive": "no significant difference", "same": "as the metric that it repeats"}.get(row["conclusion"], row["conclusion"])
-            lines.append([title(row), ranged(row, ("mean", "lower", "upper")), digits(row, row["shadow"]),
-                          ranged(row, ("difference", "difference_lower", "difference_upper"), True), p_text(row["p_holm"]), says])
+            says = {"inconclusive": "no significant difference", "same": "as the metric that it repeats"}.get(
+                row["conclusion"], row["conclusion"]
+            )
+            lines.append(
+                [
+                    title(row),
+                    ranged(row, ("mean", "lower", "upper")),
+                    digits(row, row["shadow"]),
+                    ranged(row, ("difference", "difference_lower", "difference_upper"), True),
+                    p_text(row["p_holm"]),
+                    says,
+                ]
+            )
     return table(["metric", "ours", "shadow", "difference", "p (Holm)", "against the shadow"], lines)
 
 
@@ -125,11 +165,28 @@ def p_text(p):
     return "" if p == "" else "<0.001" if float(p) < 0.0005 else f"{float(p):.3f}"
 
 
-GRID = [("attribution_caught", "prey", "all"), ("attribution_credited", "predator", "all"), ("velocity", "prey", "all"),
-        ("velocity", "prey", "inherited"), ("velocity", "predator", "all"), ("velocity", "predator", "inherited"),
-        ("wall_sticking", "prey", "all"), ("wall_sticking", "predator", "all"), ("tag_symmetry", "prey+predator", "inherited")]
-SHORT = ["caught prey inherited", "credited to inherited predators", "prey", "inherited prey", "predators", "inherited predators", "prey at walls",
-         "predators at walls", "tag symmetry"]
+GRID = [
+    ("attribution_caught", "prey", "all"),
+    ("attribution_credited", "predator", "all"),
+    ("velocity", "prey", "all"),
+    ("velocity", "prey", "inherited"),
+    ("velocity", "predator", "all"),
+    ("velocity", "predator", "inherited"),
+    ("wall_sticking", "prey", "all"),
+    ("wall_sticking", "predator", "all"),
+    ("tag_symmetry", "prey+predator", "inherited"),
+]
+SHORT = [
+    "caught prey inherited",
+    "credited to inherited predators",
+    "prey",
+    "inherited prey",
+    "predators",
+    "inherited predators",
+    "prey at walls",
+    "predators at walls",
+    "tag symmetry",
+]
 
 
 def of_key(rows, key):
@@ -142,12 +199,36 @@ def ranges(rows):
     for parent in ("active", "any"):
         for activation in sorted({row["activation_m"] for row in rows}, reverse=True):
             for range_m in sorted({row["range_m"] for row in rows}, key=float):
-                cell = [row for row in rows if (row["parent"], row["activation_m"], row["range_m"]) == (parent, activation, range_m)]
+                cell = [
+                    row
+                    for row in rows
+                    if (row["parent"], row["activation_m"], row["range_m"]) == (parent, activation, range_m)
+                ]
                 prey = of_key(cell, ("velocity", "prey", "inherited"))
                 caught = of_key(cell, ("attribution_caught", "prey", "all"))
-                lines.append([parent, range_m, activation, cell[0]["parent_found"], digits(caught, caught["shadow"]), *(digits(of_key(cell, key), of_key(cell, key)["mean"]) for key in GRID),
-                              ranged(prey, ("difference", "difference_lower", "difference_upper"), True)])
-    return table(["parent", "range, m", "activation, m", "parent found", "caught prey inherited, shadow", *SHORT, "inherited prey over the shadow"], lines)
+                lines.append(
+                    [
+                        parent,
+                        range_m,
+                        activation,
+                        cell[0]["parent_found"],
+                        digits(caught, caught["shadow"]),
+                        *(digits(of_key(cell, key), of_key(cell, key)["mean"]) for key in GRID),
+                        ranged(prey, ("difference", "difference_lower", "difference_upper"), True),
+                    ]
+                )
+    return table(
+        [
+            "parent",
+            "range, m",
+            "activation, m",
+            "parent found",
+            "caught prey inherited, shadow",
+            *SHORT,
+            "inherited prey over the shadow",
+        ],
+        lines,
+    )
 
 
 def bodies(rows, base="paper"):
@@ -161,20 +242,51 @@ def bodies(rows, base="paper"):
 
 def at_walls(rows, base="released"):
     """The share of predators at walls with one thing changed, and Welch's interval of the difference to the set without a change."""
-    of_set = {row["set"]: row for row in rows if (row["metric"], row["species"], row["group"]) == ("wall_sticking", "predator", "all")}
+    of_set = {
+        row["set"]: row
+        for row in rows
+        if (row["metric"], row["species"], row["group"]) == ("wall_sticking", "predator", "all")
+    }
     lines = []
     for name, row in of_set.items():
         if name != base:
-            middle, lower, upper = designs.welch(*([float(one[key]) for key in ("mean", "deviation", "runs")] for one in (row, of_set[base])))
-            lines.append([name, row["runs"], digits(row, row["mean"]), digits(row, of_set[base]["mean"]), f"{middle:+.3f} [{lower:+.3f}, {upper:+.3f}]"])
+            middle, lower, upper = designs.welch(
+                *([float(one[key]) for key in ("mean", "deviation", "runs")] for one in (row, of_set[base]))
+            )
+            lines.append(
+                [
+                    name,
+                    row["runs"],
+                    digits(row, row["mean"]),
+                    digits(row, of_set[base]["mean"]),
+                    f"{middle:+.3f} [{lower:+.3f}, {upper:+.3f}]",
+                ]
+            )
     return table([f"swapped in `{base}`", "runs", "predators at walls", f"in `{base}`", "difference"], lines)
 
 
-EFFECTS = [("velocity", "prey", "inherited", "1"), ("velocity", "predator", "inherited", "1"), ("velocity", "prey", "all", "0"),
-           ("velocity", "predator", "all", "0"), ("attribution_caught", "prey", "all", "0"), ("attribution_credited", "predator", "all", "0"),
-           ("wall_sticking", "prey", "all", "0"), ("wall_sticking", "predator", "all", "0"), ("tag_symmetry", "prey+predator", "inherited", "0")]
-EFFECT_HEADS = ["inherited prey over the shadow, cm/s", "inherited predators over the shadow, cm/s", "prey, cm/s", "predators, cm/s",
-                "caught prey inherited", "credited to inherited predators", "prey at walls", "predators at walls", "tag symmetry"]
+EFFECTS = [
+    ("velocity", "prey", "inherited", "1"),
+    ("velocity", "predator", "inherited", "1"),
+    ("velocity", "prey", "all", "0"),
+    ("velocity", "predator", "all", "0"),
+    ("attribution_caught", "prey", "all", "0"),
+    ("attribution_credited", "predator", "all", "0"),
+    ("wall_sticking", "prey", "all", "0"),
+    ("wall_sticking", "predator", "all", "0"),
+    ("tag_symmetry", "prey+predator", "inherited", "0"),
+]
+EFFECT_HEADS = [
+    "inherited prey over the shadow, cm/s",
+    "inherited predators over the shadow, cm/s",
+    "prey, cm/s",
+    "predators, cm/s",
+    "caught prey inherited",
+    "credited to inherited predators",
+    "prey at walls",
+    "predators at walls",
+    "tag symmetry",
+]
 
 
 def effects(rows):
@@ -184,7 +296,11 @@ def effects(rows):
     for name in names:
         line = [f"`{name}`"]
         for key in EFFECTS:
-            row = next(row for row in rows if row["choice"] == name and (row["metric"], row["species"], row["group"], row["over_shadow"]) == key)
+            row = next(
+                row
+                for row in rows
+                if row["choice"] == name and (row["metric"], row["species"], row["group"], row["over_shadow"]) == key
+            )
             line.append(digits(row, row["effect"], True) + star(row["p_holm"]))
             sizes[name] = sizes.get(name, 0) + line[-1].endswith("*")
         lines.append(line)
@@ -192,18 +308,32 @@ def effects(rows):
     return table(["choice", *EFFECT_HEADS], lines)
 
 
-PUBLISHED = {("velocity", "prey", "all", "0"): (-0.0067, "prey velocity, all"), ("velocity", "prey", "active", "0"): (-0.0067, "prey velocity, active"),
-             ("velocity", "predator", "all", "0"): (0.0195, "predator velocity, all"),
-             ("attribution_caught", "prey", "all", "0"): (0.65, "attribution of prey"),
-             ("attribution_credited", "predator", "all", "0"): (0.725, "attribution of predators"),
-             ("wall_sticking", "prey", "all", "0"): (0.60, "prey at walls"), ("wall_sticking", "predator", "all", "0"): (0.39, "predators at walls"),
-             ("wall_sticking_gap", "prey-predator", "all", "0"): (0.21, "difference at walls"),
-             ("tag_symmetry", "prey+predator", "inherited", "0"): (0.43, "tag symmetry")}
+PUBLISHED = {
+    ("velocity", "prey", "all", "0"): (-0.0067, "prey velocity, all"),
+    ("velocity", "prey", "active", "0"): (-0.0067, "prey velocity, active"),
+    ("velocity", "predator", "all", "0"): (0.0195, "predator velocity, all"),
+    ("attribution_caught", "prey", "all", "0"): (0.65, "attribution of prey"),
+    ("attribution_credited", "predator", "all", "0"): (0.725, "attribution of predators"),
+    ("wall_sticking", "prey", "all", "0"): (0.60, "prey at walls"),
+    ("wall_sticking", "predator", "all", "0"): (0.39, "predators at walls"),
+    ("wall_sticking_gap", "prey-predator", "all", "0"): (0.21, "difference at walls"),
+    ("tag_symmetry", "prey+predator", "inherited", "0"): (0.43, "tag symmetry"),
+}
+
+
 def margins_of(claims):
     """The margin of each metric of a table of claims, {(metric, species): margin}; other readings have that of the first."""
     plain = {"velocity": "velocity_stored"}
-    return {(key[0], key[1]): float(next(row["margin"] for row in claims if row["metric"] == plain.get(key[0], key[0]) and row["species"] == key[1]))
-            for key in PUBLISHED}
+    return {
+        (key[0], key[1]): float(
+            next(
+                row["margin"]
+                for row in claims
+                if row["metric"] == plain.get(key[0], key[0]) and row["species"] == key[1]
+            )
+        )
+        for key in PUBLISHED
+    }
 
 
 def reached(rows, claims):
@@ -212,12 +342,23 @@ def reached(rows, claims):
     names = [name for name in rows[0] if name not in ("metric", "species", "group", "over_shadow", "runs", "mean")]
     lines = []
     for key, (value, words) in PUBLISHED.items():
-        cells = [row for row in rows if (row["metric"], row["species"], row["group"], row["over_shadow"]) == key and row["mean"]]
+        cells = [
+            row
+            for row in rows
+            if (row["metric"], row["species"], row["group"], row["over_shadow"]) == key and row["mean"]
+        ]
         margin = margins[key[0], key[1]]
         inside = [row for row in cells if abs(float(row["mean"]) - value) <= margin]
         low, high = min(float(row["mean"]) for row in cells), max(float(row["mean"]) for row in cells)
-        lines.append([words, digits(cells[0], str(value)), digits(cells[0], str(margin)), f"{digits(cells[0], str(low))} to {digits(cells[0], str(high))}",
-                      f"{len(inside)} of {len(cells)}"])
+        lines.append(
+            [
+                words,
+                digits(cells[0], str(value)),
+                digits(cells[0], str(margin)),
+                f"{digits(cells[0], str(low))} to {digits(cells[0], str(high))}",
+                f"{len(inside)} of {len(cells)}",
+            ]
+        )
     within = {}
     for key, (value, _) in PUBLISHED.items():
         for row in rows:
@@ -225,27 +366,57 @@ def reached(rows, claims):
                 cell = tuple(row[name] for name in names)
                 within[cell] = within.get(cell, 0) + (abs(float(row["mean"]) - value) <= margins[key[0], key[1]])
     most = max(within.values())
-    lines.append(["most figures in one cell", "", "", "", f"{most} of {len(PUBLISHED)} (cells: {sum(count == most for count in within.values())})"])
-    return table(["published figure", "published", "margin", "range of the cells' means", "cells within the margin"], lines)
+    lines.append(
+        [
+            "most figures in one cell",
+            "",
+            "",
+            "",
+            f"{most} of {len(PUBLISHED)} (cells: {sum(count == most for count in within.values())})",
+        ]
+    )
+    return table(
+        ["published figure", "published", "margin", "range of the cells' means", "cells within the margin"], lines
+    )
 
 
 def swaps(rows, into):
     """Rule swaps with a significant effect on a metric of the claims."""
-    return table([f"put into `{into}`", "metric", "before", "after", "difference", "p (Holm)"],
-                 [[row["swap"], title(row) + (", over the shadow" if row["over_shadow"] == "1" else ""), digits(row, row["base"]),
-                   digits(row, row["swapped"]), ranged(row, ("difference", "lower", "upper"), True), row["p_holm"]] for row in rows if row["from"] == into])
+    return table(
+        [f"put into `{into}`", "metric", "before", "after", "difference", "p (Holm)"],
+        [
+            [
+                row["swap"],
+                title(row) + (", over the shadow" if row["over_shadow"] == "1" else ""),
+                digits(row, row["base"]),
+                digits(row, row["swapped"]),
+                ranged(row, ("difference", "lower", "upper"), True),
+                row["p_holm"],
+            ]
+            for row in rows
+            if row["from"] == into
+        ],
+    )
 
 
 def inheritance(rows):
     """The effect of each value of a grid on each metric, averaged over the other axes."""
     values = list(dict.fromkeys((row["axis"], row["reference"], row["value"]) for row in rows))
-    metrics = list(dict.fromkeys((row["metric"], row["species"], row["group"], row["over_shadow"]) for row in rows if "active" not in row["group"]))
+    metrics = list(
+        dict.fromkeys(
+            (row["metric"], row["species"], row["group"], row["over_shadow"])
+            for row in rows
+            if "active" not in row["group"]
+        )
+    )
     lines = []
     for axis, reference, value in values:
         cells = [row for row in rows if (row["axis"], row["value"]) == (axis, value)]
         line = [f"`{axis}`", f"{float(reference):.3g} -> {float(value):.3g}"]
         for metric in metrics:
-            row = next(row for row in cells if (row["metric"], row["species"], row["group"], row["over_shadow"]) == metric)
+            row = next(
+                row for row in cells if (row["metric"], row["species"], row["group"], row["over_shadow"]) == metric
+            )
             line.append(ranged(row, ("difference", "lower", "upper"), True) + star(row["p_holm"]))
         lines.append(line)
     heads = []
@@ -259,19 +430,37 @@ def seconds(row, places=1):
     """A difference from the shadow with its interval."""
     if not row or not row["lower"]:
         return "too few runs"
-    return "{:+.{p}f} [{:+.{p}f}, {:+.{p}f}]".format(*(float(row[key]) for key in ("over_shadow", "lower", "upper")), p=places)
+    return "{:+.{p}f} [{:+.{p}f}, {:+.{p}f}]".format(
+        *(float(row[key]) for key in ("over_shadow", "lower", "upper")), p=places
+    )
 
 
 def race_answer(late, cells):
     """The decision rule of the study: late global progress of both species above the shadow, Holm over the two, corrected for the cells of the table."""
-    better = [species for species, row in late.items() if row["p_holm"] and cells * float(row["p_holm"]) <= 0.05 and float(row["over_shadow"]) > 0.0]
+    better = [
+        species
+        for species, row in late.items()
+        if row["p_holm"] and cells * float(row["p_holm"]) <= 0.05 and float(row["over_shadow"]) > 0.0
+    ]
     if any(not row["p_holm"] for row in late.values()):
         return "too few runs"
-    return "arms race" if len(better) == 2 else f"progress of {better[0].replace('predator', 'predators')}" if better else "none found"
+    return (
+        "arms race"
+        if len(better) == 2
+        else f"progress of {better[0].replace('predator', 'predators')}"
+        if better
+        else "none found"
+    )
 
 
-RACED = [("velocity", "prey", "prey, cm/s"), ("velocity", "predator", "predators, cm/s"), ("global early", "predator", "predators early, s"),
-         ("global early", "prey", "prey early, s"), ("global late", "predator", "predators late, s"), ("global late", "prey", "prey late, s")]
+RACED = [
+    ("velocity", "prey", "prey, cm/s"),
+    ("velocity", "predator", "predators, cm/s"),
+    ("global early", "predator", "predators early, s"),
+    ("global early", "prey", "prey early, s"),
+    ("global late", "predator", "predators late, s"),
+    ("global late", "prey", "prey late, s"),
+]
 
 
 def race(rows):
@@ -282,8 +471,17 @@ def race(rows):
     for cell in cells:
         of_cell = {(row["measure"], row["species"]): row for row in rows if row["cell"] == cell}
         late = {species: of_cell["global late", species] for species in ("predator", "prey")}
-        lines.append([f"`{cell}`", *(seconds(of_cell.get((measure, species)), 2 if measure == "velocity" else 1) for measure, species, _ in columns),
-                      late["prey"]["runs"], race_answer(late, len(cells))])
+        lines.append(
+            [
+                f"`{cell}`",
+                *(
+                    seconds(of_cell.get((measure, species)), 2 if measure == "velocity" else 1)
+                    for measure, species, _ in columns
+                ),
+                late["prey"]["runs"],
+                race_answer(late, len(cells)),
+            ]
+        )
     return table(["cell", *(head for _, _, head in columns), "runs", "arms race"], lines)
 
 
@@ -292,12 +490,30 @@ def historical(rows):
     lines = []
     for cell in dict.fromkeys(row["cell"] for row in rows if row["measure"].startswith("historical")):
         of_cell = {(row["measure"], row["species"]): row for row in rows if row["cell"] == cell}
-        lines.append([f"`{cell}`", *(seconds(of_cell.get((f"historical {period}", species))) for period in ("early", "late") for species in ("predator", "prey"))])
+        lines.append(
+            [
+                f"`{cell}`",
+                *(
+                    seconds(of_cell.get((f"historical {period}", species)))
+                    for period in ("early", "late")
+                    for species in ("predator", "prey")
+                ),
+            ]
+        )
     return table(["cell", "predators early, s", "prey early, s", "predators late, s", "prey late, s"], lines)
 
 
-LINEAGES = ["modes_change", "modes_novelty", "modes_ecology", "modes_complexity", "activity_excess", "activity_new", "descent_roots",
-            "descent_largest_clade", "descent_common_ancestor"]
+LINEAGES = [
+    "modes_change",
+    "modes_novelty",
+    "modes_ecology",
+    "modes_complexity",
+    "activity_excess",
+    "activity_new",
+    "descent_roots",
+    "descent_largest_clade",
+    "descent_common_ancestor",
+]
 
 
 def lineages(rows):
@@ -308,15 +524,33 @@ def lineages(rows):
             group, null = ("all", "shadow") if measure.startswith("descent") else ("late", "drift")
             line = [f"`{cell}`", f"{measure}, {group}", null]
             for species in ("prey", "predator"):
-                row = next(row for row in rows if (row["cell"], row["measure"], row["species"], row["group"], row["null"]) == (cell, measure, species, group, null))
+                row = next(
+                    row
+                    for row in rows
+                    if (row["cell"], row["measure"], row["species"], row["group"], row["null"])
+                    == (cell, measure, species, group, null)
+                )
                 line.append(f"{float(row['mean']):.3g}" if row["mean"] else "")
                 line.append(signed(row, ("difference", "lower", "upper")) + star(row["p_holm"]) if row["lower"] else "")
             lines += [line] if "*" in "".join(line) else []
-    return table(["cell", "measure", "null", "prey", "prey over the null", "predators", "predators over the null"], lines)
+    return table(
+        ["cell", "measure", "null", "prey", "prey over the null", "predators", "predators over the null"], lines
+    )
 
 
-EVOLVED = {"brains": ["walked", "open_speed", "wall_contact", "brain_genes"], "gaits": ["walked", "gait_genes"],
-           "bodies": ["walked", "body_modules", "body_hinges", "body_proportion", "body_symmetry", "body_plans", "body_change"]}
+EVOLVED = {
+    "brains": ["walked", "open_speed", "wall_contact", "brain_genes"],
+    "gaits": ["walked", "gait_genes"],
+    "bodies": [
+        "walked",
+        "body_modules",
+        "body_hinges",
+        "body_proportion",
+        "body_symmetry",
+        "body_plans",
+        "body_change",
+    ],
+}
 
 
 def evolved(rows, study):
@@ -325,33 +559,89 @@ def evolved(rows, study):
     lines, has_neutral = [], any(row["neutral"] for row in rows if row["study"] == study)
     for metric in EVOLVED[study]:
         for species in ("predator", "prey"):
-            found = [row for row in rows if (row["study"], row["metric"], row["species"], row["group"]) == (study, metric, species, "late")]
+            found = [
+                row
+                for row in rows
+                if (row["study"], row["metric"], row["species"], row["group"]) == (study, metric, species, "late")
+            ]
             for row in found:
-                neutral = signed(row, ("over_neutral", "neutral_lower", "neutral_upper")) + star(row["neutral_p_holm"]) if row["neutral"] else ""
-                lines.append([f"{metric}, {row['unit']}" if row["unit"] != "1" else metric, {"predator": "predators"}.get(species, species),
-                              f"{float(row['mean']):.3g}", f"{float(row['survival']):.3g}", signed(row, ("over_survival", "lower", "upper")) + star(row["p_holm"]),
-                              row["shadow"] and f"{float(row['shadow']):.3g}",
-                              signed(row, ("over_shadow", "shadow_lower", "shadow_upper")) + star(row["shadow_p_holm"]),
-                              *([neutral] if has_neutral else []), f"{row['runs']} + {row['survival_runs']}"])
-    return table(["measure, late half", "of", "inheritance", "survival alone", "over survival alone", "shadow", "over the shadow",
-                  *(["over the neutral null"] if has_neutral else []), "runs"], lines)
+                neutral = (
+                    signed(row, ("over_neutral", "neutral_lower", "neutral_upper")) + star(row["neutral_p_holm"])
+                    if row["neutral"]
+                    else ""
+                )
+                lines.append(
+                    [
+                        f"{metric}, {row['unit']}" if row["unit"] != "1" else metric,
+                        {"predator": "predators"}.get(species, species),
+                        f"{float(row['mean']):.3g}",
+                        f"{float(row['survival']):.3g}",
+                        signed(row, ("over_survival", "lower", "upper")) + star(row["p_holm"]),
+                        row["shadow"] and f"{float(row['shadow']):.3g}",
+                        signed(row, ("over_shadow", "shadow_lower", "shadow_upper")) + star(row["shadow_p_holm"]),
+                        *([neutral] if has_neutral else []),
+                        f"{row['runs']} + {row['survival_runs']}",
+                    ]
+                )
+    return table(
+        [
+            "measure, late half",
+            "of",
+            "inheritance",
+            "survival alone",
+            "over survival alone",
+            "shadow",
+            "over the shadow",
+            *(["over the neutral null"] if has_neutral else []),
+            "runs",
+        ],
+        lines,
+    )
 
 
 def evolved_again(rows):
     """The measure of the second study of bodies, over survival alone; p is uncorrected, since there is one measure."""
-    return table(["measure, late half", "of", "inheritance", "survival alone", "over survival alone", "p", "runs"],
-                 [["walked, cm/s", row["species"], f"{float(row['mean']):.3g}", f"{float(row['survival']):.3g}",
-                   signed(row, ("over_survival", "lower", "upper")), f"{float(row['p']):.2g}",
-                   f"{row['runs']} + {row['survival_runs']}"] for row in rows])
+    return table(
+        ["measure, late half", "of", "inheritance", "survival alone", "over survival alone", "p", "runs"],
+        [
+            [
+                "walked, cm/s",
+                row["species"],
+                f"{float(row['mean']):.3g}",
+                f"{float(row['survival']):.3g}",
+                signed(row, ("over_survival", "lower", "upper")),
+                f"{float(row['p']):.2g}",
+                f"{row['runs']} + {row['survival_runs']}",
+            ]
+            for row in rows
+        ],
+    )
 
 
 def evolved_lives(rows):
     """Births and ancestors a run."""
-    return table(["study", "rule table", "births", "ancestors of a newborn, mean", "at most", "bodies that diverged"],
-                 [[row["study"], f"`{row['table']}`", *(f"{float(row[key]):.{places}f}" for key, places in (("births", 0), ("mean_depth", 1), ("greatest_depth", 0), ("diverged", 1)))] for row in rows])
+    return table(
+        ["study", "rule table", "births", "ancestors of a newborn, mean", "at most", "bodies that diverged"],
+        [
+            [
+                row["study"],
+                f"`{row['table']}`",
+                *(
+                    f"{float(row[key]):.{places}f}"
+                    for key, places in (("births", 0), ("mean_depth", 1), ("greatest_depth", 0), ("diverged", 1))
+                ),
+            ]
+            for row in rows
+        ],
+    )
 
 
-QUEEN = {"gene_change": "gene_change", "turn_change": "turn_change", "progress_late": "progress, late, s", "progress_early": "progress, early, s"}
+QUEEN = {
+    "gene_change": "gene_change",
+    "turn_change": "turn_change",
+    "progress_late": "progress, late, s",
+    "progress_early": "progress, early, s",
+}
 
 
 def queen(rows, primary, *names):
@@ -361,23 +651,64 @@ def queen(rows, primary, *names):
         name = row["table"].removesuffix("_by_side")
         if name not in names or (row["family"] == "primary") != primary or row["measure"].startswith("mutation"):
             continue
-        words = QUEEN.get(row["measure"], row["measure"].replace("_all", " of `turns_to`").replace("_late", " of `turns_to`, last third"))
-        lines.append([f"`{name}`", words, {"predator": "predators"}.get(row["side"], row["side"]), *(row[key] and f"{float(row[key]):+.3g}" for key in ("both", row["side"])),
-                      signed(row, ("difference", "lower", "upper")) + star(row["p_holm"]), p_text(row["p_holm"]), row["detectable"] and f"{float(row['detectable']):.2g}", row["runs"]])
-    return table(["table", "measure", "side", "both inherit", "this side alone", "both less alone", "p (Holm)", "found in 80 %", "runs"], lines)
+        words = QUEEN.get(
+            row["measure"],
+            row["measure"].replace("_all", " of `turns_to`").replace("_late", " of `turns_to`, last third"),
+        )
+        lines.append(
+            [
+                f"`{name}`",
+                words,
+                {"predator": "predators"}.get(row["side"], row["side"]),
+                *(row[key] and f"{float(row[key]):+.3g}" for key in ("both", row["side"])),
+                signed(row, ("difference", "lower", "upper")) + star(row["p_holm"]),
+                p_text(row["p_holm"]),
+                row["detectable"] and f"{float(row['detectable']):.2g}",
+                row["runs"],
+            ]
+        )
+    return table(
+        [
+            "table",
+            "measure",
+            "side",
+            "both inherit",
+            "this side alone",
+            "both less alone",
+            "p (Holm)",
+            "found in 80 %",
+            "runs",
+        ],
+        lines,
+    )
 
 
 def living(rows):
     """Measures of the pond and of its nulls."""
     lines, nulls = [], [null for null in ("shadow", "clones", "mean_field") if any(row[null] for row in rows)]
     for row in rows:
-        if row["set"] != "pond" or not row["mean"] or row["metric"] in ("persists", "trophic_efficiency", "pyramid_numbers", "search_rate_holling", "handling_time"):
+        if (
+            row["set"] != "pond"
+            or not row["mean"]
+            or row["metric"]
+            in ("persists", "trophic_efficiency", "pyramid_numbers", "search_rate_holling", "handling_time")
+        ):
             continue
         scale, unit = (100.0, "cm/s") if row["unit"] == "m/s" else (1.0, "" if row["unit"] == "1" else row["unit"])
         name = ", ".join(filter(None, [row["metric"] + (" (inherited)" if unit == "cm/s" else ""), unit]))
-        lines.append([name, row["species"], signed(row, ("mean", "lower", "upper"), scale, ""), *(row[null] and f"{scale * float(row[null]):.3g}" for null in nulls),
-                      signed(row, ("difference", "difference_lower", "difference_upper"), scale), p_text(row["p_holm"])])
-    return table(["measure", "of", "pond", *(null.replace("_", " ") for null in nulls), "over the shadow", "p (Holm)"], lines)
+        lines.append(
+            [
+                name,
+                row["species"],
+                signed(row, ("mean", "lower", "upper"), scale, ""),
+                *(row[null] and f"{scale * float(row[null]):.3g}" for null in nulls),
+                signed(row, ("difference", "difference_lower", "difference_upper"), scale),
+                p_text(row["p_holm"]),
+            ]
+        )
+    return table(
+        ["measure", "of", "pond", *(null.replace("_", " ") for null in nulls), "over the shadow", "p (Holm)"], lines
+    )
 
 
 def settings(rows):
@@ -386,10 +717,34 @@ def settings(rows):
     for name in dict.fromkeys(row["set"] for row in rows):
         of = {(row["metric"], row["species"]): row for row in rows if row["set"] == name}
         shares = [of["persists", species] for species in ("all", "prey", "predator")]
-        lines.append([name, *(f"{float(row['mean']):.2f} [{float(row['lower']):.2f}, {float(row['upper']):.2f}]" for row in shares),
-                      *("{:+.2f} [{:+.2f}, {:+.2f}]".format(*(100.0 * float(of["velocity", species][key]) for key in
-                                                              ("difference", "difference_lower", "difference_upper"))) for species in ("prey", "predator")), shares[0]["runs"]])
-    return table(["setting", "both persist", "prey", "predators", "prey over the shadow, cm/s", "predators over the shadow, cm/s", "runs"], lines)
+        lines.append(
+            [
+                name,
+                *(f"{float(row['mean']):.2f} [{float(row['lower']):.2f}, {float(row['upper']):.2f}]" for row in shares),
+                *(
+                    "{:+.2f} [{:+.2f}, {:+.2f}]".format(
+                        *(
+                            100.0 * float(of["velocity", species][key])
+                            for key in ("difference", "difference_lower", "difference_upper")
+                        )
+                    )
+                    for species in ("prey", "predator")
+                ),
+                shares[0]["runs"],
+            ]
+        )
+    return table(
+        [
+            "setting",
+            "both persist",
+            "prey",
+            "predators",
+            "prey over the shadow, cm/s",
+            "predators over the shadow, cm/s",
+            "runs",
+        ],
+        lines,
+    )
 
 
 def selected(rows, of="pond"):
@@ -397,16 +752,48 @@ def selected(rows, of="pond"):
     keys, lines = ("runs_mean", "neutral_mean", "difference", "difference_lower", "difference_upper"), []
     for row in (row for row in rows if row["p"]):
         scale = 100.0 / float(row["generations"]) if "generations" in row else 100.0 if row["unit"] == "m/s" else 1.0
-        lines.append([row["species"], row["term"], *(row[key] and f"{scale * float(row[key]):+.3g}" for key in keys[:2]), signed(row, keys[2:], scale), p_text(row["p_holm"])])
-    return table(["species", "term", of, "neutral null", "over zero" if "zero" in {row["null"] for row in rows} else "over the neutral null", "p (Holm)"], lines)
+        lines.append(
+            [
+                row["species"],
+                row["term"],
+                *(row[key] and f"{scale * float(row[key]):+.3g}" for key in keys[:2]),
+                signed(row, keys[2:], scale),
+                p_text(row["p_holm"]),
+            ]
+        )
+    return table(
+        [
+            "species",
+            "term",
+            of,
+            "neutral null",
+            "over zero" if "zero" in {row["null"] for row in rows} else "over the neutral null",
+            "p (Holm)",
+        ],
+        lines,
+    )
 
 
 def evolving_ponds(data):
     """Velocities over the shadow and Price's terms of speed of ponds in which gaits, or bodies too, evolve; * after Holm's correction."""
     lines = []
     for name, species in itertools.product(("gaits", "bodies"), ("prey", "predator")):
-        rows = [row for part in ("", "_selection") for row in data(f"no_criterion_{name}{part}") if row["species"] == species and row["p_holm"]]
-        lines.append([name, species, *(signed(row, ("difference", "difference_lower", "difference_upper"), 100.0) + star(row["p_holm"]) for row in rows)])
+        rows = [
+            row
+            for part in ("", "_selection")
+            for row in data(f"no_criterion_{name}{part}")
+            if row["species"] == species and row["p_holm"]
+        ]
+        lines.append(
+            [
+                name,
+                species,
+                *(
+                    signed(row, ("difference", "difference_lower", "difference_upper"), 100.0) + star(row["p_holm"])
+                    for row in rows
+                ),
+            ]
+        )
     return table(["evolve", "species", "velocity over the shadow, cm/s", "survival", "parenthood", "mutation"], lines)
 
 
@@ -415,48 +802,92 @@ def draw_atlas(rows, path):
     import matplotlib.pyplot as plt
 
     fig, axes = plt.subplots(1, 3, figsize=(10, 2.9), sharey=True, layout="constrained")
-    for ax, metric, species, key, scale, words in ((axes[0], "persists", "all", "mean", 1, "runs in which both live on"),
-                                                   (axes[1], "velocity", "predator", "over_shadow", 100, "predators over the shadow [cm/s]"),
-                                                   (axes[2], "velocity", "prey", "over_shadow", 100, "prey over the shadow [cm/s]")):
-        of = {(float(row["growth_1_s"]), float(row["reach_m"])): scale * float(row[key] or "nan") for row in rows if (row["metric"], row["species"]) == (metric, species)}
+    for ax, metric, species, key, scale, words in (
+        (axes[0], "persists", "all", "mean", 1, "runs in which both live on"),
+        (axes[1], "velocity", "predator", "over_shadow", 100, "predators over the shadow [cm/s]"),
+        (axes[2], "velocity", "prey", "over_shadow", 100, "prey over the shadow [cm/s]"),
+    ):
+        of = {
+            (float(row["growth_1_s"]), float(row["reach_m"])): scale * float(row[key] or "nan")
+            for row in rows
+            if (row["metric"], row["species"]) == (metric, species)
+        }
         growths, reaches = (sorted(set(values)) for values in zip(*of))
         limit = max(abs(value) for value in of.values() if value == value)
-        ax.imshow([[of[growth, reach] for reach in reaches] for growth in growths], origin="lower", aspect="auto", cmap="RdBu_r", vmin=-limit, vmax=limit, alpha=0.7)
+        ax.imshow(
+            [[of[growth, reach] for reach in reaches] for growth in growths],
+            origin="lower",
+            aspect="auto",
+            cmap="RdBu_r",
+            vmin=-limit,
+            vmax=limit,
+            alpha=0.7,
+        )
         for row, growth in enumerate(growths):
             for column, reach in enumerate(reaches):
-                ax.text(column, row, f"{of[growth, reach]:{'.1f' if scale == 1 else '+.2f'}}".replace("+nan", ""), ha="center", va="center", fontsize=8)
-        ax.set(title=words, xlabel="reach of predators [m]", xticks=range(len(reaches)), xticklabels=reaches, yticks=range(len(growths)), yticklabels=growths)
+                ax.text(
+                    column,
+                    row,
+                    f"{of[growth, reach]:{'.1f' if scale == 1 else '+.2f'}}".replace("+nan", ""),
+                    ha="center",
+                    va="center",
+                    fontsize=8,
+                )
+        ax.set(
+            title=words,
+            xlabel="reach of predators [m]",
+            xticks=range(len(reaches)),
+            xticklabels=reaches,
+            yticks=range(len(growths)),
+            yticklabels=growths,
+        )
     axes[0].set_ylabel("growth of food [1/s]")
     fig.savefig(path, dpi=150)
 
 
 def open_choices(choices):
     """The list of open choices."""
-    lines = [[f"`{choice['name']}`", choice["question"], choice["text"], choice["first"], choice["other"]] for choice in choices]
+    lines = [
+        [f"`{choice['name']}`", choice["question"], choice["text"], choice["first"], choice["other"]]
+        for choice in choices
+    ]
     return table(["choice", "question", "the text", "in `paper`", "other reading"], lines)
 
 
 def tables(data, choices):
     """The function that makes each table."""
-    made = {"open choices": lambda: open_choices(choices), "screen effects": lambda: effects(data("screen_effects")),
-            "screen reached": lambda: reached(data("screen_cells"), data("kinematic_paper_published")), "ranges": lambda: ranges(data("ranges")),
-            "bodies": lambda: bodies(data("bodies")), "walls": lambda: bodies(data("walls"), "released"),
-            "walls differences": lambda: at_walls(data("walls")), "conclusions": lambda: table(answers.conclusion_heads(), answers.conclusions(data)),
-            "answers": lambda: table(answers.HEADS, answers.evolved(data) + answers.choices_that_matter(data)),
-            "answers in brief": lambda: table(answers.HEADS, answers.in_brief(data)),
-            "ablations paper": lambda: swaps(data("ablations"), "paper"),
-            "ablations released": lambda: swaps(data("ablations"), "released"),
-            "inheritance": lambda: inheritance(data("inheritance")), "lineages": lambda: lineages(data("race_arms_race_lineages")),
-            "historical": lambda: historical(data("race_arms_race"))}
+    made = {
+        "open choices": lambda: open_choices(choices),
+        "screen effects": lambda: effects(data("screen_effects")),
+        "screen reached": lambda: reached(data("screen_cells"), data("kinematic_paper_published")),
+        "ranges": lambda: ranges(data("ranges")),
+        "bodies": lambda: bodies(data("bodies")),
+        "walls": lambda: bodies(data("walls"), "released"),
+        "walls differences": lambda: at_walls(data("walls")),
+        "conclusions": lambda: table(answers.conclusion_heads(), answers.conclusions(data)),
+        "answers": lambda: table(answers.HEADS, answers.evolved(data) + answers.choices_that_matter(data)),
+        "answers in brief": lambda: table(answers.HEADS, answers.in_brief(data)),
+        "ablations paper": lambda: swaps(data("ablations"), "paper"),
+        "ablations released": lambda: swaps(data("ablations"), "released"),
+        "inheritance": lambda: inheritance(data("inheritance")),
+        "lineages": lambda: lineages(data("race_arms_race_lineages")),
+        "historical": lambda: historical(data("race_arms_race")),
+    }
     made["evolved again"] = lambda: evolved_again(data("evolution_again"))
     made["evolvable bodies"] = lambda: selected(data("evolvable_bodies"), "bodies")
     made["evolved lives"] = lambda: evolved_lives(data("evolution_lives"))
     for name in EVOLVED:
         made[f"evolved {name}"] = lambda name=name: evolved(data("evolution"), name)
-    made |= {"queen primary": lambda: queen(data("red_queen"), True, "paper", "pond", "growing"), "queen other": lambda: queen(data("red_queen"), False, "paper"),
-             "queen mujoco": lambda: queen(data("red_queen_mujoco"), True, "released")}
-    made |= {"living": lambda: living(data("no_criterion")), "living settings": lambda: settings(data("no_criterion")),
-             "living selection": lambda: selected(data("no_criterion_selection"))}
+    made |= {
+        "queen primary": lambda: queen(data("red_queen"), True, "paper", "pond", "growing"),
+        "queen other": lambda: queen(data("red_queen"), False, "paper"),
+        "queen mujoco": lambda: queen(data("red_queen_mujoco"), True, "released"),
+    }
+    made |= {
+        "living": lambda: living(data("no_criterion")),
+        "living settings": lambda: settings(data("no_criterion")),
+        "living selection": lambda: selected(data("no_criterion_selection")),
+    }
     made["living mujoco"] = lambda: living([row for row in data("no_criterion_mujoco") if row["metric"] == "velocity"])
     made["living evolving"] = lambda: evolving_ponds(data)
     for name in ("arms_race", "ranges", "room", "mujoco", "mujoco_brains"):
@@ -473,7 +904,9 @@ def tables(data, choices):
 
 def pages_of(studies):
     """The pages of results and, in a checkout of trophic, its README.md."""
-    return [page for page in (studies.parent / "README.md", *sorted((studies / "results").glob("*.md"))) if page.exists()]
+    return [
+        page for page in (studies.parent / "README.md", *sorted((studies / "results").glob("*.md"))) if page.exists()
+    ]
 
 
 def update(studies, choices, check=False):
@@ -496,6 +929,8 @@ def update(studies, choices, check=False):
         if not check and text != old:
             path.write_text(text)
     if check and differing:
-        print("tables differ from results/data; run studies/reproduce --tables: " + ", ".join(differing), file=sys.stderr)
+        print(
+            "tables differ from results/data; run studies/reproduce --tables: " + ", ".join(differing), file=sys.stderr
+        )
         return 1
     return 0

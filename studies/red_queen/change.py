@@ -11,7 +11,9 @@ import trophic
 DISTANCES, TAG_RATIOS = (0.05, 0.15, 0.25, 0.35, 0.45), (-0.2, 0.0, 0.2)
 INPUTS = numpy.array([(side, far, tags) for side in (-1.0, 1.0) for far in DISTANCES for tags in TAG_RATIOS])
 BANDS = numpy.maximum(0.0, 1.0 - 20.0 * INPUTS[:, 1:2] / (2.0, 5.0, 15.0))  # of a floor of 20 m
-NINE = numpy.column_stack([INPUTS[:, 0], BANDS, INPUTS[:, 2], numpy.tile((0.0, 0.0, 1.0, 1.0), (30, 1))])  # walks far from walls with tag +1
+NINE = numpy.column_stack(
+    [INPUTS[:, 0], BANDS, INPUTS[:, 2], numpy.tile((0.0, 0.0, 1.0, 1.0), (30, 1))]
+)  # walks far from walls with tag +1
 
 
 def moved(run, values):
@@ -21,13 +23,21 @@ def moved(run, values):
     rows = run.table("genomes")[["id", "genome_id", "time_s"]].rename_axis("row").reset_index()
     rows["until_s"] = rows.groupby("genome_id")["time_s"].shift(-1, fill_value=numpy.inf)
     held = rows[["id", "genome_id"]].merge(rows.drop(columns="id"), on="genome_id").merge(lives, on="id")
-    begins, ends = held[["origin_time", "time_s"]].max(axis=1), held[["destruction_time", "until_s"]].min(axis=1)  # an individual's time with a row's values
+    begins, ends = held[["origin_time", "time_s"]].max(axis=1), held[["destruction_time", "until_s"]].min(
+        axis=1
+    )  # an individual's time with a row's values
     found = []
     for species in run.manifest["species"]:
         means = []
         for from_s, until_s in ((end_s / 3.0, end_s / 2.0), (end_s * 5.0 / 6.0, end_s)):
-            weights = (ends.clip(upper=until_s) - begins.clip(lower=from_s)).clip(lower=0.0).to_numpy() * (held["species"] == species).to_numpy()
-            means.append(weights @ values[held["row"]] / weights.sum() if weights.sum() > 0.0 else numpy.full(values.shape[1], numpy.nan))
+            weights = (ends.clip(upper=until_s) - begins.clip(lower=from_s)).clip(lower=0.0).to_numpy() * (
+                held["species"] == species
+            ).to_numpy()
+            means.append(
+                weights @ values[held["row"]] / weights.sum()
+                if weights.sum() > 0.0
+                else numpy.full(values.shape[1], numpy.nan)
+            )
         found.append((species, float(numpy.sqrt(numpy.mean((means[1] - means[0]) ** 2)))))
     return found
 
@@ -44,10 +54,10 @@ def genes_of(run):
 def right_of(genes):
     """Whether a brain turns right at each of NINE, by its genes: hidden neurons, the ends of each link, the weight of each link."""
     links = len(genes) // 3
-    start, end = genes[1:1 + 2 * links].astype(int).reshape(-1, 2).T
+    start, end = genes[1 : 1 + 2 * links].astype(int).reshape(-1, 2).T
     neurons = numpy.vstack([NINE.T, numpy.zeros((int(genes[0]) + 2, 30))])
     for to in range(9, len(neurons)):
-        neurons[to] = numpy.tanh(genes[1 + 2 * links:][end == to] @ neurons[start[end == to]])
+        neurons[to] = numpy.tanh(genes[1 + 2 * links :][end == to] @ neurons[start[end == to]])
     return neurons[-2] > 0.0
 
 
@@ -57,8 +67,12 @@ def turns_right(run):
     if isinstance(weights, list):
         return numpy.array([right_of(genes) for genes in weights])
     biases = 3 if weights.shape[1] == 20 else 0
-    hidden = numpy.tanh(INPUTS @ weights[:, :9].reshape(-1, 3, 3).transpose(0, 2, 1) + (weights[:, None, 9:12] if biases else 0.0))
-    return (hidden @ weights[:, 9 + biases:12 + biases, None])[..., 0] + (weights[:, None, 18] if biases else 0.0) > 0.0
+    hidden = numpy.tanh(
+        INPUTS @ weights[:, :9].reshape(-1, 3, 3).transpose(0, 2, 1) + (weights[:, None, 9:12] if biases else 0.0)
+    )
+    return (hidden @ weights[:, 9 + biases : 12 + biases, None])[..., 0] + (
+        weights[:, None, 18] if biases else 0.0
+    ) > 0.0
 
 
 def turns_to(run):

@@ -38,9 +38,35 @@ def call(*words):
 
 def make_runs(options, name, inherited, seed, count, *more):
     out = options.out / name
-    switches = [word for side, on in zip(SIDES, inherited) for word in ("--set", f"rules.heredity.{side}.inherited={str(on).lower()}")]
-    call(options.program, "--rules", options.rules, "--backend", options.backend, "--replicates", count, "--seed", seed, "--duration", options.duration,
-         "--agents-every", 6, "--replay-hz", 0, "--jobs", options.jobs, *switches, *more, "--out", out, *(["--resume"] if out.exists() else []))
+    switches = [
+        word
+        for side, on in zip(SIDES, inherited)
+        for word in ("--set", f"rules.heredity.{side}.inherited={str(on).lower()}")
+    ]
+    call(
+        options.program,
+        "--rules",
+        options.rules,
+        "--backend",
+        options.backend,
+        "--replicates",
+        count,
+        "--seed",
+        seed,
+        "--duration",
+        options.duration,
+        "--agents-every",
+        6,
+        "--replay-hz",
+        0,
+        "--jobs",
+        options.jobs,
+        *switches,
+        *more,
+        "--out",
+        out,
+        *(["--resume"] if out.exists() else []),
+    )
 
 
 def make_contests(options, world, panel, epochs, teams):
@@ -48,9 +74,29 @@ def make_contests(options, world, panel, epochs, teams):
     out = options.out / f"contests/{world}-{panel}"
     if not (out / "progress.csv").exists():
         out.parent.mkdir(exist_ok=True)
-        call(options.trophic, "contest", options.out / world, "--panel", options.out / panel, "--program", options.program,
-             "--backend", options.contests_on or options.backend, "--jobs", options.jobs, "--teams", teams, "--team-size", options.team_size,
-             "--epochs", ",".join(map(str, epochs)), "--split", epochs[-2], "--out", out)
+        call(
+            options.trophic,
+            "contest",
+            options.out / world,
+            "--panel",
+            options.out / panel,
+            "--program",
+            options.program,
+            "--backend",
+            options.contests_on or options.backend,
+            "--jobs",
+            options.jobs,
+            "--teams",
+            teams,
+            "--team-size",
+            options.team_size,
+            "--epochs",
+            ",".join(map(str, epochs)),
+            "--split",
+            epochs[-2],
+            "--out",
+            out,
+        )
     return pandas.read_csv(out / "contests.csv", dtype={"hunters_run": str, "victims_run": str})
 
 
@@ -58,21 +104,30 @@ def measured(options, world):
     """The values of each run of a world, by (measure, species)."""
     found = {}
     for metric in (change.gene_change, change.turn_change):
-        own, null = (pandas.concat([metric(run).set_index("species")[metric.metric] for run in trophic.read_runs(str(folder))], axis=1)
-                     for folder in (options.out / world, options.out / world / "neutral"))
+        own, null = (
+            pandas.concat(
+                [metric(run).set_index("species")[metric.metric] for run in trophic.read_runs(str(folder))], axis=1
+            )
+            for folder in (options.out / world, options.out / world / "neutral")
+        )
         found |= {(metric.metric, side): own.loc[side].to_numpy() - null.loc[side].to_numpy() for side in SIDES}
     end_s = options.duration
     played = make_contests(options, world, "panel", [0, end_s / 3, end_s], 6)
     for side, role in zip(SIDES, ("victim", "hunter")):
         of_role = played[played["against"] != f"panel_{role}s"]
         for period, times in (("early", (0, end_s / 3)), ("late", (end_s / 3, end_s))):
-            found[f"progress_{period}", side] = contests.progress_of_runs(of_role, role, contests.epochs_of(played), *times)
+            found[f"progress_{period}", side] = contests.progress_of_runs(
+                of_role, role, contests.epochs_of(played), *times
+            )
     runs = selection.read_sets([options.out / world], None, Measuring())[0]["runs"]
     traits = [(selection.events_of(run), change.turns_to(run), run.lived_s) for run in runs]
     for side in SIDES:
         terms = [selection.terms(events, z, side, end_s) for events, z, end_s in traits]
-        found |= {(f"{term}_{name}", side): numpy.array([of[term, period] for of in terms]) for term in ("survival", "parenthood", "mutation")
-                  for name, period in (("all", "all"), ("late", "third"))}
+        found |= {
+            (f"{term}_{name}", side): numpy.array([of[term, period] for of in terms])
+            for term in ("survival", "parenthood", "mutation")
+            for name, period in (("all", "all"), ("late", "third"))
+        }
     return found
 
 
@@ -88,13 +143,34 @@ def differences(values):
         of = statistics.contrast((1.0, both), (-1.0, alone))
         tested = statistics.difference_of(both.mean() - alone.mean(), of)
         families[measure in PRIMARY].append(tested)
-        rows.append(({"measure": measure, "side": side, "family": "primary" if measure in PRIMARY else "other", "runs": len(both),
-                      **{world: values[world][measure, side].mean() for world in WORLDS},
-                      "detectable": statistics.detectable_difference(of, 0.05 / 6) if of else None}, tested))
+        rows.append(
+            (
+                {
+                    "measure": measure,
+                    "side": side,
+                    "family": "primary" if measure in PRIMARY else "other",
+                    "runs": len(both),
+                    **{world: values[world][measure, side].mean() for world in WORLDS},
+                    "detectable": statistics.detectable_difference(of, 0.05 / 6) if of else None,
+                },
+                tested,
+            )
+        )
     for family in families.values():
         statistics.adjust_together(family)
-    return pandas.DataFrame([{**row, "difference": of.value, "lower": of.interval and of.interval[0], "upper": of.interval and of.interval[1], "p": of.p,
-                              "p_holm": of.adjusted} for row, of in rows])
+    return pandas.DataFrame(
+        [
+            {
+                **row,
+                "difference": of.value,
+                "lower": of.interval and of.interval[0],
+                "upper": of.interval and of.interval[1],
+                "p": of.p,
+                "p_holm": of.adjusted,
+            }
+            for row, of in rows
+        ]
+    )
 
 
 def meetings(options):
@@ -106,7 +182,16 @@ def meetings(options):
             of = played[(played["against"] == f"panel_{role}") & (played[f"{ours}_epoch_s"] == options.duration)]
             means = of.groupby(f"{ours}s_run")["contact_s"].mean()
             lower, upper = statistics.interval_of_mean(means) or (None, None)
-            rows.append({"hunters": hunters, "victims": victims, "runs": len(means), "contact_s": means.mean(), "lower": lower, "upper": upper})
+            rows.append(
+                {
+                    "hunters": hunters,
+                    "victims": victims,
+                    "runs": len(means),
+                    "contact_s": means.mean(),
+                    "lower": lower,
+                    "upper": upper,
+                }
+            )
     return pandas.DataFrame(rows)
 
 
@@ -124,7 +209,10 @@ def main():
     for world, inherited in WORLDS.items():
         make_runs(options, world, inherited, options.seed, options.replicates, "--neutral")
     make_runs(options, "panel", (True, True), options.seed + 1000, options.replicates)
-    for name, frame in (("red_queen", differences({world: measured(options, world) for world in WORLDS})), ("meetings", meetings(options))):
+    for name, frame in (
+        ("red_queen", differences({world: measured(options, world) for world in WORLDS})),
+        ("meetings", meetings(options)),
+    ):
         frame.to_csv(options.out / f"{name}.csv", index=False, float_format="%.6g", lineterminator="\n")
         print(frame.to_string(index=False, float_format="{:.3g}".format))
 

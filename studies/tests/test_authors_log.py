@@ -12,17 +12,27 @@ SCRIPT = STUDIES / "python/authors_log.py"
 
 def log(changes_at=99):
     """Two bodies, 0.2 m apart, for 16 s: body 1 walks to prey 0 at 0.01 m a row, and is a prey itself from a row on."""
-    rows = [f'{body},{2.007 * (row + 1)},[{0.2 - 0.01 * row if body else 0.0}  1.5e+00 0.05],0.5,{"pred" if body and row < changes_at else "prey"},1,'
-            f"{1 - body},{bool(body) or row > 3},{not body}" for row in range(8) for body in (0, 1)]
+    rows = [
+        f'{body},{2.007 * (row + 1)},[{0.2 - 0.01 * row if body else 0.0}  1.5e+00 0.05],0.5,{"pred" if body and row < changes_at else "prey"},1,'
+        f"{1 - body},{bool(body) or row > 3},{not body}"
+        for row in range(8)
+        for body in (0, 1)
+    ]
     return "\n".join(["id,simTime,position,angle,predprey,tag,otherID,immCheck,RanW", *rows]) + "\n"
 
 
 def test_the_log_is_measured_as_a_run_of_ours(tmp_path):
     (tmp_path / "countries.csv").write_text(log())
     for code in (0, 1):  # nothing is overwritten
-        assert bool(subprocess.run([sys.executable, SCRIPT, tmp_path / "countries.csv", tmp_path / "out"], capture_output=True).returncode) == bool(code)
+        assert bool(
+            subprocess.run(
+                [sys.executable, SCRIPT, tmp_path / "countries.csv", tmp_path / "out"], capture_output=True
+            ).returncode
+        ) == bool(code)
     (values,) = pool.read_set([tmp_path / "out"]).values
-    found = {f"{row.metric}:{row.species}:{row.group}": row.value for row in values.values.itertuples() if not row.baseline}
+    found = {
+        f"{row.metric}:{row.species}:{row.group}": row.value for row in values.values.itertuples() if not row.baseline
+    }
     assert abs(found["velocity:predator:inherited"] - 0.01 / 2.007) < 1e-9 and found["locked:all:all"] == 1.0
     assert abs(found["near_longest:all:all"] - 7 * 2.007) < 1e-9 and found["population:prey:random"] == 1.0
 

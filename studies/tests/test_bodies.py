@@ -9,22 +9,35 @@ import pytest
 
 FEW = ["--duration", 8, "--set", "ecology.robots=8", "--set", "rules.community.predators=4", "--set", "rules.starvation.interval.base_ticks=1",
        "--set", "rules.floor.floor=1", "--set", "physics.timestep_s=0.002"]  # fmt: skip
-needs_mujoco = pytest.mark.skipif("mujoco" not in subprocess.run(["trophic-bodies", "--version"], capture_output=True, text=True).stdout, reason="built without MuJoCo")
+needs_mujoco = pytest.mark.skipif(
+    "mujoco" not in subprocess.run(["trophic-bodies", "--version"], capture_output=True, text=True).stdout,
+    reason="built without MuJoCo",
+)
 
 
 def measured(folder, runs):
     folder.run("trophic", "analyze", runs, "--bodies", "--out", f"{runs}-measured")
-    return {(row["metric"], row["species"], row["group"]): row["value"] for row in folder.rows(f"{runs}-measured/metrics.csv") if not row["time_s"]}
+    return {
+        (row["metric"], row["species"], row["group"]): row["value"]
+        for row in folder.rows(f"{runs}-measured/metrics.csv")
+        if not row["time_s"]
+    }
 
 
 @needs_mujoco
 def test_bodies_start_from_walkers_and_change_in_the_offspring(folder):
     folder.run("trophic-bodies", "--rules", "evolving_bodies", "--backend", "mujoco", *FEW, "--out", "run")
     bodies = folder.rows("run/bodies.csv")
-    assert [row["id"] for row in bodies] == [row["id"] for row in folder.rows("run/events.csv") if row["event"] == "birth"]
+    assert [row["id"] for row in bodies] == [
+        row["id"] for row in folder.rows("run/events.csv") if row["event"] == "birth"
+    ]
     assert len(bodies) > 8 and len({(row["species"], row["modules_text"]) for row in bodies[:8]}) == 2
     found = measured(folder, "run")
-    for metric, species, least in (("body_modules", "predator", 1.0), ("walked", "predator", 0.0), ("gait_genes", "prey", 6.0)):
+    for metric, species, least in (
+        ("body_modules", "predator", 1.0),
+        ("walked", "predator", 0.0),
+        ("gait_genes", "prey", 6.0),
+    ):
         assert float(found[metric, species, "late"]) > least, metric
     folder.run("trophic", "plot", "run-measured")
     captions = json.loads((folder.path / "run-measured/figures/captions.json").read_text())
@@ -34,7 +47,17 @@ def test_bodies_start_from_walkers_and_change_in_the_offspring(folder):
 
 @needs_mujoco
 def test_a_pond_begets_bodies_and_gaits_in_growing_numbers(folder):
-    few = [*FEW[:2], "--set", "ecology.robots=20", *FEW[4:6], *FEW[-2:], "--set", "rules.recruitment.spare_bodies=12", "--set", "rules.recruitment.birth_J=25"]
+    few = [
+        *FEW[:2],
+        "--set",
+        "ecology.robots=20",
+        *FEW[4:6],
+        *FEW[-2:],
+        "--set",
+        "rules.recruitment.spare_bodies=12",
+        "--set",
+        "rules.recruitment.birth_J=25",
+    ]
     folder.run("trophic-bodies", "--rules", "evolving_pond", "--backend", "mujoco", *few, "--out", "run")
     born = [row for row in folder.rows("run/bodies.csv") if row["parent_plan"]]
     assert {row["species"] for row in born} == {"prey", "predator"}
@@ -46,7 +69,9 @@ def test_a_pond_begets_bodies_and_gaits_in_growing_numbers(folder):
 
 
 def test_brains_evolve_without_bodies_and_only_their_genes_are_measured(folder):
-    folder.run("trophic-bodies", "--rules", "evolving_brains", "--backend", "kinematic", "--duration", 600, "--out", "run")
+    folder.run(
+        "trophic-bodies", "--rules", "evolving_brains", "--backend", "kinematic", "--duration", 600, "--out", "run"
+    )
     found = measured(folder, "run")
     assert float(found["brain_genes", "predator", "late"]) > 10.0
     assert found["body_modules", "predator", "late"] == ""

@@ -78,7 +78,9 @@ def main():
         command = [str(given.program.resolve()), *given.options, "--out"]
         if given.instructions:
             without, run, server = instructions(command, folder)
-            print(f"alone {without:.1f} M instructions, live {run:.1f}, server {server:.1f}; run's thread: x{run / without:.3f}")
+            print(
+                f"alone {without:.1f} M instructions, live {run:.1f}, server {server:.1f}; run's thread: x{run / without:.3f}"
+            )
             return
         for number in range(given.rounds):
             alone.append(alone_s([*command, f"alone-{number}"], folder))
@@ -86,8 +88,12 @@ def main():
             own.append(run)
             others.append(server)
     ratios = [with_page / without for with_page, without in zip(own, alone)]
-    print(f"alone {min(alone):.2f} s, live {min(own):.2f} s, server {min(others):.2f} s, each the least of {given.rounds} rounds")
-    print(f"run's thread: x{min(own) / min(alone):.3f}; by rounds x{statistics.median(ratios):.3f}, from {min(ratios):.3f} to {max(ratios):.3f}")
+    print(
+        f"alone {min(alone):.2f} s, live {min(own):.2f} s, server {min(others):.2f} s, each the least of {given.rounds} rounds"
+    )
+    print(
+        f"run's thread: x{min(own) / min(alone):.3f}; by rounds x{statistics.median(ratios):.3f}, from {min(ratios):.3f} to {max(ratios):.3f}"
+    )
 
 
 if __name__ == "__main__":

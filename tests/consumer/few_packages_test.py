@@ -16,7 +16,10 @@ OTHERS = r"/(toml\+\+|nlohmann|boost|CLI|mujoco|ode)/|/zlib\.h$"
 
 def main() -> int:
     flags = ["-std=c++20", f"-I{ROOT}/include", *(f"-I{folder}" for folder in PACKAGES)]
-    for missing, wrong in {"trophic needs C++20: compile with -std=c++20": [*flags, "-std=c++17"], "Eigen/Geometry": flags[:2]}.items():
+    for missing, wrong in {
+        "trophic needs C++20: compile with -std=c++20": [*flags, "-std=c++17"],
+        "Eigen/Geometry": flags[:2],
+    }.items():
         said = subprocess.run([COMPILER, *wrong, "-fsyntax-only", PROGRAM], capture_output=True, text=True).stderr
         errors = [line for line in said.splitlines() if "error: " in line]
         assert len(errors) == 1 and missing in errors[0], said

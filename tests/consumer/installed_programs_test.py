@@ -14,7 +14,10 @@ import unittest
 BIN = pathlib.Path(sys.argv.pop(1))
 SOURCES = pathlib.Path(__file__).resolve().parents[2]
 PROGRAMS = ["trophic", "trophic-ablations", "trophic-predator-prey", "trophic-worlds"]
-VERBS = [f"trophic-{verb}" for verb in ("ablation-table", "analyze", "cite", "contest", "cross-check", "help", "plan", "plot")]
+VERBS = [
+    f"trophic-{verb}"
+    for verb in ("ablation-table", "analyze", "cite", "contest", "cross-check", "help", "plan", "plot")
+]
 
 
 class InstalledPrograms(unittest.TestCase):
@@ -27,9 +30,13 @@ class InstalledPrograms(unittest.TestCase):
 
     def test_no_installed_file_names_the_sources(self):
         files = [path for path in BIN.parent.rglob("*") if path.is_file()]
-        self.assertLess({"trophic", "libtrophic_compiled.a", "trophic.pc", "trophic-config.cmake"}, {path.name for path in files})
+        self.assertLess(
+            {"trophic", "libtrophic_compiled.a", "trophic.pc", "trophic-config.cmake"}, {path.name for path in files}
+        )
         for file in files:
-            self.assertIsNone(re.search(rb"(?<![\w.-])" + re.escape(bytes(SOURCES)) + rb"(?![\w.-])", file.read_bytes()), file)
+            self.assertIsNone(
+                re.search(rb"(?<![\w.-])" + re.escape(bytes(SOURCES)) + rb"(?![\w.-])", file.read_bytes()), file
+            )
 
     def test_a_run_takes_the_models_that_were_installed(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -25,18 +25,41 @@ class Meadow(unittest.TestCase):
     def test_the_worlds_have_25_and_40_lines(self):
         for source, most in (("meadow.cpp", 25), ("hide_and_seek.hpp", 40)):
             world = (PROJECT / source).read_text().split("int main")[0].splitlines()
-            self.assertLessEqual(len([line for line in world if line and not line.startswith(("//", "#", "using namespace"))]), most)
+            self.assertLessEqual(
+                len([line for line in world if line and not line.startswith(("//", "#", "using namespace"))]), most
+            )
 
     def test_killed_set_with_shadows_that_resumes_to_the_same_bytes(self):
-        set_of = [MEADOW, "--rules", "meadow", "--backend", "torus", "--replicates", 2, "--shadow", "--duration", 200, "--replay-hz", 0, "--checkpoint-s", 20]
+        set_of = [
+            MEADOW,
+            "--rules",
+            "meadow",
+            "--backend",
+            "torus",
+            "--replicates",
+            2,
+            "--shadow",
+            "--duration",
+            200,
+            "--replay-hz",
+            0,
+            "--checkpoint-s",
+            20,
+        ]
         self.call(*set_of, "--out", "whole")
-        with subprocess.Popen([*map(str, set_of), "--out", "parts"], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as killed:
+        with subprocess.Popen(
+            [*map(str, set_of), "--out", "parts"], cwd=self.folder, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+        ) as killed:
             while killed.poll() is None and not (self.folder / "parts/replicate-00/checkpoint.bin").exists():
                 time.sleep(0.01)
             killed.kill()
         self.call(*set_of, "--out", "parts", "--resume")
         for table in (self.folder / "whole").rglob("*.csv"):
-            self.assertEqual(table.read_bytes(), (self.folder / "parts" / table.relative_to(self.folder / "whole")).read_bytes(), table)
+            self.assertEqual(
+                table.read_bytes(),
+                (self.folder / "parts" / table.relative_to(self.folder / "whole")).read_bytes(),
+                table,
+            )
         self.assertTrue((self.folder / "whole/shadow/replicate-01/energy.csv").exists())
 
     def test_pages_of_runs(self):

@@ -11,7 +11,9 @@ MAY_STAND_TWICE = "abdnrtuUvVwW"  # local, weak, unique or undefined, as nm call
 
 
 def main() -> int:
-    symbols = subprocess.run(["nm", "--demangle", OBJECT], text=True, capture_output=True, check=True).stdout.splitlines()
+    symbols = subprocess.run(
+        ["nm", "--demangle", OBJECT], text=True, capture_output=True, check=True
+    ).stdout.splitlines()
     strong = [line[19:] for line in symbols if line[17] not in MAY_STAND_TWICE]  # address, kind, name
     if strong != [FUNCTION]:
         print(f"{OBJECT} must define {FUNCTION} alone, but has", *strong, sep="\n")

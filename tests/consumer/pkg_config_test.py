@@ -27,9 +27,18 @@ def main() -> int:
         environment = {**os.environ, "PKG_CONFIG_PATH": f"{moved}/{LIBDIR}/pkgconfig"}
         shutil.copy(PROGRAM, folder / "first.cpp")
         line = re.search(r"`g\+\+ (.* trophic\) -o first)`", pathlib.Path(README).read_text())[1].replace("-O2 ", "")
-        mujoco = " trophic-mujoco) -DCONSUMER_HAS_mujoco" if (moved / LIBDIR / "pkgconfig/trophic-mujoco.pc").exists() else " trophic)"
+        mujoco = (
+            " trophic-mujoco) -DCONSUMER_HAS_mujoco"
+            if (moved / LIBDIR / "pkgconfig/trophic-mujoco.pc").exists()
+            else " trophic)"
+        )
         for packages in (" trophic)", " trophic-header-only)", mujoco):
-            subprocess.run(["sh", "-c", f"{COMPILER} {line.replace(' trophic)', packages)}"], cwd=folder, env=environment, check=True)
+            subprocess.run(
+                ["sh", "-c", f"{COMPILER} {line.replace(' trophic)', packages)}"],
+                cwd=folder,
+                env=environment,
+                check=True,
+            )
             done = subprocess.run(["./first"], cwd=folder, capture_output=True, text=True, check=True)
             assert f'spider in walled_square, from "{moved}/share/trophic/models/' in done.stdout, done.stdout
     return 0

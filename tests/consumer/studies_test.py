@@ -26,19 +26,40 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as name:
         studies, build = pathlib.Path(name) / "studies", pathlib.Path(name) / "build"
         shutil.copytree(ROOT / "studies", studies, ignore=shutil.ignore_patterns("__pycache__"))
-        variables = os.environ | {"PATH": f"{PREFIX}/bin:{build}:{os.environ['PATH']}", "TROPHIC_PYTHON": python, "PYTHONDONTWRITEBYTECODE": "1"}
+        variables = os.environ | {
+            "PATH": f"{PREFIX}/bin:{build}:{os.environ['PATH']}",
+            "TROPHIC_PYTHON": python,
+            "PYTHONDONTWRITEBYTECODE": "1",
+        }
 
         def run(*command: object) -> None:
             done = subprocess.run([*map(str, command)], cwd=name, env=variables, capture_output=True, text=True)
             assert done.returncode == 0, f"{command}: {done.stdout[-3000:]}{done.stderr[-3000:]}"
 
-        run(CMAKE, "-S", studies, "-B", build, f"-DCMAKE_PREFIX_PATH={PREFIX}", f"-DCMAKE_CXX_COMPILER={COMPILER}", "-DCMAKE_COMPILE_WARNING_AS_ERROR=ON")
+        run(
+            CMAKE,
+            "-S",
+            studies,
+            "-B",
+            build,
+            f"-DCMAKE_PREFIX_PATH={PREFIX}",
+            f"-DCMAKE_CXX_COMPILER={COMPILER}",
+            "-DCMAKE_COMPILE_WARNING_AS_ERROR=ON",
+        )
         run(CMAKE, "--build", build, "--target", "trophic-readings")
         run(python, studies / "reproduce", "--out", "quick", "--programs", build, "--quick", "ranges")
         with open(f"{name}/quick/data/ranges.csv", newline="") as file:
             cells = {(row["parent"], row["range_m"], row["activation_m"]) for row in csv.DictReader(file)}
         assert len(cells) == 4, cells
-        run(python, "-m", "pytest", "-q", "-p", "no:cacheprovider", *(studies / f"tests/test_{test}.py" for test in TESTS))
+        run(
+            python,
+            "-m",
+            "pytest",
+            "-q",
+            "-p",
+            "no:cacheprovider",
+            *(studies / f"tests/test_{test}.py" for test in TESTS),
+        )
     return 0
 
 

@@ -24,8 +24,45 @@ import commands
 from documents import Document, all_documents, slug
 
 HISTORY = {"CHANGELOG.md"}  # mentions names that are gone
-SUFFIXES = ("hpp", "ipp", "cpp", "h", "py", "md", "toml", "csv", "json", "png", "cmake", "txt", "html", "trp", "bin", "bib", "svg", "log", "sh")
-SOURCES = (".hpp", ".ipp", ".cpp", ".py", ".toml", ".cmake", ".json", ".ts", ".in", ".bib", ".cff", ".txt", ".sh", ".js", ".yml", ".yaml")
+SUFFIXES = (
+    "hpp",
+    "ipp",
+    "cpp",
+    "h",
+    "py",
+    "md",
+    "toml",
+    "csv",
+    "json",
+    "png",
+    "cmake",
+    "txt",
+    "html",
+    "trp",
+    "bin",
+    "bib",
+    "svg",
+    "log",
+    "sh",
+)
+SOURCES = (
+    ".hpp",
+    ".ipp",
+    ".cpp",
+    ".py",
+    ".toml",
+    ".cmake",
+    ".json",
+    ".ts",
+    ".in",
+    ".bib",
+    ".cff",
+    ".txt",
+    ".sh",
+    ".js",
+    ".yml",
+    ".yaml",
+)
 
 
 class Tree:
@@ -46,7 +83,11 @@ class Tree:
     @staticmethod
     def walk(root: pathlib.Path):
         for folder, folders, names in os.walk(root):
-            folders[:] = [n for n in folders if not (n.startswith("build") or n in ("runs", "node_modules", ".git", ".cache", "__pycache__"))]
+            folders[:] = [
+                n
+                for n in folders
+                if not (n.startswith("build") or n in ("runs", "node_modules", ".git", ".cache", "__pycache__"))
+            ]
             yield from (pathlib.Path(folder) / name for name in names)
 
     def include_folders(self):
@@ -55,7 +96,9 @@ class Tree:
             yield include / "trophic"
             yield include / "trophic" / "backend"
             yield from (path for path in sorted((include / "trophic" / "backend").glob("*")) if path.is_dir())
-        yield from (self.root / folder for folder in ("models", "tests", "examples", "tools", "tools/python", "tools/viewer"))
+        yield from (
+            self.root / folder for folder in ("models", "tests", "examples", "tools", "tools/python", "tools/viewer")
+        )
 
     def has_path(self, named: str, document: Document) -> bool:
         """<slot> and * stand for any name, ... for any folders, {a,b} for both."""
@@ -81,7 +124,11 @@ class Tree:
 
 def expanded(pattern: str) -> list[str]:
     if braces := re.search(r"\{([^}]*)\}", pattern):
-        return [one for part in braces[1].split(",") for one in expanded(pattern[: braces.start()] + part + pattern[braces.end() :])]
+        return [
+            one
+            for part in braces[1].split(",")
+            for one in expanded(pattern[: braces.start()] + part + pattern[braces.end() :])
+        ]
     return [pattern]
 
 
@@ -101,16 +148,26 @@ def names(tree: Tree, document: Document) -> list[str]:
         bare = span.strip()
         if commands.is_command(bare):
             continue
-        if re.fullmatch(r"<?[\w.\-*<>{},/]+>?", bare) and ("/" in bare or re.fullmatch(rf"[\w\-*<>.]+\.({'|'.join(SUFFIXES)})", bare)):
+        if re.fullmatch(r"<?[\w.\-*<>{},/]+>?", bare) and (
+            "/" in bare or re.fullmatch(rf"[\w\-*<>.]+\.({'|'.join(SUFFIXES)})", bare)
+        ):
             named = bare[1:-1] if re.fullmatch(r"<[^<>]+>", bare) else bare
-            if is_output(named) or pathlib.PurePath(named).name in written or any(part.isupper() for part in named.split("/")):
+            if (
+                is_output(named)
+                or pathlib.PurePath(named).name in written
+                or any(part.isupper() for part in named.split("/"))
+            ):
                 continue
             named = re.sub(r"\.\.\./", "**/", named)
             if not tree.has_path(named, document) and not tree.knows_file(named):
                 offences.append(f"{line}: there is no '{bare}'")
         elif re.search(r"::|\w[(<]|\b[A-Z][a-z]+[A-Z]", bare):
             words = re.findall(r"[A-Za-z_]\w*", re.sub(r'"[^"]*"', "", bare))
-            missing = [word for word in words if len(word) > 3 and not word.isupper() and word not in own and word not in tree.words]
+            missing = [
+                word
+                for word in words
+                if len(word) > 3 and not word.isupper() and word not in own and word not in tree.words
+            ]
             offences += [f"{line}: nothing is called '{word}' (in `{bare}`)" for word in missing]
     return offences
 
@@ -144,14 +201,27 @@ def slots(tree: Tree, document: Document) -> list[str]:
     if document.path != tree.root / "docs/how-to/which-slot.md":
         return []
     linked = {(document.path.parent / target).resolve() for _, target in document.links}
-    folders = [tree.root / "include/trophic" / kind for kind in ("perception", "control", "reproduction", "death", "energy", "initialization")]
+    folders = [
+        tree.root / "include/trophic" / kind
+        for kind in ("perception", "control", "reproduction", "death", "energy", "initialization")
+    ]
     headers = [path for folder in folders for path in folder.glob("*/**/*.hpp") if "detail" not in path.parts]
-    policies = [path for path in headers if re.search(r"^  static constexpr std::string_view name\b|^using \w+ = .*\nstatic_assert", path.read_text(), re.M)]
+    policies = [
+        path
+        for path in headers
+        if re.search(
+            r"^  static constexpr std::string_view name\b|^using \w+ = .*\nstatic_assert", path.read_text(), re.M
+        )
+    ]
     missing = [path.relative_to(tree.root) for path in policies if path.resolve() not in linked]
-    offences = [f"1: no link to the policy {path}" for path in sorted(missing)] + ([] if policies else ["1: no policies were found"])
+    offences = [f"1: no link to the policy {path}" for path in sorted(missing)] + (
+        [] if policies else ["1: no policies were found"]
+    )
     listed = re.findall(r"^  SLOT\((\w+),", (tree.root / "include/trophic/rules/slots.hpp").read_text(), re.M)
     headings = [heading.text for heading in document.headings if heading.level == 3]
-    offences += [f"1: no heading of the slot {slot}" for slot in listed if slot not in headings] + ([] if listed else ["1: no slots were found"])
+    offences += [f"1: no heading of the slot {slot}" for slot in listed if slot not in headings] + (
+        [] if listed else ["1: no slots were found"]
+    )
     used = {}
     for letter, table in (("P", "paper"), ("R", "released")):
         text = re.sub(r"//.*", "", (tree.root / f"include/trophic/rules/{table}.hpp").read_text())
@@ -159,7 +229,13 @@ def slots(tree: Tree, document: Document) -> list[str]:
     in_no_table = {path.stem for path in policies if path.stem.startswith("no_")}  # a table leaves such a slot out
     for name, target, mark in re.findall(r"\[(\w+)\]\(([^)]+)\.hpp\)(?: \*\*(P?R?)\*\*)?", document.path.read_text()):
         expected = "".join(letter for letter, names in used.items() if name in names)
-        if mark != expected and pathlib.PurePath(target).name not in in_no_table | {"contract", "list", "by_cause", "procedure", "cognitive_network"}:
+        if mark != expected and pathlib.PurePath(target).name not in in_no_table | {
+            "contract",
+            "list",
+            "by_cause",
+            "procedure",
+            "cognitive_network",
+        }:
             offences.append(f"1: {name} is marked '{mark}', but the tables that use it are '{expected}'")
     return offences
 
@@ -174,7 +250,11 @@ def reading(tree: Tree, document: Document) -> list[str]:
         text = (document.path.parent / heading[2]).read_text()
         inside = range(start.line, end.line if end else 10**9)
         words = {word for line, span in document.spans if line in inside for word in re.findall(r"\w+", span)}
-        offences += [f"{start.line}: {heading[1]} has no '{word}'" for word in sorted(words) if not re.search(rf"\b{word}\b", text)]
+        offences += [
+            f"{start.line}: {heading[1]} has no '{word}'"
+            for word in sorted(words)
+            if not re.search(rf"\b{word}\b", text)
+        ]
     return offences
 
 

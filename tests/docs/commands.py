@@ -27,7 +27,11 @@ def is_command(text: str) -> bool:
     first = words[0] if words else ""
     if first in ("cmake", "ctest", "python3", "scripts", "pip", "mpirun"):
         return len(words) > 1
-    return first in INSTALLED + STUDIES and len(words) > 1 or bool(re.match(r"(build/[\w/]+/[\w-]+|scripts/[\w-]+|studies/reproduce|(studies|docs)/[\w/]+\.py)$", first))
+    return (
+        first in INSTALLED + STUDIES
+        and len(words) > 1
+        or bool(re.match(r"(build/[\w/]+/[\w-]+|scripts/[\w-]+|studies/reproduce|(studies|docs)/[\w/]+\.py)$", first))
+    )
 
 
 class Programs:
@@ -92,7 +96,9 @@ def presets(tree, kind: str) -> set[str]:
 
 
 def cmake_text(tree) -> str:
-    return "\n".join(path.read_text() for path in tree.files if path.name == "CMakeLists.txt" or path.suffix == ".cmake")
+    return "\n".join(
+        path.read_text() for path in tree.files if path.name == "CMakeLists.txt" or path.suffix == ".cmake"
+    )
 
 
 def value_after(words: list[str], flag: str) -> str | None:
@@ -104,7 +110,11 @@ def check_cmake(tree, own: str, words: list[str]) -> list[str]:
         return []
     kind = "buildPresets" if "--build" in words else "configurePresets"
     preset = value_after(words, "--preset")
-    offences = [f"no {kind[:-7]} preset '{preset}'"] if preset and not PLACEHOLDER.match(preset) and preset not in presets(tree, kind) else []
+    offences = (
+        [f"no {kind[:-7]} preset '{preset}'"]
+        if preset and not PLACEHOLDER.match(preset) and preset not in presets(tree, kind)
+        else []
+    )
     text = cmake_text(tree) + own
     for target in words[words.index("--target") + 1 :] if "--target" in words else []:
         if target.startswith("-"):
@@ -125,8 +135,13 @@ def check_ctest(tree, words: list[str]) -> list[str]:
     if label and not any((tree.root / folder).is_dir() for folder in (f"tests/{label}", f"tools/{label}/tests")):
         offences.append(f"no tests are labelled '{label}'")
     if expression:
-        tests = re.findall(r'(?:TEST_CASE(?:_TEMPLATE_DEFINE)?\(|NAME\s+)"([^"]+)"', tree.text) + re.findall(r"trophic_add_test\(\s*(\w+)", tree.text)
-        tests += [f"program: {quoted or bare}" for quoted, bare in re.findall(r'trophic_add_program_test\(\s*(?:"([^"]+)"|(\w+))', tree.text)]
+        tests = re.findall(r'(?:TEST_CASE(?:_TEMPLATE_DEFINE)?\(|NAME\s+)"([^"]+)"', tree.text) + re.findall(
+            r"trophic_add_test\(\s*(\w+)", tree.text
+        )
+        tests += [
+            f"program: {quoted or bare}"
+            for quoted, bare in re.findall(r'trophic_add_program_test\(\s*(?:"([^"]+)"|(\w+))', tree.text)
+        ]
         if not any(re.search(expression, test) for test in tests):
             offences.append(f"no test's name matches '{expression}'")
     return offences
@@ -137,7 +152,11 @@ def check_script(tree, words: list[str]) -> list[str]:
     if not path.is_file():
         return [f"there is no {words[0]}"]
     text = path.read_text()
-    return [f"{words[0]} has no {word.split('=')[0]}" for word in words[1:] if re.match(r"--\w", word) and word.split("=")[0] not in text]
+    return [
+        f"{words[0]} has no {word.split('=')[0]}"
+        for word in words[1:]
+        if re.match(r"--\w", word) and word.split("=")[0] not in text
+    ]
 
 
 def check_built(tree, words: list[str]) -> list[str]:
@@ -151,7 +170,11 @@ def check_built(tree, words: list[str]) -> list[str]:
         return offences
     text = lists.read_text() if lists.is_file() else ""
     for variable, values in re.findall(r"foreach\((\w+) ([^)]*)\)", text):
-        text += "".join(" " + word.replace(f"${{{variable}}}", value) for value in values.split() for word in re.findall(rf"\S*\${{{variable}}}\S*", text))
+        text += "".join(
+            " " + word.replace(f"${{{variable}}}", value)
+            for value in values.split()
+            for word in re.findall(rf"\S*\${{{variable}}}\S*", text)
+        )
     if not re.search(rf"(?<![\w-]){re.escape(name)}(?![\w-])", text):
         offences.append(f"{'/'.join(folders)} builds no '{name}'")
     return offences
@@ -159,7 +182,11 @@ def check_built(tree, words: list[str]) -> list[str]:
 
 def check_flags(help_text: str, words: list[str], program: str) -> list[str]:
     known = set(re.findall(r"(?<![\w-])(--?[A-Za-z][\w-]*)", help_text))
-    return [f"{program} has no {word.split('=')[0]}" for word in words if re.match(r"--?[A-Za-z]", word) and word.split("=")[0] not in known]
+    return [
+        f"{program} has no {word.split('=')[0]}"
+        for word in words
+        if re.match(r"--?[A-Za-z]", word) and word.split("=")[0] not in known
+    ]
 
 
 def accepted(executable: str, arguments: list[str], folder: str) -> subprocess.CompletedProcess:
@@ -181,7 +208,11 @@ def parsed(executable: str, arguments: list[str], ask: str, folder: str) -> subp
         return accepted(executable, arguments, folder)
     done = accepted(executable, [*arguments, ask], folder)
     alone = re.search(rf"not with {ask}, which goes with (.*) alone", done.stderr)
-    return accepted(executable, [*only_options(arguments, re.findall(r"--[\w-]+", alone[1])), ask], folder) if alone else done
+    return (
+        accepted(executable, [*only_options(arguments, re.findall(r"--[\w-]+", alone[1])), ask], folder)
+        if alone
+        else done
+    )
 
 
 def check_ours(tree, programs: Programs, name: str, words: list[str]) -> list[str]:
@@ -207,7 +238,11 @@ def check_ours(tree, programs: Programs, name: str, words: list[str]) -> list[st
         offences = check_flags(programs.help(executable) + " --help", arguments, name)
         if offences:
             return offences
-    if any(PLACEHOLDER.match(word.split("=")[-1]) or "$" in word for word in arguments) or (name == "trophic" and "--resume" in arguments) or "--plan" in arguments:
+    if (
+        any(PLACEHOLDER.match(word.split("=")[-1]) or "$" in word for word in arguments)
+        or (name == "trophic" and "--resume" in arguments)
+        or "--plan" in arguments
+    ):
         return []  # values of placeholders, runs to resume, sweep files and their folders are the reader's
     ask = "--list" if name == "trophic-ablations" else "--print-config"
     if ask not in programs.help(executable, *command):
@@ -261,7 +296,10 @@ def check(tree, document, programs: Programs) -> list[str]:
         if block.language in ("sh", "text", ""):
             for offset, line in lines_of(block.code):
                 for words in split(line):
-                    offences += [f"{block.line + 1 + offset}: {text}" for text in check_command(tree, programs, own, words, block.language == "sh")]
+                    offences += [
+                        f"{block.line + 1 + offset}: {text}"
+                        for text in check_command(tree, programs, own, words, block.language == "sh")
+                    ]
     for line, span in document.spans:
         if is_command(span):
             for words in split(span):
@@ -284,6 +322,10 @@ def check_flag_alone(tree, programs: Programs, span: str) -> list[str]:
     if any(re.search(rf"(?<![\w-]){re.escape(flag)}(?![\w-])", text) for text in texts) or f'"{flag}' in tree.text:
         if flag == "--set" and len(words) > 1 and "." in words[1] and not PLACEHOLDER.match(words[1]):
             key = words[1].split("=")[0]
-            return [] if re.search(rf"\b{re.escape(key.split('.')[-1])}\b", tree.text) else [f"no number is called '{key}'"]
+            return (
+                []
+                if re.search(rf"\b{re.escape(key.split('.')[-1])}\b", tree.text)
+                else [f"no number is called '{key}'"]
+            )
         return []
     return [f"no program has {flag}"]

@@ -115,7 +115,11 @@ def all_documents(root: pathlib.Path) -> list[Document]:
     def wanted(path: pathlib.Path) -> bool:
         folders = path.relative_to(root).parts[:-1]
         return not any(
-            part in SKIPPED or part.startswith("build") or part == "runs" or (part.startswith(".") and part != ".github") for part in folders
+            part in SKIPPED
+            or part.startswith("build")
+            or part == "runs"
+            or (part.startswith(".") and part != ".github")
+            for part in folders
         )
 
     return [parse(path) for path in sorted(root.rglob("*.md")) if wanted(path)]

@@ -29,6 +29,10 @@ def follow(path: pathlib.Path, folder: pathlib.Path, environment: dict[str, str]
         elif block.language == "python" and key == "run" and PYTHON:
             command = [PYTHON, "-c", block.code]
         if command:
-            done = subprocess.run(command, cwd=folder, env={**os.environ, **environment}, capture_output=True, text=True)
+            done = subprocess.run(
+                command, cwd=folder, env={**os.environ, **environment}, capture_output=True, text=True
+            )
             if done.returncode != 0:
-                raise SystemExit(f"{path.name}:{block.line}: exit code {done.returncode}\n{block.code}\n{done.stdout}{done.stderr}")
+                raise SystemExit(
+                    f"{path.name}:{block.line}: exit code {done.returncode}\n{block.code}\n{done.stdout}{done.stderr}"
+                )

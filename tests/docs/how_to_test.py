@@ -36,12 +36,25 @@ def main() -> int:
         run(*ecology, "--duration", "200", "--replicates", "2", "--shadow", "--out", "runs/paper")
         follow(ROOT / "docs/how-to/a-living-world.md", folder, {"PATH": f"{PROGRAMS}:{os.environ['PATH']}"})
         follow(ROOT / "docs/how-to/a-sweep.md", folder, {"PATH": f"{PROGRAMS}:{os.environ['PATH']}"})
-        tables = next(block.code for block in parse(ROOT / "docs/how-to/compare-two-tables.md").blocks if block.language == "toml")
+        tables = next(
+            block.code for block in parse(ROOT / "docs/how-to/compare-two-tables.md").blocks if block.language == "toml"
+        )
         assert "ecology.duration_s = 6000.0" in tables and "replicates = 10" in tables
-        (folder / "tables.toml").write_text(tables.replace("6000.0", "100.0").replace("replicates = 10", "replicates = 2"))
+        (folder / "tables.toml").write_text(
+            tables.replace("6000.0", "100.0").replace("replicates = 10", "replicates = 2")
+        )
         run(str(PROGRAMS / "trophic"), "plan", "tables.toml", "--program", ecology[0], "--out", "runs/tables")
         run(ecology[0], "--plan", "runs/tables/plan.jsonl")
-        run(str(PROGRAMS / "trophic"), "analyze", "runs/tables", "--metric", "velocity:predator", "attribution_caught", "--out", "analysis/tables")
+        run(
+            str(PROGRAMS / "trophic"),
+            "analyze",
+            "runs/tables",
+            "--metric",
+            "velocity:predator",
+            "attribution_caught",
+            "--out",
+            "analysis/tables",
+        )
         for document in ("read-in-pandas", "a-null-for-my-metric", "a-living-world"):
             for block in parse(ROOT / f"docs/how-to/{document}.md").blocks:
                 if block.language == "python" and PYTHON:
@@ -51,7 +64,9 @@ def main() -> int:
 
 def gait_of_three_legs(folder: pathlib.Path) -> str:
     """The gait that my-body.md evolves takes a minute; any one with its hinges shows that the robot is accepted."""
-    (folder / "tripod_gait.toml").write_text('name = "tripod_gait"\nrobot = "tripod"\nhinges = ["back", "left", "right"]\ninternal = [0.5, 0.5, 0.5]\n')
+    (folder / "tripod_gait.toml").write_text(
+        'name = "tripod_gait"\nrobot = "tripod"\nhinges = ["back", "left", "right"]\ninternal = [0.5, 0.5, 0.5]\n'
+    )
     return "tripod_gait.toml"
 
 

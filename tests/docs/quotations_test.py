@@ -22,6 +22,7 @@ HISTORY = {"CHANGELOG.md"}  # may quote what was wrong
 NAMES_PAPER = re.compile(r'\bSec\. "|\b[Tt]he (paper|text|authors)\b|\b[Dd]raft\b')
 CITATION = re.compile(r'\bSec\. "([^"]*)"')
 
+
 @dataclasses.dataclass
 class Sentence:
     text: str
@@ -56,7 +57,10 @@ def comments(path: pathlib.Path) -> list[tuple[int, str]]:
     """Line and text of each comment or docstring; lines of comment one below the other are one."""
     if path.suffix == ".py":
         text = path.read_text()
-        return [(text.count("\n", 0, found.start()) + 1, " ".join(found[1].split())) for found in re.finditer(r'"""(.*?)"""', text, re.S)]
+        return [
+            (text.count("\n", 0, found.start()) + 1, " ".join(found[1].split()))
+            for found in re.finditer(r'"""(.*?)"""', text, re.S)
+        ]
     mark = r"#" if path.suffix == ".toml" else r"///?<?"
     found, open_block = [], False
     for number, line in enumerate(path.read_text().splitlines(), 1):
@@ -86,7 +90,11 @@ def judged(block: str, paper: Paper) -> list[str]:
         if len(re.split(r"[\s-]+", words)) < 4 or words in paper.sections or words == paper.title:
             continue
         pieces = [piece.strip() for piece in words.split("[...]")]
-        forms = [pieces, [pieces[0][:1].lower() + pieces[0][1:], *pieces[1:]], [pieces[0][:1].upper() + pieces[0][1:], *pieces[1:]]]
+        forms = [
+            pieces,
+            [pieces[0][:1].lower() + pieces[0][1:], *pieces[1:]],
+            [pieces[0][:1].upper() + pieces[0][1:], *pieces[1:]],
+        ]
         found = [one for one in paper.sentences if any(contains(one.text, form) for form in forms)]
         if not found:
             offences.append(f'"{words}" is not in the paper')
@@ -99,12 +107,21 @@ def judged(block: str, paper: Paper) -> list[str]:
 
 def in_tree(root: pathlib.Path, paper: Paper) -> list[str]:
     offences = []
-    for path in sorted(path for folder in CODE for path in (root / folder).rglob("*") if path.suffix in (".hpp", ".ipp", ".cpp", ".py", ".toml")):
+    for path in sorted(
+        path
+        for folder in CODE
+        for path in (root / folder).rglob("*")
+        if path.suffix in (".hpp", ".ipp", ".cpp", ".py", ".toml")
+    ):
         for line, block in comments(path):
             offences += [f"{path.relative_to(root)}:{line}: {said}" for said in judged(block, paper)]
         for source in re.findall(r'string_view source =[^"]*"((?:[^"\\]|\\.)*)"', path.read_text()):
             titles = re.findall(r'\\"([^"\\]*)\\"', source)
-            offences += [f'{path.relative_to(root)}: the paper has no section "{title}"' for title in titles if title not in paper.sections]
+            offences += [
+                f'{path.relative_to(root)}: the paper has no section "{title}"'
+                for title in titles
+                if title not in paper.sections
+            ]
     for document in all_documents(root):
         if document.path.name in HISTORY:
             continue
@@ -113,7 +130,9 @@ def in_tree(root: pathlib.Path, paper: Paper) -> list[str]:
             offences += [f"{document.path.relative_to(root)}:{line}: {said}" for said in judged(block, paper)]
     listed = re.search(r"sections = \{([^}]*)\}", (root / "docs/references.bib").read_text())[1]
     titles = [" ".join(title.split()) for title in listed.split(";")]
-    return offences + [f'docs/references.bib: the paper has no section "{title}"' for title in titles if title not in paper.sections]
+    return offences + [
+        f'docs/references.bib: the paper has no section "{title}"' for title in titles if title not in paper.sections
+    ]
 
 
 def in_source(tex: str, paper: Paper) -> list[str]:
@@ -129,7 +148,11 @@ def in_source(tex: str, paper: Paper) -> list[str]:
     titles = [plain(title) for title in re.findall(r"\\(?:(?:sub)*section|paragraph)\{([^}]*)\}", tex)]
     offences = [f'the source has no section "{title}"' for title in paper.sections if title not in titles]
     offences += [f'the file lacks the section "{title}"' for title in titles if title not in paper.sections]
-    offences += [f"not in the source: {one.text}" for one in paper.sentences if one.text not in (drafts if one.is_draft else text)]
+    offences += [
+        f"not in the source: {one.text}"
+        for one in paper.sentences
+        if one.text not in (drafts if one.is_draft else text)
+    ]
     return offences + ([] if paper.title in plain(tex) else ["another title"])
 
 

@@ -35,7 +35,9 @@ def main() -> int:
         checksum = (folder / "first" / f"{archives[0].name}.sha256").read_text().split()[0]
         for recipe in ("spack/packages/trophic/package.py", "conda/recipe.yaml"):
             text = (folder / "first" / recipe).read_text()
-            assert f'{checksum}' in text and f"file://{folder}/first/trophic-" in text, f"{recipe} does not name the archive"
+            assert (
+                f"{checksum}" in text and f"file://{folder}/first/trophic-" in text
+            ), f"{recipe} does not name the archive"
 
         with tarfile.open(archives[0]) as archive:
             archive.extractall(folder)
@@ -50,7 +52,17 @@ def main() -> int:
 
         citation = clone / "CITATION.cff"
         citation.write_text(citation.read_text().replace("\nversion: ", "\nversion: 9"))
-        run("git", "-c", "user.name=test", "-c", "user.email=test@example.org", "commit", "-qam", "Another version", cwd=clone)
+        run(
+            "git",
+            "-c",
+            "user.name=test",
+            "-c",
+            "user.email=test@example.org",
+            "commit",
+            "-qam",
+            "Another version",
+            cwd=clone,
+        )
         assert "CITATION.cff: version must be" in run("scripts/release", folder / "third", cwd=clone, expected=1)
     return 0
 

@@ -21,7 +21,9 @@ import designs
 
 class Pages(unittest.TestCase):
     def test_tables_match_the_data(self):
-        result = subprocess.run([sys.executable, ROOT / "studies/reproduce", "--tables", "--check"], capture_output=True, text=True)
+        result = subprocess.run(
+            [sys.executable, ROOT / "studies/reproduce", "--tables", "--check"], capture_output=True, text=True
+        )
         self.assertEqual(result.returncode, 0, result.stderr)
 
 
@@ -44,7 +46,9 @@ class Design(unittest.TestCase):
         cells = []
         for levels in designs.two_levels(len(names)):
             truth = 0.3 * levels[4] - 0.2 * levels[11] + 0.5 * (levels[0] ^ levels[7])
-            cells.append((levels, {key: [truth + random.gauss(0.0, 0.1) for _ in range(10)] for key in designs.SCREENED}))
+            cells.append(
+                (levels, {key: [truth + random.gauss(0.0, 0.1) for _ in range(10)] for key in designs.SCREENED})
+            )
         for row in designs.effect_rows(names, cells):
             planted = {"choice4": 0.3, "choice11": -0.2}.get(row["choice"], 0.0)
             self.assertAlmostEqual(float(row["effect"]), planted, delta=0.05)

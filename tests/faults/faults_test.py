@@ -31,7 +31,13 @@ class Faults(InFolder):
     def call(self, out, *arguments, fault=None, at=0, mode="once", count=""):
         environment = dict(os.environ)
         if fault:
-            environment |= {"LD_PRELOAD": SHIM, "FAULT_CALL": fault, "FAULT_AT": str(at), "FAULT_MODE": mode, "FAULT_COUNT": count}
+            environment |= {
+                "LD_PRELOAD": SHIM,
+                "FAULT_CALL": fault,
+                "FAULT_AT": str(at),
+                "FAULT_MODE": mode,
+                "FAULT_COUNT": count,
+            }
         return super().call(PROGRAM, *RUN, "--out", out, *arguments, env=environment)
 
     def setUp(self):
@@ -149,7 +155,11 @@ class Faults(InFolder):
                 if (self.folder / "code").exists():
                     full += 1
                     self.assertEqual((self.folder / "code").read_text(), "1\n")
-                    said = [line for line in done.stderr.splitlines() if not line.startswith("everything written so far is in")]
+                    said = [
+                        line
+                        for line in done.stderr.splitlines()
+                        if not line.startswith("everything written so far is in")
+                    ]
                     self.assertEqual(len(said), 1, done.stderr)
                     self.assertIn("No space left", said[0])
                 self.assertEqual(self.status("run"), "complete")
@@ -171,8 +181,23 @@ rules.mutation.sd = [0.05, 0.1]
 """
 TOOLS = {
     "cite": (TROPHIC, "cite", "set"),
-    "contest": (TROPHIC, "contest", "set", "--epochs", "0,8", "--duration", "4", "--teams", "2", "--team-size", "2", "--jobs", "1",
-                "--out", "new"),
+    "contest": (
+        TROPHIC,
+        "contest",
+        "set",
+        "--epochs",
+        "0,8",
+        "--duration",
+        "4",
+        "--teams",
+        "2",
+        "--team-size",
+        "2",
+        "--jobs",
+        "1",
+        "--out",
+        "new",
+    ),
     "convert": (TROPHIC, "convert", "body.txt", "--out", "new.toml"),
     "export": (TROPHIC, "export", "set/replicate-00", "--out", "new.glb"),
     "film": (TROPHIC, "film", "set/replicate-00", "--out", "new.png"),
@@ -188,8 +213,11 @@ class OfTools(InFolder):
         return super().call(*words, env=os.environ | environment)
 
     def outputs(self):
-        return {str(path.relative_to(self.folder)): path.read_bytes() for path in sorted(self.folder.rglob("new*/**/*")) + sorted(self.folder.glob("new*"))
-                if path.is_file()}
+        return {
+            str(path.relative_to(self.folder)): path.read_bytes()
+            for path in sorted(self.folder.rglob("new*/**/*")) + sorted(self.folder.glob("new*"))
+            if path.is_file()
+        }
 
     def clear(self):
         for path in self.folder.glob("new*"):
@@ -199,7 +227,10 @@ class OfTools(InFolder):
         super().setUp()
         (self.folder / "sweep.toml").write_text(SWEEP)
         (self.folder / "body.txt").write_text("0 CoreComponent Core 0\n\t0 ActiveHinge Hip 1\n")
-        for words in ((PROGRAM, *RUN, "--replicates", "2", "--out", "set"), planned(PROGRAM, "sweep.toml", "sweep", self.folder)):
+        for words in (
+            (PROGRAM, *RUN, "--replicates", "2", "--out", "set"),
+            planned(PROGRAM, "sweep.toml", "sweep", self.folder),
+        ):
             self.run_ok(*words)
 
     def count(self, words, fault):

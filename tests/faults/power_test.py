@@ -131,8 +131,11 @@ class PowerFailure(InFolder):
         return [line.split("\t") for line in log.read_text().splitlines()]
 
     def tables(self):
-        return {path.relative_to(self.folder): path.read_bytes() for path in sorted((self.folder / "root").rglob("*"))
-                if path.suffix in TABLES and "incomplete" not in str(path)}
+        return {
+            path.relative_to(self.folder): path.read_bytes()
+            for path in sorted((self.folder / "root").rglob("*"))
+            if path.suffix in TABLES and "incomplete" not in str(path)
+        }
 
     def disk(self):
         return Disk(self.folder / "root")

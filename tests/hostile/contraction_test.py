@@ -24,4 +24,6 @@ with tempfile.TemporaryDirectory() as folder:
     assert fingerprints[0] == fingerprints[1]
 # The test would pass if -march=native changed nothing.
 of_newer_processors = "vmulsd"
-assert of_newer_processors in subprocess.run(["objdump", "-d", NATIVE], capture_output=True, text=True, check=True).stdout
+assert (
+    of_newer_processors in subprocess.run(["objdump", "-d", NATIVE], capture_output=True, text=True, check=True).stdout
+)

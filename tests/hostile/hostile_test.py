@@ -70,13 +70,16 @@ class Damage(Hostile):
     def test_a_damaged_run_does_not_begin_another(self):
         self.run_ok(PREDATOR_PREY, *KINEMATIC, "--duration", 40, "--out", "run")
         self.change("run/events.csv", change_a_digit)
-        said = self.refused(1, PREDATOR_PREY, *KINEMATIC, "--duration", 80, "--out", "new", "--from", "run", "--at", 40, "--seed", 5)
+        said = self.refused(
+            1, PREDATOR_PREY, *KINEMATIC, "--duration", 80, "--out", "new", "--from", "run", "--at", 40, "--seed", 5
+        )
         self.assertIn("run/events.csv: has checksum", said)
 
     def test_a_damaged_run_of_a_sweep_is_not_resumed(self):
         (self.folder / "sweep.toml").write_text(
             'engine = "kinematic"\nreplicates = 1\nreplay_hz = 5.0\n[set]\necology.robots = 16\necology.duration_s = 40.0\n'
-            "[grid]\nrules.mutation.sd = [0.05, 0.1]\n")
+            "[grid]\nrules.mutation.sd = [0.05, 0.1]\n"
+        )
         plan = (*planned(PREDATOR_PREY, "sweep.toml", "out", self.folder), "--jobs", 1)
         self.run_ok(*plan)
         whole = self.contents("out")
@@ -120,11 +123,16 @@ class Damage(Hostile):
             self.assertIn("replicate-01/events.csv:1: begins with a byte order mark", said)
 
     def test_a_damaged_complete_run_is_made_anew_by_the_same_command(self):
-        (self.folder / "sweep.toml").write_text('engine = "kinematic"\nreplicates = 2\nreplay_hz = 5.0\n[set]\necology.robots = 16\necology.duration_s = 20.0\n'
-                                                "[grid]\nrules.mutation.sd = [0.05, 0.1]\n")
+        (self.folder / "sweep.toml").write_text(
+            'engine = "kinematic"\nreplicates = 2\nreplay_hz = 5.0\n[set]\necology.robots = 16\necology.duration_s = 20.0\n'
+            "[grid]\nrules.mutation.sd = [0.05, 0.1]\n"
+        )
         run = (PREDATOR_PREY, *KINEMATIC, "--duration", 20, "--resume")
-        for out, folder, command in (("run", "run", (*run, "--out", "run")), ("set", "set/replicate-01", (*run, "--replicates", 2, "--out", "set")),
-                                     ("sweep", "sweep/cell-000/replicate-01", planned(PREDATOR_PREY, "sweep.toml", "sweep", self.folder))):
+        for out, folder, command in (
+            ("run", "run", (*run, "--out", "run")),
+            ("set", "set/replicate-01", (*run, "--replicates", 2, "--out", "set")),
+            ("sweep", "sweep/cell-000/replicate-01", planned(PREDATOR_PREY, "sweep.toml", "sweep", self.folder)),
+        ):
             with self.subTest(out):
                 self.run_ok(*command)
                 whole = {name: (self.folder / folder / name).read_bytes() for name in FILES}
@@ -140,14 +148,26 @@ class Damage(Hostile):
         self.run_ok(*command)
         whole = {path: path.read_bytes() for path in sorted((self.folder / "run").iterdir())}
         draw = random.Random(RANDOM_DAMAGES)
-        others = ((TROPHIC, "analyze", "run", "--out", "new"), (TROPHIC, "cite", "run"), (TROPHIC, "show", "run", "--out", "new.html"),
-                  (TROPHIC, "export", "run", "--out", "new.glb"), (TROPHIC, "contest", "run", "--out", "new", "--against", "own", "--duration", 1),
-                  (PREDATOR_PREY, "--from", "run", "--at", 10, "--out", "new"))
+        others = (
+            (TROPHIC, "analyze", "run", "--out", "new"),
+            (TROPHIC, "cite", "run"),
+            (TROPHIC, "show", "run", "--out", "new.html"),
+            (TROPHIC, "export", "run", "--out", "new.glb"),
+            (TROPHIC, "contest", "run", "--out", "new", "--against", "own", "--duration", 1),
+            (PREDATOR_PREY, "--from", "run", "--at", 10, "--out", "new"),
+        )
         for number in range(RANDOM_DAMAGES):
             path, content = draw.choice(list(whole.items()))
             at, end = sorted(draw.randrange(len(content) + 1) for _ in range(2))
-            damaged = draw.choice((content[:at], content[:at] + content[end:], content + content[at:end] + b"1", content[:at] + bytes(64) + content[at + 64 :],
-                                   content[:at] + bytes([content[at - 1] ^ 1 << draw.randrange(8)]) + content[at + 1 :]))
+            damaged = draw.choice(
+                (
+                    content[:at],
+                    content[:at] + content[end:],
+                    content + content[at:end] + b"1",
+                    content[:at] + bytes(64) + content[at + 64 :],
+                    content[:at] + bytes([content[at - 1] ^ 1 << draw.randrange(8)]) + content[at + 1 :],
+                )
+            )
             if damaged == content:
                 continue
             other = draw.choice(others)
@@ -158,7 +178,10 @@ class Damage(Hostile):
                 self.assertIn(f"run/{path.name}: ", said.stderr)
                 self.assertNotIn("json.exception", said.stderr)
                 self.assertFalse((self.folder / "new").exists(), other)
-                self.assertRegex(self.run_ok(*command).stdout, "was complete, but damaged|as it has no whole manifest.json|was incomplete")
+                self.assertRegex(
+                    self.run_ok(*command).stdout,
+                    "was complete, but damaged|as it has no whole manifest.json|was incomplete",
+                )
                 tables = [name for name in whole if name.name not in ("manifest.json", "checkpoint.bin")]
                 self.assertEqual([name.read_bytes() for name in tables], [whole[name] for name in tables])
             for folder in self.folder.glob("run*"):
@@ -175,7 +198,9 @@ class Killed(Hostile):
         self.run_ok(PREDATOR_PREY, *KINEMATIC, "--duration", 400, "--replicates", 2, "--out", "set")
         contest = (TROPHIC, "contest", "set", "--duration", 300, "--teams", 20, "--jobs", 1)
         self.run_ok(*contest, "--out", "whole")
-        program = subprocess.Popen([str(word) for word in (*contest, "--out", "parts")], cwd=self.folder, stdout=subprocess.PIPE, text=True)
+        program = subprocess.Popen(
+            [str(word) for word in (*contest, "--out", "parts")], cwd=self.folder, stdout=subprocess.PIPE, text=True
+        )
         played = self.folder / "parts.part/played.jsonl"
         while program.poll() is None and not (played.exists() and played.read_bytes().count(b"\n") > 5):
             time.sleep(0.001)
@@ -188,7 +213,9 @@ class Killed(Hostile):
         self.assertRegex(self.run_ok(*contest, "--out", "parts").stdout, r"^\d+ of \d+ contests were played already\n")
         for name in ("contests.csv", "progress.csv"):
             self.assertEqual((self.folder / "parts" / name).read_bytes(), (self.folder / "whole" / name).read_bytes())
-        self.assertEqual(sorted(path.name for path in (self.folder / "parts").iterdir()), ["contests.csv", "progress.csv"])
+        self.assertEqual(
+            sorted(path.name for path in (self.folder / "parts").iterdir()), ["contests.csv", "progress.csv"]
+        )
 
 
 class Links(Hostile):
@@ -230,8 +257,10 @@ class Links(Hostile):
         self.assertIn("set/replicates.json.part: is a symbolic link", self.refused(2, *command, "--resume"))
 
     def test_a_sweep_writes_into_no_link(self):
-        (self.folder / "sweep.toml").write_text('engine = "kinematic"\nreplicates = 1\n[set]\necology.duration_s = 40.0\n'
-                                                "[grid]\nrules.mutation.sd = [0.05]\n")
+        (self.folder / "sweep.toml").write_text(
+            'engine = "kinematic"\nreplicates = 1\n[set]\necology.duration_s = 40.0\n'
+            "[grid]\nrules.mutation.sd = [0.05]\n"
+        )
         plan = planned(PREDATOR_PREY, "sweep.toml", "out", self.folder)
         self.run_ok(*plan)
         run = next((self.folder / "out").glob("cell-*/replicate-00"))
@@ -251,7 +280,9 @@ class Links(Hostile):
         manifest = self.manifest("run")
         name = f"new.snapshot-{manifest['fingerprint']}-seed-{manifest['seed']}-40-s"
         (self.folder / name).symlink_to(self.elsewhere)
-        said = self.refused(2, PREDATOR_PREY, *KINEMATIC, "--duration", 80, "--out", "new", "--from", "run", "--at", 40, "--seed", 5)
+        said = self.refused(
+            2, PREDATOR_PREY, *KINEMATIC, "--duration", 80, "--out", "new", "--from", "run", "--at", 40, "--seed", 5
+        )
         self.assertIn(f"{name}: is a symbolic link", said)
 
     def test_an_out_that_is_a_link_is_the_folder_that_it_names(self):
@@ -268,8 +299,10 @@ class Links(Hostile):
         self.run_ok(*run, "straight", "--duration", 80)
         for name in FILES:
             self.assertEqual((disk / "run" / name).read_bytes(), (self.folder / "straight" / name).read_bytes(), name)
-        (self.folder / "sweep.toml").write_text('engine = "kinematic"\nreplicates = 1\n[set]\necology.duration_s = 40.0\n'
-                                                "[grid]\nrules.mutation.sd = [0.05]\n")
+        (self.folder / "sweep.toml").write_text(
+            'engine = "kinematic"\nreplicates = 1\n[set]\necology.duration_s = 40.0\n'
+            "[grid]\nrules.mutation.sd = [0.05]\n"
+        )
         (disk / "sweep").rmdir()
         self.run_ok(*planned(PREDATOR_PREY, "sweep.toml", disk / "sweep", self.folder))
         shutil.rmtree(next((disk / "sweep").glob("cell-*/replicate-00")))
@@ -302,7 +335,9 @@ class Builds(Hostile):
         self.assertEqual(mixed["code"], first["code"])
         self.assertNotEqual(mixed["continued"][0]["code"], first["code"])
         self.assertEqual(mixed["continued"][0]["other_build"], "accepted")
-        self.assertIn("2 builds of a program made these runs", self.run_ok(TROPHIC, "analyze", "run", "--out", "mixed").stderr)
+        self.assertIn(
+            "2 builds of a program made these runs", self.run_ok(TROPHIC, "analyze", "run", "--out", "mixed").stderr
+        )
         self.run_ok(OWN_RULE_3, *KINEMATIC, "--duration", 120, "--out", "run", "--resume")
         self.assertEqual(len({program["code"] for program in self.manifest("run")["continued"]}), 1)
         self.assertNotIn("other_build", self.manifest("run")["continued"][1])
@@ -331,8 +366,10 @@ class Builds(Hostile):
         self.assertEqual(self.manifest("new")["origin"]["code"], self.manifest("run")["code"])
 
     def test_a_sweep_is_not_made_by_two_builds_unless_that_is_accepted(self):
-        (self.folder / "sweep.toml").write_text('engine = "kinematic"\nreplicates = 2\nreplay_hz = 5.0\n[set]\necology.duration_s = 40.0\n'
-                                                "[grid]\nrules.mutation.sd = [0.05]\n")
+        (self.folder / "sweep.toml").write_text(
+            'engine = "kinematic"\nreplicates = 2\nreplay_hz = 5.0\n[set]\necology.duration_s = 40.0\n'
+            "[grid]\nrules.mutation.sd = [0.05]\n"
+        )
         command = planned(OWN_RULE_1, "sweep.toml", "out", self.folder)[1:]
         self.run_ok(OWN_RULE_1, *command)
         self.run_ok(OWN_RULE_3, *command)  # there is nothing to do
@@ -340,7 +377,10 @@ class Builds(Hostile):
         self.assertIn("replicate-00/manifest.json: code = ", self.refused(2, OWN_RULE_3, *command))
         self.run_ok(OWN_RULE_3, *command, "--accept-other-build")
         self.assertIn("--accept-other-build", self.refused(2, TROPHIC, "analyze", "out", "--out", "new"))
-        self.assertIn("2 builds of a program", self.run_ok(TROPHIC, "analyze", "out", "--accept-other-build", "--out", "new").stderr)
+        self.assertIn(
+            "2 builds of a program",
+            self.run_ok(TROPHIC, "analyze", "out", "--accept-other-build", "--out", "new").stderr,
+        )
 
 
 ROBOGEN = """0 CoreComponent Core 0
@@ -364,7 +404,9 @@ def robogen_result(text):
         (slot, kind, name, turns), depth = line.split(), line.count("\t")
         parts.append({"id": name, "type": kind, "root": depth == 0, "orientation": int(turns)})
         if depth:
-            connections.append({"src": above[depth - 1], "dest": name, "srcSlot": int(slot) + (depth > 1), "destSlot": 0})
+            connections.append(
+                {"src": above[depth - 1], "dest": name, "srcSlot": int(slot) + (depth > 1), "destSlot": 0}
+            )
         above[depth:] = [name]
     return {"id": 1, "body": {"part": parts, "connection": connections}, "brain": {"neuron": []}}
 
@@ -395,8 +437,13 @@ body:
 brain:
   - weights: [0.1, 0.2]
 """
-REVOLVE2 = {"type": "core", "children": {"front": {"type": "active_hinge", "rotation": 1.5707963267948966, "children": [{"type": "brick"}]},
-                                         "2": {"type": "brick", "children": {"1": None, "left": {"type": "hinge"}}}}}
+REVOLVE2 = {
+    "type": "core",
+    "children": {
+        "front": {"type": "active_hinge", "rotation": 1.5707963267948966, "children": [{"type": "brick"}]},
+        "2": {"type": "brick", "children": {"1": None, "left": {"type": "hinge"}}},
+    },
+}
 
 
 class Converted(Hostile):
@@ -408,63 +455,105 @@ class Converted(Hostile):
         said = self.run_ok(TROPHIC, "convert", name, "--out", "robot.toml", "--name", "bot").stdout
         with open(self.folder / "robot.toml", "rb") as file:
             robot = tomllib.load(file)
-        self.run_ok(PREDATOR_PREY, "--robots", 2, "--set", "rules.community.predators=1", "--backend", "kinematic", "--robot", "./robot.toml",
-                  "--print-config")
+        self.run_ok(
+            PREDATOR_PREY,
+            "--robots",
+            2,
+            "--set",
+            "rules.community.predators=1",
+            "--backend",
+            "kinematic",
+            "--robot",
+            "./robot.toml",
+            "--print-config",
+        )
         return said, {name: value for name, value in robot.items()}
 
     def modules(self, tree):
         """(module, quarter turns, below) by face."""
-        return {face: (below["module"], below["rotation_deg"] // 90, self.modules(below)) for face, below in tree.items()
-                if isinstance(below, dict)}
+        return {
+            face: (below["module"], below["rotation_deg"] // 90, self.modules(below))
+            for face, below in tree.items()
+            if isinstance(below, dict)
+        }
 
     def test_robogen(self):
         said, robot = self.converted("body.txt", ROBOGEN)
         self.assertEqual(self.converted("result.json", json.dumps(robogen_result(ROBOGEN)))[1], robot)
-        self.assertRegex(said, "4 hinges, 4 bricks, from RoboGen's text.*\nslot 0, which RoboGen calls left, is on the right of its front")
+        self.assertRegex(
+            said,
+            "4 hinges, 4 bricks, from RoboGen's text.*\nslot 0, which RoboGen calls left, is on the right of its front",
+        )
         self.assertEqual(robot["name"], "bot")
         # Hips on the core's sides whose axis is turned by 90 degrees, and on its front as it is, sweep; bricks lie flat.
         modules = self.modules(robot["core"])
         self.assertEqual(set(modules), {"right", "left", "front"})
         hinge, turns, below = modules["right"]
         self.assertEqual(below["front"][:2], ("brick", (-turns) % 4))
-        self.assertEqual({face: (kind, turned % 2) for face, (kind, turned, _) in below["front"][2].items()},
-                         {"front": ("hinge", 0), "left": ("brick", 0)})
-        self.assertEqual((modules["left"], hinge, turns % 2, modules["front"][0], modules["front"][1] % 2), (("hinge", 0, {}), "hinge", 1, "hinge", 1))
+        self.assertEqual(
+            {face: (kind, turned % 2) for face, (kind, turned, _) in below["front"][2].items()},
+            {"front": ("hinge", 0), "left": ("brick", 0)},
+        )
+        self.assertEqual(
+            (modules["left"], hinge, turns % 2, modules["front"][0], modules["front"][1] % 2),
+            (("hinge", 0, {}), "hinge", 1, "hinge", 1),
+        )
 
     def test_revolve(self):
         text = REVOLVE.replace("2: {id: none}", "2:")
-        for form in (text, text.replace("type:", "type :").replace("children:", "children  :"), text.replace("id: 'Right'", "{id: 'Right',").replace("Brick\nbrain", "Brick}\nbrain")):
+        for form in (
+            text,
+            text.replace("type:", "type :").replace("children:", "children  :"),
+            text.replace("id: 'Right'", "{id: 'Right',").replace("Brick\nbrain", "Brick}\nbrain"),
+        ):
             _, robot = self.converted("body.yaml", form)
-            self.assertEqual(self.modules(robot["core"]), {"back": ("hinge", 1, {"front": ("brick", 3, {})}), "right": ("brick", 0, {})})
+            self.assertEqual(
+                self.modules(robot["core"]),
+                {"back": ("hinge", 1, {"front": ("brick", 3, {})}), "right": ("brick", 0, {})},
+            )
 
     def test_revolve_part_attached_by_another_slot_is_turned_round(self):
         text = REVOLVE.replace("params: {blue: 1,\n            green: 0}", "slot: 1\n          label: ''").replace(
-            "2: {id: none}", "2: {id: Far, type: ActiveHinge, slot: 1, children: {0: {id: End, type: FixedBrick}}}")
+            "2: {id: none}", "2: {id: Far, type: ActiveHinge, slot: 1, children: {0: {id: End, type: FixedBrick}}}"
+        )
         said, robot = self.converted("body.yaml", text)
         self.assertIn("attached by their far end there, turned round: ActiveHinge Far (line 20)", said)
-        self.assertEqual(self.modules(robot["core"])["back"],
-                         ("hinge", 1, {"front": ("brick", 3, {"left": ("hinge", 0, {"front": ("brick", 0, {})})})}))
+        self.assertEqual(
+            self.modules(robot["core"])["back"],
+            ("hinge", 1, {"front": ("brick", 3, {"left": ("hinge", 0, {"front": ("brick", 0, {})})})}),
+        )
 
     def test_parts_that_carry_nothing_are_left_out_with_their_lines(self):
-        more = ROBOGEN.replace("\n\nHip1", "\n\t\t\t1 B Rod 0 0.02 45 0\n\t\t\t\t0 IrSensor Eye 0\n\t3 ActiveWheel W 0 0.04\n\nHip1")
+        more = ROBOGEN.replace(
+            "\n\nHip1", "\n\t\t\t1 B Rod 0 0.02 45 0\n\t\t\t\t0 IrSensor Eye 0\n\t3 ActiveWheel W 0 0.04\n\nHip1"
+        )
         eye = json.dumps(REVOLVE2, indent="\t").replace("null", '{"type": "sensor", "id": "Eye"}')
-        for name, text, plain, left in (("body.txt", more, ROBOGEN, "B Rod (line 10), ActiveWheel W (line 12)"),
-                                        ("body.json", eye, json.dumps(REVOLVE2), "sensor Eye (line 16)")):
+        for name, text, plain, left in (
+            ("body.txt", more, ROBOGEN, "B Rod (line 10), ActiveWheel W (line 12)"),
+            ("body.json", eye, json.dumps(REVOLVE2), "sensor Eye (line 16)"),
+        ):
             said, robot = self.converted(name, text)
             self.assertIn("left out, as trophic lacks it: " + left, said)
             self.assertEqual(robot, self.converted(name, plain)[1])
 
     def test_revolve2(self):
-        expected = {"front": ("hinge", 1, {"front": ("brick", 0, {})}), "back": ("brick", 0, {"left": ("hinge", 0, {})})}
+        expected = {
+            "front": ("hinge", 1, {"front": ("brick", 0, {})}),
+            "back": ("brick", 0, {"left": ("hinge", 0, {})}),
+        }
         _, robot = self.converted("body.json", json.dumps(REVOLVE2))
         self.assertEqual(self.modules(robot["core"]), expected)
-        yaml = ("type: core\nchildren:\n  front:\n    type: active_hinge\n    rotation: 1.5708\n    children: {attachment: {type: brick}}\n"
-                "  back: {type: brick, children: {left: {type: hinge}}}\n")
+        yaml = (
+            "type: core\nchildren:\n  front:\n    type: active_hinge\n    rotation: 1.5708\n    children: {attachment: {type: brick}}\n"
+            "  back: {type: brick, children: {left: {type: hinge}}}\n"
+        )
         self.assertEqual(self.modules(self.converted("body.yaml", yaml)[1]["core"]), expected)
 
     def test_the_spider_is_the_one_of_the_models(self):
-        legs = {face: {"type": "hinge", "rotation": turn, "children": {"attachment": {"type": "brick"}}}
-                for face, turn in (("front", 0.0), ("back", 1.57079632679), ("left", 0.0), ("right", 1.57079632679))}
+        legs = {
+            face: {"type": "hinge", "rotation": turn, "children": {"attachment": {"type": "brick"}}}
+            for face, turn in (("front", 0.0), ("back", 1.57079632679), ("left", 0.0), ("right", 1.57079632679))
+        }
         _, robot = self.converted("spider.json", json.dumps({"type": "core", "children": legs}))
         with open(pathlib.Path(__file__).resolve().parents[2] / "models/robots/spider.toml", "rb") as file:
             spider = tomllib.load(file)["core"]
@@ -479,39 +568,92 @@ class Converted(Hostile):
         for text, sentence in (
             ('<robot name="two"/>', "is URDF: must be a body of revolve2 or Revolve"),
             ("no body", "is in no format that is known"),
-            ("0 CoreComponent Core 0\n\t0 ActiveWheel W 0 0.04\n", ":1: Core: has no hinge without ActiveWheel W (line 2), which trophic lacks"),
-            ("0 CoreComponent Core 0\n\t0 ParametricJoint J 0 0.02 0 0\n\t\t0 ActiveHinge H 0\n",
-             ":2: J: is of type ParametricJoint: must be a core, an active hinge or a brick, as it carries ActiveHinge H (line 3)"),
-            *((json.dumps(robogen_result(ROBOGEN)).replace(right, wrong), sentence) for right, wrong, sentence in (
-                ('"src": "Core"', '"src": "X"', 'src = "X": is not the id of a part'), ("true", "false", 'no part has "root": true'),
-                ('"src": "Leg1"', '"src": "Foot1"', "Knee1: is not attached to the root"))),
+            (
+                "0 CoreComponent Core 0\n\t0 ActiveWheel W 0 0.04\n",
+                ":1: Core: has no hinge without ActiveWheel W (line 2), which trophic lacks",
+            ),
+            (
+                "0 CoreComponent Core 0\n\t0 ParametricJoint J 0 0.02 0 0\n\t\t0 ActiveHinge H 0\n",
+                ":2: J: is of type ParametricJoint: must be a core, an active hinge or a brick, as it carries ActiveHinge H (line 3)",
+            ),
+            *(
+                (json.dumps(robogen_result(ROBOGEN)).replace(right, wrong), sentence)
+                for right, wrong, sentence in (
+                    ('"src": "Core"', '"src": "X"', 'src = "X": is not the id of a part'),
+                    ("true", "false", 'no part has "root": true'),
+                    ('"src": "Leg1"', '"src": "Foot1"', "Knee1: is not attached to the root"),
+                )
+            ),
             ("<!-- <mujoco> -->\n<sdf/>", "is SDF: must be"),
             ("Fitness: 99", "is YAML without body or type: must be a body"),
             ("0 CoreComponent Core 0\n\t4 ActiveHinge H 0\n", ':2: H: place = "4": a core has no such place'),
             ("0 CoreComponent Core 0\n\t\t0 ActiveHinge H 0\n", ":2: H: 2 tabs: must be 1 to 1"),
             ("0 CoreComponent Core 0\n\t0 ActiveHinge H 4\n", ":2: H: turns = 4: must be 0 to 3"),
-            ("0 CoreComponent Core 0\n\t0 ActiveHinge H 0\n\t0 ActiveHinge I 0\n", ":3: I: right: two modules on one face"),
-            ("0 CoreComponent Core 0\n\t0 ActiveHinge H\x1b[2J 0\n", ":2: its name must be text without control characters"),
-            ("0 CoreComponent Core 0\n\t0 ActiveHinge H 99999999999999999999\n", ':2: H: turns = "99999999999999999999": must be one digit'),
+            (
+                "0 CoreComponent Core 0\n\t0 ActiveHinge H 0\n\t0 ActiveHinge I 0\n",
+                ":3: I: right: two modules on one face",
+            ),
+            (
+                "0 CoreComponent Core 0\n\t0 ActiveHinge H\x1b[2J 0\n",
+                ":2: its name must be text without control characters",
+            ),
+            (
+                "0 CoreComponent Core 0\n\t0 ActiveHinge H 99999999999999999999\n",
+                ':2: H: turns = "99999999999999999999": must be one digit',
+            ),
             ("0 CoreComponent Core 0\n\tx ActiveHinge H 0\n", ':2: H: slot = "x": must be one digit'),
             ("0 CoreComponent Core 0\n\t0 ActiveHinge H\udcff 0\n", ":2: its name must be UTF-8"),
             ("0 CoreComponent Core 0\n", "body: is a core alone: must have a hinge or a brick"),
             (REVOLVE, ":20: none: type: missing"),
             (REVOLVE.replace("{id: none}", "none"), ":14: core.0.1.2: must be a module with a type"),
-            (REVOLVE.replace("2: {id: none}", "2:").replace("orientation : 90", "orientation : 45"), ":8: Back: orientation = 45: must be a multiple of 90 degrees"),
-            (REVOLVE.replace("orientation : 90", "rotation : 90"), ":8: Back: rotation: is not a key that is read here; orientation turns"),
-            (REVOLVE.replace("type        : ActiveHinge", "type        : *x"), ":10: the referenced anchor is not defined"),
+            (
+                REVOLVE.replace("2: {id: none}", "2:").replace("orientation : 90", "orientation : 45"),
+                ":8: Back: orientation = 45: must be a multiple of 90 degrees",
+            ),
+            (
+                REVOLVE.replace("orientation : 90", "rotation : 90"),
+                ":8: Back: rotation: is not a key that is read here; orientation turns",
+            ),
+            (
+                REVOLVE.replace("type        : ActiveHinge", "type        : *x"),
+                ":10: the referenced anchor is not defined",
+            ),
             (REVOLVE.replace("      id: 'Right'", "     id: 'Right'"), ":23: end of map not found"),
             (REVOLVE.replace("    2:\n      id: 'R", "    0:\n      id: 'R"), ":21: 0: appears twice"),
-            *((REVOLVE.replace("{id: none}", "[" * depth + "]" * depth), ":20: nested more than 128 deep") for depth in (200, 20000)),
-            (REVOLVE.replace("{id: none}", "{" + ", ".join(f"k{i}: 0" for i in range(101)) + "}"), ":20: more than 100 keys"),
-            (REVOLVE.replace("{id: none}", "[&a [x], " + ", ".join(f"&{b} [{', '.join(['*' + a] * 9)}]" for a, b in zip("abcdef", "bcdefg")) + "]"),
-             ": more than 100000 values"),
+            *(
+                (REVOLVE.replace("{id: none}", "[" * depth + "]" * depth), ":20: nested more than 128 deep")
+                for depth in (200, 20000)
+            ),
+            (
+                REVOLVE.replace("{id: none}", "{" + ", ".join(f"k{i}: 0" for i in range(101)) + "}"),
+                ":20: more than 100 keys",
+            ),
+            (
+                REVOLVE.replace(
+                    "{id: none}",
+                    "[&a [x], "
+                    + ", ".join(f"&{b} [{', '.join(['*' + a] * 9)}]" for a, b in zip("abcdef", "bcdefg"))
+                    + "]",
+                ),
+                ": more than 100000 values",
+            ),
             (REVOLVE.replace("{id: none}", "&a [*a]"), ":20: nested more than 128 deep"),
-            (json.dumps({"type": "core", "children": {"front": {"type": "hinge", "rotation": 1.0}}}), ":1: core.front: rotation = 1.0: must be a multiple"),
-            (json.dumps({"type": "core", "children": {"top": {"type": "hinge"}}}), ':1: core.top: place = "top": a core has no such place'),
-            (json.dumps({"type": "core", "children": {"front": {"type": "core"}}}), ":1: core.front: front: a robot has only one core"),
-            (json.dumps({"type": "core", "children": {"front": deep}}), "is JSON nested more than 64 deep, which is not read"),
+            (
+                json.dumps({"type": "core", "children": {"front": {"type": "hinge", "rotation": 1.0}}}),
+                ":1: core.front: rotation = 1.0: must be a multiple",
+            ),
+            (
+                json.dumps({"type": "core", "children": {"top": {"type": "hinge"}}}),
+                ':1: core.top: place = "top": a core has no such place',
+            ),
+            (
+                json.dumps({"type": "core", "children": {"front": {"type": "core"}}}),
+                ":1: core.front: front: a robot has only one core",
+            ),
+            (
+                json.dumps({"type": "core", "children": {"front": deep}}),
+                "is JSON nested more than 64 deep, which is not read",
+            ),
             ('{"type": "core", "children": {"front": ', "body: [json.exception.parse_error.101] parse error"),
         ):
             with self.subTest(text):
@@ -529,10 +671,16 @@ class Converted(Hostile):
 
 
 BODIES = {
-    "mod.xml": ('<mujoco model="two"><worldbody><body name="core"><freejoint/></body></worldbody></mujoco>', "MJCF, MuJoCo's XML"),
+    "mod.xml": (
+        '<mujoco model="two"><worldbody><body name="core"><freejoint/></body></worldbody></mujoco>',
+        "MJCF, MuJoCo's XML",
+    ),
     "mod.urdf": ('<?xml version="1.0"?><robot name="two"><link name="core"/></robot>', "URDF"),
     "body.json": ('{"id": 1, "type": "core", "children": {"front": {"type": "hinge"}}}', "JSON"),
-    "robogen.txt": ("0 CoreComponent Core 0\n\t0 ActiveHinge HingeA 1\n\t\t0 FixedBrick BrickA 0\n\nHingeA HingeA 0.5\n", "RoboGen's text"),
+    "robogen.txt": (
+        "0 CoreComponent Core 0\n\t0 ActiveHinge HingeA 1\n\t\t0 FixedBrick BrickA 0\n\nHingeA HingeA 0.5\n",
+        "RoboGen's text",
+    ),
     "robot.yaml": ("---\nid: bot\nbody:\n  id: Core\n  type: Core\n", "YAML"),
 }
 
@@ -542,7 +690,9 @@ class Foreign(Hostile):
         for name, (text, format_) in BODIES.items():
             with self.subTest(name):
                 (self.folder / name).write_text(text)
-                said = self.refused(2, PREDATOR_PREY, *KINEMATIC, "--robot", f"./{name}", "--duration", 4, "--out", "run")
+                said = self.refused(
+                    2, PREDATOR_PREY, *KINEMATIC, "--robot", f"./{name}", "--duration", 4, "--out", "run"
+                )
                 self.assertIn(f"{name}: is {format_}: must be TOML, a robot a tree of cores, hinges and bricks", said)
                 self.assertEqual("trophic convert" in said, name not in ("mod.xml", "mod.urdf"))
 
@@ -560,7 +710,8 @@ class Foreign(Hostile):
         for rim, refused in (("0", True), ("5", False)):
             edge = f"[{rim}, {rim}, {rim}, {rim}]"
             (self.folder / "field.toml").write_text(
-                f'name = "field"\nhalf_extent_m = 30\nheight_m = [{edge}, [5, 0, 0, 5], [5, 0, 0, 5], {edge}]\n')
+                f'name = "field"\nhalf_extent_m = 30\nheight_m = [{edge}, [5, 0, 0, 5], [5, 0, 0, 5], {edge}]\n'
+            )
             words = (PREDATOR_PREY, *KINEMATIC, "--set", "ecology.arena=./field.toml", "--duration", 4, "--out", "run")
             if refused:
                 self.assertIn("height_m: must be higher at its edge than anywhere inside", self.refused(2, *words))
@@ -568,7 +719,18 @@ class Foreign(Hostile):
                 self.run_ok(*words)
 
     def test_a_time_has_no_exponent_and_a_tick_of_0_7_s_comes_on_time(self):
-        self.run_ok(PREDATOR_PREY, *KINEMATIC, "--set", "ecology.tick_s=2500", "--set", "ecology.control_hz=1", "--duration", 105000, "--out", "long")
+        self.run_ok(
+            PREDATOR_PREY,
+            *KINEMATIC,
+            "--set",
+            "ecology.tick_s=2500",
+            "--set",
+            "ecology.control_hz=1",
+            "--duration",
+            105000,
+            "--out",
+            "long",
+        )
         for name in ("agents.csv", "events.csv"):
             times = {line.split(",")[0] for line in (self.folder / "long" / name).read_text().splitlines()[1:]}
             self.assertFalse([time for time in times if "e" in time], name)
@@ -608,11 +770,18 @@ class Foreign(Hostile):
             with self.subTest(name):
                 whole.rename(self.folder / "kept")
                 os.mkfifo(whole)
-                self.assertIn(f"run/{name}: is not a regular file", self.refused(2, TROPHIC, "analyze", "run", "--out", "new"))
+                self.assertIn(
+                    f"run/{name}: is not a regular file", self.refused(2, TROPHIC, "analyze", "run", "--out", "new")
+                )
                 if name in ("events.csv", "agents.csv", "replay.trp", "manifest.json"):
-                    self.assertIn(f"run/{name}: is not a regular file", self.refused(2, TROPHIC, "show", "run", "--out", "page.html"))
+                    self.assertIn(
+                        f"run/{name}: is not a regular file",
+                        self.refused(2, TROPHIC, "show", "run", "--out", "page.html"),
+                    )
                 if name != "manifest.json":
-                    said = self.refused(1, PREDATOR_PREY, *KINEMATIC, "--replay-hz", 5, "--duration", 12, "--out", "run", "--resume")
+                    said = self.refused(
+                        1, PREDATOR_PREY, *KINEMATIC, "--replay-hz", 5, "--duration", 12, "--out", "run", "--resume"
+                    )
                     self.assertIn(f"run/{name}: it is not a regular file", said)
                 whole.unlink()
                 (self.folder / "kept").rename(whole)

@@ -112,7 +112,9 @@ def main() -> int:
     mistakes = {f"{program}_{name}": mistake for program, of_it in table.items() for name, mistake in of_it.items()}
     sources = {name: with_mistake(programs[name.split("_")[0]], mistake) for name, mistake in mistakes.items()}
     alone = {name for name, mistake in mistakes.items() if mistake.get("alone")}
-    batches = [{name: sources[name]} for name in alone] + [{name: source for name, source in sources.items() if name not in alone}]
+    batches = [{name: sources[name]} for name in alone] + [
+        {name: source for name, source in sources.items() if name not in alone}
+    ]
     said = "".join(compiled(together(batch), command, directory).stdout for batch in batches)
     found = complaints(mistakes, errors_by_name(said, family, list(mistakes)))
     print(*found, sep="\n\n")

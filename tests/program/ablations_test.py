@@ -52,7 +52,19 @@ class Ablations(InFolderWithSets):
     @classmethod
     def make_sets(cls):
         for rules in ("paper", "released"):
-            run_ok(PREDATOR_PREY, "--rules", rules, "--backend", "kinematic", "--duration", 20, "--seed", 3, "--out", cls.sets / rules)
+            run_ok(
+                PREDATOR_PREY,
+                "--rules",
+                rules,
+                "--backend",
+                "kinematic",
+                "--duration",
+                20,
+                "--seed",
+                3,
+                "--out",
+                cls.sets / rules,
+            )
 
     def run_ok(self, *arguments):
         return super().run_ok(ABLATIONS, *arguments).stdout
@@ -93,7 +105,13 @@ class Ablations(InFolderWithSets):
     def test_each_ablation_changes_the_rules_in_its_name_and_no_others(self):
         out = self.folder / "out"
         self.run_ok("--duration", 300, "--replicates", 1, "--jobs", 2, "--out", out)
-        skipped = {"ecology.robot", "ecology.cpg_integration", "ecology.idle_control_steps", "physics.timestep_s", "physics.integrator"}
+        skipped = {
+            "ecology.robot",
+            "ecology.cpg_integration",
+            "ecology.idle_control_steps",
+            "physics.timestep_s",
+            "physics.integrator",
+        }
         for table, other in (("paper", "released"), ("released", "paper")):
             base = manifest(out / f"from_{table}/base/replicate-00")
             there = manifest(self.sets / other)
@@ -145,10 +163,14 @@ class Ablations(InFolderWithSets):
 
     def test_refusals_and_skips(self):
         out = self.folder / "out"
-        for arguments, part in [(["--only", "heresy", "--out", out], "heresy"),
-                                (["--only", "heredty", "--out", out], "did you mean heredity?"), (["--from", "text", "--out", out], "text"),
-                                (["--backend", "nope", "--out", out], "--backend nope"), ([], "out"),
-                                (["--replicates", 0, "--out", out], "replicates = 0")]:
+        for arguments, part in [
+            (["--only", "heresy", "--out", out], "heresy"),
+            (["--only", "heredty", "--out", out], "did you mean heredity?"),
+            (["--from", "text", "--out", out], "text"),
+            (["--backend", "nope", "--out", out], "--backend nope"),
+            ([], "out"),
+            (["--replicates", 0, "--out", out], "replicates = 0"),
+        ]:
             with self.subTest(arguments=arguments):
                 self.assert_refused(self.call(ABLATIONS, *arguments), part)
         self.assertIn("ecology.robot: skipped", self.run_ok("--only", "ecology.robot", "--out", out))
@@ -156,13 +178,27 @@ class Ablations(InFolderWithSets):
 
     def test_flip_table(self):
         out = self.folder / "out"
-        self.run_ok("--only", "base", "floor.floor", *sorted(GROUPS), "--duration", 600, "--replicates", 6, "--shadow", "--out", out)
+        self.run_ok(
+            "--only",
+            "base",
+            "floor.floor",
+            *sorted(GROUPS),
+            "--duration",
+            600,
+            "--replicates",
+            6,
+            "--shadow",
+            "--out",
+            out,
+        )
         super().run_ok(TROPHIC, "ablation-table", out, "--jobs", 2, "--out", "table")
         rows = self.rows("table/ablations.csv")
         self.assertEqual({row["direction"] for row in rows}, {"from_paper", "from_released", "paper_to_released"})
         self.assertEqual({row["swap"] for row in rows if row["direction"] == "from_paper"}, GROUPS | {"floor.floor"})
         for direction, family in itertools.product(("from_paper", "from_released"), ("over_shadow", "raw")):
-            tested = [row for row in rows if row["direction"] == direction and row["compared"] == family and row["p_holm"]]
+            tested = [
+                row for row in rows if row["direction"] == direction and row["compared"] == family and row["p_holm"]
+            ]
             smallest = min(float(row["p"]) for row in tested)
             least = min(float(row["p_holm"]) for row in tested)
             self.assertAlmostEqual(least, min(1.0, smallest * len(tested)), delta=1e-9)

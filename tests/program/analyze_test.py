@@ -13,7 +13,17 @@ import figures_python
 from in_folder import InFolderWithSets, run_ok, sealed_text
 
 PREDATOR_PREY, TROPHIC = (sys.argv.pop(1) for _ in range(2))
-FIGURES = ["attribution", "velocity", "wall_sticking", "tag_symmetry", "population", "with_and_without", "phylogeny", "catches", "trajectories"]
+FIGURES = [
+    "attribution",
+    "velocity",
+    "wall_sticking",
+    "tag_symmetry",
+    "population",
+    "with_and_without",
+    "phylogeny",
+    "catches",
+    "trajectories",
+]
 
 
 class Analyze(InFolderWithSets):
@@ -21,8 +31,24 @@ class Analyze(InFolderWithSets):
     def make_sets(cls):
         for rules in ("paper", "released"):
             for out, seed in ((rules, 1), (f"{rules}-as-shadow", 2)):
-                run_ok(PREDATOR_PREY, "--backend", "kinematic", "--rules", rules, "--duration", 1000, "--replicates", 6, "--jobs", 2,
-                       "--seed", seed, "--out", out, cwd=cls.sets)
+                run_ok(
+                    PREDATOR_PREY,
+                    "--backend",
+                    "kinematic",
+                    "--rules",
+                    rules,
+                    "--duration",
+                    1000,
+                    "--replicates",
+                    6,
+                    "--jobs",
+                    2,
+                    "--seed",
+                    seed,
+                    "--out",
+                    out,
+                    cwd=cls.sets,
+                )
             for manifest in (cls.sets / f"{rules}-as-shadow").glob("*/manifest.json"):
                 content = json.loads(manifest.read_text())
                 content["rules"]["heredity"] = "nothing_inherited"
@@ -46,14 +72,29 @@ class Analyze(InFolderWithSets):
     def test_one_command_from_replicates_to_results(self):
         result = self.analyze_ok("paper", "--out", "analysis")
         self.assertEqual(result.stderr, "")
-        for text in ("6 runs of 1000 s", "attribution_caught prey", "= permuted_tags", "bernoulli_tags", "0.725", "no shadow: "):
+        for text in (
+            "6 runs of 1000 s",
+            "attribution_caught prey",
+            "= permuted_tags",
+            "bernoulli_tags",
+            "0.725",
+            "no shadow: ",
+        ):
             self.assertIn(text, result.stdout)
         self.assertEqual([r["status"] for r in self.summary()["sets"][0]["runs"]], ["complete"] * 6)
         rows = self.rows("analysis/metrics.csv")
         self.assertEqual({r["run"] for r in rows}, {f"replicate-0{i}" for i in range(6)})
         self.assertNotIn("nan", {r["value"].lower() for r in rows})
-        points = [r for r in rows if r["run"] == "replicate-00" and r["metric"] == "velocity" and r["species"] == "prey"
-                  and r["group"] == "all" and r["baseline"] == "" and r["time_s"]]
+        points = [
+            r
+            for r in rows
+            if r["run"] == "replicate-00"
+            and r["metric"] == "velocity"
+            and r["species"] == "prey"
+            and r["group"] == "all"
+            and r["baseline"] == ""
+            and r["time_s"]
+        ]
         self.assertEqual(len(points), 5)
         self.assert_refused(self.analyze("paper", "--out", "analysis"), "exists already")
 
@@ -99,11 +140,16 @@ class Analyze(InFolderWithSets):
         shutil.copytree(self.sets / "paper-as-shadow", self.folder / "paper/shadow")
         self.analyze("paper", "--out", "analysis")
         self.run_ok(TROPHIC, "plot", "analysis", "--style", "ieee")
-        has_film = "built without pictures" not in self.call(TROPHIC, "film", "paper/replicate-00", "-o", "probe.png").stderr
+        has_film = (
+            "built without pictures" not in self.call(TROPHIC, "film", "paper/replicate-00", "-o", "probe.png").stderr
+        )
         captions = json.loads((self.folder / "analysis/figures/captions.json").read_text())
         self.assertEqual(list(captions), FIGURES + ["film_strip"] * has_film)
         tex = (self.folder / "analysis/figures/captions.tex").read_text()
-        self.assertIn("\\newcommand{\\trophicWallSticking}{Share of robots within 1 m of a wall, by the rules of paper on kinematic 1. Windows of 200 s", tex)
+        self.assertIn(
+            "\\newcommand{\\trophicWallSticking}{Share of robots within 1 m of a wall, by the rules of paper on kinematic 1. Windows of 200 s",
+            tex,
+        )
         for name, caption in captions.items():
             self.assertRegex(caption, r"n = \d+ runs|replicate-00: ", name)
             self.assertRegex(caption, r"^[A-Z].*, by the rules of \w+ on kinematic 1\. |^replicate-00: ", name)
@@ -150,7 +196,10 @@ class Analyze(InFolderWithSets):
                 self.assertEqual(refused.stdout, "")
         self.assertEqual((self.folder / "page.html").read_text(), page)
         (figures / "one.png").write_bytes(b"no picture")
-        self.assertIn("figures/one.png: is not a PNG", self.call(TROPHIC, "analyze", set_, "--html", "x.html", "--figures", "figures").stderr)
+        self.assertIn(
+            "figures/one.png: is not a PNG",
+            self.call(TROPHIC, "analyze", set_, "--html", "x.html", "--figures", "figures").stderr,
+        )
         self.assertFalse((self.folder / "x.html").exists())
 
 

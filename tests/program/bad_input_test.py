@@ -46,7 +46,9 @@ class BadInput(InFolder):
         return done.stderr
 
     def run_refused(self, *arguments, code=2):
-        return self.refused(PREDATOR_PREY, "--backend", "kinematic", "--duration", 10, "--out", "out", *arguments, code=code)
+        return self.refused(
+            PREDATOR_PREY, "--backend", "kinematic", "--duration", 10, "--out", "out", *arguments, code=code
+        )
 
     def test_numbers_that_are_malformed_or_absurd(self):
         for argument, must in [
@@ -79,15 +81,24 @@ class BadInput(InFolder):
                 self.assertIn(": must not be empty", self.refused(TROPHIC, *arguments))
 
     def test_files_and_folders_that_are_not_there(self):
-        for arguments, part in [(["--config", "no.toml"], "no.toml: cannot be read"), (["--robot", "no.toml"], 'no robot "no.toml"'),
-                                (["--set=ecology.arena=no.toml"], 'no arena "no.toml"'),
-                                (["--set=ecology.gait=no.toml"], 'no gait "no.toml"'),
-                                (["--from", "no", "--at", 3], "no/manifest.json: cannot be read")]:
+        for arguments, part in [
+            (["--config", "no.toml"], "no.toml: cannot be read"),
+            (["--robot", "no.toml"], 'no robot "no.toml"'),
+            (["--set=ecology.arena=no.toml"], 'no arena "no.toml"'),
+            (["--set=ecology.gait=no.toml"], 'no gait "no.toml"'),
+            (["--from", "no", "--at", 3], "no/manifest.json: cannot be read"),
+        ]:
             with self.subTest(arguments=arguments):
                 self.assertIn(part, self.run_refused(*arguments))
         self.assertIn("no.toml: cannot be read", self.refused(PREDATOR_PREY, "--plan", "no.toml"))
         (self.folder / "empty").mkdir()
-        for command in (["analyze"], ["show", "-o", "x.html"], ["film", "-o", "x.png"], ["export", "-o", "x.glb"], ["analyze", "--compare", "no"]):
+        for command in (
+            ["analyze"],
+            ["show", "-o", "x.html"],
+            ["film", "-o", "x.png"],
+            ["export", "-o", "x.glb"],
+            ["analyze", "--compare", "no"],
+        ):
             with self.subTest(command=command):
                 self.assertIn("no: does not exist", self.refused(TROPHIC, *command, "no"))
         self.assertIn("empty/manifest.json: cannot be read", self.refused(TROPHIC, "analyze", "empty"))
@@ -98,20 +109,27 @@ class BadInput(InFolder):
                 self.assertIn("many: is not a run; in it are many/one", self.refused(TROPHIC, *command, "many"))
         self.assertIn("--out x.pdf: must end in .html or .htm", self.refused(TROPHIC, "show", "-o", "x.pdf", "empty"))
         self.assertIn("runs: needs 2 values", self.refused(TROPHIC, "cross-check", "one", "--out", "new"))
-        for command in (["evolve-gait", "--config", "no.toml", "--out", "x"], ["evolve-gait", "--robot", "no.toml", "--out", "x"],
-                        ["measure-gait", "--robot", "no.toml"], ["measure-gait", "--gait", "no.toml"]):
+        for command in (
+            ["evolve-gait", "--config", "no.toml", "--out", "x"],
+            ["evolve-gait", "--robot", "no.toml", "--out", "x"],
+            ["measure-gait", "--robot", "no.toml"],
+            ["measure-gait", "--gait", "no.toml"],
+        ):
             with self.subTest(command=command):
                 self.assertIn("no.toml", self.refused(TROPHIC, *command))
 
     def test_texts_of_several_lines_are_shown_in_one(self):
-        self.assertIn("no robot \"a\\x0ab\\x1b[2J\"", self.run_refused("--robot", "a\nb\x1b[2J"))
+        self.assertIn('no robot "a\\x0ab\\x1b[2J"', self.run_refused("--robot", "a\nb\x1b[2J"))
         self.assertIn("--seed 7\\x0a: must be", self.run_refused("--seed", "7\n"))
         self.assertIn("a\\x0ab", self.refused(TROPHIC, "analyze", "a\nb"))
 
     def test_a_folder_whose_name_is_not_utf_8(self):
         for replicates in ([], ["--replicates", "2"]):
             out = os.fsencode(self.folder / f"jos{len(replicates)}") + b"\xe9"
-            done = subprocess.run([PREDATOR_PREY, "--backend", "kinematic", "--duration", "10", *replicates, "--out", out], capture_output=True)
+            done = subprocess.run(
+                [PREDATOR_PREY, "--backend", "kinematic", "--duration", "10", *replicates, "--out", out],
+                capture_output=True,
+            )
             self.assertEqual((done.returncode, done.stderr), (0, b""))
             with open(out + (b"/replicates.json" if replicates else b"/manifest.json")) as file:
                 self.assertIn("\ufffd", json.load(file)["command_line"])
@@ -122,7 +140,18 @@ class BadInput(InFolder):
         self.folder.chmod(0o777)
 
         def run(threads, preexec, out):
-            return self.call(PREDATOR_PREY, "--backend", "mujoco", "--duration", 4, "--threads", threads, "--out", out, preexec_fn=preexec)
+            return self.call(
+                PREDATOR_PREY,
+                "--backend",
+                "mujoco",
+                "--duration",
+                4,
+                "--threads",
+                threads,
+                "--out",
+                out,
+                preexec_fn=preexec,
+            )
 
         try:
             able = run(1, without_rights, "one").returncode == 0
@@ -138,7 +167,9 @@ class BadInput(InFolder):
         """Printed text must not end up in the tables, whose files would have the streams' numbers."""
         command = [PREDATOR_PREY, "--backend", "kinematic", "--duration", "100", "--seed", "3"]
         self.run_ok(*command, "--out", "open")
-        for number, (closed, code) in enumerate([("<&-", 0), (">&-", 1), ("2>&-", 0), ("<&- >&-", 1), (">&- 2>&-", 1), ("<&- >&- 2>&-", 1)]):
+        for number, (closed, code) in enumerate(
+            [("<&-", 0), (">&-", 1), ("2>&-", 0), ("<&- >&-", 1), (">&- 2>&-", 1), ("<&- >&- 2>&-", 1)]
+        ):
             with self.subTest(closed=closed):
                 out = f"closed{number}"
                 shell = ["sh", "-c", f'"$0" "$@" {closed}', *command, "--out", out]
@@ -157,7 +188,9 @@ class BadInput(InFolder):
         self.run_refused("--set", "a" + ".a" * 30_000 + "=1")
 
     def test_texts_that_break_the_parser(self):
-        for number, text in enumerate([b"[# a]\n", b"\xcd\x8b = 1\n", b"a = " + b"[" * 100_000, b"\x00", b"\xff\xfe", b"a = 1e"]):
+        for number, text in enumerate(
+            [b"[# a]\n", b"\xcd\x8b = 1\n", b"a = " + b"[" * 100_000, b"\x00", b"\xff\xfe", b"a = 1e"]
+        ):
             with self.subTest(text=text[:20]):
                 (self.folder / f"{number}.toml").write_bytes(text)
                 self.run_refused("--config", f"{number}.toml")

@@ -40,28 +40,46 @@ class Cite(InFolder):
         self.make("--seed", 7, "--set", "rules.mutation.sd=0.125", "--out", "run")
         manifest = self.manifest("run")
         sentence, entries = self.cited("run")
-        self.assertEqual(sentence, f"A run of 20 s on kinematic 1 in trophic {manifest['trophic']} "
-                                   f"(revision {manifest['source_revision']}, fingerprint {manifest['fingerprint']}, seed 7), "
-                                   "with the rule table `paper` and rules.mutation.sd = 0.125 (the table's: 0.05).")
+        self.assertEqual(
+            sentence,
+            f"A run of 20 s on kinematic 1 in trophic {manifest['trophic']} "
+            f"(revision {manifest['source_revision']}, fingerprint {manifest['fingerprint']}, seed 7), "
+            "with the rule table `paper` and rules.mutation.sd = 0.125 (the table's: 0.05).",
+        )
         self.assertEqual(manifest["identity"], manifest["fingerprint"])
-        self.assertIn(f"note = {{Software, version {manifest['trophic']}, revision {manifest['source_revision']}}}", entries)
+        self.assertIn(
+            f"note = {{Software, version {manifest['trophic']}, revision {manifest['source_revision']}}}", entries
+        )
 
     def test_changes_during_the_run_and_its_branch_are_said(self):
-        (self.folder / "changes.csv").write_text("time_s,number,value\n8,rules.capture.reach_m,0.5\n12,rules.mutation.sd,0.05\n")
+        (self.folder / "changes.csv").write_text(
+            "time_s,number,value\n8,rules.capture.reach_m,0.5\n12,rules.mutation.sd,0.05\n"
+        )
         self.make("--replicates", 2, "--changes", "changes.csv", "--out", "changed")
         self.make("--out", "plain")
         self.make("--from", "plain", "--at", 10, "--seed", 2, "--out", "branch")
-        changed, also, plain, branch = map(self.manifest, ("changed/replicate-00", "changed/replicate-01", "plain", "branch"))
+        changed, also, plain, branch = map(
+            self.manifest, ("changed/replicate-00", "changed/replicate-01", "plain", "branch")
+        )
         self.assertEqual({one["fingerprint"] for one in (changed, also, plain, branch)}, {plain["identity"]})
         self.assertEqual(changed["identity"], also["identity"])
         self.assertEqual(len({changed["identity"], plain["identity"], branch["identity"]}), 3)
         self.assertEqual(changed["description"]["name"], "paper (capture.reach_m 0.5 at 8 s)")
-        for run, manifest, words in (("changed", changed, "; at 8 s rules.capture.reach_m changes from 1 to 0.5."),
-                                     ("branch", branch, "; begins at 10 s of plain (seed 1).")):
+        for run, manifest, words in (
+            ("changed", changed, "; at 8 s rules.capture.reach_m changes from 1 to 0.5."),
+            ("branch", branch, "; begins at 10 s of plain (seed 1)."),
+        ):
             sentence, _ = self.cited(run)
             self.assertIn(f"fingerprint {manifest['identity']}, ", sentence)
             self.assertTrue(sentence.endswith(f"with the rule table `paper` and its parameters{words}"), sentence)
-        one = self.call(figures_python.PYTHON, "-c", OF_AN_OLDER_PROGRAM, self.folder / "changed/replicate-00", self.folder / "branch", cwd=ROOT / "tools/python")
+        one = self.call(
+            figures_python.PYTHON,
+            "-c",
+            OF_AN_OLDER_PROGRAM,
+            self.folder / "changed/replicate-00",
+            self.folder / "branch",
+            cwd=ROOT / "tools/python",
+        )
         self.assertEqual((one.stderr, one.stdout.split()), ("", [changed["identity"], branch["identity"]]))
 
     def test_readme_citation_file_and_program_make_the_same_request(self):
@@ -87,8 +105,10 @@ class Cite(InFolder):
             self.skipTest("no bibtex")
         self.make("--out", "run")
         (self.folder / "runs.bib").write_text(self.cited("run")[1])
-        (self.folder / "paper.tex").write_text("\\documentclass{article}\\begin{document}\\cite{trophic,kachler2023}\n"
-                                               "\\bibliographystyle{plain}\\bibliography{runs}\\end{document}\n")
+        (self.folder / "paper.tex").write_text(
+            "\\documentclass{article}\\begin{document}\\cite{trophic,kachler2023}\n"
+            "\\bibliographystyle{plain}\\bibliography{runs}\\end{document}\n"
+        )
         self.run_ok("pdflatex", "-interaction=batchmode", "paper")
         done = self.run_ok("bibtex", "paper")
         self.assertNotIn("Warning", done.stdout)

@@ -18,7 +18,20 @@ PREDATOR_PREY = sys.argv.pop(1)
 
 class Contest(InFolder):
     def runs(self, name, *arguments, program=PREDATOR_PREY, duration=120, replicates=3):
-        self.run_ok(program, "--backend", "kinematic", "--duration", duration, "--replicates", replicates, "--replay-hz", 0, "--out", name, *arguments)
+        self.run_ok(
+            program,
+            "--backend",
+            "kinematic",
+            "--duration",
+            duration,
+            "--replicates",
+            replicates,
+            "--replay-hz",
+            0,
+            "--out",
+            name,
+            *arguments,
+        )
         return name
 
     def contest(self, *arguments):
@@ -32,8 +45,18 @@ class Contest(InFolder):
         self.runs("study", "--shadow")
         short = ["--duration", 150, "--reach", 3, "--against", "both", "--epochs", "0,60,120", "--team-size", 5]
         # A shadow is played as if it were real.
-        self.contest("study/shadow", "--shadow", self.runs("again", "--shadow", "--seed", 9) + "/shadow", *short[:4], "--out", "control")
-        self.assertEqual({(row["shadow"], row["hunters_run"].split("/")[0]) for row in self.rows("control/contests.csv")}, {("0", "study"), ("1", "again")})
+        self.contest(
+            "study/shadow",
+            "--shadow",
+            self.runs("again", "--shadow", "--seed", 9) + "/shadow",
+            *short[:4],
+            "--out",
+            "control",
+        )
+        self.assertEqual(
+            {(row["shadow"], row["hunters_run"].split("/")[0]) for row in self.rows("control/contests.csv")},
+            {("0", "study"), ("1", "again")},
+        )
         done = self.contest("study", *short, "--out", "one", "--jobs", 1)
         self.assertIn("3 replicates: no intervals and no conclusions; a test needs 6", done.stdout)
         rows = self.rows("one/contests.csv")
@@ -44,27 +67,48 @@ class Contest(InFolder):
             self.assertEqual(row["shadow"] == "1", "shadow" in row["hunters_run"])
         self.assertGreater(len({row["contact_s"] for row in rows}), 50)
         progress = self.rows("one/progress.csv")
-        self.assertEqual([(row["against"], row["species"], row["period"]) for row in progress],
-                         [(against, species, period) for against in ("own", "others") for period in ("early", "late")
-                          for species in ("predator", "prey")])
+        self.assertEqual(
+            [(row["against"], row["species"], row["period"]) for row in progress],
+            [
+                (against, species, period)
+                for against in ("own", "others")
+                for period in ("early", "late")
+                for species in ("predator", "prey")
+            ],
+        )
         self.assertTrue(all(row["over_shadow_s"] and not row["p_holm"] for row in progress))
         if figures_python.PYTHON:
             self.run_ok(TROPHIC, "plot", "one")
             for against in ("own", "others"):
-                self.assertTrue((self.folder / f"one/figures/contests_predator_prey_{against}.png").stat().st_size > 10000)
+                self.assertTrue(
+                    (self.folder / f"one/figures/contests_predator_prey_{against}.png").stat().st_size > 10000
+                )
         self.contest("study", *short, "--out", "two", "--jobs", 2)
-        self.assertEqual((self.folder / "one/contests.csv").read_bytes(), (self.folder / "two/contests.csv").read_bytes())
+        self.assertEqual(
+            (self.folder / "one/contests.csv").read_bytes(), (self.folder / "two/contests.csv").read_bytes()
+        )
         self.contest("study", "--panel", "again", *short[:4], "--team-size", 5, "--epochs", "0,120", "--out", "panel")
         rows, met = self.rows("panel/contests.csv"), {}
         self.assertEqual(len(rows), 2 * 2 * 3 * 6 * 2)  # shadow, role, replicates, teams, epochs
         for row in rows:
             theirs, ours = ("victim", "hunter") if row["against"] == "panel_victims" else ("hunter", "victim")
-            self.assertEqual((row[f"{theirs}s_run"].split("/")[0], row[f"{ours}s_run"].split("/")[0]), ("again", "study"))
-            met.setdefault((row[f"{ours}s_run"][-2:], row["team"], ours), set()).add((row[f"{theirs}s_run"], row[f"{theirs}_epoch_s"]))
-        self.assertEqual({len(opponents) for opponents in met.values()}, {1})  # the same in all epochs, and in the shadow
-        self.assertEqual([(row["against"], row["species"]) for row in self.rows("panel/progress.csv")], [("panel", "predator"), ("panel", "prey")])
+            self.assertEqual(
+                (row[f"{theirs}s_run"].split("/")[0], row[f"{ours}s_run"].split("/")[0]), ("again", "study")
+            )
+            met.setdefault((row[f"{ours}s_run"][-2:], row["team"], ours), set()).add(
+                (row[f"{theirs}s_run"], row[f"{theirs}_epoch_s"])
+            )
+        self.assertEqual(
+            {len(opponents) for opponents in met.values()}, {1}
+        )  # the same in all epochs, and in the shadow
+        self.assertEqual(
+            [(row["against"], row["species"]) for row in self.rows("panel/progress.csv")],
+            [("panel", "predator"), ("panel", "prey")],
+        )
         self.contest("study", *short, "--out", "other", "--seed", 2)
-        self.assertNotEqual((self.folder / "one/contests.csv").read_bytes(), (self.folder / "other/contests.csv").read_bytes())
+        self.assertNotEqual(
+            (self.folder / "one/contests.csv").read_bytes(), (self.folder / "other/contests.csv").read_bytes()
+        )
 
     def test_the_program_that_made_the_runs_plays_the_same_contests(self):
         self.runs("study")
@@ -73,18 +117,27 @@ class Contest(InFolder):
         self.contest(*short, "--out", "there", "--program", PREDATOR_PREY)
         for table in ("contests.csv", "progress.csv"):
             self.assertEqual((self.folder / "here" / table).read_bytes(), (self.folder / "there" / table).read_bytes())
-        self.assertEqual(sorted(path.name for path in (self.folder / "there").iterdir()), ["contests.csv", "progress.csv"])
+        self.assertEqual(
+            sorted(path.name for path in (self.folder / "there").iterdir()), ["contests.csv", "progress.csv"]
+        )
 
     def test_runs_of_a_table_of_ones_own_need_their_program(self):
         self.runs("mine", program=OWN_TABLE)
-        self.refused("mine", says="rule table ageing: must be paper or released, those of this program; --program names the one that made the runs")
-        self.contest("mine", "--program", OWN_TABLE, "--duration", 20, "--team-size", 3, "--epochs", "0,120", "--out", "contests")
+        self.refused(
+            "mine",
+            says="rule table ageing: must be paper or released, those of this program; --program names the one that made the runs",
+        )
+        self.contest(
+            "mine", "--program", OWN_TABLE, "--duration", 20, "--team-size", 3, "--epochs", "0,120", "--out", "contests"
+        )
         self.assertEqual(len(self.rows("contests/contests.csv")), 3 * 6 * 4)
 
     def test_lineages_have_a_shadow_and_drift_and_say_what_they_lack(self):
         self.runs("study", "--shadow", "--senses")
         lineages = ("analyze", "--lineages")
-        done = self.run_ok(TROPHIC, *lineages, "study", "--window", 20, "--all", "--html", "page.html", "--out", "measured")
+        done = self.run_ok(
+            TROPHIC, *lineages, "study", "--window", 20, "--all", "--html", "page.html", "--out", "measured"
+        )
         for words in ("modes_novelty prey", "activity_excess predator", "descent_roots prey", "= drift", "= shadow"):
             self.assertIn(words, done.stdout)
         self.assertIn("descent_roots", (self.folder / "page.html").read_text())
@@ -100,7 +153,10 @@ class Contest(InFolder):
         self.runs("shared", "--rules", "released", "--senses")
         refused("shared", says="rule heredity = shared_copy: must give each individual a genome of its own")
         self.runs("mine", "--senses", program=OWN_TABLE)
-        refused("mine", says="rule table ageing: must be paper or released, those of this program; --program names the one that made the runs")
+        refused(
+            "mine",
+            says="rule table ageing: must be paper or released, those of this program; --program names the one that made the runs",
+        )
         self.run_ok(TROPHIC, *lineages, "mine", "--program", OWN_TABLE, "--out", "ageing")
         first = self.folder / "study/replicate-00"
         (first / "senses.csv").unlink()
@@ -128,7 +184,12 @@ class Contest(InFolder):
         self.runs("other", "--set", "rules.mutation.sd=0.1")
         self.refused("study", "other", says="runs of different rules or parameters are not pooled")
         self.refused("study", "--shadow", "other", says="other")
-        self.refused("study", "--panel", self.runs("released", "--rules", "released"), says="--panel released: has runs of released: must be of paper")
+        self.refused(
+            "study",
+            "--panel",
+            self.runs("released", "--rules", "released"),
+            says="--panel released: has runs of released: must be of paper",
+        )
         shutil.move(first / "genomes.csv", self.folder / "genomes.csv")
         self.refused("study", says="genomes.csv")
         shutil.copy(self.folder / "genomes.csv", first / "genomes.csv")
@@ -137,8 +198,17 @@ class Contest(InFolder):
         self.refused("study", says="genomes.csv")
         shutil.move(self.folder / "genomes.csv", first / "genomes.csv")
         for path in (self.folder / "other").glob("replicate-*/manifest.json"):
-            path.write_text(sealed_text(json.loads(path.read_text().replace('"backend": {', '"backend": {"stepping": "screening",'))))
-        self.refused("study", "--panel", "other", says="other: has runs of paper with backend.stepping = screening: must be of paper")
+            path.write_text(
+                sealed_text(
+                    json.loads(path.read_text().replace('"backend": {', '"backend": {"stepping": "screening",'))
+                )
+            )
+        self.refused(
+            "study",
+            "--panel",
+            "other",
+            says="other: has runs of paper with backend.stepping = screening: must be of paper",
+        )
         for path in (self.folder / "study").glob("replicate-*/manifest.json"):
             path.write_text(sealed_text({**json.loads(path.read_text()), "food_web": []}))
         self.refused("study", says="no species of this food web hunts: a contest needs hunters and victims")

@@ -36,11 +36,15 @@ class CrossCheck(InFolderWithSets):
 
     def test_from_runs_to_a_figure(self):
         self.run_ok(self.slow, self.slow, "--out", "same")
-        metrics = [row for row in self.rows("same/cross_check.csv") if row["quantity"] == "velocity" and row["conclusion"]]
+        metrics = [
+            row for row in self.rows("same/cross_check.csv") if row["quantity"] == "velocity" and row["conclusion"]
+        ]
         self.assertEqual({float(row["difference"]) for row in metrics}, {0.0})
         self.assertIn("equivalent", {row["conclusion"] for row in metrics})
         self.run_ok(self.slow, self.fast, "--out", "out")
-        self.assertNotEqual({float(row["difference"]) for row in self.rows("out/cross_check.csv") if row["conclusion"]}, {0.0})
+        self.assertNotEqual(
+            {float(row["difference"]) for row in self.rows("out/cross_check.csv") if row["conclusion"]}, {0.0}
+        )
         if not figures_python.PYTHON:
             self.skipTest("the figure needs matplotlib and pandas")
         run_ok(TROPHIC, "plot", self.folder / "out")
@@ -52,7 +56,13 @@ class CrossCheck(InFolderWithSets):
             walked = run(TROPHIC, "measure-gait", "--backend", engine, "--gait", "spider_steered", "--duration", 20)
             if walked.returncode != 0:
                 self.skipTest(walked.stderr)
-            speeds.append([float(row["forward_m_s"]) for row in csv.DictReader(walked.stdout.splitlines()) if row["timestep_s"] == "0.0012"])
+            speeds.append(
+                [
+                    float(row["forward_m_s"])
+                    for row in csv.DictReader(walked.stdout.splitlines())
+                    if row["timestep_s"] == "0.0012"
+                ]
+            )
         for mujoco, ode in zip(*speeds):
             self.assertAlmostEqual(ode / mujoco, 1.0, delta=0.1)
         self.assertNotEqual(*speeds)
@@ -64,7 +74,10 @@ class CrossCheck(InFolderWithSets):
             ([self.slow, "--out", "new"], ["runs"]),
             ([self.slow, self.fast, "--out", "there"], ["there", "exists already"]),
             ([self.slow, self.released, "--out", "new"], ["released", 'must be "paper"']),
-            ([self.slow, self.short, "--out", "new"], ["600 of 600 s", 'must be as status "complete" at 1200 of 1200 s']),
+            (
+                [self.slow, self.short, "--out", "new"],
+                ["600 of 600 s", 'must be as status "complete" at 1200 of 1200 s'],
+            ),
             ([self.slow, "nosuch", "--out", "new"], ["nosuch"]),
         ]:
             with self.subTest(arguments=arguments):

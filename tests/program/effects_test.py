@@ -14,19 +14,59 @@ from in_folder import InFolder, call
 
 PREDATOR_PREY, ABLATIONS = sys.argv.pop(1), sys.argv.pop(1)
 # A crowd in which every rule acts soon: ticks of a tenth of their simulated time.
-CROWD = {"ecology.arena": "small.toml", "ecology.robots": 14, "ecology.duration_s": 500, "ecology.clock_scale": 0.05, "ecology.first_tick_s": 0.0,
-         "rules.community.predators": 5, "rules.placement.half_extent_m": 1.5, "rules.activation.distance_m": 0.7, "rules.capture.min_age_s": 20,
-         "rules.floor.floor": 4, "rules.minimum_predators.below": 4, "rules.starvation.interval.base_ticks": 9, "rules.tag_switch.cool_down_s": 10,
-         "rules.tag_switch.period_s": 6, "rules.starvation.interval.only_above": 2}
+CROWD = {
+    "ecology.arena": "small.toml",
+    "ecology.robots": 14,
+    "ecology.duration_s": 500,
+    "ecology.clock_scale": 0.05,
+    "ecology.first_tick_s": 0.0,
+    "rules.community.predators": 5,
+    "rules.placement.half_extent_m": 1.5,
+    "rules.activation.distance_m": 0.7,
+    "rules.capture.min_age_s": 20,
+    "rules.floor.floor": 4,
+    "rules.minimum_predators.below": 4,
+    "rules.starvation.interval.base_ticks": 9,
+    "rules.tag_switch.cool_down_s": 10,
+    "rules.tag_switch.period_s": 6,
+    "rules.starvation.interval.only_above": 2,
+}
 # Those that another value than twice the number, or the number and one, shows.
-OTHER = {"ecology.arena": "wide.toml", "ecology.first_tick_s": 20, "ecology.robot": "gecko", "ecology.gait": "spider_paper", "ecology.idle_control_steps": 5,
-         "physics.timestep_s": 0.001, "rules.community.predators": 6, "rules.placement.half_extent_m": 1.0, "rules.newborn_tag.founder_tag": -1,
-         "rules.brain.turn_angle_rad": 0.1, "rules.parent.starved.range_m": 0.3, "rules.mutation.sd": 0.9, "rules.mutation.half_width": 0.9,
-         "rules.mutation.limit": 0.2, "rules.capture.reach_m": 0.5, "rules.capture.min_age_s": 300, "rules.floor.floor": 9, "rules.minimum_predators.below": 8,
-         "rules.starvation.interval.base_ticks": 30, "rules.starvation.interval.min_interval_ticks": 40, "rules.starvation.interval.only_above": 12,
-         "rules.starvation.exemption.range_m": 1.5, "backend.timestep_s": 0.07, "backend.box_depth": "whole"}
+OTHER = {
+    "ecology.arena": "wide.toml",
+    "ecology.first_tick_s": 20,
+    "ecology.robot": "gecko",
+    "ecology.gait": "spider_paper",
+    "ecology.idle_control_steps": 5,
+    "physics.timestep_s": 0.001,
+    "rules.community.predators": 6,
+    "rules.placement.half_extent_m": 1.0,
+    "rules.newborn_tag.founder_tag": -1,
+    "rules.brain.turn_angle_rad": 0.1,
+    "rules.parent.starved.range_m": 0.3,
+    "rules.mutation.sd": 0.9,
+    "rules.mutation.half_width": 0.9,
+    "rules.mutation.limit": 0.2,
+    "rules.capture.reach_m": 0.5,
+    "rules.capture.min_age_s": 300,
+    "rules.floor.floor": 9,
+    "rules.minimum_predators.below": 8,
+    "rules.starvation.interval.base_ticks": 30,
+    "rules.starvation.interval.min_interval_ticks": 40,
+    "rules.starvation.interval.only_above": 12,
+    "rules.starvation.exemption.range_m": 1.5,
+    "backend.timestep_s": 0.07,
+    "backend.box_depth": "whole",
+}
 # The length of the run, how an engine computes the same motion, and stops of hinges that these gaits do not reach.
-LEFT_OUT = {"ecology.duration_s", "ecology.ends_when", "backend.threads", "backend.stepping", "backend.limit_stiffness_N_m_rad", "backend.limit_damping_N_m_s_rad"}
+LEFT_OUT = {
+    "ecology.duration_s",
+    "ecology.ends_when",
+    "backend.threads",
+    "backend.stepping",
+    "backend.limit_stiffness_N_m_rad",
+    "backend.limit_damping_N_m_s_rad",
+}
 
 
 def flat(tree, path=""):
@@ -38,34 +78,54 @@ class Effects(InFolder):
     def setUp(self):
         super().setUp()
         for name, side_m in (("small", 6.0), ("wide", 6.5)):
-            (self.folder / f"{name}.toml").write_text(f'name = "{name}"\nside_m = {side_m}\nfriction = {0.2 * side_m}\n')
+            (self.folder / f"{name}.toml").write_text(
+                f'name = "{name}"\nside_m = {side_m}\nfriction = {0.2 * side_m}\n'
+            )
 
     def parameters(self, *options, program=PREDATOR_PREY):
         """Each parameter with its value, and the other values of the enumerations."""
         printed = call(program, *options, "--print-config").stdout
         names = dict(re.findall(r"^(\w+) = '\w*'  # ((?:\w+(?:, | or ))+\w+)", printed, re.M))
-        values = dict(flat({name: part for name, part in tomllib.loads(printed).items() if name not in ("rule_table", "engine")}))
-        return values, {path: re.split(", | or ", names[path.split(".")[-1]]) for path in values if path.split(".")[-1] in names}
+        values = dict(
+            flat({name: part for name, part in tomllib.loads(printed).items() if name not in ("rule_table", "engine")})
+        )
+        return values, {
+            path: re.split(", | or ", names[path.split(".")[-1]]) for path in values if path.split(".")[-1] in names
+        }
 
     def run_with(self, out, settings, *options, program=PREDATOR_PREY):
         """The rows of a run, and its remarks up to "no effect"."""
         sets = [part for path, value in settings.items() for part in ("--set", f"{path}={json.dumps(value)}")]
         self.run_ok(program, *options, *sets, "--replay-hz", 0, "--out", out)
         run = self.folder / out
-        return [(run / name).read_bytes() for name in ("events.csv", "agents.csv")], [remark.split(" no effect")[0] for remark in json.loads((run / "manifest.json").read_text())["remarks"]]
+        return [(run / name).read_bytes() for name in ("events.csv", "agents.csv")], [
+            remark.split(" no effect")[0] for remark in json.loads((run / "manifest.json").read_text())["remarks"]
+        ]
 
 
 class Parameters(Effects):
     def check(self, engine):
         for table in ("paper", "released"):
             values, names = self.parameters("--rules", table, "--backend", engine)
-            options = ["--rules", table, "--backend", engine, *(["--threads", 1] if "backend.threads" in values else [])]
-            crowd = {path: value for path, value in CROWD.items() if path in values} | ({"physics.timestep_s": 0.005} if table == "released" else {})
+            options = [
+                "--rules",
+                table,
+                "--backend",
+                engine,
+                *(["--threads", 1] if "backend.threads" in values else []),
+            ]
+            crowd = {path: value for path, value in CROWD.items() if path in values} | (
+                {"physics.timestep_s": 0.005} if table == "released" else {}
+            )
             if engine == "kinematic":
                 crowd |= {"ecology.clock_scale": 0.5, "ecology.duration_s": 800}
             if engine == "ode":  # slow; rules act on any engine
                 crowd |= {"ecology.duration_s": 60}
-                values = {path: value for path, value in values.items() if not path.startswith("rules.") or path.startswith("rules.steering.")}
+                values = {
+                    path: value
+                    for path, value in values.items()
+                    if not path.startswith("rules.") or path.startswith("rules.steering.")
+                }
             rows, remarked = self.run_with(f"{engine}-{table}", crowd, *options)
             for path, value in values.items():
                 if path in LEFT_OUT:
@@ -78,7 +138,9 @@ class Parameters(Effects):
                     self.assertEqual(its_rows == rows, any(path in remark for remark in [*remarks, *remarked]), remarks)
 
     def test_each_parameter_changes_a_run_or_has_a_remark(self):
-        engines = re.search(r"--backend TEXT +physics: ([\w, ]+) \(", call(PREDATOR_PREY, "--help").stdout)[1].split(", ")
+        engines = re.search(r"--backend TEXT +physics: ([\w, ]+) \(", call(PREDATOR_PREY, "--help").stdout)[1].split(
+            ", "
+        )
         engines.remove("torus")  # of points, which take neither bodies nor walks
         for engine in engines:
             self.check(engine)
@@ -86,7 +148,11 @@ class Parameters(Effects):
 
 class Policies(Effects):
     # Swaps of the ablation study that act only if ...
-    ELSEWHERE = {"brain": "all inputs are 0, which no shipped sensor of distance gives", "sensor_distance_over_scale": "the scale is not the arena's", "activation": "a rule reads the age of prey"}
+    ELSEWHERE = {
+        "brain": "all inputs are 0, which no shipped sensor of distance gives",
+        "sensor_distance_over_scale": "the scale is not the arena's",
+        "activation": "a rule reads the age of prey",
+    }
     SWAPPED_NUMBER = r"\.(floor|below)$|^(ecology|physics)\."
 
     def test_each_ablation_changes_a_run_or_has_a_remark(self):
@@ -96,7 +162,9 @@ class Policies(Effects):
         self.run_ok(ABLATIONS, *only, "--replicates", 1, "--duration", 6000, "--out", "sets")
         for table, swap in swaps:
             runs = [self.folder / "sets" / table / name / "replicate-00" for name in ("base", swap)]
-            same = all((runs[0] / name).read_bytes() == (runs[1] / name).read_bytes() for name in ("events.csv", "agents.csv"))
+            same = all(
+                (runs[0] / name).read_bytes() == (runs[1] / name).read_bytes() for name in ("events.csv", "agents.csv")
+            )
             remarks = json.loads((runs[1] / "manifest.json").read_text())["remarks"]
             if swap != "base" and swap not in self.ELSEWHERE:
                 with self.subTest(table=table, swap=swap):
@@ -107,24 +175,60 @@ class Policies(Effects):
         root = pathlib.Path(__file__).parents[2]
         include = root / "include/trophic"
         slots = {}
-        for kind in ("perception", "control/brain", "death", "reproduction", "energy", "initialization/community", "initialization/placement"):
+        for kind in (
+            "perception",
+            "control/brain",
+            "death",
+            "reproduction",
+            "energy",
+            "initialization/community",
+            "initialization/placement",
+        ):
             for path in sorted((include / kind).rglob("*.hpp")):
-                if path.parent.parent != include and path.stem not in ("contract", "list") and "detail" not in path.parts:
+                if (
+                    path.parent.parent != include
+                    and path.stem not in ("contract", "list")
+                    and "detail" not in path.parts
+                ):
                     slots.setdefault(path.parent.relative_to(include), set()).add(path.stem)
         self.assertGreater(len(slots), 20)
-        tables = [*(include / "rules").glob("*.hpp"), *(include / "worlds").glob("*.hpp"), *(root / "studies").glob("*/*.hpp"), root / "tests/unit/core/effects_test.cpp"]
-        swapped = {name for path in tables for name in re.findall(r"/(\w+)\.hpp>", path.read_text())} | set(re.findall(r"\w+", call(ABLATIONS, "--list").stdout))
+        tables = [
+            *(include / "rules").glob("*.hpp"),
+            *(include / "worlds").glob("*.hpp"),
+            *(root / "studies").glob("*/*.hpp"),
+            root / "tests/unit/core/effects_test.cpp",
+        ]
+        swapped = {name for path in tables for name in re.findall(r"/(\w+)\.hpp>", path.read_text())} | set(
+            re.findall(r"\w+", call(ABLATIONS, "--list").stdout)
+        )
         self.assertEqual([str(slot) for slot, policies in slots.items() if not policies & swapped], [])
 
 
 class Changes(Effects):
     def test_a_change_without_effect_has_a_remark(self):
-        (self.folder / "changes.csv").write_text("time_s,number,value\n40,rules.community.predators,10\n60,rules.steering.exponent,3\n98,rules.capture.reach_m,2\n")
+        (self.folder / "changes.csv").write_text(
+            "time_s,number,value\n40,rules.community.predators,10\n60,rules.steering.exponent,3\n98,rules.capture.reach_m,2\n"
+        )
         options = ["--backend", "kinematic", "--duration", 100, "--changes", "changes.csv"]
         _, remarks = self.run_with("run", {}, *options)
-        self.assertEqual(remarks[1:], ["rules.community.predators: its change at 40 s has", "rules.steering.exponent: its change at 60 s has"])
+        self.assertEqual(
+            remarks[1:],
+            ["rules.community.predators: its change at 40 s has", "rules.steering.exponent: its change at 60 s has"],
+        )
         self.run_with("origin", {}, *options[:4])
-        done = self.call(PREDATOR_PREY, "--backend", "kinematic", "--from", "origin", "--at", 50, "--set", "rules.community.predators=9", "--out", "branch")
+        done = self.call(
+            PREDATOR_PREY,
+            "--backend",
+            "kinematic",
+            "--from",
+            "origin",
+            "--at",
+            50,
+            "--set",
+            "rules.community.predators=9",
+            "--out",
+            "branch",
+        )
         self.assert_refused(done, "rules.community.predators = 9: must be 14, as of the run that it begins from")
 
 

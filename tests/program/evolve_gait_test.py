@@ -16,7 +16,18 @@ ROBOTS = pathlib.Path(__file__).resolve().parents[2] / "models/robots"
 EVOLVE = [TROPHIC, "evolve-gait"]
 MEASURE = [TROPHIC, "measure-gait"]
 FILES = ["settings.toml", "checkpoint.toml", "gait.toml", "phylogeny.csv"]
-SMALL = ["--generations", 3, "--set", "plan.population=4", "--set", "plan.parents=4", "--set", "plan.children=4", "--set", "trial.duration_s=6"]
+SMALL = [
+    "--generations",
+    3,
+    "--set",
+    "plan.population=4",
+    "--set",
+    "plan.parents=4",
+    "--set",
+    "plan.children=4",
+    "--set",
+    "trial.duration_s=6",
+]
 
 
 class EvolveGait(InFolder):
@@ -25,7 +36,9 @@ class EvolveGait(InFolder):
 
     def interrupt(self, out, how, after):
         """Starts a run, waits until that file exists, and ends the run."""
-        running = subprocess.Popen([*EVOLVE, *map(str, SMALL), "--out", out], cwd=self.folder, stdout=subprocess.PIPE, text=True)
+        running = subprocess.Popen(
+            [*EVOLVE, *map(str, SMALL), "--out", out], cwd=self.folder, stdout=subprocess.PIPE, text=True
+        )
         self.wait_for(f"{out}/{after}", running)
         running.send_signal(how)
         printed, _ = running.communicate(timeout=60)
@@ -43,7 +56,9 @@ class EvolveGait(InFolder):
             self.assert_same_files("whole", "killed-" + after)
         code, printed = self.interrupt("stopped", signal.SIGINT, "gait.toml")
         self.assertIn(code, (0, 3))
-        self.assertTrue((code == 3 and "the same command continues" in printed) or "generation 3 of 3" in printed, printed)
+        self.assertTrue(
+            (code == 3 and "the same command continues" in printed) or "generation 3 of 3" in printed, printed
+        )
         self.evolve("--config", "stopped/settings.toml", "--out", "stopped")
         self.assert_same_files("whole", "stopped")
 
@@ -58,10 +73,25 @@ class EvolveGait(InFolder):
         self.assertAlmostEqual(float(table[1]["timestep_s"]), 0.0012)
 
     def test_a_pre_experiment_whose_every_trial_diverged_is_a_failure_and_leaves_no_gait(self):
-        failed = self.call(*EVOLVE, "--robot", "gecko", "--generations", 0, "--threads", 1, "--set", "trial.duration_s=2",
-                           "--set", "physics.timestep_s=0.006", "--out", "diverged")
+        failed = self.call(
+            *EVOLVE,
+            "--robot",
+            "gecko",
+            "--generations",
+            0,
+            "--threads",
+            1,
+            "--set",
+            "trial.duration_s=2",
+            "--set",
+            "physics.timestep_s=0.006",
+            "--out",
+            "diverged",
+        )
         self.assertEqual(failed.returncode, 1, failed.stdout)
-        self.assertIn("every trial of 20 candidates diverged, so there is no gait: physics.timestep_s = 0.006", failed.stderr)
+        self.assertIn(
+            "every trial of 20 candidates diverged, so there is no gait: physics.timestep_s = 0.006", failed.stderr
+        )
         self.assertFalse((self.folder / "diverged/gait.toml").exists())
 
     def test_what_cannot_be_measured_is_an_error(self):
@@ -75,7 +105,9 @@ class EvolveGait(InFolder):
         self.evolve(*SMALL, "--out", "whole")
         self.interrupt("run", signal.SIGKILL, "checkpoint.toml")
         pipes = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "text": True}
-        programs = [subprocess.Popen([*EVOLVE, *map(str, SMALL), "--out", "run"], cwd=self.folder, **pipes) for _ in range(4)]
+        programs = [
+            subprocess.Popen([*EVOLVE, *map(str, SMALL), "--out", "run"], cwd=self.folder, **pipes) for _ in range(4)
+        ]
         for program in programs:
             errors = program.communicate(timeout=60)[1]
             said = "" if program.returncode == 0 else "trophic evolve-gait: run: another program is running in it\n"
@@ -84,7 +116,9 @@ class EvolveGait(InFolder):
         self.assert_same_files("whole", "run")
 
     def test_settings_read_back(self):
-        printed = self.evolve("--table", "released", "--robot", "gecko", "--set", "variation.weight_limit=3", "--print-config")
+        printed = self.evolve(
+            "--table", "released", "--robot", "gecko", "--set", "variation.weight_limit=3", "--print-config"
+        )
         (self.folder / "numbers.toml").write_text(printed.stdout)
         again = self.evolve("--config", "numbers.toml", "--print-config")
         self.assertEqual(again.stdout, printed.stdout)

@@ -40,7 +40,11 @@ class Gltf:
             for channel in animation["channels"]:
                 sampler = animation["samplers"][channel["sampler"]]
                 target = channel["target"]
-                self.channels[target["node"], target["path"]] = (self.numbers(sampler["input"]), self.numbers(sampler["output"]), sampler["interpolation"])
+                self.channels[target["node"], target["path"]] = (
+                    self.numbers(sampler["input"]),
+                    self.numbers(sampler["output"]),
+                    sampler["interpolation"],
+                )
 
     def numbers(self, accessor):
         accessor = self.json["accessors"][accessor]
@@ -93,7 +97,11 @@ class Exports(InFolderWithSets):
                 self.assertLess(numpy.hypot(place[0] - float(row["x_m"]), place[1] - float(row["y_m"])), 0.002)
 
     def test_robots_that_die_in_the_last_frame_are_gone_there(self):
-        death = next(row for row in self.rows(self.sets, "run/events.csv") if row["event"] == "death" and float(row["time_s"]) >= 20)
+        death = next(
+            row
+            for row in self.rows(self.sets, "run/events.csv")
+            if row["event"] == "death" and float(row["time_s"]) >= 20
+        )
         end = float(death["time_s"])
         scene = self.scene("end.glb", "--from", end - 10, "--to", end)
         alive = {int(row["id"]) for row in self.rows_at(end)}
@@ -123,7 +131,9 @@ class Exports(InFolderWithSets):
     def test_colours_are_those_of_the_species(self):
         scene = self.scene("x.glb", "--from", 0, "--to", 0)
         for name, rgb in (("prey", (0, 114, 178)), ("predator", (213, 94, 0))):
-            linear = next(m for m in scene.json["materials"] if m["name"] == name)["pbrMetallicRoughness"]["baseColorFactor"][:3]
+            linear = next(m for m in scene.json["materials"] if m["name"] == name)["pbrMetallicRoughness"][
+                "baseColorFactor"
+            ][:3]
             screen = [12.92 * c if c <= 0.0031308 else 1.055 * c ** (1 / 2.4) - 0.055 for c in linear]
             self.assertEqual(tuple(round(255 * c) for c in screen), rgb)
         for row in self.rows_at(0.0):
@@ -139,7 +149,10 @@ class Exports(InFolderWithSets):
             (["-o", "x.obj"], "--out x.obj: must end in .glb or .gltf"),
             (["-o", "x.glb", "--from", "301"], "time 301 s: must be between 0 and 300"),
             (["-o", "x.glb", "--from", "20", "--to", "10"], "--from 20: must be <= --to, 10"),
-            (["-o", "x.glb", "--follow", "9999", "--to", "10"], "--follow 9999: no individual of that id lives between 0 and 10 s"),
+            (
+                ["-o", "x.glb", "--follow", "9999", "--to", "10"],
+                "--follow 9999: no individual of that id lives between 0 and 10 s",
+            ),
         ):
             with self.subTest(arguments):
                 result = self.export(*arguments)

@@ -33,7 +33,17 @@ class Films(InFolderWithSets):
     def make_sets(cls):
         run_ok(PROGRAM, "--backend", "kinematic", "--duration", 200, "--seed", 3, "--out", cls.sets / "run")
         for modules in (3, 14):
-            run_ok(OWN_BODIES, "--duration", 4, "--seed", 3, "--set", f"rules.body_plan.first_modules={modules}", "--out", cls.sets / f"bodies-{modules}")
+            run_ok(
+                OWN_BODIES,
+                "--duration",
+                4,
+                "--seed",
+                3,
+                "--set",
+                f"rules.body_plan.first_modules={modules}",
+                "--out",
+                cls.sets / f"bodies-{modules}",
+            )
 
     def film(self, *arguments, run="run", **how):
         return self.call(TROPHIC, "film", self.sets / run, *arguments, **how)
@@ -87,9 +97,21 @@ class Films(InFolderWithSets):
         spider = self.draw_robot("--robot", "spider", "--size", "640x480", "--view", "top", "--legend", "off")
         self.assertGreater(near(spider[200:280, 270:370], BLUE, 110), 1000)  # its core in the middle
         turned = numpy.rot90(spider[:, 80:560])
-        self.assertLess(numpy.abs(near(turned[:, 240:], BLUE, 110) / near(turned[:, :240], BLUE, 110) - 1), 0.4)  # four legs alike
-        gecko = self.draw_robot("--robot", pathlib.Path(__file__).parents[2] / "models/robots/gecko.toml", "--size", "640x480", "--legend", "off")
-        self.assertGreater((gecko != self.draw_robot("--robot", "spider", "--size", "640x480", "--legend", "off")).any(axis=-1).mean(), 0.02)
+        self.assertLess(
+            numpy.abs(near(turned[:, 240:], BLUE, 110) / near(turned[:, :240], BLUE, 110) - 1), 0.4
+        )  # four legs alike
+        gecko = self.draw_robot(
+            "--robot",
+            pathlib.Path(__file__).parents[2] / "models/robots/gecko.toml",
+            "--size",
+            "640x480",
+            "--legend",
+            "off",
+        )
+        self.assertGreater(
+            (gecko != self.draw_robot("--robot", "spider", "--size", "640x480", "--legend", "off")).any(axis=-1).mean(),
+            0.02,
+        )
         for arguments, sentence in (
             (["--robot", "no_such", "-o", "x.png"], "robot"),
             (["--robot", "spider", "-o", "x.mp4"], "--out x.mp4: must end in .png with --robot"),
@@ -106,9 +128,23 @@ class Films(InFolderWithSets):
     def test_individuals_with_bodies_of_their_own(self):
         drawn = []
         for modules in (3, 14):
-            founder = next(row for row in self.rows(self.sets, f"bodies-{modules}/bodies.csv") if row["species"] == "predator")
+            founder = next(
+                row for row in self.rows(self.sets, f"bodies-{modules}/bodies.csv") if row["species"] == "predator"
+            )
             self.assertEqual(int(founder["modules"]), modules)
-            picture = self.draw("--from", 1, "--follow", founder["id"], "--size", "640x480", "--lines", "off", "--legend", "off", run=f"bodies-{modules}")
+            picture = self.draw(
+                "--from",
+                1,
+                "--follow",
+                founder["id"],
+                "--size",
+                "640x480",
+                "--lines",
+                "off",
+                "--legend",
+                "off",
+                run=f"bodies-{modules}",
+            )
             drawn.append(near(picture[165:360, 200:440], ORANGE, 110))  # below the name
         self.assertGreater(drawn[1], 1.3 * drawn[0], "14 modules against 3, next to the same ring")
 
@@ -144,16 +180,22 @@ class Films(InFolderWithSets):
         self.assertGreater(near(middle, ORANGE, 110), 150)
         self.assertGreater(near(middle, RED), 300)
         row, _ = self.catches()[0]
-        before = self.draw("--from", float(row["time_s"]) - 1, "--follow", row["id"], "--size", "640x480", "--lines", "off")
+        before = self.draw(
+            "--from", float(row["time_s"]) - 1, "--follow", row["id"], "--size", "640x480", "--lines", "off"
+        )
         self.assertLess(near(before[100:420], RED), 30)
-        self.assert_refused(self.film("--catch", count + 1, "-o", "x.png"), f"has {count} catches" if count > 1 else "has one catch")
+        self.assert_refused(
+            self.film("--catch", count + 1, "-o", "x.png"), f"has {count} catches" if count > 1 else "has one catch"
+        )
 
     def test_the_best_catch_has_whole_lives_before_it_and_is_named(self):
         result = self.film("--catch", "best", "--sheet", "2x2", "--size", "320x240", "-o", "strip.png")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         pattern = r"strip.png: 4 pictures; at ([\d.]+) s predator (\d+) catches prey (\d+): \w+, lived \d+ s\n"
         time_s, hunter, victim = re.fullmatch(pattern, result.stdout).groups()  # without a remark
-        caught, life = next((row, life) for row, life in self.catches() if (row["id"], row["victim_id"]) == (hunter, victim))
+        caught, life = next(
+            (row, life) for row, life in self.catches() if (row["id"], row["victim_id"]) == (hunter, victim)
+        )
         self.assertEqual(float(caught["time_s"]), float(time_s))
         self.assertLessEqual(float(life["time_s"]), float(time_s) - 8)
         sheet = numpy.array(Image.open(self.folder / "strip.png"))
@@ -168,7 +210,9 @@ class Films(InFolderWithSets):
         bare = self.draw(*arguments, "--legend", "off", "--lines", "off")
         self.assertGreater(int((whole[:30] != 255).any(axis=-1).sum()), 300)
         self.assertEqual(int((bare[:12] != 255).any(axis=-1).sum()), 0)
-        self.assertGreater(int((whole != bare).any(axis=-1).sum()), int((whole[:30] != bare[:30]).any(axis=-1).sum()) + 100)
+        self.assertGreater(
+            int((whole != bare).any(axis=-1).sum()), int((whole[:30] != bare[:30]).any(axis=-1).sum()) + 100
+        )
 
     @unittest.skipUnless(shutil.which("ffmpeg"), "no ffmpeg")
     def test_a_film_of_a_catch_stands_still_at_it(self):
@@ -184,19 +228,35 @@ class Films(InFolderWithSets):
     @unittest.skipUnless(shutil.which("ffmpeg"), "no ffmpeg")
     def test_a_minute_at_its_own_speed_lasts_a_minute(self):
         result = self.film("--from", 60, "--to", 120, "--speed", 1, "--fps", 2, "--size", "64x36", "-o", "minute.mp4")
-        self.assertEqual((result.returncode, result.stderr, result.stdout), (0, "", "minute.mp4: 121 pictures, 60.5 s\n"))
+        self.assertEqual(
+            (result.returncode, result.stderr, result.stdout), (0, "", "minute.mp4: 121 pictures, 60.5 s\n")
+        )
 
     @unittest.skipUnless(shutil.which("ffmpeg"), "no ffmpeg")
     def test_a_film(self):
         result = self.film("--from", 50, "--to", 60, "--speed", 10, "--fps", 10, "--size", "320x180", "-o", "film.mp4")
         self.assertEqual((result.returncode, result.stderr, result.stdout), (0, "", "film.mp4: 11 pictures, 1.1 s\n"))
-        asked = ["ffprobe", "-v", "error", "-count_frames", "-show_entries", "stream=width,height,nb_read_frames,codec_name", "-of", "json"]
+        asked = [
+            "ffprobe",
+            "-v",
+            "error",
+            "-count_frames",
+            "-show_entries",
+            "stream=width,height,nb_read_frames,codec_name",
+            "-of",
+            "json",
+        ]
         stream = json.loads(self.run_ok(*asked, "film.mp4").stdout)["streams"][0]
-        self.assertEqual((stream["codec_name"], stream["width"], stream["height"], stream["nb_read_frames"]), ("h264", 320, 180, "11"))
+        self.assertEqual(
+            (stream["codec_name"], stream["width"], stream["height"], stream["nb_read_frames"]),
+            ("h264", 320, 180, "11"),
+        )
 
     def test_a_killed_film_leaves_no_file(self):
         arguments = ["--size", "320x180", "--to", "100", "-o", "film.mp4"]
-        program = subprocess.Popen([TROPHIC, "film", str(self.sets / "run"), *arguments], cwd=self.folder, stderr=subprocess.DEVNULL)
+        program = subprocess.Popen(
+            [TROPHIC, "film", str(self.sets / "run"), *arguments], cwd=self.folder, stderr=subprocess.DEVNULL
+        )
         part = self.folder / "film.mp4.part"
         while not (part.exists() and part.stat().st_size > 0) and program.poll() is None:
             time.sleep(0.001)
@@ -209,7 +269,10 @@ class Films(InFolderWithSets):
     def test_without_ffmpeg(self):
         result = self.film("--to", 2, "-o", "film.mp4", env={"PATH": "/nowhere"})
         self.assertEqual(result.returncode, 1)
-        self.assertEqual(result.stderr, "trophic film: ffmpeg cannot be started: No such file or directory; apt-get install ffmpeg, or name a .png\n")
+        self.assertEqual(
+            result.stderr,
+            "trophic film: ffmpeg cannot be started: No such file or directory; apt-get install ffmpeg, or name a .png\n",
+        )
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_events_of_another_run(self):
@@ -218,7 +281,9 @@ class Films(InFolderWithSets):
         (self.folder / "run/events.csv").write_text("".join([*events[:-1], events[-1].replace(",", ",9", 2)]))
         result = self.call(TROPHIC, "film", "run", "-o", "x.png")
         self.assertEqual((result.returncode, result.stdout, (self.folder / "x.png").exists()), (2, "", False))
-        self.assertRegex(result.stderr, r"^trophic film: run/events.csv: has checksum \d+: must be \d+, as its manifest says; .*\n$")
+        self.assertRegex(
+            result.stderr, r"^trophic film: run/events.csv: has checksum \d+: must be \d+, as its manifest says; .*\n$"
+        )
 
     def test_refusals(self):
         (self.folder / "mine.png").write_text("mine")
@@ -227,10 +292,19 @@ class Films(InFolderWithSets):
             (["-o", "x.avi"], "--out x.avi: must end in .png, .mp4, .webm or .gif"),
             (["-o", "x.png", "--from", "201"], "time 201 s: must be between 0 and 200"),
             (["-o", "x.mp4", "--from", "20", "--to", "10"], "--from 20: must be <= --to, 10"),
-            (["-o", "x.png", "--from", "10", "--follow", "9999"], "--follow 9999: no individual of that id lives between 10 and 10 s"),
+            (
+                ["-o", "x.png", "--from", "10", "--follow", "9999"],
+                "--follow 9999: no individual of that id lives between 10 and 10 s",
+            ),
             (["-o", "x.png", "--size", "639x360"], "width = 639: must be even, >= 16 and <= 4096"),
-            (["-o", "x.png", "--size", "big"], "--size big: must be two whole numbers such as 4x3, each from 1 to 4096"),
-            (["-o", "x.png", "--sheet", "0x3"], "--sheet 0x3: must be two whole numbers such as 4x3, each from 1 to 20"),
+            (
+                ["-o", "x.png", "--size", "big"],
+                "--size big: must be two whole numbers such as 4x3, each from 1 to 4096",
+            ),
+            (
+                ["-o", "x.png", "--sheet", "0x3"],
+                "--sheet 0x3: must be two whole numbers such as 4x3, each from 1 to 20",
+            ),
             (["-o", "x.mp4", "--sheet", "2x2"], "--sheet: needs --out with .png"),
             (["-o", "x.png", "--view", "left"], "--view left: must be orbit or top"),
             (["-o", "x.png", "--lines", "some"], "--lines some: must be on or off"),
@@ -246,7 +320,10 @@ class Films(InFolderWithSets):
         self.assertEqual([path.name for path in self.folder.iterdir()], ["mine.png"])
         self.assertEqual((self.folder / "mine.png").read_text(), "mine")
         result = self.film("-o", "none/x.png")
-        self.assertEqual((result.returncode, result.stderr), (1, "trophic film: cannot create none/x.png: No such file or directory\n"))
+        self.assertEqual(
+            (result.returncode, result.stderr),
+            (1, "trophic film: cannot create none/x.png: No such file or directory\n"),
+        )
 
 
 if __name__ == "__main__":

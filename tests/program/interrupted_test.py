@@ -43,12 +43,29 @@ if STUDIES:
                  "ablation-table": ((TROPHIC, "ablation-table", "study"), "")}  # fmt: skip
 if STUDIES[1:]:
     COMMANDS |= {"bodies": ((STUDIES[1], "--backend", "mujoco", "--robots", "6", "--set", "rules.community.predators=3", "--duration", "20", "--checkpoint-s", "4", "--resume"), "")}  # fmt: skip
-THEIR_OWN = {"manifest.json", "checkpoint.bin", "checkpoint.old.bin", "replicates.json", "plan.jsonl", "sweep.json", "study.json", "captions.json"}  # name times, hosts and continuations
+THEIR_OWN = {
+    "manifest.json",
+    "checkpoint.bin",
+    "checkpoint.old.bin",
+    "replicates.json",
+    "plan.jsonl",
+    "sweep.json",
+    "study.json",
+    "captions.json",
+}  # name times, hosts and continuations
 
 
 def contents(out: pathlib.Path) -> dict[str, bytes]:
-    files = [out] if out.is_file() else sorted(path for path in out.rglob("*") if path.is_file() and path.name not in THEIR_OWN)
-    return {str(path.relative_to(out)): path.read_bytes() for path in files if path.suffix != ".pdf" and ".lock" not in path.name and ".incomplete-" not in str(path)}
+    files = (
+        [out]
+        if out.is_file()
+        else sorted(path for path in out.rglob("*") if path.is_file() and path.name not in THEIR_OWN)
+    )
+    return {
+        str(path.relative_to(out)): path.read_bytes()
+        for path in files
+        if path.suffix != ".pdf" and ".lock" not in path.name and ".incomplete-" not in str(path)
+    }
 
 
 def interrupt(command: list[str], folder: pathlib.Path, draw: random.Random, wall_s: float, largest: int) -> str:
@@ -56,7 +73,9 @@ def interrupt(command: list[str], folder: pathlib.Path, draw: random.Random, wal
     how = draw.choice(("SIGKILL", "SIGTERM", "refused"))
     most = draw.randrange(largest)
     limit = (lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (most, most))) if how == "refused" else None
-    program = subprocess.Popen(command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, preexec_fn=limit)
+    program = subprocess.Popen(
+        command, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, preexec_fn=limit
+    )
     try:
         said, _ = program.communicate(timeout=draw.uniform(0.0, wall_s) if how != "refused" else None)
     except subprocess.TimeoutExpired:
@@ -86,10 +105,16 @@ def check(name: str, folder: pathlib.Path, draw: random.Random) -> None:
         done = happened == "done" or out.exists() and "--resume" not in words and contents(out) == whole
         if done or draw.random() < 0.5:  # or it is interrupted once more
             again = None if done else subprocess.run(command, cwd=folder, capture_output=True, text=True)
-            assert done or again.returncode == 0, f"{name} after {happened}: exit {again.returncode}: {again.stderr[-2000:]}"
+            assert (
+                done or again.returncode == 0
+            ), f"{name} after {happened}: exit {again.returncode}: {again.stderr[-2000:]}"
             now = contents(out)
-            assert now == whole, f"{name} after {happened}: differs in {[path for path in whole.keys() | now.keys() if whole.get(path) != now.get(path)]}"
-            assert not list(folder.glob("out*.part*")), f"{name} after {happened}: left {list(folder.glob('out*.part*'))}"
+            assert (
+                now == whole
+            ), f"{name} after {happened}: differs in {[path for path in whole.keys() | now.keys() if whole.get(path) != now.get(path)]}"
+            assert not list(
+                folder.glob("out*.part*")
+            ), f"{name} after {happened}: left {list(folder.glob('out*.part*'))}"
             is_new = True
         else:
             is_new = False
@@ -100,9 +125,33 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "sweep.toml").write_text(SWEEP)
-        for prepared in ([*KINEMATIC, "--replicates", "2", "--out", "set"], [*KINEMATIC, "--replicates", "2", "--seed", "2", "--out", "other"],
-                         planned(PREDATOR_PREY, "sweep.toml", "grid", folder), [TROPHIC, "analyze", "set", "--out", "tables"],
-                         *([[STUDIES[0], "--from", "paper", "--only", "base", "--only", "capture", "--replicates", "2", "--duration", "3000", "--out", "study"]] if STUDIES else [])):
+        for prepared in (
+            [*KINEMATIC, "--replicates", "2", "--out", "set"],
+            [*KINEMATIC, "--replicates", "2", "--seed", "2", "--out", "other"],
+            planned(PREDATOR_PREY, "sweep.toml", "grid", folder),
+            [TROPHIC, "analyze", "set", "--out", "tables"],
+            *(
+                [
+                    [
+                        STUDIES[0],
+                        "--from",
+                        "paper",
+                        "--only",
+                        "base",
+                        "--only",
+                        "capture",
+                        "--replicates",
+                        "2",
+                        "--duration",
+                        "3000",
+                        "--out",
+                        "study",
+                    ]
+                ]
+                if STUDIES
+                else []
+            ),
+        ):
             subprocess.run(prepared, cwd=folder, check=True, capture_output=True)
         there = subprocess.run([TROPHIC, "--help"], capture_output=True, text=True, check=True).stdout
         for one, (words, _) in COMMANDS.items():

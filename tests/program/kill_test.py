@@ -35,10 +35,22 @@ class Killed(InFolder):
     def command(self, out, seed, *arguments, duration=OPTIONS.duration):
         chosen = ["--backend", OPTIONS.backend, "--rules", OPTIONS.rules, "--duration", duration]
         chosen += [word for number in OPTIONS.numbers for word in ("--set", number)]
-        return [OPTIONS.program, *chosen, "--seed", str(seed), "--checkpoint-s", OPTIONS.checkpoint_s, "--out", out, *arguments]
+        return [
+            OPTIONS.program,
+            *chosen,
+            "--seed",
+            str(seed),
+            "--checkpoint-s",
+            OPTIONS.checkpoint_s,
+            "--out",
+            out,
+            *arguments,
+        ]
 
     def start(self, *command, preexec=None):
-        return subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=preexec)
+        return subprocess.Popen(
+            command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, preexec_fn=preexec
+        )
 
     def finish(self, *command):
         return self.call(*command, timeout=3600)
@@ -102,7 +114,10 @@ class Killed(InFolder):
         (self.folder / "set").mkdir()
         (self.folder / "set/replicates.json.part").write_text("{")
         self.finish_ok(*self.command("set", 7, "--replicates", "2", "--resume", duration="100"))
-        self.assertEqual(sorted(path.name for path in (self.folder / "set").iterdir()), ["replicate-00", "replicate-01", "replicates.json"])
+        self.assertEqual(
+            sorted(path.name for path in (self.folder / "set").iterdir()),
+            ["replicate-00", "replicate-01", "replicates.json"],
+        )
         (self.folder / "mine").mkdir()
         (self.folder / "mine/notes.txt").write_text("mine")
         done = self.finish(*self.command("mine", 7, "--replicates", "2", "--resume", duration="100"))
@@ -110,7 +125,18 @@ class Killed(InFolder):
 
     def test_signals_stop_and_lose_nothing(self):
         self.whole(7)
-        for number, signals in enumerate([[signal.SIGINT], [signal.SIGTERM], [signal.SIGHUP], [signal.SIGXCPU], [signal.SIGUSR1], [signal.SIGUSR2], [signal.SIGINT] * 2, [signal.SIGTERM, signal.SIGINT]]):
+        for number, signals in enumerate(
+            [
+                [signal.SIGINT],
+                [signal.SIGTERM],
+                [signal.SIGHUP],
+                [signal.SIGXCPU],
+                [signal.SIGUSR1],
+                [signal.SIGUSR2],
+                [signal.SIGINT] * 2,
+                [signal.SIGTERM, signal.SIGINT],
+            ]
+        ):
             with self.subTest(signals=signals):
                 out = f"parts{number}"
                 run = self.start(*self.command(out, 7))
@@ -121,7 +147,9 @@ class Killed(InFolder):
                     run.send_signal(one)
                 printed, errors = run.communicate(timeout=60)
                 after = resource.getrusage(resource.RUSAGE_CHILDREN)
-                self.assertLess(after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, 5.0)  # the run's whole processor time
+                self.assertLess(
+                    after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, 5.0
+                )  # the run's whole processor time
                 self.assertEqual(run.returncode, STOPPED, errors)
                 self.assertIn("stopping: finished work is kept", errors)
                 self.assertIn(f"--resume --out {out} resumes it", printed)
@@ -190,7 +218,10 @@ class Killed(InFolder):
     def test_a_file_that_reaches_its_size_limit(self):
         self.whole(7)
         limit = (self.folder / "whole" / "agents.csv").stat().st_size // 2
-        run = self.call(*self.command("run", 7), preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, resource.RLIM_INFINITY)))
+        run = self.call(
+            *self.command("run", 7),
+            preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, resource.RLIM_INFINITY)),
+        )
         self.assertEqual(run.returncode, 1, run.stderr)
         self.assertRegex(run.stderr, r"^[^\n]*agents.csv: File too large\neverything written so far is in run\n$")
         self.assertNotEqual(self.manifest("run")["status"], "complete")
@@ -202,7 +233,9 @@ class Killed(InFolder):
         program = self.start(*self.command("set", 5, "--replicates", "4", "--jobs", "2"))
         program.stdout.close()
         errors = program.stderr.read()
-        self.assertEqual((program.wait(timeout=60), errors), (1, "trophic-predator-prey: cannot write to standard output\n"))
+        self.assertEqual(
+            (program.wait(timeout=60), errors), (1, "trophic-predator-prey: cannot write to standard output\n")
+        )
         for number in range(4):
             self.assertEqual(self.manifest(f"set/replicate-0{number}")["status"], "complete")
 
@@ -216,7 +249,10 @@ class Killed(InFolder):
     def test_two_programs_in_one_folder(self):
         first = self.start(*self.command("one", 3, duration="100000000"))
         self.wait_for("one/agents.csv", first)
-        for arguments, code, text in [((), 2, "exists already"), (("--resume",), 1, "another program is running in it")]:
+        for arguments, code, text in [
+            ((), 2, "exists already"),
+            (("--resume",), 1, "another program is running in it"),
+        ]:
             self.assert_refused(self.finish(*self.command("one", 3, *arguments, duration="100000000")), text, code=code)
         first.send_signal(signal.SIGTERM)
         first.communicate(timeout=60)

@@ -16,7 +16,9 @@ class LiveRun:
     """A program that runs with --live."""
 
     def __init__(self, command, folder, **how):
-        self.process = subprocess.Popen([*command, "--live"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **how)
+        self.process = subprocess.Popen(
+            [*command, "--live"], cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **how
+        )
         self.address = None
         for line in self.process.stdout:
             found = re.match(r"live    (http://127\.0\.0\.1:(\d+)/\?token=([0-9a-f]{32}))$", line)
@@ -66,9 +68,15 @@ class Page:
 
     def __init__(self, run, origin=None, host=None, token=None):
         host = host or f"127.0.0.1:{run.port}"
-        lines = [f"GET /live?token={run.token if token is None else token} HTTP/1.1", f"Host: {host}", "Upgrade: websocket", "Connection: Upgrade",
-                 "Sec-WebSocket-Version: 13", f"Sec-WebSocket-Key: {base64.b64encode(os.urandom(16)).decode()}",
-                 f"Origin: {origin or f'http://{host}'}"]
+        lines = [
+            f"GET /live?token={run.token if token is None else token} HTTP/1.1",
+            f"Host: {host}",
+            "Upgrade: websocket",
+            "Connection: Upgrade",
+            "Sec-WebSocket-Version: 13",
+            f"Sec-WebSocket-Key: {base64.b64encode(os.urandom(16)).decode()}",
+            f"Origin: {origin or f'http://{host}'}",
+        ]
         self.socket = socket.create_connection(("127.0.0.1", run.port), timeout=OPENING_S)
         self.socket.sendall("\r\n".join([*lines, "", ""]).encode())
         self.bytes = b""
@@ -106,7 +114,13 @@ class Page:
     def send_bytes(self, data):
         mask = os.urandom(4)
         size = len(data)
-        head = bytes([0x81]) + (bytes([0x80 | size]) if size < 126 else bytes([0x80 | 126]) + struct.pack(">H", size) if size < 65536 else bytes([0x80 | 127]) + struct.pack(">Q", size))
+        head = bytes([0x81]) + (
+            bytes([0x80 | size])
+            if size < 126
+            else bytes([0x80 | 126]) + struct.pack(">H", size)
+            if size < 65536
+            else bytes([0x80 | 127]) + struct.pack(">Q", size)
+        )
         self.socket.sendall(head + mask + bytes(byte ^ mask[i % 4] for i, byte in enumerate(data)))
 
     def messages(self):

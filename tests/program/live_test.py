@@ -30,7 +30,9 @@ def files_of(folder):
 
 def changed(page, number=1):
     """Waits for a change, which comes alone; returns it."""
-    return page.until(lambda message: message["kind"] == "state" and message["changes"] and message["changes_from"] == number - 1)["changes"][0]
+    return page.until(
+        lambda message: message["kind"] == "state" and message["changes"] and message["changes_from"] == number - 1
+    )["changes"][0]
 
 
 class Live(InFolder):
@@ -64,7 +66,10 @@ class Live(InFolder):
     def test_live_run_with_two_changes_is_made_again_to_the_byte(self):
         live = self.drive()
         rows = self.rows(live / "changes.csv")
-        self.assertEqual([(row["number"], row["value"]) for row in rows], [("rules.capture.reach_m", "0.5"), ("rules.mutation.sd", "0.7")])
+        self.assertEqual(
+            [(row["number"], row["value"]) for row in rows],
+            [("rules.capture.reach_m", "0.5"), ("rules.mutation.sd", "0.7")],
+        )
         self.run_ok(*RUN, "--duration", 60, "--changes", live / "changes.csv", "--out", "again")
         self.run_ok(*RUN, "--duration", 60, "--out", "without")
         made = files_of(self.folder / "again")
@@ -92,7 +97,13 @@ class Live(InFolder):
 
     def test_web_socket_of_a_foreign_page_is_refused(self):
         run = self.start("--duration", "60")
-        for wrong in ({"origin": "http://evil.example"}, {"token": "0" * 32}, {"token": ""}, {"host": "evil.example"}, {"origin": f"http://localhost:{run.port}"}):
+        for wrong in (
+            {"origin": "http://evil.example"},
+            {"token": "0" * 32},
+            {"token": ""},
+            {"host": "evil.example"},
+            {"origin": f"http://localhost:{run.port}"},
+        ):
             with self.subTest(**wrong), run.page(**wrong) as page:
                 self.assertEqual(page.status, 403)
                 self.assertEqual(len(page.body().splitlines()), 1)
@@ -111,10 +122,19 @@ class Live(InFolder):
                 ({"do": "explode"}, "must be"),
                 ({"do": "speed", "value": -1}, "speed = -1: must be 0"),
                 ({"do": "speed", "value": "fast"}, "JSON object"),
-                ({"do": "set", "number": "rules.capture.reach_m", "value": "-1"}, "rules.capture.reach_m = -1: must be > 0"),
-                ({"do": "set", "number": "rules.capture.reach_m", "value": "nan"}, "rules.capture.reach_m = nan: must be finite"),
+                (
+                    {"do": "set", "number": "rules.capture.reach_m", "value": "-1"},
+                    "rules.capture.reach_m = -1: must be > 0",
+                ),
+                (
+                    {"do": "set", "number": "rules.capture.reach_m", "value": "nan"},
+                    "rules.capture.reach_m = nan: must be finite",
+                ),
                 ({"do": "set", "number": "rules.capture.reach_m", "value": "far"}, "must be a number"),
-                ({"do": "set", "number": "rules.newborn_tag.founder_tag", "value": "7"}, "rules.newborn_tag.founder_tag = 7: the policy in rules.newborn_tag"),
+                (
+                    {"do": "set", "number": "rules.newborn_tag.founder_tag", "value": "7"},
+                    "rules.newborn_tag.founder_tag = 7: the policy in rules.newborn_tag",
+                ),
                 ({"do": "set", "number": "rules.capture.reach_m", "value": "1" * 201}, "must have <= 200 bytes"),
                 ({"do": "set", "number": "ecology.robots", "value": "7"}, "is not a number of a rule"),
                 ({"do": "set", "number": "rules.capture.reach_m", "value": "1\nx = 2"}, "one number"),
@@ -160,9 +180,13 @@ class Live(InFolder):
             with run.page() as second:
                 self.assertFalse(second.until_kind("state")["steers"])
                 second.send({"do": "set", "number": "rules.capture.reach_m", "value": "0.5"})
-                self.assertEqual(second.until_kind("refused")["text"], "Another page steers this run; this one only shows it.")
+                self.assertEqual(
+                    second.until_kind("refused")["text"], "Another page steers this run; this one only shows it."
+                )
                 first.socket.close()
-                self.assertTrue(second.until(lambda message: message["kind"] == "state" and message["steers"])["steers"])
+                self.assertTrue(
+                    second.until(lambda message: message["kind"] == "state" and message["steers"])["steers"]
+                )
         self.assertEqual((self.folder / "run/changes.csv").read_text(), "time_s,tick,number,value,before\n")
 
     def test_restart_makes_another_run_with_the_numbers_as_they_are(self):
@@ -176,7 +200,9 @@ class Live(InFolder):
             self.assertEqual(facts["head"]["seed"], 9)
             at_start = {number["path"].split(".")[1] for number in facts["numbers"] if number["acts_at_start"]}
             self.assertEqual(at_start - {"placement"}, {"community", "newborn_tag"})
-            self.assertEqual([number["value"] for number in facts["numbers"] if number["path"] == "rules.capture.reach_m"], ["0.5"])
+            self.assertEqual(
+                [number["value"] for number in facts["numbers"] if number["path"] == "rules.capture.reach_m"], ["0.5"]
+            )
             page.send({"do": "restart", "seed": 10, "rules": "released"})
             self.assertEqual(page.until_kind("run")["head"]["rule_table"], "released")
             page.send({"do": "speed", "value": 0})
@@ -202,7 +228,9 @@ class Live(InFolder):
         self.run_ok(*RUN, "--duration", 60, "--out", "again", "--changes", "run/changes.csv")
         self.assertEqual(files_of(self.folder / "run"), files_of(self.folder / "again"))
         resumed, again = map(self.manifest, ("run", "again"))
-        self.assertEqual([resumed[key] for key in ("identity", "description")], [again[key] for key in ("identity", "description")])
+        self.assertEqual(
+            [resumed[key] for key in ("identity", "description")], [again[key] for key in ("identity", "description")]
+        )
         self.assertEqual([one["value"] for one in resumed["description"]["changes"]], ["0.5"])
 
     def test_failure_reaches_the_page_and_those_that_come_later(self):
@@ -217,7 +245,14 @@ class Live(InFolder):
 
     def test_run_whose_address_cannot_be_printed_ends(self):
         with open("/dev/full", "w") as full:
-            done = subprocess.run([*RUN, "--live", "--out", "run"], cwd=self.folder, stdout=full, stderr=subprocess.PIPE, text=True, timeout=60)
+            done = subprocess.run(
+                [*RUN, "--live", "--out", "run"],
+                cwd=self.folder,
+                stdout=full,
+                stderr=subprocess.PIPE,
+                text=True,
+                timeout=60,
+            )
         self.assertEqual((done.returncode, done.stderr.count("\n")), (1, 1), done.stderr)
         self.assertIn("cannot write to standard output", done.stderr)
         self.assertFalse((self.folder / "run").exists())
@@ -239,24 +274,64 @@ class Sessions(InFolder):
         elif not text.replace(".", "").replace("-", "").replace("e", "").replace("+", "").isdigit():
             value = draw.choice((text, "together", "0"))
         else:
-            value = draw.choice((text, "0", "-0", "-0.0", "1", "-1", "7", "1e-300", "0.10", "9007199254740993", "9007199254740994.0", "12345678901234567890.0",
-                                 str(round(draw.uniform(0, 2) * float(text), draw.randrange(6))), str(draw.randrange(12)), "+0.5", "1_0", "0x10"))
+            value = draw.choice(
+                (
+                    text,
+                    "0",
+                    "-0",
+                    "-0.0",
+                    "1",
+                    "-1",
+                    "7",
+                    "1e-300",
+                    "0.10",
+                    "9007199254740993",
+                    "9007199254740994.0",
+                    "12345678901234567890.0",
+                    str(round(draw.uniform(0, 2) * float(text), draw.randrange(6))),
+                    str(draw.randrange(12)),
+                    "+0.5",
+                    "1_0",
+                    "0x10",
+                )
+            )
         return {"do": "set", "number": number["path"], "value": value}
 
     def session(self, seed):
         draw = random.Random(seed)
-        options = [PROGRAM, "--backend", "kinematic", "--rules", draw.choice(("paper", "released")), "--seed", str(seed), "--duration", str(draw.choice((30, 61, 200)))]
+        options = [
+            PROGRAM,
+            "--backend",
+            "kinematic",
+            "--rules",
+            draw.choice(("paper", "released")),
+            "--seed",
+            str(seed),
+            "--duration",
+            str(draw.choice((30, 61, 200))),
+        ]
         with LiveRun([*options, "--out", "live"], self.folder) as run:
             with run.page() as page:
                 page.send({"do": "pause"})
-                numbers = [number for number in page.until_kind("run")["numbers"] if draw.random() < 0.3 or "reach" in number["path"]]
+                numbers = [
+                    number
+                    for number in page.until_kind("run")["numbers"]
+                    if draw.random() < 0.3 or "reach" in number["path"]
+                ]
                 is_over = False
                 for _ in range(draw.randrange(1, 12)):
                     for _ in range(draw.choice((1, 1, 2, 8))):
                         page.send(draw.choice((self.wish(draw, numbers[:1]), self.wish(draw, numbers))))
                     if draw.random() < 0.6 and not is_over:
                         page.send({"do": "tick"})
-                        is_over = page.until(lambda message: message["kind"] == "tick" or message["kind"] == "state" and message["over"])["kind"] == "state"
+                        is_over = (
+                            page.until(
+                                lambda message: message["kind"] == "tick"
+                                or message["kind"] == "state"
+                                and message["over"]
+                            )["kind"]
+                            == "state"
+                        )
                 page.send({"do": "speed", "value": 0})
                 page.send({"do": "play"})
                 is_over or page.until(lambda message: message["kind"] == "state" and message["over"])
@@ -266,7 +341,10 @@ class Sessions(InFolder):
         live, again = (files_of(self.folder / name) for name in ("live", "again"))
         self.assertEqual([name for name in live if live[name] != again[name]], [])
         said = [self.manifest(name) for name in ("live", "again")]
-        self.assertEqual([said[0][key] for key in ("identity", "description", "remarks")], [said[1][key] for key in ("identity", "description", "remarks")])
+        self.assertEqual(
+            [said[0][key] for key in ("identity", "description", "remarks")],
+            [said[1][key] for key in ("identity", "description", "remarks")],
+        )
         changes = len(self.rows("live/changes.csv"))
         for name in ("live", "again"):
             shutil.rmtree(self.folder / name)
@@ -276,7 +354,9 @@ class Sessions(InFolder):
         made = [self.session(seed) for seed in range(SESSIONS)]
         self.assertGreater(sum(changes for changes, _ in made), 2 * SESSIONS)
         if SESSIONS > 4:
-            print(f"{SESSIONS} sessions, {sum(changes for changes, _ in made)} changes, {sum(code != 0 for _, code in made)} ended by an error")
+            print(
+                f"{SESSIONS} sessions, {sum(changes for changes, _ in made)} changes, {sum(code != 0 for _, code in made)} ended by an error"
+            )
 
 
 class Changes(InFolder):
@@ -297,7 +377,10 @@ class Changes(InFolder):
             (head + "8,rules.capture.reach_m,-1\n", "rules.capture.reach_m = -1: must be > 0"),
             (head + "8,rules.capture.reach,1\n", "rules.capture.reach: unknown key; did you mean"),
             (head + "8,ecology.robots,40\n", "ecology.robots: cannot change during a run"),
-            (head + "40,rules.capture.reach_m,1\n", "time_s = 40: must be <= 38, the last moment that a decision step follows"),
+            (
+                head + "40,rules.capture.reach_m,1\n",
+                "time_s = 40: must be <= 38, the last moment that a decision step follows",
+            ),
         ]:
             with self.subTest(text=text):
                 self.assert_refused(self.run_with(text), words)
@@ -312,7 +395,9 @@ class Changes(InFolder):
 
     def test_as_many_changes_as_a_page_made_are_made_again(self):
         values = [str((index % 97 + 1) / 100) for index in range(2500)]
-        text = "time_s,number,value\n" + "".join(f"{2 * (index // 150)},rules.capture.reach_m,{value}\n" for index, value in enumerate(values))
+        text = "time_s,number,value\n" + "".join(
+            f"{2 * (index // 150)},rules.capture.reach_m,{value}\n" for index, value in enumerate(values)
+        )
         self.assertEqual(self.run_with(text).returncode, 0)
         self.assertEqual([row["value"] for row in self.rows("run/changes.csv")], values)
         self.run_ok(*RUN, "--duration", 40, "--changes", "run/changes.csv", "--out", "again")
@@ -323,7 +408,10 @@ class Changes(InFolder):
         text = f"time_s,number,value\n4,{reach},0.5\n8,{sd},0.7\n8,{reach},0.4\n20,{sd},0.6\n20,{reach},1\n"
         self.assertEqual(self.run_with(text).returncode, 0)
         rows = self.rows("run/changes.csv")
-        self.assertEqual([(row["value"], row["before"]) for row in rows if row["number"] == reach], [("0.5", "1"), ("0.4", "0.5"), ("1", "0.4")])
+        self.assertEqual(
+            [(row["value"], row["before"]) for row in rows if row["number"] == reach],
+            [("0.5", "1"), ("0.4", "0.5"), ("1", "0.4")],
+        )
         self.assertEqual([(row["value"], row["before"]) for row in rows if row["number"] == sd][1:], [("0.6", "0.7")])
 
 

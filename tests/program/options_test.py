@@ -20,10 +20,48 @@ ALL = "--all" in sys.argv
 if ALL:
     sys.argv.remove("--all")
 MOST_BYTES, MOST_S, STOPPED = 1 << 30, 20, 3
-AMOUNTS = {"--duration", "--generations", "--replicates", "--robots"}  # of work that is asked for: SIGXCPU stops it, and --resume continues
+AMOUNTS = {
+    "--duration",
+    "--generations",
+    "--replicates",
+    "--robots",
+}  # of work that is asked for: SIGXCPU stops it, and --resume continues
 TEXTS = ["", "-1", "nan", "18446744073709551616", "a\nb"]
-MORE_TEXTS = ["0", "-0", "010", "0x10", "+5", " 5", "5 ", "1,5", "1_000", "1.5", "1e3", "1e300", "1e999", "inf", "-inf", "4294967296"]
-MORE_TEXTS += ["99999999999", "99999999999999999999", "9223372036854775807", "1e-300", "1000000", "٣", "--", "\x01", "\x1b[2J", "a" * 100_000, "/", ".", "/dev/null", "/dev/full", "no/such/place"]
+MORE_TEXTS = [
+    "0",
+    "-0",
+    "010",
+    "0x10",
+    "+5",
+    " 5",
+    "5 ",
+    "1,5",
+    "1_000",
+    "1.5",
+    "1e3",
+    "1e300",
+    "1e999",
+    "inf",
+    "-inf",
+    "4294967296",
+]
+MORE_TEXTS += [
+    "99999999999",
+    "99999999999999999999",
+    "9223372036854775807",
+    "1e-300",
+    "1000000",
+    "٣",
+    "--",
+    "\x01",
+    "\x1b[2J",
+    "a" * 100_000,
+    "/",
+    ".",
+    "/dev/null",
+    "/dev/full",
+    "no/such/place",
+]
 
 WITHOUT_VALUES = ("cite", "help")  # they have words alone
 
@@ -31,12 +69,38 @@ COMMANDS = {
     "": [PREDATOR_PREY, "--backend", "kinematic", "--duration", "20", "--out", "new"],
     "replicates": [PREDATOR_PREY, "--backend", "kinematic", "--duration", "20", "--out", "new", "--replicates", "2"],
     "branch": [PREDATOR_PREY, "--from", "run", "--at", "20", "--duration", "40", "--out", "new"],
-    "ablations": [ABLATIONS, "--from", "paper", "--only", "base", "--replicates", "1", "--duration", "20", "--out", "new"],
+    "ablations": [
+        ABLATIONS,
+        "--from",
+        "paper",
+        "--only",
+        "base",
+        "--replicates",
+        "1",
+        "--duration",
+        "20",
+        "--out",
+        "new",
+    ],
     "analyze": [TROPHIC, "analyze", "run"],
     "ablation-table": [TROPHIC, "ablation-table", "set"],
     "evolve-gait": [TROPHIC, "evolve-gait", "--generations", "1", "--backend", "kinematic"],
     "measure-gait": [TROPHIC, "measure-gait", "--duration", "0.2"],
-    "contest": [TROPHIC, "contest", "set", "--epochs", "0,40", "--duration", "10", "--teams", "2", "--team-size", "2", "--out", "new"],
+    "contest": [
+        TROPHIC,
+        "contest",
+        "set",
+        "--epochs",
+        "0,40",
+        "--duration",
+        "10",
+        "--teams",
+        "2",
+        "--team-size",
+        "2",
+        "--out",
+        "new",
+    ],
     "convert": [TROPHIC, "convert", "body.txt", "--out", "new.toml"],
     "plot": [TROPHIC, "plot", "run"],
     "cite": [TROPHIC, "cite", "run"],
@@ -85,14 +149,18 @@ class Options(InFolderWithSets):
     def try_out(self, command, option, text):
         before = self.files()
         used = resource.getrusage(resource.RUSAGE_CHILDREN)
-        done = subprocess.run([*command, option, text], cwd=self.folder, capture_output=True, timeout=600, preexec_fn=limits)
+        done = subprocess.run(
+            [*command, option, text], cwd=self.folder, capture_output=True, timeout=600, preexec_fn=limits
+        )
         now = resource.getrusage(resource.RUSAGE_CHILDREN)
         self.ends[done.returncode] = self.ends.get(done.returncode, 0) + 1
         self.longest_s = max(self.longest_s, now.ru_utime + now.ru_stime - used.ru_utime - used.ru_stime)
         new = self.files() - before
         errors = done.stderr.decode(errors="replace")
         self.assertIn(done.returncode, (0, 1, 2, *([STOPPED] if option in AMOUNTS else [])), errors[-1000:])
-        self.assertLess(now.ru_maxrss, max(used.ru_maxrss, MOST_BYTES // 1024) + 1, "pages of the largest command so far, KiB")
+        self.assertLess(
+            now.ru_maxrss, max(used.ru_maxrss, MOST_BYTES // 1024) + 1, "pages of the largest command so far, KiB"
+        )
         if text == "":
             self.assertEqual(done.returncode, 2, "an empty text counts as one that is not given")
         if done.returncode in (1, 2):
@@ -103,11 +171,26 @@ class Options(InFolderWithSets):
 
     def test_what_cannot_be_done_is_refused_before_any_work(self):
         (self.folder / "changes.csv").write_text("time_s,number,value\n8,rules.capture.reach_m,0.5\n")
-        for words, said in (([TROPHIC, "contest", "set", "--team-size", "0"], "--team-size 0: must be >= 1 and <= 10000"),
-                            ([TROPHIC, "contest", "set", "--epochs", "0,40,"], "--epochs 0,40,: must be times in seconds"),
-                            ([TROPHIC, "film", "run", "--speed", "1e-9", "--out", "new.mp4"], "pictures: must have <= 1e+06"),
-                            ([PREDATOR_PREY, "--backend", "kinematic", "--duration", "60", "--out", "run", "--resume", "--changes", "changes.csv"],
-                             "--changes changes.csv: must be left out, as the run in run has no changes.csv")):
+        for words, said in (
+            ([TROPHIC, "contest", "set", "--team-size", "0"], "--team-size 0: must be >= 1 and <= 10000"),
+            ([TROPHIC, "contest", "set", "--epochs", "0,40,"], "--epochs 0,40,: must be times in seconds"),
+            ([TROPHIC, "film", "run", "--speed", "1e-9", "--out", "new.mp4"], "pictures: must have <= 1e+06"),
+            (
+                [
+                    PREDATOR_PREY,
+                    "--backend",
+                    "kinematic",
+                    "--duration",
+                    "60",
+                    "--out",
+                    "run",
+                    "--resume",
+                    "--changes",
+                    "changes.csv",
+                ],
+                "--changes changes.csv: must be left out, as the run in run has no changes.csv",
+            ),
+        ):
             with self.subTest(words):
                 before = self.files()
                 done = self.call(*words, preexec_fn=limits)
@@ -129,7 +212,10 @@ class Options(InFolderWithSets):
                     with self.subTest(name=name, option=option, text=text[:50]):
                         self.try_out(without(command, option), option, text)
         largest = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss // 1024
-        print(f"{self.ends.get(0, 0)} commands done, {self.ends.get(1, 0)} failed, {self.ends.get(2, 0)} refused, {self.ends.get(STOPPED, 0)} stopped; at most {self.longest_s:.1f} s and {largest} MiB", file=sys.stderr)
+        print(
+            f"{self.ends.get(0, 0)} commands done, {self.ends.get(1, 0)} failed, {self.ends.get(2, 0)} refused, {self.ends.get(STOPPED, 0)} stopped; at most {self.longest_s:.1f} s and {largest} MiB",
+            file=sys.stderr,
+        )
 
 
 if __name__ == "__main__":

@@ -37,10 +37,15 @@ class OwnBackend(InFolder):
 
     def test_a_number_of_its_backend_is_read_and_checked(self):
         program = pathlib.Path(PROGRAM).name
-        for assignment, message in (("backend.breaks_beyond_rad=-1", "backend.breaks_beyond_rad = -1: must be > 0"),
-                                    ("backend.breaks_beyond_rd=1", "--set backend.breaks_beyond_rd: unknown key; did you mean backend.breaks_beyond_rad?"),
-                                    ("backend.colour=1", "backend.colour: unknown key; known here: breaks_beyond_rad"),
-                                    ("backend=1", "backend = 1: must be a table of parameters")):
+        for assignment, message in (
+            ("backend.breaks_beyond_rad=-1", "backend.breaks_beyond_rad = -1: must be > 0"),
+            (
+                "backend.breaks_beyond_rd=1",
+                "--set backend.breaks_beyond_rd: unknown key; did you mean backend.breaks_beyond_rad?",
+            ),
+            ("backend.colour=1", "backend.colour: unknown key; known here: breaks_beyond_rad"),
+            ("backend=1", "backend = 1: must be a table of parameters"),
+        ):
             result = self.call("--set", assignment, "--out", "run")
             self.assertEqual((result.returncode, result.stderr), (2, f"{program}: {message}\n"))
         self.assertEqual(list(self.folder.iterdir()), [])
@@ -48,10 +53,18 @@ class OwnBackend(InFolder):
     def test_an_engine_that_it_lacks_is_an_error_of_one_sentence_with_its_packages(self):
         for engine in ("mujoco", "ode"):
             text = (ROOT / f"backends/{engine}/CMakeLists.txt").read_text()
-            packages = re.search(r"apt-get install ([\w .-]+)\"", text) or re.search(r"not built, (libode-dev) is missing", text)
+            packages = re.search(r"apt-get install ([\w .-]+)\"", text) or re.search(
+                r"not built, (libode-dev) is missing", text
+            )
             result = self.call("--backend", engine, "--out", "run")
-            self.assertEqual((result.returncode, result.stderr), (2, f"{pathlib.Path(PROGRAM).name}: --backend {engine}: this program was built without it: "
-                                                                     f"apt-get install {packages[1]}, build trophic again, or use --backend toy\n"))
+            self.assertEqual(
+                (result.returncode, result.stderr),
+                (
+                    2,
+                    f"{pathlib.Path(PROGRAM).name}: --backend {engine}: this program was built without it: "
+                    f"apt-get install {packages[1]}, build trophic again, or use --backend toy\n",
+                ),
+            )
         self.assertEqual(list(self.folder.iterdir()), [])
 
 

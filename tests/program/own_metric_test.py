@@ -16,13 +16,16 @@ def from_centre(run):
     robots = run.agents
     return robots.assign(from_centre=numpy.hypot(robots.x_m, robots.y_m))
 """
-FAILS = METRICS + """
+FAILS = (
+    METRICS
+    + """
 @trophic.metric
 def odd(run):
     if run.path.name == "replicate-01":
         raise ValueError("no robot is there")
     return 1
 """
+)
 
 
 class OwnMetric(InFolderWithSets):
@@ -30,10 +33,25 @@ class OwnMetric(InFolderWithSets):
     def make_sets(cls):
         (cls.sets / "metrics.py").write_text(METRICS)
         (cls.sets / "fails.py").write_text(FAILS)
-        (cls.sets / "sweep.toml").write_text("replicates = 2\n[set]\nengine = 'kinematic'\necology.duration_s = 100.0\n[grid]\necology.robots = [20, 30]\n")
-        for arguments in (["--backend", "kinematic", "--duration", 600, "--replicates", 6, "--shadow", "--out", "runs"],
-                          ["--backend", "kinematic", "--duration", 600, "--replicates", 6, "--set", "ecology.robots=20", "--out", "fewer"],
-                          planned(PROGRAM, "sweep.toml", "sweep", cls.sets)[1:]):
+        (cls.sets / "sweep.toml").write_text(
+            "replicates = 2\n[set]\nengine = 'kinematic'\necology.duration_s = 100.0\n[grid]\necology.robots = [20, 30]\n"
+        )
+        for arguments in (
+            ["--backend", "kinematic", "--duration", 600, "--replicates", 6, "--shadow", "--out", "runs"],
+            [
+                "--backend",
+                "kinematic",
+                "--duration",
+                600,
+                "--replicates",
+                6,
+                "--set",
+                "ecology.robots=20",
+                "--out",
+                "fewer",
+            ],
+            planned(PROGRAM, "sweep.toml", "sweep", cls.sets)[1:],
+        ):
             run_ok(PROGRAM, *arguments, cwd=cls.sets)
 
     def analyze(self, *arguments):
@@ -44,14 +62,25 @@ class OwnMetric(InFolderWithSets):
 
     def test_it_has_value_interval_shadow_correction_and_curve(self):
         self.analyze("runs", "--out", "own")
-        rows = [row for row in self.rows("own/metrics.csv") if (row["metric"], row["species"], row["baseline"]) == ("from_centre", "prey", "")]
+        rows = [
+            row
+            for row in self.rows("own/metrics.csv")
+            if (row["metric"], row["species"], row["baseline"]) == ("from_centre", "prey", "")
+        ]
         value = {row["run"]: float(row["value"]) for row in rows if not row["time_s"]}
         self.assertEqual(len(value), 6)
         prey = [row for row in self.rows("runs/replicate-03/agents.csv") if row["species"] == "prey"]
         by_hand = sum((float(row["x_m"]) ** 2 + float(row["y_m"]) ** 2) ** 0.5 for row in prey) / len(prey)
         self.assertAlmostEqual(value["replicate-03"], by_hand, places=9)
-        self.assertEqual([float(row["time_s"]) for row in rows if row["run"] == "replicate-00" and row["time_s"]], [200.0, 400.0, 600.0])
-        (mean,) = [row for row in self.rows("own/means.csv") if (row["metric"], row["species"], row["null"]) == ("from_centre", "prey", "shadow")]
+        self.assertEqual(
+            [float(row["time_s"]) for row in rows if row["run"] == "replicate-00" and row["time_s"]],
+            [200.0, 400.0, 600.0],
+        )
+        (mean,) = [
+            row
+            for row in self.rows("own/means.csv")
+            if (row["metric"], row["species"], row["null"]) == ("from_centre", "prey", "shadow")
+        ]
         self.assertEqual((mean["unit"], mean["n"]), ("m", "6"))
         self.assertLess(float(mean["lower"]), float(mean["mean"]))
         self.assertNotEqual(mean["p"], "")
@@ -61,8 +90,10 @@ class OwnMetric(InFolderWithSets):
         self.assertIn("from_centre prey", done.stdout)
         self.assertEqual({row["metric"] for row in self.rows("compared/differences.csv")}, {"from_centre"})
         self.analyze("sweep", "--metric", "from_centre", "--out", "swept")
-        self.assertEqual({(row["metric"], row["species"]) for row in self.rows("swept/sweep_differences.csv")},
-                         {("from_centre", "prey"), ("from_centre", "predator")})
+        self.assertEqual(
+            {(row["metric"], row["species"]) for row in self.rows("swept/sweep_differences.csv")},
+            {("from_centre", "prey"), ("from_centre", "predator")},
+        )
 
     def test_one_that_fails_names_the_run_and_leaves_nothing(self):
         for of, where in (("runs", "runs"), ("sweep", "sweep/cell-000")):

@@ -23,15 +23,39 @@ class OwnTable(InFolder):
     def test_help_names_both_tables_and_every_option(self):
         text = self.call_ok("--help")
         self.assertIn(f"rule table: {AGEING} or paper ({AGEING})", text)
-        for option in ("rules", "backend", "seed", "duration", "robots", "robot", "threads", "replicates", "jobs", "resume", "shadow",
-                       "config", "set", "out", "replay-hz", "agents-every", "senses", "states", "save-mjcf", "print-config", "print-table", "version"):
+        for option in (
+            "rules",
+            "backend",
+            "seed",
+            "duration",
+            "robots",
+            "robot",
+            "threads",
+            "replicates",
+            "jobs",
+            "resume",
+            "shadow",
+            "config",
+            "set",
+            "out",
+            "replay-hz",
+            "agents-every",
+            "senses",
+            "states",
+            "save-mjcf",
+            "print-config",
+            "print-table",
+            "version",
+        ):
             self.assertIn(f"--{option} ", text)
 
     def test_the_first_table_is_the_default_and_its_numbers_are_listed(self):
         printed = self.call_ok("--backend", "kinematic", "--print-config")
         self.assertIn(f"rule_table = '{AGEING}'", printed)
         self.assertIn("[rules.senescence]\nmax_age_s = ", printed)
-        self.assertNotIn("[rules.senescence]", self.call_ok("--backend", "kinematic", "--rules", "paper", "--print-config"))
+        self.assertNotIn(
+            "[rules.senescence]", self.call_ok("--backend", "kinematic", "--rules", "paper", "--print-config")
+        )
 
     def test_its_rules_are_printed_as_a_table_with_the_numbers_that_are_set(self):
         options = ["--backend", "kinematic", "--set", "rules.senescence.max_age_s=1234"]
@@ -43,7 +67,9 @@ class OwnTable(InFolder):
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_robots_of_a_run_die_of_old_age(self):
-        self.call_ok("--backend", "kinematic", "--set", "rules.senescence.max_age_s=50", "--duration", 200, "--out", "run")
+        self.call_ok(
+            "--backend", "kinematic", "--set", "rules.senescence.max_age_s=50", "--duration", 200, "--out", "run"
+        )
         manifest = self.manifest("run")
         self.assertEqual((manifest["status"], manifest["rule_table"]), ("complete", AGEING))
         self.assertGreater(manifest["result"]["senescence"], 30)
@@ -76,7 +102,9 @@ class OwnTable(InFolder):
             self.assertEqual(manifest["tables"]["crowd.csv"]["rows"], 51)
             texts.append(lines)
         self.assertNotEqual(texts[0], texts[1])
-        (self.folder / "sweep.toml").write_text("replicates = 1\n[set]\nengine = 'kinematic'\necology.duration_s = 60.0\n[grid]\necology.robots = [20, 30]\n")
+        (self.folder / "sweep.toml").write_text(
+            "replicates = 1\n[set]\nengine = 'kinematic'\necology.duration_s = 60.0\n[grid]\necology.robots = [20, 30]\n"
+        )
         self.call_ok(*planned(PROGRAM, "sweep.toml", "sweep", self.folder)[1:])
         self.assertEqual(len(list((self.folder / "sweep").glob("cell-*/replicate-00/crowd.csv"))), 2)
 

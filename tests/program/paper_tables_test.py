@@ -35,8 +35,22 @@ class PaperTables(InFolderWithSets):
     @classmethod
     def make_sets(cls):
         for rules in ("paper", "released"):
-            cls.call(PREDATOR_PREY, "--backend", "kinematic", "--rules", rules, "--duration", 1000, "--replicates", 6, "--jobs", 2, "--shadow",
-                     "--out", rules)
+            cls.call(
+                PREDATOR_PREY,
+                "--backend",
+                "kinematic",
+                "--rules",
+                rules,
+                "--duration",
+                1000,
+                "--replicates",
+                6,
+                "--jobs",
+                2,
+                "--shadow",
+                "--out",
+                rules,
+            )
         cls.call(TROPHIC, "analyze", "--compare", "paper", "released", "--out", "analysis")
         cls.call(TROPHIC, "analyze", "paper", "--out", "one")
 
@@ -47,7 +61,11 @@ class PaperTables(InFolderWithSets):
     def compiled(self, options, environment, table, preamble=""):
         (self.folder / "paper.tex").write_text(DOCUMENT % (options, preamble, environment, table, environment))
         done = self.run_ok("pdflatex", "-interaction=nonstopmode", "paper.tex")
-        self.assertEqual(re.findall(r"^(?:Overfull|LaTeX Warning: Float too large).*", done.stdout, re.M), [], f"{table} in {environment}")
+        self.assertEqual(
+            re.findall(r"^(?:Overfull|LaTeX Warning: Float too large).*", done.stdout, re.M),
+            [],
+            f"{table} in {environment}",
+        )
 
     def test_results_fit_a_page(self):
         for table in ("means", "differences"):

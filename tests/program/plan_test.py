@@ -62,10 +62,15 @@ rules.capture.reach_m = [0.5, 1.0]
 # Parts of a manifest that describe the program that made a run, not the run.
 OF_PROGRAM = ["command_line", "host", "wall_s", "continued", "source_revision", "crc32"]
 
+
 def files_of(folder):
     """Paths of all files but checkpoints, which contain the name of the program that wrote them, and what was set aside."""
-    return sorted(path.relative_to(folder) for path in folder.rglob("*") if path.is_file() and path.name != "checkpoint.bin" and
-                  ".incomplete-" not in str(path.relative_to(folder)))
+    return sorted(
+        path.relative_to(folder)
+        for path in folder.rglob("*")
+        if path.is_file() and path.name != "checkpoint.bin" and ".incomplete-" not in str(path.relative_to(folder))
+    )
+
 
 class Sweeps(InFolderWithSets):
     """`sets` holds the folders "one": the files of an undisturbed sweep."""
@@ -127,6 +132,7 @@ class Sweeps(InFolderWithSets):
                     manifest.pop(key, None)
             self.assertEqual(*manifests)
 
+
 class Ways(Sweeps):
     @classmethod
     def make_sets(cls):
@@ -142,10 +148,14 @@ class Ways(Sweeps):
             self.assertEqual(manifest["seed"], run["seed"])
             self.assertEqual(manifest["fingerprint"], run["fingerprint"])
             self.assertEqual(manifest["clock"]["until_s"], run["until_s"])
-            self.assertEqual(manifest["params"]["rules"]["capture"]["reach_m"], run["settings"]["rules.capture.reach_m"])
+            self.assertEqual(
+                manifest["params"]["rules"]["capture"]["reach_m"], run["settings"]["rules.capture.reach_m"]
+            )
         self.assertTrue(all(len(each) == 1 for each in seeds.values()), "replicate k has one seed in all cells")
-        self.assertEqual(sorted(path.name for path in (self.sets / "one").iterdir() if not path.name.startswith("cell-")),
-                         ["plan.jsonl", "sweep.toml"])
+        self.assertEqual(
+            sorted(path.name for path in (self.sets / "one").iterdir() if not path.name.startswith("cell-")),
+            ["plan.jsonl", "sweep.toml"],
+        )
 
     @unittest.skipIf(OPTIONS.long, "the long sweep has every tick")
     def test_agents_of_every_other_tick(self):
@@ -187,7 +197,16 @@ class Ways(Sweeps):
     def test_mpi(self):
         for ranks in (2, 3):
             out = f"ranks-{ranks}"
-            words = ["mpirun", "--allow-run-as-root", "--oversubscribe", "--mca", "orte_abort_on_non_zero_status", "0", "-n", str(ranks)]
+            words = [
+                "mpirun",
+                "--allow-run-as-root",
+                "--oversubscribe",
+                "--mca",
+                "orte_abort_on_non_zero_status",
+                "0",
+                "-n",
+                str(ranks),
+            ]
             self.plan(out=out)
             self.run_ok(*words, OPTIONS.sweeps / "mpi.sh", OPTIONS.program, f"{out}/plan.jsonl")
             self.assert_same(out)
@@ -195,9 +214,13 @@ class Ways(Sweeps):
     @unittest.skipUnless(shutil.which("parallel"), "needs GNU parallel")
     def test_gnu_parallel_and_its_log(self):
         self.plan()
+
         def by_parallel(guard):
             command = f"{guard}{OPTIONS.program} --plan out/plan.jsonl --run {{}}"
-            return self.call("bash", "-c", f"seq 0 {self.runs() - 1} | parallel --jobs 2 --joblog log --resume-failed '{command}'")
+            return self.call(
+                "bash", "-c", f"seq 0 {self.runs() - 1} | parallel --jobs 2 --joblog log --resume-failed '{command}'"
+            )
+
         self.assertEqual(by_parallel("[ {} -ne 1 ] && ").returncode, 1)
         self.assertEqual(by_parallel("").returncode, 0)
         self.assert_same()
@@ -206,43 +229,76 @@ class Ways(Sweeps):
         for out, tasks in (("out", (2, 1, 3)), ("base0", (0, 1, 2))):
             printed = self.plan("--sbatch", 3, out=out)
             self.assertEqual(printed.stderr, "")
-            for line in (r"#SBATCH --array=1-3", r"#SBATCH --time=\d+:\d\d:00", r"#SBATCH --mem=\d+M", r"#SBATCH --output=slurm-%A_%a.log",
-                         r"#SBATCH --signal=B:TERM@120", r"# \d+ runs in \d+ cells, about .* of one core"):
+            for line in (
+                r"#SBATCH --array=1-3",
+                r"#SBATCH --time=\d+:\d\d:00",
+                r"#SBATCH --mem=\d+M",
+                r"#SBATCH --output=slurm-%A_%a.log",
+                r"#SBATCH --signal=B:TERM@120",
+                r"# \d+ runs in \d+ cells, about .* of one core",
+            ):
                 self.assertRegex(printed.stdout, rf"(?m)^{line}")
             self.write("job.sh", printed.stdout)
             for task in tasks:
-                self.run_ok("bash", "-c", f"cd / && bash '{self.folder / 'job.sh'}'", env={**os.environ, "SLURM_ARRAY_TASK_ID": str(task)})
+                self.run_ok(
+                    "bash",
+                    "-c",
+                    f"cd / && bash '{self.folder / 'job.sh'}'",
+                    env={**os.environ, "SLURM_ARRAY_TASK_ID": str(task)},
+                )
             self.assert_same(out)
         most = self.plan("--sbatch", 1000)
         self.assertIn(f"#SBATCH --array=1-{self.runs()}\n", most.stdout)
 
     @unittest.skipUnless(shutil.which("snakemake"), "needs Snakemake")
     def test_snakemake(self):
-        words = ["snakemake", "--cores", "2", "--snakefile", OPTIONS.sweeps / "Snakefile", "--config", "sweep=sweep.toml",
-                 "out=out", f"program={OPTIONS.program}", f"trophic={OPTIONS.trophic}"]
+        words = [
+            "snakemake",
+            "--cores",
+            "2",
+            "--snakefile",
+            OPTIONS.sweeps / "Snakefile",
+            "--config",
+            "sweep=sweep.toml",
+            "out=out",
+            f"program={OPTIONS.program}",
+            f"trophic={OPTIONS.trophic}",
+        ]
         self.run_ok(*words, env={**os.environ, "HOME": str(self.folder)})
         self.assert_same()
 
     def test_a_signal_of_slurm_ends_a_task_well(self):
         self.write("job.sh", self.plan("--sbatch", 1, file="killed.toml", out="signalled").stdout)
-        running = subprocess.Popen(["bash", "job.sh"], cwd=self.folder, env={**os.environ, "SLURM_ARRAY_TASK_ID": "1"},
-                                   stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        running = subprocess.Popen(
+            ["bash", "job.sh"],
+            cwd=self.folder,
+            env={**os.environ, "SLURM_ARRAY_TASK_ID": "1"},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
         self.wait_for("signalled/cell-*/*/agents.csv", running)
         running.send_signal(signal.SIGTERM)
         said = running.communicate(timeout=60)
         self.assertEqual(running.returncode, 3, said)
         self.assertTrue(list(self.folder.glob("signalled/cell-*/*/checkpoint.bin")), said)
 
-    @unittest.skipUnless(shutil.which("slurmctld", path=os.environ["PATH"] + ":/usr/sbin") and shutil.which("sbatch"), "needs Slurm")
+    @unittest.skipUnless(
+        shutil.which("slurmctld", path=os.environ["PATH"] + ":/usr/sbin") and shutil.which("sbatch"), "needs Slurm"
+    )
     def test_slurm(self):
         self.write("job.sh", self.plan("--sbatch", 3).stdout)
         self.write("base0.sh", self.plan("--sbatch", 3, out="base0").stdout)
         with Slurm(self.folder) as environment:
-            done = [self.call("sbatch", "--wait", *words, env=environment) for words in (["job.sh"], ["--array=0-2", "base0.sh"])]
+            done = [
+                self.call("sbatch", "--wait", *words, env=environment)
+                for words in (["job.sh"], ["--array=0-2", "base0.sh"])
+            ]
         said = "".join(path.read_text() for path in self.folder.glob("slurm-*.log"))
         self.assertEqual([each.returncode for each in done], [0, 0], str(done) + said)
         self.assert_same()
         self.assert_same("base0")
+
 
 class Slurm:
     """A cluster of this machine alone, for one test."""
@@ -261,13 +317,27 @@ class Slurm:
         host = socket.gethostname()
         user = run_ok("id", "-un").stdout.strip()
         numbers = {
-            "ClusterName": "one", "SlurmctldHost": f"{host}(127.0.0.1)", "AuthType": "auth/none", "CredType": "cred/none",
-            "SlurmUser": user, "SlurmdUser": user, "SlurmctldPort": self.free_port(), "SlurmdPort": self.free_port(),
-            "StateSaveLocation": self.folder / "state", "SlurmdSpoolDir": self.folder / "spool",
-            "SlurmctldPidFile": self.folder / "ctld.pid", "SlurmdPidFile": self.folder / "d.pid",
-            "ProctrackType": "proctrack/linuxproc", "TaskPlugin": "task/none", "SelectType": "select/cons_tres",
-            "SelectTypeParameters": "CR_Core", "AccountingStorageType": "accounting_storage/none",
-            "JobAcctGatherType": "jobacct_gather/none", "ReturnToService": 2, "SwitchType": "switch/none", "MpiDefault": "none",
+            "ClusterName": "one",
+            "SlurmctldHost": f"{host}(127.0.0.1)",
+            "AuthType": "auth/none",
+            "CredType": "cred/none",
+            "SlurmUser": user,
+            "SlurmdUser": user,
+            "SlurmctldPort": self.free_port(),
+            "SlurmdPort": self.free_port(),
+            "StateSaveLocation": self.folder / "state",
+            "SlurmdSpoolDir": self.folder / "spool",
+            "SlurmctldPidFile": self.folder / "ctld.pid",
+            "SlurmdPidFile": self.folder / "d.pid",
+            "ProctrackType": "proctrack/linuxproc",
+            "TaskPlugin": "task/none",
+            "SelectType": "select/cons_tres",
+            "SelectTypeParameters": "CR_Core",
+            "AccountingStorageType": "accounting_storage/none",
+            "JobAcctGatherType": "jobacct_gather/none",
+            "ReturnToService": 2,
+            "SwitchType": "switch/none",
+            "MpiDefault": "none",
         }
         text = "".join(f"{key}={value}\n" for key, value in numbers.items())
         text += f"NodeName={host} NodeAddr=127.0.0.1 RealMemory=1000 CPUs={os.cpu_count()}\nPartitionName=all Nodes=ALL Default=YES State=UP\n"
@@ -293,6 +363,7 @@ class Slurm:
         for program in reversed(self.programs):
             program.terminate()
             program.wait(30)
+
 
 class Killed(Sweeps):
     at_work = 0.1  # of the whole: the sweep cannot be done yet
@@ -342,7 +413,10 @@ class Killed(Sweeps):
         self.run_ok(*words)
         self.assertEqual(self.status(), "out: 4 runs: 4 done, 0 running, 0 failed, 0 interrupted, 0 missing\n")
         shutil.rmtree(self.folder / "out/cell-001/replicate-01")
-        self.assertRegex(self.status(), r"3 done, 0 running, 0 failed, 0 interrupted, 1 missing\nleft: about .* of one core \(0.\d+ core-hours\)")
+        self.assertRegex(
+            self.status(),
+            r"3 done, 0 running, 0 failed, 0 interrupted, 1 missing\nleft: about .* of one core \(0.\d+ core-hours\)",
+        )
 
     def test_one_of_two_is_killed(self):
         self.plan(file="killed.toml")
@@ -382,6 +456,7 @@ class Killed(Sweeps):
         self.run_ok(*words)
         self.assert_same()
 
+
 class Refusals(Sweeps):
     def refused(self, *arguments, file="sweep.toml", out="out"):
         done = self.plan(*arguments, file=file, out=out, run=self.call)
@@ -393,22 +468,25 @@ class Refusals(Sweeps):
         for text, says in {
             "[grid]\nrules.capture.reach = [1.0]\n": "cell 0 (rules.capture.reach=1.0): rules.capture.reach: unknown key; did you mean",
             "[grid]\nrules.capture.reach_m = [1.0, -1.0]\n": "cell 1 (rules.capture.reach_m=-1.0): rules.capture.reach_m = -1: must be",
-            "[grid]\nrules.capture.reach_m = [\"far\"]\n": "rules.capture.reach_m = 'far': must be a number",
+            '[grid]\nrules.capture.reach_m = ["far"]\n': "rules.capture.reach_m = 'far': must be a number",
             "[grid]\nrules.capture = [1.0]\n": "rules.capture",
-            "[grid]\nrule_table = [\"papre\"]\n": "rule_table = papre: must be paper or released; did you mean paper?",
-            "[grid]\nengine = [\"kinetic\"]\n": "engine = kinetic: must be",
+            '[grid]\nrule_table = ["papre"]\n': "rule_table = papre: must be paper or released; did you mean paper?",
+            '[grid]\nengine = ["kinetic"]\n': "engine = kinetic: must be",
             "[grid]\nrules.capture.reach_m = [1.0, 1]\n": "cell 1 (rules.capture.reach_m=1): is the same experiment as cell 0",
             "[set]\necology.robots = 0\n[grid]\nrules.capture.reach_m = [1.0]\n": "ecology.robots = 0: must be",
             "[grid]\n": "[grid]: is empty",
             "neutral = true\n[grid]\nrules.capture.reach_m = [1.0]\n": "neutral: a sweep makes no neutral nulls; run a cell's settings with",
         }.items():
-            self.write("bad.toml", "engine = \"kinematic\"\n" + text if "engine" not in text else text)
+            self.write("bad.toml", 'engine = "kinematic"\n' + text if "engine" not in text else text)
             self.assertIn(says, self.refused(file="bad.toml"), text)
 
     @unittest.skipUnless("mujoco" in ENGINES, "needs an engine of bodies")
     def test_cell_that_diverges_prints_no_advice_to_resume(self):
-        self.write("diverges.toml", 'engine = "mujoco"\nreplicates = 1\n[set]\necology.duration_s = 600.0\n'
-                                    "physics.timestep_s = 0.02\necology.control_hz = 50\n[grid]\nrules.capture.reach_m = [1.0]\n")
+        self.write(
+            "diverges.toml",
+            'engine = "mujoco"\nreplicates = 1\n[set]\necology.duration_s = 600.0\n'
+            "physics.timestep_s = 0.02\necology.control_hz = 50\n[grid]\nrules.capture.reach_m = [1.0]\n",
+        )
         self.plan(file="diverges.toml")
         done = self.make_runs(run=self.call)
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
@@ -416,7 +494,11 @@ class Refusals(Sweeps):
         self.assertNotIn("resume", done.stderr)
 
     def test_file_that_is_not_a_plan(self):
-        for name, text, says in (("none", None, "none: cannot be read: No such file"), ("empty", "", "empty: must list a run"), ("grid", "[grid]\n", "grid:1: must be a JSON object")):
+        for name, text, says in (
+            ("none", None, "none: cannot be read: No such file"),
+            ("empty", "", "empty: must list a run"),
+            ("grid", "[grid]\n", "grid:1: must be a JSON object"),
+        ):
             if text is not None:
                 self.write(name, text)
             for arguments in ([], ["--status"], ["--describe"]):
@@ -429,21 +511,34 @@ class Refusals(Sweeps):
         path = self.folder / "out/plan.jsonl"
         first, *others = path.read_text().splitlines()
         line = json.loads(first)
-        for changes, says in (({"fingerprint": "0" * 16}, 'fingerprint = "0000000000000000": must be "'), ({"until_s": 11.0}, "until_s = 11.0: must be 10.0"),
-                              ({"rule_table": "papre"}, "rule_table = papre: must be paper or released; did you mean paper?"),
-                              ({"settings": {"rules.capture.reach": 1.0}}, "rules.capture.reach: unknown key; did you mean"),
-                              ({"settings": {"seed": 3}}, "seed: is not a setting of a plan")):
+        for changes, says in (
+            ({"fingerprint": "0" * 16}, 'fingerprint = "0000000000000000": must be "'),
+            ({"until_s": 11.0}, "until_s = 11.0: must be 10.0"),
+            ({"rule_table": "papre"}, "rule_table = papre: must be paper or released; did you mean paper?"),
+            ({"settings": {"rules.capture.reach": 1.0}}, "rules.capture.reach: unknown key; did you mean"),
+            ({"settings": {"seed": 3}}, "seed: is not a setting of a plan"),
+        ):
             path.write_text("\n".join([json.dumps({**line, **changes}), *others]) + "\n")
             self.assert_refused(self.make_runs(run=self.call), "out/plan.jsonl:1: ", says)
             self.assertEqual(list(self.folder.glob("out/*/replicate-*")), [])
 
     def test_neutral_null_repeats_the_run_of_the_plan(self):
-        line = {"rule_table": "paper", "engine": "kinematic", "settings": {"ecology.duration_s": 100.0}, "seed": 5, "replay_hz": 0, "agents_every": 1,
-                "senses": False, "states": False}
+        line = {
+            "rule_table": "paper",
+            "engine": "kinematic",
+            "settings": {"ecology.duration_s": 100.0},
+            "seed": 5,
+            "replay_hz": 0,
+            "agents_every": 1,
+            "senses": False,
+            "states": False,
+        }
         lines = [{**line, "null": null, "folder": null} for null in ("neutral", "none", "clones")]
         self.write("draft", "".join(json.dumps(line) + "\n" for line in lines))
         facts = self.run_ok(OPTIONS.program, "--plan", "draft", "--describe").stdout.splitlines()
-        self.write("mine.jsonl", "".join(json.dumps({**line, **json.loads(fact)}) + "\n" for line, fact in zip(lines, facts)))
+        self.write(
+            "mine.jsonl", "".join(json.dumps({**line, **json.loads(fact)}) + "\n" for line, fact in zip(lines, facts))
+        )
         refused = self.call(OPTIONS.program, "--plan", "mine.jsonl", "--run", "0")
         self.assertIn("needs none, which is not complete", refused.stderr)
         self.run_ok(OPTIONS.program, "--plan", "mine.jsonl")
@@ -471,8 +566,11 @@ class Refusals(Sweeps):
             self.assert_refused(self.call(OPTIONS.program, "--backend", "kinematic", *arguments), ": needs --plan\n")
 
     def test_plan_that_changed_half_way_is_refused(self):
-        self.write("small.toml", "engine = \"kinematic\"\nreplicates = 1\n[set]\necology.duration_s = 10.0\n"
-                   "[grid]\nrules.mutation.sd = [0.05, 0.2]\n")
+        self.write(
+            "small.toml",
+            'engine = "kinematic"\nreplicates = 1\n[set]\necology.duration_s = 10.0\n'
+            "[grid]\nrules.mutation.sd = [0.05, 0.2]\n",
+        )
         self.sweep(file="small.toml", out="small")
         text = (self.folder / "small.toml").read_text()
         self.write("small.toml", text.replace("0.2", "0.3"))
@@ -483,7 +581,7 @@ class Refusals(Sweeps):
             self.assert_refused(self.plan(**other), "small/plan.jsonl:1: the folder holds another plan")
 
     def test_sweep_gets_longer_and_more_to_the_same_bytes(self):
-        text = "engine = \"kinematic\"\nshadow = true\nreplicates = {}\n[set]\necology.duration_s = {}\n[grid]\nrules.mutation.sd = [0.05, 0.2{}]\n"
+        text = 'engine = "kinematic"\nshadow = true\nreplicates = {}\n[set]\necology.duration_s = {}\n[grid]\nrules.mutation.sd = [0.05, 0.2{}]\n'
         for name, *values in (("small", 1, 20.0, ""), ("whole", 2, 40.0, ", 0.8")):
             self.write(f"{name}.toml", text.format(*values))
             self.sweep(file=f"{name}.toml", out=name)
@@ -491,13 +589,28 @@ class Refusals(Sweeps):
         self.sweep(file="whole.toml", out="small")
         for path in (self.folder / "whole").rglob("*"):
             if path.suffix == ".csv" or path.name == "replicates.json":
-                self.assertEqual(path.read_bytes(), (self.folder / "small" / path.relative_to(self.folder / "whole")).read_bytes(), path)
+                self.assertEqual(
+                    path.read_bytes(),
+                    (self.folder / "small" / path.relative_to(self.folder / "whole")).read_bytes(),
+                    path,
+                )
         grown = [json.loads(line) for line in (self.folder / "small/plan.jsonl").read_text().splitlines()]
         self.assertEqual([run["folder"] for run in grown[: len(plan)]], [run["folder"] for run in plan])
         self.assertEqual(len(grown), 12)
-        for before, after, sentence in (("0.2, ", "", "small/plan.jsonl:3: the folder holds another plan, whose run the sweep lacks: rules.mutation.sd = 0.2 there"),
-                                        ("40.0", "30.0", "until_s = 40.0 there, 30.0 here"), ("replicates = 2", "replicates = 1", "replicate = 1 there, 0 here"),
-                                        ("[grid]\nrules.mutation.sd", '"rule_table" = "released"\n[grid]\nrules.mutation.half_width', 'rule_table = "paper" there, "released" here; ')):
+        for before, after, sentence in (
+            (
+                "0.2, ",
+                "",
+                "small/plan.jsonl:3: the folder holds another plan, whose run the sweep lacks: rules.mutation.sd = 0.2 there",
+            ),
+            ("40.0", "30.0", "until_s = 40.0 there, 30.0 here"),
+            ("replicates = 2", "replicates = 1", "replicate = 1 there, 0 here"),
+            (
+                "[grid]\nrules.mutation.sd",
+                '"rule_table" = "released"\n[grid]\nrules.mutation.half_width',
+                'rule_table = "paper" there, "released" here; ',
+            ),
+        ):
             self.write("whole.toml", text.format(2, 40.0, ", 0.8").replace(before, after))
             self.assert_refused(self.plan(file="whole.toml", out="small", run=self.call), sentence)
 
@@ -507,10 +620,15 @@ class Refusals(Sweeps):
         self.run_ok(*words, "400", "--out", "whole")
         self.run_ok(*words, "400", "--out", "set", "--resume")
         for path in (self.folder / "whole").rglob("*.csv"):
-            self.assertEqual(path.read_bytes(), (self.folder / "set" / path.relative_to(self.folder / "whole")).read_bytes(), path)
+            self.assertEqual(
+                path.read_bytes(), (self.folder / "set" / path.relative_to(self.folder / "whole")).read_bytes(), path
+            )
         self.assertIn("until_s = 400.0: must be 200.0", self.call(*words, "200", "--out", "set", "--resume").stderr)
         if "mujoco" in ENGINES:
-            self.assertIn("engine = \"kinematic 1\" there, \"mujoco", self.call(*words[:1], *words[3:], "400", "--out", "set", "--resume").stderr)
+            self.assertIn(
+                'engine = "kinematic 1" there, "mujoco',
+                self.call(*words[:1], *words[3:], "400", "--out", "set", "--resume").stderr,
+            )
 
     def test_folder_of_something_else_is_refused(self):
         (self.folder / "out").mkdir()
@@ -523,9 +641,19 @@ class Refusals(Sweeps):
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["killed.toml", "sweep.toml"])
 
     def test_dry_run_that_is_stopped_prints_no_time(self):
-        self.write("long.toml", "engine = \"kinematic\"\nreplicates = 1\n[set]\necology.duration_s = 1e8\n[grid]\nrules.mutation.sd = [0.05, 0.2]\n")
+        self.write(
+            "long.toml",
+            'engine = "kinematic"\nreplicates = 1\n[set]\necology.duration_s = 1e8\n[grid]\nrules.mutation.sd = [0.05, 0.2]\n',
+        )
         environment = {**os.environ, "TMPDIR": str(self.folder)}
-        run = subprocess.Popen([OPTIONS.trophic, "plan", "long.toml", "--program", OPTIONS.program, "--dry-run"], cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, env=environment)
+        run = subprocess.Popen(
+            [OPTIONS.trophic, "plan", "long.toml", "--program", OPTIONS.program, "--dry-run"],
+            cwd=self.folder,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+            text=True,
+            env=environment,
+        )
         self.wait_for("trophic-probe-*/run/events.csv", run)
         run.send_signal(signal.SIGTERM)
         printed, errors = run.communicate(timeout=60)
@@ -535,6 +663,7 @@ class Refusals(Sweeps):
 
     def test_the_example(self):
         self.assertIn("1200 runs planned", self.plan(file=OPTIONS.sweeps / "inheritance.toml").stdout)
+
 
 if __name__ == "__main__":
     unittest.main(argv=[sys.argv[0], *REST])

@@ -109,18 +109,33 @@ class Runs(PredatorPrey):
         for threads in (1, 2):
             self.run_ok("--duration", 20, "--threads", threads, "--out", f"threads{threads}")
         for file in TABLES:
-            self.assertEqual((self.folder / "threads1" / file).read_bytes(), (self.folder / "threads2" / file).read_bytes(), file)
+            self.assertEqual(
+                (self.folder / "threads1" / file).read_bytes(), (self.folder / "threads2" / file).read_bytes(), file
+            )
 
     @unittest.skipUnless(HAS_ODE, "no ODE in this build")
     def test_ode_takes_every_option(self):
-        few = ["--backend", "ode", "--robots", 4, "--set", "rules.community.predators=2", "--set", "backend.sweeps=4", "--duration", 10]
+        few = [
+            "--backend",
+            "ode",
+            "--robots",
+            4,
+            "--set",
+            "rules.community.predators=2",
+            "--set",
+            "backend.sweeps=4",
+            "--duration",
+            10,
+        ]
         printed = self.call(*few, "--print-config")
         self.assertIn("sweeps = 4", printed.stdout)
         (self.folder / "numbers.toml").write_text(printed.stdout)
         for threads in (1, 2):
             self.run_ok("--config", "numbers.toml", "--threads", threads, "--out", f"ode{threads}")
         for file in TABLES:
-            self.assertEqual((self.folder / "ode1" / file).read_bytes(), (self.folder / "ode2" / file).read_bytes(), file)
+            self.assertEqual(
+                (self.folder / "ode1" / file).read_bytes(), (self.folder / "ode2" / file).read_bytes(), file
+            )
         for more in (["--replicates", 1], ["--replicates", 2, "--jobs", 2, "--resume"]):
             self.run_out("set", *few, *more)
         self.assertEqual(self.manifest("set/replicate-01")["status"], "complete")
@@ -139,15 +154,31 @@ class Runs(PredatorPrey):
 
     @unittest.skipUnless(HAS_ODE, "no ODE in this build")
     def test_only_mujoco_writes_mjcf(self):
-        self.assert_refused(self.call("--backend", "ode", "--save-mjcf", "ecology.xml", "--out", "run"), "--save-mjcf", "--backend mujoco")
+        self.assert_refused(
+            self.call("--backend", "ode", "--save-mjcf", "ecology.xml", "--out", "run"),
+            "--save-mjcf",
+            "--backend mujoco",
+        )
         self.assertEqual(list(self.folder.iterdir()), [])
 
     @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
     def test_fast_stepping_has_the_same_events_as_mujoco_alone(self):
         for stepping in ("fast", "islands"):
-            self.run_out(stepping, "--backend", "mujoco", "--duration", 24, "--robots", 16, "--set", f"backend.stepping={stepping}")
+            self.run_out(
+                stepping,
+                "--backend",
+                "mujoco",
+                "--duration",
+                24,
+                "--robots",
+                16,
+                "--set",
+                f"backend.stepping={stepping}",
+            )
         self.assertGreaterEqual(len(self.rows("fast", "events.csv")), 16)
-        self.assertEqual((self.folder / "fast" / "events.csv").read_bytes(), (self.folder / "islands" / "events.csv").read_bytes())
+        self.assertEqual(
+            (self.folder / "fast" / "events.csv").read_bytes(), (self.folder / "islands" / "events.csv").read_bytes()
+        )
 
     @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
     def test_the_released_physics_runs(self):
@@ -160,8 +191,25 @@ class Runs(PredatorPrey):
         self.assertTrue(self.manifest("gecko")["params"]["ecology"]["gait"].startswith("gecko"))
 
     def test_neutral_shadow_of_the_replicates(self):
-        self.run_out("set", "--rules", "released", "--replicates", 2, "--shadow", "--duration", 1500, "--set", "rules.mutation.half_width=0.01")
-        self.assertEqual([json.loads((self.folder / out / "replicates.json").read_text())["master_seed"] for out in ("set", "set/shadow")], [1, 1])
+        self.run_out(
+            "set",
+            "--rules",
+            "released",
+            "--replicates",
+            2,
+            "--shadow",
+            "--duration",
+            1500,
+            "--set",
+            "rules.mutation.half_width=0.01",
+        )
+        self.assertEqual(
+            [
+                json.loads((self.folder / out / "replicates.json").read_text())["master_seed"]
+                for out in ("set", "set/shadow")
+            ],
+            [1, 1],
+        )
         for replicate in ("replicate-00", "replicate-01"):
             table, shadow = self.manifest(f"set/{replicate}"), self.manifest(f"set/shadow/{replicate}")
             self.assertEqual(table["params"], shadow["params"])
@@ -174,18 +222,30 @@ class Runs(PredatorPrey):
                 self.assertGreater(len(births), 5)
                 distances[run] = [float(b["mutation_distance"]) for b in births]
             self.assertLess(max(distances[replicate]), 0.01 * 15**0.5)
-            self.assertGreater(min(distances[f"shadow/{replicate}"]), 1.0)  # two genomes of 15 uniform weights: 3.2 on average
-        self.assert_refused(self.call("--backend", "kinematic", "--shadow", "--duration", 100, "--out", "alone"), "--shadow", "needs --replicates")
+            self.assertGreater(
+                min(distances[f"shadow/{replicate}"]), 1.0
+            )  # two genomes of 15 uniform weights: 3.2 on average
+        self.assert_refused(
+            self.call("--backend", "kinematic", "--shadow", "--duration", 100, "--out", "alone"),
+            "--shadow",
+            "needs --replicates",
+        )
 
     def test_neutral_null_of_the_replicates(self):
         self.run_out("set", "--replicates", 2, "--neutral", "--duration", 1000)
+
         def lives(run):
-            return [{key: value for key, value in row.items() if key not in ("tag", "x_m", "y_m")}
-                    for row in self.rows(f"set/{run}", "events.csv") if row["event"] != "tag_switch"]
+            return [
+                {key: value for key, value in row.items() if key not in ("tag", "x_m", "y_m")}
+                for row in self.rows(f"set/{run}", "events.csv")
+                if row["event"] != "tag_switch"
+            ]
 
         for replicate in ("replicate-00", "replicate-01"):
             self.assertEqual(lives(replicate), lives(f"neutral/{replicate}"))
-            self.assertNotEqual(self.rows(f"set/{replicate}", "genomes.csv"), self.rows(f"set/neutral/{replicate}", "genomes.csv"))
+            self.assertNotEqual(
+                self.rows(f"set/{replicate}", "genomes.csv"), self.rows(f"set/neutral/{replicate}", "genomes.csv")
+            )
             self.assertEqual(self.manifest(f"set/neutral/{replicate}")["rules"]["heredity"], "neutral_own_copy")
         (self.folder / "set/replicate-01/events.csv").write_text("cut")
         shutil.rmtree(self.folder / "set/neutral/replicate-01")
@@ -193,12 +253,16 @@ class Runs(PredatorPrey):
         self.assertEqual(lives("replicate-01"), lives("neutral/replicate-01"))
 
     def test_printed_configuration_makes_the_same_run(self):
-        printed = self.run_ok("--backend", "kinematic", "--rules", "released", "--set", "rules.mutation.half_width=0.1", "--print-config")
+        printed = self.run_ok(
+            "--backend", "kinematic", "--rules", "released", "--set", "rules.mutation.half_width=0.1", "--print-config"
+        )
         (self.folder / "numbers.toml").write_text(printed.stdout)
         self.run_out("direct", "--rules", "released", "--set", "rules.mutation.half_width=0.1", "--duration", 500)
         self.run_ok("--config", "numbers.toml", "--duration", 500, "--out", "configured")
         for file in TABLES:
-            self.assertEqual((self.folder / "direct" / file).read_bytes(), (self.folder / "configured" / file).read_bytes())
+            self.assertEqual(
+                (self.folder / "direct" / file).read_bytes(), (self.folder / "configured" / file).read_bytes()
+            )
         self.assertEqual(self.manifest("direct")["fingerprint"], self.manifest("configured")["fingerprint"])
 
     def test_without_out_each_run_has_its_own_folder(self):
@@ -274,26 +338,40 @@ class Refusals(PredatorPrey):
         self.assert_refused(self.call("nonsense"), "nonsense: unexpected argument")
 
     def test_configuration_of_another_backend_or_table(self):
-        for name, options in (("other", ["--backend", "ode"] if HAS_ODE else ["--backend", "mujoco"]), ("kinematic", ["--backend", "kinematic"])):
+        for name, options in (
+            ("other", ["--backend", "ode"] if HAS_ODE else ["--backend", "mujoco"]),
+            ("kinematic", ["--backend", "kinematic"]),
+        ):
             if name == "other" and not (HAS_ODE or HAS_MUJOCO):
                 continue
             (self.folder / f"{name}.toml").write_text(self.call(*options, "--print-config").stdout)
         if HAS_ODE or HAS_MUJOCO:
             engine = "ode" if HAS_ODE else "mujoco"
             refused = self.call("--config", "other.toml", "--backend", "kinematic", "--out", "x")
-            self.assert_refused(refused, f'other.toml: was written for engine = "{engine}"', "[backend]", f"--backend {engine}")
+            self.assert_refused(
+                refused, f'other.toml: was written for engine = "{engine}"', "[backend]", f"--backend {engine}"
+            )
         refused = self.call("--config", "kinematic.toml", "--rules", "released", "--out", "x")
         self.assert_refused(refused, 'kinematic.toml: was written for rule_table = "paper"', "[rules]", "--rules paper")
         (self.folder / "ecology.toml").write_text('engine = "mujoco"\nrule_table = "paper"\n[ecology]\nrobots = 20\n')
-        shared = self.run_ok("--config", "ecology.toml", "--rules", "released", "--backend", "kinematic", "--print-config")
+        shared = self.run_ok(
+            "--config", "ecology.toml", "--rules", "released", "--backend", "kinematic", "--print-config"
+        )
         self.assertIn("robots = 20", shared.stdout)
         self.assertFalse((self.folder / "x").exists())
 
     @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
     def test_timesteps_of_the_control_period_and_of_screening(self):
-        self.assert_refused(self.call("--out", "refused", "--set", "physics.timestep_s=0.02"), "physics.timestep_s = 0.02", "control period")
+        self.assert_refused(
+            self.call("--out", "refused", "--set", "physics.timestep_s=0.02"),
+            "physics.timestep_s = 0.02",
+            "control period",
+        )
         self.assertIn("timestep_s = 0.002 ", self.call("--set", "backend.stepping=screening", "--print-config").stdout)
-        self.assert_refused(self.call("--out", "refused", "--set", "backend.stepping=screening", "--set", "physics.timestep_s=0.001"), "physics.timestep_s = 0.001 with backend.stepping = screening: must be 0.002")
+        self.assert_refused(
+            self.call("--out", "refused", "--set", "backend.stepping=screening", "--set", "physics.timestep_s=0.001"),
+            "physics.timestep_s = 0.001 with backend.stepping = screening: must be 0.002",
+        )
 
     def test_resuming_needs_the_folder(self):
         self.assert_refused(self.call("--backend", "kinematic", "--replicates", 2, "--resume"), "--resume", "--out")
@@ -301,13 +379,17 @@ class Refusals(PredatorPrey):
     def test_existing_output_is_not_changed(self):
         self.run_out("run", "--duration", 10)
         before = {file: (self.folder / "run" / file).read_bytes() for file in FILES}
-        self.assert_refused(self.call("--backend", "kinematic", "--duration", 20, "--out", "run"), "run", "never overwritten")
+        self.assert_refused(
+            self.call("--backend", "kinematic", "--duration", 20, "--out", "run"), "run", "never overwritten"
+        )
         self.assertEqual(before, {file: (self.folder / "run" / file).read_bytes() for file in FILES})
         self.assert_refused(self.call("--backend", "kinematic", "--out", "/dev/full"), "/dev/full", "never overwritten")
 
     def test_folder_that_cannot_be_made(self):
         (self.folder / "file").write_text("")
-        self.assert_refused(self.call("--backend", "kinematic", "--out", "file/run"), "file/run", "cannot be made", code=1)
+        self.assert_refused(
+            self.call("--backend", "kinematic", "--out", "file/run"), "file/run", "cannot be made", code=1
+        )
 
     def test_broken_files(self):
         (self.folder / "bad.toml").write_text("[ecology]\nrobots = = 3\n")
@@ -319,7 +401,9 @@ class Refusals(PredatorPrey):
         (self.folder / "numbers.toml").write_text("seed = -1\n")
         self.assert_refused(self.call("--config", "numbers.toml", "--out", "x"), "seed = -1", ">= 0")
         (self.folder / "numbers.toml").write_text("[ecology]\nrobot_count = 3\n")
-        self.assert_refused(self.call("--config", "numbers.toml", "--out", "x"), "numbers.toml: ecology.robot_count", "unknown key")
+        self.assert_refused(
+            self.call("--config", "numbers.toml", "--out", "x"), "numbers.toml: ecology.robot_count", "unknown key"
+        )
 
     def test_full_disk_keeps_what_was_written(self):
         result = self.call_by_shell('trap "" XFSZ; ulimit -f 200; exec "$@"', "--backend", "kinematic", "--out", "full")
@@ -335,7 +419,9 @@ class Refusals(PredatorPrey):
 
     @unittest.skipUnless(HAS_MUJOCO, "no MuJoCo in this build")
     def test_divergence_names_time_and_robot_and_keeps_the_run(self):
-        result = self.call("--out", "diverged", "--duration", 600, "--set", "physics.timestep_s=0.02", "--set", "ecology.control_hz=50")
+        result = self.call(
+            "--out", "diverged", "--duration", 600, "--set", "physics.timestep_s=0.02", "--set", "ecology.control_hz=50"
+        )
         self.assertEqual(result.returncode, 1, result.stdout)
         self.assertRegex(result.stderr, r"diverged at t = [\d.]+ s, robot \d+")
         self.assertEqual(self.manifest("diverged")["status"], "failed")

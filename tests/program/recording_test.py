@@ -31,9 +31,23 @@ class Recordings(InFolderWithSets):
     @classmethod
     def make_sets(cls):
         cls.make("kinematic", "--backend", "kinematic", "--duration", 100)
-        cls.make("rewound", "--from", cls.sets / "kinematic", "--at", 45, "--duration", 80, "--seed", 9, "--set", "rules.mutation.sd=0.5")
+        cls.make(
+            "rewound",
+            "--from",
+            cls.sets / "kinematic",
+            "--at",
+            45,
+            "--duration",
+            80,
+            "--seed",
+            9,
+            "--set",
+            "rules.mutation.sd=0.5",
+        )
         cls.make("released", "--backend", "kinematic", "--rules", "released", "--duration", 60, "--replay-hz", 10)
-        cls.make("begun_anew", "--from", cls.sets / "released", "--at", 20, "--duration", 30, "--seed", 9)  # its past is made from the beginning
+        cls.make(
+            "begun_anew", "--from", cls.sets / "released", "--at", 20, "--duration", 30, "--seed", 9
+        )  # its past is made from the beginning
         if HAS_MUJOCO:
             cls.make("mujoco", "--backend", "mujoco", "--duration", 12, "--threads", 1)
 
@@ -54,7 +68,9 @@ class Recordings(InFolderWithSets):
                 frames = numpy.array([int(row["tick"]) * per_tick for row in rows])
                 bodies = numpy.array([int(row["body"]) for row in rows])
                 self.assertEqual(frames.max() + 1, len(recording.time_s))
-                numpy.testing.assert_allclose(recording.time_s[frames], [float(row["time_s"]) for row in rows], atol=1e-9)
+                numpy.testing.assert_allclose(
+                    recording.time_s[frames], [float(row["time_s"]) for row in rows], atol=1e-9
+                )
                 place = [[float(row["x_m"]), float(row["y_m"])] for row in rows]
                 numpy.testing.assert_allclose(recording.position_m[frames, bodies, :2], place, atol=0.000502)
                 numpy.testing.assert_allclose(numpy.linalg.norm(recording.orientation, axis=-1), 1.0, atol=1e-12)
@@ -67,9 +83,15 @@ class Recordings(InFolderWithSets):
     def test_rates_of_the_recording(self):
         self.assertEqual(read_replay(self.sets / "kinematic").head["frames_per_tick"], 10)
         steps = numpy.diff(read_replay(self.sets / "released").time_s)
-        self.assertEqual(read_replay(self.sets / "released").head["clock_scale"] * 10 * 2, read_replay(self.sets / "released").head["frames_per_tick"])
+        self.assertEqual(
+            read_replay(self.sets / "released").head["clock_scale"] * 10 * 2,
+            read_replay(self.sets / "released").head["frames_per_tick"],
+        )
         numpy.testing.assert_allclose(steps, steps[0], rtol=0.1)
-        self.assertEqual(read_replay(self.sets / "begun_anew").head["frames_per_tick"], read_replay(self.sets / "released").head["frames_per_tick"])
+        self.assertEqual(
+            read_replay(self.sets / "begun_anew").head["frames_per_tick"],
+            read_replay(self.sets / "released").head["frames_per_tick"],
+        )
 
     def test_a_rewound_run_has_the_frames_of_its_past_and_its_own_identity(self):
         whole, rewound = read_replay(self.sets / "kinematic"), read_replay(self.sets / "rewound")
@@ -185,7 +207,9 @@ class Pages(InFolderWithSets):
         for name, seed in (("run", 1), ("other", 2)):
             Recordings.make.__func__(cls, name, "--backend", "kinematic", "--duration", 60, "--seed", seed)
         Recordings.make.__func__(cls, "rewound", "--from", cls.sets / "run", "--at", 31, "--duration", 50, "--seed", 3)
-        Recordings.make.__func__(cls, "rewound_again", "--from", cls.sets / "rewound", "--at", 50, "--duration", 50, "--seed", 4)
+        Recordings.make.__func__(
+            cls, "rewound_again", "--from", cls.sets / "rewound", "--at", 50, "--duration", 50, "--seed", 4
+        )
         Recordings.make.__func__(cls, "sensed", "--backend", "kinematic", "--duration", 60, "--senses")
         Recordings.make.__func__(cls, "unrecorded", "--backend", "kinematic", "--duration", 20, "--replay-hz", 0)
         Recordings.make.__func__(cls, "thinned", "--backend", "kinematic", "--duration", 20, "--agents-every", 2)
@@ -227,23 +251,37 @@ class Pages(InFolderWithSets):
     def test_nothing_is_overwritten(self):
         (self.folder / "page.html").write_text("mine")
         result = self.show(self.sets / "run", "-o", "page.html")
-        self.assertEqual((result.returncode, result.stderr), (2, "trophic show: --out page.html: exists already; nothing is overwritten\n"))
+        self.assertEqual(
+            (result.returncode, result.stderr),
+            (2, "trophic show: --out page.html: exists already; nothing is overwritten\n"),
+        )
         self.assertEqual((self.folder / "page.html").read_text(), "mine")
 
     def test_folders_without_a_recorded_run_are_refused(self):
         self.refused(r"none: does not exist", "none")
-        self.refused(r"unrecorded/replay.trp: is not there; a run with --replay-hz 0 leaves none", self.sets / "unrecorded")
-        self.refused(r"thinned/agents.csv: has the ticks that are multiples of 2: must have all to be shown", self.sets / "thinned")
+        self.refused(
+            r"unrecorded/replay.trp: is not there; a run with --replay-hz 0 leaves none", self.sets / "unrecorded"
+        )
+        self.refused(
+            r"thinned/agents.csv: has the ticks that are multiples of 2: must have all to be shown",
+            self.sets / "thinned",
+        )
         self.refused(r"10 runs: must be <= 9", *[self.sets / "run"] * 10)
 
     def test_damaged_and_foreign_recordings_are_refused(self):
         run = self.copy()
         content = (run / "replay.trp").read_bytes()
         for damaged, sentence in (
-            (content[:7000] + bytes([content[7000] ^ 1]) + content[7001:], r"replay.trp: damaged, a wrong checksum of the block at byte \d+"),
+            (
+                content[:7000] + bytes([content[7000] ^ 1]) + content[7001:],
+                r"replay.trp: damaged, a wrong checksum of the block at byte \d+",
+            ),
             (content[:100], r"replay.trp: ends before its first frames"),
             (b"\x89PNG\r\n\x1a\n" + content[8:], r"replay.trp: is not a trophic recording"),
-            ((self.sets / "other" / "replay.trp").read_bytes(), r"manifest.json: fingerprint \w+, seed 1, but replay.trp next to it is of .* two runs"),
+            (
+                (self.sets / "other" / "replay.trp").read_bytes(),
+                r"manifest.json: fingerprint \w+, seed 1, but replay.trp next to it is of .* two runs",
+            ),
         ):
             (run / "replay.trp").write_bytes(damaged)
             self.refused(sentence, run)
@@ -252,11 +290,15 @@ class Pages(InFolderWithSets):
         run = self.copy()
         (run / "events.csv").write_bytes((self.sets / "other" / "events.csv").read_bytes())
         self.forget_sums(run)
-        self.refused(r"events.csv:2: body 0 at 0 s is at .* in the recording next to it elsewhere; they are of two runs", run)
+        self.refused(
+            r"events.csv:2: body 0 at 0 s is at .* in the recording next to it elsewhere; they are of two runs", run
+        )
 
     def test_each_table_of_another_run_with_the_same_start_is_refused(self):
         """A run of the same seed with other rules begins alike: rows that belong to it alone are found."""
-        Recordings.make.__func__(self, "sister", "--backend", "kinematic", "--duration", 60, "--seed", 1, "--set", "rules.capture.reach_m=9")
+        Recordings.make.__func__(
+            self, "sister", "--backend", "kinematic", "--duration", 60, "--seed", 1, "--set", "rules.capture.reach_m=9"
+        )
         for table, sentence in (
             ("events.csv", r"events.csv: has checksum \d+: must be \d+, as its manifest says"),
             ("agents.csv", r"agents.csv: has checksum \d+: must be \d+, as its manifest says"),
@@ -277,13 +319,17 @@ class Pages(InFolderWithSets):
         (run / "manifest.json").write_text(sealed_text(manifest))
 
     def test_senses_of_another_run_are_refused_and_of_a_killed_one_shown(self):
-        Recordings.make.__func__(self, "sensed-2", "--backend", "kinematic", "--duration", 60, "--senses", "--set", "rules.capture.reach_m=9")
+        Recordings.make.__func__(
+            self, "sensed-2", "--backend", "kinematic", "--duration", 60, "--senses", "--set", "rules.capture.reach_m=9"
+        )
         run = self.copy("sensed")
         own, foreign = ((self.sets / name / "senses.csv").read_bytes() for name in ("sensed", "sensed-2"))
         (run / "senses.csv").write_bytes(foreign)
         self.refused(r"senses.csv: has checksum \d+: must be \d+, as its manifest says", run)
         self.forget_sums(run)
-        self.refused(r"senses.csv:\d+: is not of the robot and tick in that row of agents.csv; they are of two runs", run)
+        self.refused(
+            r"senses.csv:\d+: is not of the robot and tick in that row of agents.csv; they are of two runs", run
+        )
         for cut_off in (own, own[:-1000]):
             (run / "senses.csv").write_bytes(cut_off)
             shown = self.show(run, "-o", "page.html")
@@ -299,7 +345,10 @@ class Pages(InFolderWithSets):
             ({0: "61", 1: "30"}, r"events.csv:2: body 0 at 61 s: must be at 60 s, tick 30 of the recording next to it"),
             ({0: "62", 1: "31"}, r"events.csv:2: body 0 at 62 s: the recording next to it ends at 60 s"),
             ({5: "30"}, r"events.csv:2: body 30 at 0 s: the recording next to it has 30 bodies"),
-            ({2: "activation", 3: "4711"}, r"events.csv:2: body 0 at 0 s: robot 4711 was never born there; they are of two runs"),
+            (
+                {2: "activation", 3: "4711"},
+                r"events.csv:2: body 0 at 0 s: robot 4711 was never born there; they are of two runs",
+            ),
         ):
             row = list(born)
             for column, cell in changes.items():
@@ -321,7 +370,10 @@ class Pages(InFolderWithSets):
         (run / "replay.trp").write_bytes(content[:-30])
         result = self.show(run, "-o", "page.html")
         self.assertEqual(result.returncode, 0, result.stderr)
-        self.assertRegex(result.stderr, r"^trophic show: \S+replay.trp: ends early, in the middle of the block after \d+ frames \([\d.]+ s\)\n$")
+        self.assertRegex(
+            result.stderr,
+            r"^trophic show: \S+replay.trp: ends early, in the middle of the block after \d+ frames \([\d.]+ s\)\n$",
+        )
 
     def test_an_impossible_block_length_is_where_a_killed_run_ends(self):
         run = self.copy()
@@ -333,7 +385,9 @@ class Pages(InFolderWithSets):
         self.assertRegex(shown.stderr, r"ends early, in the middle of the block after \d+ frames")
 
     def test_a_window_of_time_is_shown_alone(self):
-        whole, part = self.show(self.sets / "run", "-o", "whole.html"), self.show(self.sets / "run", "--from", 20, "--to", 30, "-o", "part.html")
+        whole, part = self.show(self.sets / "run", "-o", "whole.html"), self.show(
+            self.sets / "run", "--from", 20, "--to", 30, "-o", "part.html"
+        )
         self.assertEqual((whole.returncode, part.returncode), (0, 0), part.stderr)
         self.assertLess((self.folder / "part.html").stat().st_size, (self.folder / "whole.html").stat().st_size)
         self.refused(r"time 61 s: must be between 0 and 60", self.sets / "run", "--to", 61)
@@ -341,7 +395,10 @@ class Pages(InFolderWithSets):
 
     def test_a_folder_that_cannot_be_written_is_an_error(self):
         result = self.show(self.sets / "run", "-o", "none/page.html")
-        self.assertEqual((result.returncode, result.stderr), (1, "trophic show: cannot create none/page.html: No such file or directory\n"))
+        self.assertEqual(
+            (result.returncode, result.stderr),
+            (1, "trophic show: cannot create none/page.html: No such file or directory\n"),
+        )
 
 
 if __name__ == "__main__":

@@ -24,7 +24,18 @@ class Rewind(InFolder):
 
     def setUp(self):
         super().setUp()
-        self.run_ok("--backend", "kinematic", "--seed", 7, "--duration", 1500, "--set", "rules.mutation.sd=0.02", "--out", "whole")
+        self.run_ok(
+            "--backend",
+            "kinematic",
+            "--seed",
+            7,
+            "--duration",
+            1500,
+            "--set",
+            "rules.mutation.sd=0.02",
+            "--out",
+            "whole",
+        )
 
     def until(self, out, name, time_s):
         rows = self.table(out, name)
@@ -43,7 +54,9 @@ class Rewind(InFolder):
 
     def test_another_seed_or_number_shares_the_past_alone(self):
         self.run_ok("--from", "whole", "--at", 700, "--duration", 1500, "--seed", 8, "--out", "seed")
-        self.run_ok("--from", "whole", "--at", 700, "--duration", 1500, "--set", "rules.mutation.sd=0.5", "--out", "number")
+        self.run_ok(
+            "--from", "whole", "--at", 700, "--duration", 1500, "--set", "rules.mutation.sd=0.5", "--out", "number"
+        )
         self.assertEqual(self.manifest("number")["params"]["rules"]["mutation"]["sd"], 0.5)
         self.assertEqual(self.manifest("seed")["params"]["rules"]["mutation"]["sd"], 0.02)
         self.assertEqual(self.manifest("seed")["seed"], 8)
@@ -85,10 +98,24 @@ class Rewind(InFolder):
         begun = ["--from", "whole", "--duration", 1500, "--seed", 8, "--out", "seed"]
         self.run_ok(*begun, "--at", 701)
         self.run_ok(*begun, "--at", 701, "--resume")
-        self.run_ok("--backend", "kinematic", "--seed", 8, "--duration", 1000, "--set", "rules.mutation.sd=0.02", "--out", "alone")
+        self.run_ok(
+            "--backend",
+            "kinematic",
+            "--seed",
+            8,
+            "--duration",
+            1000,
+            "--set",
+            "rules.mutation.sd=0.02",
+            "--out",
+            "alone",
+        )
         tables = {out: self.table(out, "events.csv") for out in ("seed", "alone")}
         for arguments, text in [
-            ([*begun, "--at", 900], "seed: its run began at 702 s of whole; it can be resumed, but not begin at 900 s of whole"),
+            (
+                [*begun, "--at", 900],
+                "seed: its run began at 702 s of whole; it can be resumed, but not begin at 900 s of whole",
+            ),
             (["--from", "alone", *begun[2:], "--at", 701], "not begin at 701 s of alone"),
             ([*begun[:-1], "alone", "--at", 701], "alone: its run began at 0 s"),
         ]:
@@ -100,7 +127,18 @@ class Rewind(InFolder):
     def test_a_gait_that_was_named_with_its_path(self):
         text = (ROOT / "models/gaits/spider_published.toml").read_text()
         (self.folder / "file.toml").write_text(text.replace('"spider_published"', '"its own name"'))
-        self.run_ok("--backend", "kinematic", "--seed", 7, "--duration", 40, "--set", "ecology.gait=file.toml", "--out", "walked")
+        self.run_ok(
+            "--backend",
+            "kinematic",
+            "--seed",
+            7,
+            "--duration",
+            40,
+            "--set",
+            "ecology.gait=file.toml",
+            "--out",
+            "walked",
+        )
         self.assertEqual(self.manifest("walked")["params"]["ecology"]["gait"], "file.toml")
         self.run_ok("--from", "walked", "--at", 20, "--duration", 40, "--out", "again")
         self.assertEqual(self.table("again", "events.csv"), self.table("walked", "events.csv"))
@@ -110,11 +148,15 @@ class Rewind(InFolder):
     def assert_futures_of_700_s(self, out):
         """Every replicate is the run that begins there with the replicate's seed."""
         listed = json.loads((self.folder / out / "replicates.json").read_text())
-        self.assertEqual((listed["origin"]["run"], listed["origin"]["at_s"], listed["master_seed"]), ("whole", "700", 5))
+        self.assertEqual(
+            (listed["origin"]["run"], listed["origin"]["at_s"], listed["master_seed"]), ("whole", "700", 5)
+        )
         for replicate in listed["replicates"]:
             alone = f"alone-{replicate['seed']}"
             if not (self.folder / alone).exists():
-                self.run_ok("--from", "whole", "--at", 700, "--duration", 1500, "--seed", replicate["seed"], "--out", alone)
+                self.run_ok(
+                    "--from", "whole", "--at", 700, "--duration", 1500, "--seed", replicate["seed"], "--out", alone
+                )
             folder = f"{out}/{replicate['folder']}"
             with self.subTest(folder=folder):
                 for name in TABLES:
@@ -127,8 +169,12 @@ class Rewind(InFolder):
     def test_replicates_are_futures_of_one_moment(self):
         self.run_ok(*self.REPLICATES, "--shadow", "--out", "set")
         self.assert_futures_of_700_s("set")
-        self.assertEqual(self.until("set/shadow/replicate-00", "genomes.csv", 700), self.until("whole", "genomes.csv", 700))
-        self.assertNotEqual(self.table("set/shadow/replicate-00", "genomes.csv"), self.table("set/replicate-00", "genomes.csv"))
+        self.assertEqual(
+            self.until("set/shadow/replicate-00", "genomes.csv", 700), self.until("whole", "genomes.csv", 700)
+        )
+        self.assertNotEqual(
+            self.table("set/shadow/replicate-00", "genomes.csv"), self.table("set/replicate-00", "genomes.csv")
+        )
         self.assertEqual(len({tuple(self.table(f"set/replicate-0{i}", "events.csv")) for i in range(3)}), 3)
 
         before = sorted(path.name for path in self.folder.iterdir())
@@ -140,8 +186,12 @@ class Rewind(InFolder):
     def test_replicates_resume_after_a_kill_and_only_from_their_moment(self):
         for delay_s in (0.05, 0.1, 0.2, 0.4):
             resume = ["--resume"] if (self.folder / "set").exists() else []
-            program = subprocess.Popen([PROGRAM, *map(str, [*self.REPLICATES, "--checkpoint-s", 0, *resume, "--out", "set"])], cwd=self.folder,
-                                       stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            program = subprocess.Popen(
+                [PROGRAM, *map(str, [*self.REPLICATES, "--checkpoint-s", 0, *resume, "--out", "set"])],
+                cwd=self.folder,
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.DEVNULL,
+            )
             time.sleep(delay_s)
             program.kill()
             program.wait()
@@ -164,7 +214,9 @@ class Rewind(InFolder):
         events = self.table("seed", "events.csv")
         for name in ("checkpoint.bin", "manifest.json"):
             (self.folder / "seed" / name).unlink()
-        self.assertIn("kept as seed.incomplete-1, run anew; begins at 700 s of whole", self.run_ok(*begun, "--resume").stdout)
+        self.assertIn(
+            "kept as seed.incomplete-1, run anew; begins at 700 s of whole", self.run_ok(*begun, "--resume").stdout
+        )
         self.assertEqual(self.table("seed", "events.csv"), events)
 
     def test_an_interrupted_past_is_made_again(self):
@@ -184,14 +236,30 @@ class Rewind(InFolder):
         self.run_ok("--from", "whole", "--at", 700, "--duration", 1500, "--seed", 5, "--out", "alone")
         for number, arguments in enumerate([[], ["--resume"], [], ["--resume"]]):
             out = f"new{number}"
-            begun = [PROGRAM, "--from", "whole", "--at", "700", "--duration", "1500", "--seed", "5", *arguments, "--out", out]
+            begun = [
+                PROGRAM,
+                "--from",
+                "whole",
+                "--at",
+                "700",
+                "--duration",
+                "1500",
+                "--seed",
+                "5",
+                *arguments,
+                "--out",
+                out,
+            ]
             pipes = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "text": True}
             programs = [subprocess.Popen(begun, cwd=self.folder, **pipes) for _ in range(4)]
             errors = [program.communicate(timeout=60)[1] for program in programs]
             with self.subTest(arguments=arguments, errors=errors):
                 for program, error in zip(programs, errors, strict=True):
                     self.assertEqual(program.returncode != 0, bool(error))
-                    self.assertRegex(error, "^$|^[^\n]*(another program is running in it|exists already; runs are never overwritten)\n$")
+                    self.assertRegex(
+                        error,
+                        "^$|^[^\n]*(another program is running in it|exists already; runs are never overwritten)\n$",
+                    )
                 for name in TABLES:
                     self.assertEqual(self.table(out, name), self.table("alone", name), name)
                 self.assertEqual(self.manifest(out)["status"], "complete")
@@ -203,18 +271,34 @@ class Rewind(InFolder):
         events = self.table(there, "events.csv")
         for replicates in ([], ["--replicates", 2]):
             with self.subTest(replicates=replicates):
-                self.assert_refused(self.call("--from", there, "--at", 700, "--duration", 1500, *replicates, "--out", "new"), f"{there}: is in the way")
+                self.assert_refused(
+                    self.call("--from", there, "--at", 700, "--duration", 1500, *replicates, "--out", "new"),
+                    f"{there}: is in the way",
+                )
                 self.assertEqual([path.name for path in self.folder.iterdir()], [there])
                 self.assertEqual(self.table(there, "events.csv"), events)
 
     def test_a_slash_behind_the_folder_changes_nothing(self):
         for replicates in ([], ["--replicates", 2]):
             with self.subTest(replicates=replicates):
-                begun = ["--from", "whole/", "--at", 700, "--duration", 1000, *replicates, "--out", f"new{len(replicates)}/"]
+                begun = [
+                    "--from",
+                    "whole/",
+                    "--at",
+                    700,
+                    "--duration",
+                    1000,
+                    *replicates,
+                    "--out",
+                    f"new{len(replicates)}/",
+                ]
                 self.run_ok(*begun)
                 self.run_ok(*begun, "--resume")
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["new0", "new2", "whole"])
-        self.assertEqual(sorted(path.name for path in (self.folder / "new2").iterdir()), ["replicate-00", "replicate-01", "replicates.json"])
+        self.assertEqual(
+            sorted(path.name for path in (self.folder / "new2").iterdir()),
+            ["replicate-00", "replicate-01", "replicates.json"],
+        )
 
 
 if __name__ == "__main__":

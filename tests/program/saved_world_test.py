@@ -40,12 +40,17 @@ class SavedWorld(InFolder):
         (self.folder / "world.xml").write_text("mine")
         done = self.save()
         self.assertEqual((done.returncode, done.stdout), (2, ""))
-        self.assertEqual(done.stderr, "trophic-predator-prey: --save-mjcf world.xml: exists already; nothing is overwritten\n")
+        self.assertEqual(
+            done.stderr, "trophic-predator-prey: --save-mjcf world.xml: exists already; nothing is overwritten\n"
+        )
         self.assertEqual((self.folder / "world.xml").read_text(), "mine")
 
     def test_a_missing_folder_is_refused(self):
         done = self.call(PROGRAM, "--save-mjcf", "none/world.xml")
-        self.assertEqual((done.returncode, done.stderr), (1, "trophic-predator-prey: cannot create none/world.xml: No such file or directory\n"))
+        self.assertEqual(
+            (done.returncode, done.stderr),
+            (1, "trophic-predator-prey: cannot create none/world.xml: No such file or directory\n"),
+        )
 
     def start(self, *command, **how):
         program = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, **how)
@@ -56,24 +61,58 @@ class SavedWorld(InFolder):
     @unittest.skipUnless(all(map(shutil.which, NEEDED)), "apt-get install libmujoco-samples xvfb ffmpeg")
     def test_simulate_shows_both_species(self):
         reads, writes = os.pipe()
-        self.start("Xvfb", "-displayfd", str(writes), "-screen", "0", "1280x720x24", "-nolisten", "tcp", "-noreset", pass_fds=[writes])
+        self.start(
+            "Xvfb",
+            "-displayfd",
+            str(writes),
+            "-screen",
+            "0",
+            "1280x720x24",
+            "-nolisten",
+            "tcp",
+            "-noreset",
+            pass_fds=[writes],
+        )
         os.close(writes)
         with os.fdopen(reads) as pipe:
             display = f":{pipe.readline().strip()}"
-        picture = ["ffmpeg", "-v", "error", "-y", "-f", "x11grab", "-video_size", "1280x720", "-i", display, "-frames:v", "1", "screen.png"]
+        picture = [
+            "ffmpeg",
+            "-v",
+            "error",
+            "-y",
+            "-f",
+            "x11grab",
+            "-video_size",
+            "1280x720",
+            "-i",
+            display,
+            "-frames:v",
+            "1",
+            "screen.png",
+        ]
         for arena in ("walled_square", "height_field"):
             with self.subTest(arena):
                 pathlib.Path(self.folder / "world.xml").unlink(missing_ok=True)
                 self.assertEqual(self.save("--set", f"ecology.arena={arena}").returncode, 0)
-                program = self.start("mujoco-simulate", self.folder / "world.xml", env={**os.environ, "DISPLAY": display}, cwd=self.folder)
+                program = self.start(
+                    "mujoco-simulate",
+                    self.folder / "world.xml",
+                    env={**os.environ, "DISPLAY": display},
+                    cwd=self.folder,
+                )
                 deadline = time.monotonic() + 160
                 seen = {}
                 while time.monotonic() < deadline and (not seen or min(seen.values()) < 10):
                     time.sleep(1)
                     self.assertIsNone(program.poll(), "mujoco-simulate ended")
                     subprocess.run(picture, check=True, timeout=60, capture_output=True, cwd=self.folder)
-                    world = numpy.array(Image.open(self.folder / "screen.png").convert("RGB"))[:480, 275:580].astype(int)
-                    seen = {colour: int((numpy.abs(world - colour).sum(axis=-1) < 110).sum()) for colour in (BLUE, ORANGE)}
+                    world = numpy.array(Image.open(self.folder / "screen.png").convert("RGB"))[:480, 275:580].astype(
+                        int
+                    )
+                    seen = {
+                        colour: int((numpy.abs(world - colour).sum(axis=-1) < 110).sum()) for colour in (BLUE, ORANGE)
+                    }
                 self.assertGreaterEqual(min(seen.values()), 10, seen)
                 program.kill()
 

@@ -21,16 +21,36 @@ from PIL import Image  # noqa: E402
 
 WORLDS, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
 GRASS, TOP = 400, 15.0  # cells of the floor, and the most that one has, J
-RULES = {"recruitment.spare_bodies": 140, "recruitment.birth_J": 40, "community.predators": 1, "resource.growth_1_s": 0, "resource.seed_1_s": 0}
-RUN = [WORLDS, "--rules", "pond", "--backend", "kinematic", "--seed", "4", *(word for path, value in RULES.items() for word in ("--set", f"rules.{path}={value}"))]
+RULES = {
+    "recruitment.spare_bodies": 140,
+    "recruitment.birth_J": 40,
+    "community.predators": 1,
+    "resource.growth_1_s": 0,
+    "resource.seed_1_s": 0,
+}
+RUN = [
+    WORLDS,
+    "--rules",
+    "pond",
+    "--backend",
+    "kinematic",
+    "--seed",
+    "4",
+    *(word for path, value in RULES.items() for word in ("--set", f"rules.{path}={value}")),
+]
 
 
 class Seen(InFolderWithSets):
     @classmethod
     def make_sets(cls):
         run_ok(*RUN, "--duration", 1000, "--out", cls.sets / "run")
-        cls.agents, cls.events, cls.energy = (cls.rows_of((cls.sets / f"run/{name}.csv").read_text()) for name in ("agents", "events", "energy"))
-        cls.alive = {time_s: {int(row["id"]): row for row in cls.agents if float(row["time_s"]) == time_s} for time_s in range(0, 1001, 20)}
+        cls.agents, cls.events, cls.energy = (
+            cls.rows_of((cls.sets / f"run/{name}.csv").read_text()) for name in ("agents", "events", "energy")
+        )
+        cls.alive = {
+            time_s: {int(row["id"]): row for row in cls.agents if float(row["time_s"]) == time_s}
+            for time_s in range(0, 1001, 20)
+        }
 
     @staticmethod
     def rows_of(text):
@@ -55,7 +75,9 @@ class Seen(InFolderWithSets):
         wanted = [(row["tick"], row["body"], row["id"]) for row in self.agents if 298 < float(row["time_s"]) <= 500]
         self.assertEqual([(row["tick"], row["body"], row["id"]) for row in tables["agents"]], wanted)
         stock_J = [float(row["stock_J"]) for row in self.energy if 298 < float(row["time_s"]) <= 500]
-        numpy.testing.assert_allclose([float(row["stock_J"]) for row in tables["energy"]][-len(stock_J) :], stock_J, rtol=1e-3)
+        numpy.testing.assert_allclose(
+            [float(row["stock_J"]) for row in tables["energy"]][-len(stock_J) :], stock_J, rtol=1e-3
+        )
         times = sorted({float(row["time_s"]) for row in tables["food"]})
         self.assertTrue(times[0] <= 300 and numpy.diff(times).max() <= 20, times)
         self.assertEqual(len(tables["food"]), GRASS * len(times))
@@ -67,13 +89,17 @@ class Seen(InFolderWithSets):
         def numbers(accessor):
             one = scene["accessors"][accessor]
             width = {"SCALAR": 1, "VEC3": 3, "VEC4": 4}[one["type"]]
-            return numpy.frombuffer(data, "<f4", one["count"] * width, scene["bufferViews"][one["bufferView"]]["byteOffset"]).reshape(-1, width)
+            return numpy.frombuffer(
+                data, "<f4", one["count"] * width, scene["bufferViews"][one["bufferView"]]["byteOffset"]
+            ).reshape(-1, width)
 
         nodes = {node["extras"]["id"]: at for at, node in enumerate(scene["nodes"]) if "extras" in node}
         moves = {}
         for channel in scene["animations"][0]["channels"]:
             sampler = scene["animations"][0]["samplers"][channel["sampler"]]
-            moves[channel["target"]["node"], channel["target"]["path"]] = numbers(sampler["input"])[:, 0] + 300, numbers(sampler["output"])
+            moves[channel["target"]["node"], channel["target"]["path"]] = numbers(sampler["input"])[
+                :, 0
+            ] + 300, numbers(sampler["output"])
         stretch = [row for row in self.agents if 300 <= float(row["time_s"]) <= 340]
         self.assertEqual(set(nodes), {int(row["id"]) for row in stretch})
         self.assertLess(len(nodes), 150)
@@ -81,7 +107,9 @@ class Seen(InFolderWithSets):
         self.assertGreater(len(births), 2)
         for row in births:
             times_s, places_m = moves[nodes[int(row["id"])], "translation"]
-            self.assertLess(numpy.hypot(places_m[:3, 0] - float(row["x_m"]), places_m[:3, 1] - float(row["y_m"])).max(), 0.1)
+            self.assertLess(
+                numpy.hypot(places_m[:3, 0] - float(row["x_m"]), places_m[:3, 1] - float(row["y_m"])).max(), 0.1
+            )
             times_s, scales = moves[nodes[int(row["id"])], "scale"]
             self.assertEqual((list(scales[:2, 0]), times_s[1]), ([0.0, 1.0], float(row["time_s"])))
         for row in self.events:
@@ -89,7 +117,11 @@ class Seen(InFolderWithSets):
                 continue
             times_s, scales = moves[nodes[int(row["id"])], "scale"]
             self.assertEqual((scales[-1, 0], round(float(times_s[-1]), 3)), (0.0, float(row["time_s"])))
-        plates = [at for at, node in enumerate(scene["nodes"]) if "mesh" in node and scene["meshes"][node["mesh"]]["name"] == "food"]
+        plates = [
+            at
+            for at, node in enumerate(scene["nodes"])
+            if "mesh" in node and scene["meshes"][node["mesh"]]["name"] == "food"
+        ]
         areas = numpy.array([moves[plate, "scale"][1][[0, -1], 0] ** 2 for plate in plates])
         self.assertEqual(len(areas), GRASS)
         self.assertTrue((areas[:, 1] <= areas[:, 0] + 1e-6).all())
@@ -107,7 +139,24 @@ class Seen(InFolderWithSets):
         self.assertGreater(blue[1], 2 * max(blue[0], blue[2]))
         self.assertGreater(green[0], 1.5 * green[1])
         self.assertGreater(green[1], 1.5 * green[2])
-        strip = numpy.array(Image.open(self.make("film", "strip.png", "--sheet", "2x1", "--from", 0, "--to", 1000, "--lines", "off", "--size", "800x600")))
+        strip = numpy.array(
+            Image.open(
+                self.make(
+                    "film",
+                    "strip.png",
+                    "--sheet",
+                    "2x1",
+                    "--from",
+                    0,
+                    "--to",
+                    1000,
+                    "--lines",
+                    "off",
+                    "--size",
+                    "800x600",
+                )
+            )
+        )
         corner = strip[-130:-25, -215:-5].astype(int)  # the curves are 192 pixels wide and end at the last moment
         is_prey = numpy.abs(corner - (0, 114, 178)).sum(axis=-1) < 30
         tops = numpy.array([column.argmax() if column.any() else 105 for column in is_prey.T])

@@ -29,12 +29,20 @@ class Senses(InFolder):
                 duration = 600 if backend == "kinematic" else 12
                 told = self.run_ok("--duration", duration, "--senses", "--out", f"with-{backend}", backend=backend)
                 self.run_ok("--duration", duration, "--out", f"without-{backend}", backend=backend)
-                self.assertIn("/{events,agents,phylogeny,genomes,senses}.csv, manifest.json, replay.trp, checkpoint.bin", told.stdout)
+                self.assertIn(
+                    "/{events,agents,phylogeny,genomes,senses}.csv, manifest.json, replay.trp, checkpoint.bin",
+                    told.stdout,
+                )
                 for name in OTHERS[:-1]:
-                    self.assertEqual(*((self.folder / f"{out}-{backend}" / name).read_bytes() for out in ("with", "without")), name)
+                    self.assertEqual(
+                        *((self.folder / f"{out}-{backend}" / name).read_bytes() for out in ("with", "without")), name
+                    )
                 self.assertFalse((self.folder / f"without-{backend}/senses.csv").exists())
                 manifests = [self.manifest(f"{out}-{backend}") for out in ("with", "without")]
-                self.assertEqual(manifests[0].pop("senses"), {"inputs": ["side_of_adversary", "distance_over_terrain", "tag_ratio_of_all"]})
+                self.assertEqual(
+                    manifests[0].pop("senses"),
+                    {"inputs": ["side_of_adversary", "distance_over_terrain", "tag_ratio_of_all"]},
+                )
                 self.assertEqual(manifests[0]["tables"].pop("senses.csv")["rows"], 30 * (duration // 2 + 1))
                 for manifest in manifests:
                     for name in ("wall_s", "command", "command_line", "host", "crc32"):
@@ -45,7 +53,9 @@ class Senses(InFolder):
         self.run_ok("--duration", 3000, "--senses", "--out", "run", "--seed", 3, "--rules", "released")
         agents = self.rows("run", "agents.csv")
         senses = self.rows("run")
-        self.assertEqual([(a["tick"], a["body"], a["id"]) for a in agents], [(s["tick"], s["body"], s["id"]) for s in senses])
+        self.assertEqual(
+            [(a["tick"], a["body"], a["id"]) for a in agents], [(s["tick"], s["body"], s["id"]) for s in senses]
+        )
         switches = {(e["tick"], e["id"]) for e in self.rows("run", "events.csv") if e["event"] == "tag_switch"}
         self.assertEqual(switches, {(s["tick"], s["id"]) for s in senses if s["tag_outcome"] == "switched"})
         kinds = collections.Counter(s["tag_outcome"] for s in senses)
@@ -103,11 +113,15 @@ class Senses(InFolder):
         self.run_ok("--duration", 600, "--senses", "--out", "whole", "--checkpoint-s", 200)
         for at in (100, 450):
             self.run_ok("--from", "whole", "--at", at, "--duration", 600, "--out", f"at{at}")
-            self.assertEqual((self.folder / f"at{at}/senses.csv").read_bytes(), (self.folder / "whole/senses.csv").read_bytes())
+            self.assertEqual(
+                (self.folder / f"at{at}/senses.csv").read_bytes(), (self.folder / "whole/senses.csv").read_bytes()
+            )
 
     def test_a_sweep_has_a_key_for_senses(self):
-        (self.folder / "grid.toml").write_text('engine = "kinematic"\nreplicates = 1\nsenses = true\n[set]\necology.duration_s = 20.0\n'
-                                               "[grid]\nrules.capture.reach_m = [0.5, 1.0]\n")
+        (self.folder / "grid.toml").write_text(
+            'engine = "kinematic"\nreplicates = 1\nsenses = true\n[set]\necology.duration_s = 20.0\n'
+            "[grid]\nrules.capture.reach_m = [0.5, 1.0]\n"
+        )
         self.run_ok(*planned(PROGRAM, "grid.toml", "sweep", self.folder)[1:])
         tables = list((self.folder / "sweep").rglob("senses.csv"))
         self.assertEqual(len(tables), 2)
@@ -119,9 +133,18 @@ class Senses(InFolder):
         for name in OTHERS[:-1]:
             self.assertEqual(*((self.folder / out / name).read_bytes() for out in ("with", "without")), name)
         states, agents = self.rows("with", "states.csv"), self.rows("with", "agents.csv")
-        self.assertEqual([(s["tick"], s["body"], s["id"]) for s in states], [(a["tick"], a["body"], a["id"]) for a in agents])
-        self.assertEqual(list(states[0])[4:],
-                         ["parent.starved.body", "parent.starved.victim", "parent.sacrificed.killer", "starvation.exemption.adversary_distance_m"])
+        self.assertEqual(
+            [(s["tick"], s["body"], s["id"]) for s in states], [(a["tick"], a["body"], a["id"]) for a in agents]
+        )
+        self.assertEqual(
+            list(states[0])[4:],
+            [
+                "parent.starved.body",
+                "parent.starved.victim",
+                "parent.sacrificed.killer",
+                "starvation.exemption.adversary_distance_m",
+            ],
+        )
         self.assertTrue(any(row["parent.sacrificed.killer"] for row in states))
         self.assertEqual(self.manifest("with")["tables"]["states.csv"]["rows"], len(states))
 
@@ -129,14 +152,18 @@ class Senses(InFolder):
         self.run_ok("--duration", 600, *rules, "--resume", "--out", "parts")
         self.run_ok("--from", "with", "--at", 400, "--duration", 600, "--out", "again")
         for out in ("parts", "again"):
-            self.assertEqual((self.folder / out / "states.csv").read_bytes(), (self.folder / "with/states.csv").read_bytes(), out)
+            self.assertEqual(
+                (self.folder / out / "states.csv").read_bytes(), (self.folder / "with/states.csv").read_bytes(), out
+            )
 
     def test_states_of_replicates_of_a_sweep_and_of_rules_without_any(self):
         self.run_ok("--duration", 20, "--rules", "released", "--replicates", 1, "--shadow", "--states", "--out", "set")
         for run in ("replicate-00", "shadow/replicate-00"):
             self.assertEqual(len(self.rows(f"set/{run}", "states.csv")), 30 * 11)
-        (self.folder / "grid.toml").write_text('engine = "kinematic"\nreplicates = 1\nstates = true\n[set]\necology.duration_s = 20.0\n'
-                                               "[grid]\nrules.capture.reach_m = [0.5, 1.0]\n")
+        (self.folder / "grid.toml").write_text(
+            'engine = "kinematic"\nreplicates = 1\nstates = true\n[set]\necology.duration_s = 20.0\n'
+            "[grid]\nrules.capture.reach_m = [0.5, 1.0]\n"
+        )
         self.run_ok(*planned(PROGRAM, "grid.toml", "sweep", self.folder)[1:])
         tables = list((self.folder / "sweep").rglob("states.csv"))
         self.assertEqual(len(tables), 2)

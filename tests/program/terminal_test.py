@@ -58,7 +58,15 @@ class Help(InFolder):
     def test_groups_exit_codes_and_examples(self):
         head, examples = self.text(PREDATOR_PREY, "--help").split("\nExamples:\n")
         self.assertEqual(len(examples.splitlines()), 3)
-        for group in ("The experiment:", "How long and how many:", "A plan of runs:", "Output:", "Look:", "Resume and branch:", "Print:"):
+        for group in (
+            "The experiment:",
+            "How long and how many:",
+            "A plan of runs:",
+            "Output:",
+            "Look:",
+            "Resume and branch:",
+            "Print:",
+        ):
             self.assertIn(f"\n{group}\n  --", head)
         self.assertIn("\nExit codes: 0 done; 1 ", head)
 
@@ -94,7 +102,17 @@ class Tool(InFolder):
 
     def test_commands(self):
         text = self.call("--help").stdout
-        for command in ("analyze", "plot", "cite", "help", "ablation-table", "cross-check", "evolve-gait", "measure-gait", "convert"):
+        for command in (
+            "analyze",
+            "plot",
+            "cite",
+            "help",
+            "ablation-table",
+            "cross-check",
+            "evolve-gait",
+            "measure-gait",
+            "convert",
+        ):
             self.assertIn(command, text)
             inner = self.run_ok(command, "--help")
             self.assertEqual(inner.stderr, "")
@@ -105,7 +123,10 @@ class Tool(InFolder):
         for arguments, sentence in (
             ([], r"trophic: needs a command: contest, show, .*analyze, .*\n"),
             (["analyse"], r"trophic: analyse: must be contest, .*analyze, .*; did you mean analyze\?\n"),
-            (["analyze", "--publish"], r"trophic analyze: --publish: unknown option; did you mean --published\? \(--help lists all\)\n"),
+            (
+                ["analyze", "--publish"],
+                r"trophic analyze: --publish: unknown option; did you mean --published\? \(--help lists all\)\n",
+            ),
             (["ablation-table"], "trophic ablation-table: runs is required\n"),
         ):
             result = self.call(*arguments)

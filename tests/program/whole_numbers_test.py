@@ -11,8 +11,11 @@ import unittest
 from in_folder import InFolder
 
 PROGRAMS = [program.split(",") for program in sys.argv[1:]]
-BAD = {"-1": ">= [01]", "18446744073709551616": "<= 18446744073709551615",
-       **dict.fromkeys(("1.5", "1e3", "0x10", "010", "many"), "a whole number in decimal digits")}
+BAD = {
+    "-1": ">= [01]",
+    "18446744073709551616": "<= 18446744073709551615",
+    **dict.fromkeys(("1.5", "1e3", "0x10", "010", "many"), "a whole number in decimal digits"),
+}
 
 
 class WholeNumbers(InFolder):

@@ -23,7 +23,15 @@ def wolf_sheep(seed, ticks, side=51, delay=30):
     rng = numpy.random.default_rng(seed)
 
     def animals(count, gain):
-        return numpy.array([rng.uniform(0, side, count), rng.uniform(0, side, count), rng.uniform(0, 360, count), rng.integers(0, 2 * gain, count)], float)
+        return numpy.array(
+            [
+                rng.uniform(0, side, count),
+                rng.uniform(0, side, count),
+                rng.uniform(0, 360, count),
+                rng.integers(0, 2 * gain, count),
+            ],
+            float,
+        )
 
     def walk(herd):
         herd[2] += rng.uniform(0, 50, herd.shape[1]) - rng.uniform(0, 50, herd.shape[1])
@@ -116,7 +124,22 @@ class Worlds(InFolder):
         """The folder of the runs, or of the only run, and what was printed."""
         self.number = getattr(self, "number", 0) + 1
         folder = self.folder / str(self.number)
-        made = self.run_ok(WORLDS, "--rules", rules, "--backend", backend, "--replay-hz", 0, "--checkpoint-s", 0, "--agents-every", 1000, "--out", folder, *options)
+        made = self.run_ok(
+            WORLDS,
+            "--rules",
+            rules,
+            "--backend",
+            backend,
+            "--replay-hz",
+            0,
+            "--checkpoint-s",
+            0,
+            "--agents-every",
+            1000,
+            "--out",
+            folder,
+            *options,
+        )
         return folder, made.stdout
 
     def runs(self, rules, replicates, ticks, *options):
@@ -127,7 +150,9 @@ class Worlds(InFolder):
         """As the independent program counts."""
         runs = []
         for folder in self.runs("wolf_sheep", replicates, ticks, *options):
-            numbers = pandas.read_csv(folder / "energy.csv").pivot(index="tick", columns="species", values="individuals")
+            numbers = pandas.read_csv(folder / "energy.csv").pivot(
+                index="tick", columns="species", values="individuals"
+            )
             numbers["grass"] = (pandas.read_csv(folder / "resource.csv").set_index("tick").stock_J / 4.0).round()
             runs.append(numbers[["sheep", "wolf", "grass"]].iloc[1:].to_numpy())
         return runs
@@ -153,7 +178,9 @@ class Worlds(InFolder):
             self.assertEqual(list(run[-1]), [0, 0, 0])
 
     def test_wolves_and_sheep_that_need_no_grass_are_unstable(self):
-        for run in self.wolf_sheep(10, 350, "--set", "rules.resource.patch_J=0", "--set", "rules.metabolism.sheep.tick_J=0"):
+        for run in self.wolf_sheep(
+            10, 350, "--set", "rules.resource.patch_J=0", "--set", "rules.metabolism.sheep.tick_J=0"
+        ):
             self.assertTrue(run[-1, :2].min() == 0 or run[:, 0].max() > 1500, run[::50])
 
     def test_numbers_of_rosenzweig_and_macarthur_are_those_of_an_independent_program_and_cycle_in_a_rich_world(self):
@@ -184,7 +211,12 @@ class Worlds(InFolder):
         energy = pandas.read_csv(folder / "energy.csv")
         flows = energy.eval("outside_J + field_J + victims_J + received_J - upkeep_J - eaten_J - given_J - lost_J")
         for name, ledger in energy.groupby("species"):
-            numpy.testing.assert_allclose(ledger.stock_J.diff().iloc[1:], flows[ledger.index].iloc[1:], atol=1e-9 * energy.stock_J.max(), err_msg=name)
+            numpy.testing.assert_allclose(
+                ledger.stock_J.diff().iloc[1:],
+                flows[ledger.index].iloc[1:],
+                atol=1e-9 * energy.stock_J.max(),
+                err_msg=name,
+            )
         late = energy[energy.time_s > duration / 2]
         return [late[late.species == one].stock_J.mean() for one in species]
 
@@ -196,11 +228,25 @@ class Worlds(InFolder):
             folder, _ = self.run_world(rules, "kinematic", "--duration", 1000, "--set", setting)
             return pandas.read_csv(folder / "events.csv").query("tick > 0")
 
-        pond, free, rescued, escaping = (events(*run) for run in (
-            ("pond", "rules.mutation.sd=0.05"), *(("pond_with_conditions", setting) for setting in (
-                "rules.mutation.sd=0.05", "rules.minimum_predators.below=14", "rules.recruitment.escapes=1"))))
+        pond, free, rescued, escaping = (
+            events(*run)
+            for run in (
+                ("pond", "rules.mutation.sd=0.05"),
+                *(
+                    ("pond_with_conditions", setting)
+                    for setting in (
+                        "rules.mutation.sd=0.05",
+                        "rules.minimum_predators.below=14",
+                        "rules.recruitment.escapes=1",
+                    )
+                ),
+            )
+        )
         self.assertTrue(pond.equals(free))
-        self.assertEqual(len(rescued.query("cause == 'sacrificed'")), len(rescued.query("event == 'birth' and species == 'predator' and parent_id.isna()")))
+        self.assertEqual(
+            len(rescued.query("cause == 'sacrificed'")),
+            len(rescued.query("event == 'birth' and species == 'predator' and parent_id.isna()")),
+        )
         self.assertGreater(len(rescued.query("cause == 'sacrificed'")), 0)
         self.assertLess(*(len(one.query("event == 'birth' and species == 'prey'")) for one in (escaping, free)))
 

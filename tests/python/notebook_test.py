@@ -14,7 +14,14 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 MODULES = "import ipykernel, matplotlib, nbclient, nbformat, pandas, scipy"
-PYTHON = next((p for p in (sys.executable, "/usr/bin/python3") if shutil.which(p) and subprocess.run([p, "-c", MODULES], capture_output=True).returncode == 0), None)
+PYTHON = next(
+    (
+        p
+        for p in (sys.executable, "/usr/bin/python3")
+        if shutil.which(p) and subprocess.run([p, "-c", MODULES], capture_output=True).returncode == 0
+    ),
+    None,
+)
 if PYTHON is None:
     print("no Python with nbclient, ipykernel, matplotlib, pandas and scipy")
     sys.exit(77)
@@ -30,13 +37,19 @@ PREDATOR_PREY, TROPHIC, NOTEBOOK = (sys.argv.pop(1) for _ in range(3))
 class Notebook(unittest.TestCase):
     def execute(self, programs):
         with tempfile.TemporaryDirectory() as folder:
-            environment = {"PYTHONPATH": str(ROOT / "tools/python"), "TROPHIC_BIN": str(programs), "PATH": "/usr/bin:/bin"}
+            environment = {
+                "PYTHONPATH": str(ROOT / "tools/python"),
+                "TROPHIC_BIN": str(programs),
+                "PATH": "/usr/bin:/bin",
+            }
             old = {name: os.environ.get(name) for name in environment}
             os.environ.update(environment)
             try:
                 notebook = nbformat.read(NOTEBOOK, as_version=4)
                 kernel = notebook.metadata.kernelspec.name
-                nbclient.NotebookClient(notebook, timeout=240, kernel_name=kernel, resources={"metadata": {"path": folder}}).execute()
+                nbclient.NotebookClient(
+                    notebook, timeout=240, kernel_name=kernel, resources={"metadata": {"path": folder}}
+                ).execute()
                 return notebook, sorted(path.name for path in pathlib.Path(folder).iterdir())
             finally:
                 for name, value in old.items():
@@ -45,14 +58,24 @@ class Notebook(unittest.TestCase):
     def test_every_cell(self):
         notebook, files = self.execute(pathlib.Path(PREDATOR_PREY).parent)
         outputs = "".join(str(cell.get("outputs", "")) for cell in notebook.cells)
-        for text in ("<td>shadow</td><td>6</td>", "caught", "n = 6 runs and 6 of the shadow", "image/png", "runs_needed", ")n"):
+        for text in (
+            "<td>shadow</td><td>6</td>",
+            "caught",
+            "n = 6 runs and 6 of the shadow",
+            "image/png",
+            "runs_needed",
+            ")n",
+        ):
             self.assertIn(text, outputs)
         self.assertEqual(files, ["analysis", "runs"])
 
     def test_without_the_programs_one_sentence_says_so(self):
         with self.assertRaises(nbclient.exceptions.CellExecutionError) as raised:
             self.execute("/nowhere")
-        self.assertIn("ProgramError: trophic-predator-prey: is not on the PATH; install trophic, or set TROPHIC_BIN", str(raised.exception))
+        self.assertIn(
+            "ProgramError: trophic-predator-prey: is not on the PATH; install trophic, or set TROPHIC_BIN",
+            str(raised.exception),
+        )
 
 
 if __name__ == "__main__":

@@ -28,8 +28,20 @@ class Runs(unittest.TestCase):
         for name, rules in (("set", "paper"), ("study/one", "paper"), ("study/two", "released")):
             count = "6" if name == "set" else "1"
             duration = "1200" if name == "set" else "60"
-            cls.call(PREDATOR_PREY, "--backend", "kinematic", "--rules", rules, "--duration", duration, "--replicates", count, "--shadow",
-                     "--out", name)
+            cls.call(
+                PREDATOR_PREY,
+                "--backend",
+                "kinematic",
+                "--rules",
+                rules,
+                "--duration",
+                duration,
+                "--replicates",
+                count,
+                "--shadow",
+                "--out",
+                name,
+            )
         cls.call(TROPHIC, "analyze", "set", "--out", "analysis")
 
     @classmethod
@@ -40,7 +52,10 @@ class Runs(unittest.TestCase):
         self.call(PREDATOR_PREY, "--backend", "kinematic", "--duration", "60", "--senses", "--out", "sensing")
         run = runs.read_run(self.folder / "sensing")
         self.assertEqual(len(run.senses), 30 * 31)
-        self.assertEqual([name for name in run.senses.columns if name.startswith("input")], [f"input{i}" for i in range(len(run.inputs))])
+        self.assertEqual(
+            [name for name in run.senses.columns if name.startswith("input")],
+            [f"input{i}" for i in range(len(run.inputs))],
+        )
         self.assertTrue(run.senses.height_m.isna().all())
         self.assertLessEqual(set(run.senses.tag_outcome), {"", "kept", "switched", "denied"})
         self.assertEqual(run.senses.input2.dtype, float)
@@ -84,14 +99,18 @@ class Runs(unittest.TestCase):
             of_run = values[values.run == run.path.name]
 
             def analysed(metric, species, group="all"):
-                return of_run[(of_run.metric == metric) & (of_run.species == species) & (of_run.group == group)].value.item()
+                return of_run[
+                    (of_run.metric == metric) & (of_run.species == species) & (of_run.group == group)
+                ].value.item()
 
             deaths = run.events[run.events.event == "death"]
             for species in ("prey", "predator"):
                 self.assertEqual((deaths.species == species).sum(), analysed("deaths", species))
             caught = deaths[(deaths.species == "prey") & (deaths.cause == "caught")]
             self.assertGreater(len(caught), 5)
-            self.assertAlmostEqual((caught.origin == "inherited").mean(), analysed("attribution_caught", "prey"), places=12)
+            self.assertAlmostEqual(
+                (caught.origin == "inherited").mean(), analysed("attribution_caught", "prey"), places=12
+            )
             half_m = analysis.summary["sets"][0]["runs"][0]["half_side_m"]
             near = run.agents[["x_m", "y_m"]].abs().max(axis=1) >= half_m - 1.0
             share = near[run.agents.species == "prey"].groupby(run.agents.tick).mean().mean()
@@ -140,9 +159,16 @@ class Runs(unittest.TestCase):
         for name in ("events", "agents", "phylogeny", "genomes"):
             path = folder / f"{name}.csv"
             whole = path.read_bytes()
-            for damaged in (whole[:-9], b"\xef\xbb\xbf" + whole, whole.replace(b"\n", b"\r\n"), whole.replace(b"0", b"1", 1)):
+            for damaged in (
+                whole[:-9],
+                b"\xef\xbb\xbf" + whole,
+                whole.replace(b"\n", b"\r\n"),
+                whole.replace(b"0", b"1", 1),
+            ):
                 path.write_bytes(damaged)
-                with self.subTest(name=name), self.assertRaisesRegex(runs.RunError, f"damaged/{name}.csv: has .* as its manifest says"):
+                with self.subTest(name=name), self.assertRaisesRegex(
+                    runs.RunError, f"damaged/{name}.csv: has .* as its manifest says"
+                ):
                     getattr(runs.read_run(folder), name)
             path.unlink()
             with self.assertRaisesRegex(runs.RunError, f"damaged/{name}.csv: cannot be read"):
@@ -158,11 +184,15 @@ class Runs(unittest.TestCase):
         path = folder / "events.csv"
         whole = path.read_bytes()
         lines = whole.splitlines(keepends=True)
-        for damaged, said in ((b"\xef\xbb\xbf" + whole, "byte order mark"), (b"", "no header"), (whole + b"1,2\n", "2 cells, the header has 16"),
-                              (b"".join([lines[0], *reversed(lines[1:])]), "tick: must be >= that of the row before"),
-                              (whole.replace(b",prey,", b",wolf,", 1), "species = 'wolf': must be a species"),
-                              (b"".join([*lines[:-1], b"inf" + lines[-1][lines[-1].index(b","):]]), "time_s: must be finite numbers"),
-                              (b"".join([*lines[:-1], b"nan" + lines[-1][lines[-1].index(b","):]]), "time_s: must be finite numbers")):
+        for damaged, said in (
+            (b"\xef\xbb\xbf" + whole, "byte order mark"),
+            (b"", "no header"),
+            (whole + b"1,2\n", "2 cells, the header has 16"),
+            (b"".join([lines[0], *reversed(lines[1:])]), "tick: must be >= that of the row before"),
+            (whole.replace(b",prey,", b",wolf,", 1), "species = 'wolf': must be a species"),
+            (b"".join([*lines[:-1], b"inf" + lines[-1][lines[-1].index(b",") :]]), "time_s: must be finite numbers"),
+            (b"".join([*lines[:-1], b"nan" + lines[-1][lines[-1].index(b",") :]]), "time_s: must be finite numbers"),
+        ):
             path.write_bytes(damaged)
             with self.subTest(said), self.assertRaisesRegex(runs.RunError, said):
                 runs.read_run(folder).events
@@ -172,16 +202,25 @@ class Runs(unittest.TestCase):
             runs.read_run(folder).events
         path.unlink()
         path.write_bytes(whole)
-        for manifest in (b"[]", b"\xff", b'{"status": "complete"}', b'{"status": 1, "seed": 1, "fingerprint": "0", "rule_table": "paper"}'):
+        for manifest in (
+            b"[]",
+            b"\xff",
+            b'{"status": "complete"}',
+            b'{"status": 1, "seed": 1, "fingerprint": "0", "rule_table": "paper"}',
+        ):
             (folder / "manifest.json").write_bytes(manifest)
-            with self.subTest(manifest), self.assertRaisesRegex(runs.RunError, "manifest.json: (is not a JSON object|not a run's)"):
+            with self.subTest(manifest), self.assertRaisesRegex(
+                runs.RunError, "manifest.json: (is not a JSON object|not a run's)"
+            ):
                 runs.read_run(folder)
 
     def test_runs_of_two_builds_are_a_set_only_if_that_is_accepted(self):
         folder = self.folder / "builds"
         subprocess.run(["cp", "-r", self.folder / "set", folder], check=True)
         path = folder / "replicate-00/manifest.json"
-        path.write_text(sealed_text(json.loads(path.read_text()) | {"continued": [{"code": "another", "other_build": "accepted"}]}))
+        path.write_text(
+            sealed_text(json.loads(path.read_text()) | {"continued": [{"code": "another", "other_build": "accepted"}]})
+        )
         with self.assertRaisesRegex(runs.RunError, "builds: made by different builds: "):
             runs.read_runs(folder)
         mixed = runs.read_runs(folder, accept_other_build=True)[0]

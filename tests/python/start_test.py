@@ -23,16 +23,46 @@ os.environ["TROPHIC_BIN"] = str(pathlib.Path(TROPHIC).parent)
 
 class Start(InFolder):
     def test_a_run_is_that_of_the_program(self):
-        run = trophic.run("released", backend="kinematic", set={"rules.mutation.half_width": 0.3}, duration=60, seed=7, out=self.folder / "mine")
-        self.run_ok(PREDATOR_PREY, "--rules", "released", "--backend", "kinematic", "--set", "rules.mutation.half_width=0.3", "--duration", 60,
-                    "--seed", 7, "--out", "its")
+        run = trophic.run(
+            "released",
+            backend="kinematic",
+            set={"rules.mutation.half_width": 0.3},
+            duration=60,
+            seed=7,
+            out=self.folder / "mine",
+        )
+        self.run_ok(
+            PREDATOR_PREY,
+            "--rules",
+            "released",
+            "--backend",
+            "kinematic",
+            "--set",
+            "rules.mutation.half_width=0.3",
+            "--duration",
+            60,
+            "--seed",
+            7,
+            "--out",
+            "its",
+        )
         self.assertEqual((run.seed, run.manifest["rule_table"], run.complete), (7, "released", True))
         for name in ("events", "agents", "genomes"):
-            self.assertEqual((self.folder / f"mine/{name}.csv").read_bytes(), (self.folder / f"its/{name}.csv").read_bytes())
+            self.assertEqual(
+                (self.folder / f"mine/{name}.csv").read_bytes(), (self.folder / f"its/{name}.csv").read_bytes()
+            )
         self.assertIn("rule table `released`", run._repr_html_())
 
     def test_replicates_measures_and_analysis(self):
-        runs = trophic.run(PREDATOR_PREY, rules="paper", backend="kinematic", duration=400, replicates=6, shadow=True, out=self.folder / "set")
+        runs = trophic.run(
+            PREDATOR_PREY,
+            rules="paper",
+            backend="kinematic",
+            duration=400,
+            replicates=6,
+            shadow=True,
+            out=self.folder / "set",
+        )
         self.assertEqual((len(runs), len(runs.shadow)), (6, 6))
         runs.measure("catches", lambda run: (run.events.event == "catch").sum())
         analysis = trophic.analyze(runs, out=self.folder / "analysis", columns=["catches.csv:catches"])
@@ -44,10 +74,12 @@ class Start(InFolder):
         self.assertIn("runs", analysis._repr_html_())
         self.assertIn("6 runs of 400 s", runs._repr_html_())
         before = sorted(self.folder.rglob("*.csv"))
-        for name, function, sentence in (("catches", lambda run: 1, "exists already; nothing is overwritten"),
-                                         ("broken", lambda run: 1 / 0, "ZeroDivisionError"),
-                                         ("texts", lambda run: "many", "must return a number or a frame, not str"),
-                                         ("frames", lambda run: pandas.DataFrame({"x": [1]}), "the frame has no column frames")):
+        for name, function, sentence in (
+            ("catches", lambda run: 1, "exists already; nothing is overwritten"),
+            ("broken", lambda run: 1 / 0, "ZeroDivisionError"),
+            ("texts", lambda run: "many", "must return a number or a frame, not str"),
+            ("frames", lambda run: pandas.DataFrame({"x": [1]}), "the frame has no column frames"),
+        ):
             with self.assertRaisesRegex(trophic.RunError, sentence):
                 runs.measure(name, function)
         self.assertEqual(sorted(self.folder.rglob("*.csv")), before)
@@ -84,8 +116,12 @@ class Start(InFolder):
 
     def study(self):
         """Sets whose tables differ: times with fractions in one of them alone, and two weights more."""
-        runs = [trophic.run(table, backend="kinematic", set=numbers, duration=60, replicates=2, shadow=True, out=self.folder / name)
-                for name, table, numbers in (("a", "paper", {}), ("b", "released", {"ecology.tick_s": 2.5}))]
+        runs = [
+            trophic.run(
+                table, backend="kinematic", set=numbers, duration=60, replicates=2, shadow=True, out=self.folder / name
+            )
+            for name, table, numbers in (("a", "paper", {}), ("b", "released", {"ecology.tick_s": 2.5}))
+        ]
         return {"a": runs[0], "b": runs[1]}
 
     def test_frames_of_a_study_have_the_same_columns_and_types(self):
@@ -99,11 +135,18 @@ class Start(InFolder):
                 whole = pandas.concat(frames, ignore_index=True)
                 for label, runs in study.items():
                     for is_shadow, part in ((False, runs), (True, runs.shadow)):
-                        ours = whole[(whole["set"] == label) & (whole.shadow == is_shadow)].drop(columns=["set", "shadow"]).reset_index(drop=True)
+                        ours = (
+                            whole[(whole["set"] == label) & (whole.shadow == is_shadow)]
+                            .drop(columns=["set", "shadow"])
+                            .reset_index(drop=True)
+                        )
                         its = part.table(name)
                         pandas.testing.assert_frame_equal(ours[list(its.columns)], its, check_dtype=False)
                         self.assertTrue(ours.drop(columns=list(its.columns)).isna().all(axis=None))
-        self.assertEqual(whole.dtypes[["set", "shadow", "run", "seed", "id", "time_s"]].astype(str).tolist(), ["object", "bool", "object", "uint64", "int64", "float64"])
+        self.assertEqual(
+            whole.dtypes[["set", "shadow", "run", "seed", "id", "time_s"]].astype(str).tolist(),
+            ["object", "bool", "object", "uint64", "int64", "float64"],
+        )
 
     def test_frames_of_an_own_table_have_texts_if_one_run_has(self):
         runs = trophic.run("paper", backend="kinematic", duration=20, replicates=2, out=self.folder / "set")
@@ -124,20 +167,26 @@ class Start(InFolder):
         try:
             import pyarrow  # noqa: F401
         except ModuleNotFoundError:
-            with self.assertRaisesRegex(trophic.RunError, "^to_parquet: needs the Python module pyarrow: pip install pyarrow$"):
+            with self.assertRaisesRegex(
+                trophic.RunError, "^to_parquet: needs the Python module pyarrow: pip install pyarrow$"
+            ):
                 trophic.to_parquet(study, self.folder / "study")
             self.assertEqual(sorted(self.folder.iterdir()), before)
             self.skipTest("no pyarrow")
         paths = trophic.to_parquet(study, self.folder / "study")
         self.assertEqual(sorted(self.folder.iterdir()), sorted([*before, self.folder / "study"]))
         for path in paths:
-            pandas.testing.assert_frame_equal(pandas.read_parquet(path), pandas.concat(trophic.study_frames(study, path.stem), ignore_index=True))
+            pandas.testing.assert_frame_equal(
+                pandas.read_parquet(path), pandas.concat(trophic.study_frames(study, path.stem), ignore_index=True)
+            )
 
     def test_refusals_are_one_sentence(self):
         (self.folder / "there").mkdir()
-        for arguments, sentence in ((dict(out=self.folder / "there"), "exists already; nothing is overwritten"),
-                                    (dict(out=self.folder / "x", backend="none"), "must be"),
-                                    (dict(out=self.folder / "x", set={"rules.mutatio.sd": 1}), "did you mean rules.mutation.sd")):
+        for arguments, sentence in (
+            (dict(out=self.folder / "there"), "exists already; nothing is overwritten"),
+            (dict(out=self.folder / "x", backend="none"), "must be"),
+            (dict(out=self.folder / "x", set={"rules.mutatio.sd": 1}), "did you mean rules.mutation.sd"),
+        ):
             with self.assertRaisesRegex(trophic.ProgramError, sentence) as raised:
                 trophic.run("paper", **arguments)
             self.assertEqual(len(str(raised.exception).splitlines()), 1)

@@ -22,7 +22,9 @@ def main() -> int:
     with tempfile.TemporaryDirectory() as name:
         here, there = pathlib.Path(name) / "here", pathlib.Path(name) / "there"
         subprocess.run([native, here], check=True)
-        subprocess.run([emulator, "-L", "/usr/aarch64-linux-gnu", "-E", f"LD_LIBRARY_PATH={libraries}", program, there], check=True)
+        subprocess.run(
+            [emulator, "-L", "/usr/aarch64-linux-gnu", "-E", f"LD_LIBRARY_PATH={libraries}", program, there], check=True
+        )
         runs = sorted(path.name for path in there.iterdir())
         failed = 0
         if runs != sorted(path.name for path in here.iterdir()):

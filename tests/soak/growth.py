@@ -5,7 +5,9 @@ the test is inconclusive in a run that is long enough."""
 import pathlib
 import sys
 
-sys.path[:0] = [str(pathlib.Path(__file__).resolve().parents[2] / folder) for folder in ("tests/program", "tools/python")]
+sys.path[:0] = [
+    str(pathlib.Path(__file__).resolve().parents[2] / folder) for folder in ("tests/program", "tools/python")
+]
 import system_python  # noqa: E402
 
 system_python.need("numpy", "pandas", "scipy")
@@ -20,12 +22,13 @@ UNKNOWN = EquivalenceTest(None, None, 0.0, "unknown")
 
 def growth_of(measured) -> EquivalenceTest:
     """The first tenth of the measurements is left out, as a run has to settle, and so are as many of its first as do not fill twenty parts alike. The
-    means of ten parts of each half are then compared by two one-sided tests; parts must be long enough to be independent of each other."""
+    means of ten parts of each half are then compared by two one-sided tests; parts must be long enough to be independent of each other.
+    """
     measured = numpy.asarray(measured, float)
     part = (len(measured) - len(measured) // 10) // (2 * PARTS_OF_HALF)
     if part == 0:
         return UNKNOWN
-    means = measured[-2 * PARTS_OF_HALF * part:].reshape(2 * PARTS_OF_HALF, part).mean(axis=1)
+    means = measured[-2 * PARTS_OF_HALF * part :].reshape(2 * PARTS_OF_HALF, part).mean(axis=1)
     early, late = means[:PARTS_OF_HALF], means[PARTS_OF_HALF:]
     margin = SAME_WITHIN * early.mean()
     return test_equivalence(contrast((-1.0, early), (1.0, late)), margin) if margin > 0.0 else UNKNOWN
@@ -39,8 +42,10 @@ def main() -> int:
         if growth.interval is None:
             print(f"{column}: too few rows for a test")
             continue
-        print(f"{column}: second half of the run minus first {growth.difference:.6g}, 90 % interval [{growth.interval.lower:.6g}, {growth.interval.upper:.6g}], "
-              f"margin {growth.margin:.6g}: {growth.conclusion}")
+        print(
+            f"{column}: second half of the run minus first {growth.difference:.6g}, 90 % interval [{growth.interval.lower:.6g}, {growth.interval.upper:.6g}], "
+            f"margin {growth.margin:.6g}: {growth.conclusion}"
+        )
         flat = flat and (column == "processor_s" or growth.conclusion == "equivalent")
     return 0 if flat else 1
 

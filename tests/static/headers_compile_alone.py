@@ -22,7 +22,9 @@ def main() -> int:
 
     def complaint(header: str) -> str:
         # Not as the main file, in which `#pragma once` is a warning.
-        done = subprocess.run([*command, "-include", header, "-x", "c++", "/dev/null"], cwd=directory, capture_output=True, text=True)
+        done = subprocess.run(
+            [*command, "-include", header, "-x", "c++", "/dev/null"], cwd=directory, capture_output=True, text=True
+        )
         return "" if done.returncode == 0 else f"{header}:\n{done.stderr}"
 
     with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:

@@ -35,7 +35,8 @@ INSTALLED = "trophic/habitat/load/installed_model_dir.hpp"
 
 def library_alone():
     """The library includes no tool and no engine, under no condition: a header of trophic is in include/ or in the backend's own
-    folder, and engines and their parsers are for backends alone. Studies, too, include only headers that are installed."""
+    folder, and engines and their parsers are for backends alone. Studies, too, include only headers that are installed.
+    """
     offences, engines = [], sorted(path.name for path in (ROOT / "backends").iterdir())
     for folder in ("include", "src", "studies", *(f"backends/{engine}" for engine in engines)):
         homes = [CORE, *(ROOT / "backends").glob("*/include")] if folder == "src" else [CORE, ROOT / folder / "include"]
@@ -63,7 +64,10 @@ def simulated_time_only():
 
 def header_length():
     """A header has at most 400 lines."""
-    counted = [(path, len(path.read_text().splitlines())) for path in sources("include", *PARTS, "tests", suffixes=(".hpp", ".ipp"))]
+    counted = [
+        (path, len(path.read_text().splitlines()))
+        for path in sources("include", *PARTS, "tests", suffixes=(".hpp", ".ipp"))
+    ]
     return [f"{path.relative_to(ROOT)}: {lines} lines, must be <= 400" for path, lines in counted if lines > 400]
 
 
@@ -83,10 +87,23 @@ def policies_in_suites():
     """Each policy is named in tests/conformance/rules_test.cpp, but for rules made of parts and the slot Embodiment, which needs an engine."""
     named = set(re.findall(r"\w+", (ROOT / "tests/conformance/rules_test.cpp").read_text()))
     kinds = ("perception", "control", "reproduction", "death", "energy", "initialization")
-    headers = [path for path in sources(*(f"include/trophic/{kind}" for kind in kinds), suffixes=(".hpp",)) if path.parent.name != "embodiment"]
+    headers = [
+        path
+        for path in sources(*(f"include/trophic/{kind}" for kind in kinds), suffixes=(".hpp",))
+        if path.parent.name != "embodiment"
+    ]
     checked = [(path, path.read_text()) for path in headers if path.stem != "contract" and "detail" not in path.parts]
-    policies = [(path, name) for path, text in checked if ": Parts<" not in text for name in re.findall(r"^static_assert\(\w+<(?:\w+::)*(\w+)", text, re.M)]
-    offences = [f"{path.relative_to(ROOT)}: {name} is in no suite of tests/conformance/rules_test.cpp" for path, name in policies if name not in named]
+    policies = [
+        (path, name)
+        for path, text in checked
+        if ": Parts<" not in text
+        for name in re.findall(r"^static_assert\(\w+<(?:\w+::)*(\w+)", text, re.M)
+    ]
+    offences = [
+        f"{path.relative_to(ROOT)}: {name} is in no suite of tests/conformance/rules_test.cpp"
+        for path, name in policies
+        if name not in named
+    ]
     return offences or ([] if policies else ["no policies were found"])
 
 
@@ -100,25 +117,38 @@ def sources_cited():
     """Every policy's `source`, and every citation of code and documents, names a section and equation of the paper or a key of
     references.bib; an entry has a DOI, an address or says that it has none."""
     entries = references()
-    offences = [f"docs/references.bib: {key} needs a doi or a url" for key, text in entries.items() if not re.search(r"doi = |url = |no DOI", text)]
+    offences = [
+        f"docs/references.bib: {key} needs a doi or a url"
+        for key, text in entries.items()
+        if not re.search(r"doi = |url = |no DOI", text)
+    ]
     paper = entries["kachler2023"]
     sections = {" ".join(title.split()) for title in re.search(r"sections = \{([^}]*)\}", paper)[1].split(";")}
     equations = int(re.search(r"equations = \{(\d+)\}", paper)[1])
     own = r"control|released code|not in the paper|paper: silent|paper: no such rule"
     form = re.compile(rf'({own}|paper, Sec\. "[^"]*"(, Eq\. \d+)?)([;:].*)?')
-    documents = [path for path in ROOT.rglob("*.md") if not any(part.startswith(("build", ".")) for part in path.relative_to(ROOT).parts)]
-    for path in [*sources("include", *PARTS, "examples", "studies", suffixes=(".hpp", ".ipp", ".cpp", ".py")), *documents]:
+    documents = [
+        path
+        for path in ROOT.rglob("*.md")
+        if not any(part.startswith(("build", ".")) for part in path.relative_to(ROOT).parts)
+    ]
+    for path in [
+        *sources("include", *PARTS, "examples", "studies", suffixes=(".hpp", ".ipp", ".cpp", ".py")),
+        *documents,
+    ]:
         name, text = path.relative_to(ROOT), path.read_text()
         for source in re.findall(r'string_view source =\s*"((?:[^"\\]|\\.)*)"', text):
             if not form.fullmatch(source.replace('\\"', '"')):
-                offences.append(f"{name}: source \"{source}\" names neither a section of the paper nor one of: {own}")
+                offences.append(f'{name}: source "{source}" names neither a section of the paper nor one of: {own}')
         for title in re.findall(r'Sec\. \\?"([^"\\]*)\\?"', re.sub(r"\s*\n\s*(///?)? *", " ", text)):
             if title not in sections:
-                offences.append(f"{name}: the paper has no section \"{title}\"")
+                offences.append(f'{name}: the paper has no section "{title}"')
         for number in re.findall(r"\bEq\. (\d+)", text):
             if not 1 <= int(number) <= equations:
                 offences.append(f"{name}: the paper has no equation {number}")
-        offences += [f"{name}: Eq. {label}: cite an equation by its number" for label in re.findall(r'Eq\. (\\?"\w+)', text)]
+        offences += [
+            f"{name}: Eq. {label}: cite an equation by its number" for label in re.findall(r'Eq\. (\\?"\w+)', text)
+        ]
         for key in re.findall(r"(?:\[|@)([a-z]+(?:1[89]|20)\d\d[a-z]?)\b", text):
             if key not in entries:
                 offences.append(f"{name}: [{key}] is not in docs/references.bib")
@@ -127,7 +157,10 @@ def sources_cited():
 
 def pure_policies():
     """A policy remembers nothing by itself, reads no clock and draws from no engine but the stream that it is given."""
-    kinds = [f"include/trophic/{kind}" for kind in ("perception", "control", "reproduction", "death", "energy", "initialization")]
+    kinds = [
+        f"include/trophic/{kind}"
+        for kind in ("perception", "control", "reproduction", "death", "energy", "initialization")
+    ]
     impure = r"\bmutable\b|\bthread_local\b|^\s*static (?!constexpr|consteval|_assert|bool|auto|std::|double|void|State\b|Params\b)\w|#include <(random|chrono|ctime|thread|mutex|atomic|fstream|iostream)>|\bextern\b|\bvolatile\b"
     return lines_with(impure, sources(*kinds))
 
@@ -154,9 +187,15 @@ def complete_umbrella():
     compiled, and the worlds, tables that one includes, stand apart."""
     umbrella = "trophic/trophic.hpp"
     reached, named = reached_from(umbrella), re.findall(r"#include <(.+)>", (CORE / umbrella).read_text())
-    missing = [path for path in sources("include") if path not in reached and not {"detail", "experiment", "experiment.hpp", "worlds"} & set(path.parts)]
+    missing = [
+        path
+        for path in sources("include")
+        if path not in reached and not {"detail", "experiment", "experiment.hpp", "worlds"} & set(path.parts)
+    ]
     twice = [name for name in named if CORE / name in reached_from(*(other for other in named if other != name))]
-    return [f"{umbrella} lacks #include <{path.relative_to(CORE)}>" for path in missing] + [f"{umbrella}: another header includes {name}" for name in twice]
+    return [f"{umbrella} lacks #include <{path.relative_to(CORE)}>" for path in missing] + [
+        f"{umbrella}: another header includes {name}" for name in twice
+    ]
 
 
 def paths_exist():
@@ -186,19 +225,30 @@ def formatted():
         sys.exit(SKIPPED)
     files = [str(path) for path in sources("include", "src", *PARTS, "examples", "studies", "tests")]
     done = subprocess.run([tool, "--dry-run", *files], capture_output=True, text=True, check=True)
-    return sorted({line.split(":")[0] + ": run clang-format -i on it" for line in done.stderr.splitlines() if "warning:" in line})
+    return sorted(
+        {line.split(":")[0] + ": run clang-format -i on it" for line in done.stderr.splitlines() if "warning:" in line}
+    )
 
 
 def python_formatted():
     """black 23 (Debian 12) has nothing to change, in scripts without .py either; pyproject.toml has its settings."""
     tool = shutil.which("black")
-    if not tool or not subprocess.run([tool, "--version"], capture_output=True, text=True).stdout.startswith("black, 23."):
+    if not tool or not subprocess.run([tool, "--version"], capture_output=True, text=True).stdout.startswith(
+        "black, 23."
+    ):
         print("black 23 is not installed")
         sys.exit(SKIPPED)
-    scripts = [path for folder in ("scripts", "studies") for path in sorted((ROOT / folder).glob("*")) if path.is_file() and not path.suffix]
+    scripts = [
+        path
+        for folder in ("scripts", "studies")
+        for path in sorted((ROOT / folder).glob("*"))
+        if path.is_file() and not path.suffix
+    ]
     scripts = [path for path in scripts if re.match(r"#!.*python", path.read_text())]
     done = subprocess.run([tool, "--check", "--fast", ROOT, *scripts], cwd=ROOT, capture_output=True, text=True)
-    return [f"{line}: run black on it" for line in done.stderr.splitlines() if re.match("would reformat |error: ", line)]
+    return [
+        f"{line}: run black on it" for line in done.stderr.splitlines() if re.match("would reformat |error: ", line)
+    ]
 
 
 if __name__ == "__main__":

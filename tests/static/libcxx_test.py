@@ -21,7 +21,11 @@ OTHERS = ("Random123", "toml++", "nlohmann", "zlib.h", "zconf.h")
 def compiles(compiler: str, file: pathlib.Path, text: str, *flags: str) -> str | None:
     """None if the text compiles, else the errors."""
     file.write_text(text)
-    done = subprocess.run([compiler, "-std=c++20", "-stdlib=libc++", "-fexperimental-library", "-fsyntax-only", *flags, file], capture_output=True, text=True)
+    done = subprocess.run(
+        [compiler, "-std=c++20", "-stdlib=libc++", "-fexperimental-library", "-fsyntax-only", *flags, file],
+        capture_output=True,
+        text=True,
+    )
     return None if done.returncode == 0 else done.stderr
 
 
@@ -31,9 +35,17 @@ def of_musl(compiler: str, folder: pathlib.Path) -> list[str]:
         for place in (pathlib.Path("/usr/include"), pathlib.Path("/usr/include/x86_64-linux-gnu")):
             if (place / name).exists() and not (folder / name).exists():
                 (folder / name).symlink_to(place / name)
-    own = pathlib.Path(subprocess.run([compiler, "-print-resource-dir"], capture_output=True, text=True, check=True).stdout.strip())
+    own = pathlib.Path(
+        subprocess.run([compiler, "-print-resource-dir"], capture_output=True, text=True, check=True).stdout.strip()
+    )
     folders = [own.parents[2] / "include/c++/v1", own / "include", MUSL, folder]
-    return ["--target=x86_64-linux-musl", "-D_LIBCPP_HAS_MUSL_LIBC", "-nostdinc", "-nostdinc++", *(f"-isystem{path}" for path in folders)]
+    return [
+        "--target=x86_64-linux-musl",
+        "-D_LIBCPP_HAS_MUSL_LIBC",
+        "-nostdinc",
+        "-nostdinc++",
+        *(f"-isystem{path}" for path in folders),
+    ]
 
 
 def main() -> int:

@@ -35,7 +35,11 @@ NAMES = {
 def spack_calls(name: str) -> list[str]:
     """First arguments of the calls of a function in the recipe's class."""
     tree = ast.parse((ROOT / "packaging/spack/packages/trophic/package.py").read_text())
-    return [node.args[0].value for node in ast.walk(tree) if isinstance(node, ast.Call) and getattr(node.func, "id", getattr(node.func, "attr", "")) == name]
+    return [
+        node.args[0].value
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Call) and getattr(node.func, "id", getattr(node.func, "attr", "")) == name
+    ]
 
 
 class Recipes(unittest.TestCase):
@@ -43,7 +47,10 @@ class Recipes(unittest.TestCase):
         self.version = re.search(r"VERSION ([\d.]+)\n", CMAKE)[1]
         self.conda = yaml.safe_load((ROOT / "packaging/conda/recipe.yaml").read_text())
         wanted_by_programs = CMAKE.split("if(TROPHIC_BUILD_TESTS)")[0]
-        self.libraries = set(re.findall(r"^ *trophic_find\(([\w-]+) ", wanted_by_programs, re.M)) | {"mujoco", "pugixml"}
+        self.libraries = set(re.findall(r"^ *trophic_find\(([\w-]+) ", wanted_by_programs, re.M)) | {
+            "mujoco",
+            "pugixml",
+        }
 
     def test_versions_are_the_projects(self):
         self.assertEqual(spack_calls("version"), [self.version])
@@ -52,7 +59,10 @@ class Recipes(unittest.TestCase):
     def test_every_library_is_a_dependency_and_every_name_is_known(self):
         boost = re.search(r"trophic_find\(Boost \S+ ([\d.]+)", CMAKE)[1]
         eigen = re.search(r"trophic_find\(Eigen3 \S+ FROM ([\d.]+) BELOW (\d+)", CMAKE)
-        mujoco = re.search(r"trophic_find_version\(mujoco ([\d.]+) (\d+)\.(\d+)\)", (ROOT / "cmake/trophic-find-mujoco.cmake").read_text())
+        mujoco = re.search(
+            r"trophic_find_version\(mujoco ([\d.]+) (\d+)\.(\d+)\)",
+            (ROOT / "cmake/trophic-find-mujoco.cmake").read_text(),
+        )
         spack = dict(re.fullmatch(r"([^@]+)@?(.*)", text).groups() for text in spack_calls("depends_on"))
         conda = dict(re.fullmatch(r"(\S+) ?(.*)", text).groups() for text in self.conda["requirements"]["host"])
         for library in self.libraries:
@@ -69,7 +79,9 @@ class Recipes(unittest.TestCase):
         self.assertEqual(conda["libmujoco"], f">={mujoco[1]},<{mujoco[2]}.{mujoco[3]}")
 
     def test_options_exist(self):
-        set_by_recipes = set(spack_calls("define")) | set(re.findall(r"-D(\w+)=", " ".join(self.conda["build"]["script"])))
+        set_by_recipes = set(spack_calls("define")) | set(
+            re.findall(r"-D(\w+)=", " ".join(self.conda["build"]["script"]))
+        )
         known = set(re.findall(r"(?:option\(|set\()(TROPHIC_\w+)", CMAKE)) | {"CMAKE_BUILD_TYPE", "mujoco_ROOT"}
         self.assertLessEqual(set_by_recipes, known)
 
@@ -78,12 +90,16 @@ class Workflow(unittest.TestCase):
     def test_systems_are_in_the_table_and_scripts_exist(self):
         jobs = yaml.safe_load((ROOT / ".github/workflows/tests.yml").read_text())["jobs"]
         readme = (ROOT / "packaging/README.md").read_text()
-        for system in jobs["tests"]["strategy"]["matrix"]["system"] + jobs["quickstart"]["strategy"]["matrix"]["system"]:
+        for system in (
+            jobs["tests"]["strategy"]["matrix"]["system"] + jobs["quickstart"]["strategy"]["matrix"]["system"]
+        ):
             self.assertIn(f"| {system.replace(':', ' ').capitalize()}", readme)
         rows = re.findall(r"^\| .* \|$", readme.split("## Systems")[1], re.M)[1:]
         self.assertGreater(len(rows), 5)
         for row in rows:
-            self.assertRegex(row.split("|")[3].strip(), r"^\d+ \w+ \d{4}, [0-9a-f]{7,}$|^every commit$", "a day and a commit")
+            self.assertRegex(
+                row.split("|")[3].strip(), r"^\d+ \w+ \d{4}, [0-9a-f]{7,}$|^every commit$", "a day and a commit"
+            )
         for job in jobs.values():
             for step in job["steps"]:
                 if script := re.match(r"scripts/\S+", step.get("run", "")):

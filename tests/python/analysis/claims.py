@@ -13,6 +13,7 @@ from typing import NamedTuple
 
 class Claim(NamedTuple):
     """About a metric, as people read it."""
+
     set: str
     metric: str
     """title"""
@@ -27,6 +28,7 @@ class Claim(NamedTuple):
 
 class Output(NamedTuple):
     """The claims of one output."""
+
     claims: list[Claim]
     counts: list[tuple[int, int | None]]
     """(comparisons, significant) as said in sentences; None if not said"""
@@ -66,15 +68,32 @@ def of_table(text: str) -> Output:
     lines = text.splitlines()
     start = next(i for i, line in enumerate(lines) if line.startswith("metric "))
     end = next(i for i, line in enumerate(lines) if line.startswith("= a null"))
-    headings = [one for one in ("metric", "ours [95 %]", "published", "ours - null [95 %]", "p", "conclusion") if one != "published" or "  published" in lines[start]]
+    headings = [
+        one
+        for one in ("metric", "ours [95 %]", "published", "ours - null [95 %]", "p", "conclusion")
+        if one != "published" or "  published" in lines[start]
+    ]
     label = lines[0].split(" on kinematic")[0]
     claims, title = [], ""
     for row in slices(lines[start:end], headings):
-        if not row["metric"].startswith(("= ", "* ")) and row["ours - null [95 %]"] == "" and not _is_reference(row["metric"]):
+        if (
+            not row["metric"].startswith(("= ", "* "))
+            and row["ours - null [95 %]"] == ""
+            and not _is_reference(row["metric"])
+        ):
             title, same = row["metric"], row["conclusion"].startswith("tested as")
         elif row["metric"].startswith("= ") or row["metric"] == "shadow":  # a reference next to a neutral null
             conclusion = "same" if same else row["conclusion"].split(",")[0]
-            claims.append(Claim(label, title, row["metric"].removeprefix("= ").removesuffix(" null"), row["ours - null [95 %]"], row["p"], conclusion))
+            claims.append(
+                Claim(
+                    label,
+                    title,
+                    row["metric"].removeprefix("= ").removesuffix(" null"),
+                    row["ours - null [95 %]"],
+                    row["p"],
+                    conclusion,
+                )
+            )
     return Output(claims, counts_in(text), findings_in(text), [label])
 
 
@@ -92,11 +111,23 @@ def of_difference_table(text: str) -> Output:
     headings = ["metric", "a", "b", "raw: b - a [95 %]", *([over] if answer == over else []), "p", ""]
     claims = []
     for row in slices(lines[start:end], headings):
-        conclusion = ("same" if row[""].startswith("tested as") else "significant" if row[""] == "*" else "inconclusive" if row[""].endswith("runs") else "")
-        claims.append(Claim("", row["metric"], "over_shadow" if answer == over else "raw", row[answer], row["p"], conclusion))
+        conclusion = (
+            "same"
+            if row[""].startswith("tested as")
+            else "significant"
+            if row[""] == "*"
+            else "inconclusive"
+            if row[""].endswith("runs")
+            else ""
+        )
+        claims.append(
+            Claim("", row["metric"], "over_shadow" if answer == over else "raw", row[answer], row["p"], conclusion)
+        )
         if answer == over:
             claims.append(Claim("", row["metric"], "raw", row["raw: b - a [95 %]"], "", ""))
-    return Output(claims, counts_in(text), findings_in(text), re.findall(r"^[ab]: (.*?) on kinematic", text, re.MULTILINE))
+    return Output(
+        claims, counts_in(text), findings_in(text), re.findall(r"^[ab]: (.*?) on kinematic", text, re.MULTILINE)
+    )
 
 
 class _Page(html.parser.HTMLParser):
@@ -116,7 +147,13 @@ class _Page(html.parser.HTMLParser):
             self.rows[-1].append("")
         if tag == "li":
             self.items.append("")
-        self._into = tag if tag in ("td", "th", "li", "h1") else self._into if tag in ("button", "svg", "line", "circle", "code") else None
+        self._into = (
+            tag
+            if tag in ("td", "th", "li", "h1")
+            else self._into
+            if tag in ("button", "svg", "line", "circle", "code")
+            else None
+        )
 
     def handle_endtag(self, tag: str) -> None:
         if tag in ("td", "th", "li", "h1", "button"):
@@ -143,24 +180,64 @@ def of_page(text: str) -> Output:
         name = row.get("set", "")
         if "compared" in row:
             kind = "over_shadow" if row["compared"].startswith("over") else "raw"
-            claims.append(Claim("", row["metric"], kind, row["difference [95 %]"], row["p"] if row["conclusion"] != "not compared" else "", row["conclusion"]))
+            claims.append(
+                Claim(
+                    "",
+                    row["metric"],
+                    kind,
+                    row["difference [95 %]"],
+                    row["p"] if row["conclusion"] != "not compared" else "",
+                    row["conclusion"],
+                )
+            )
         elif row["ours - null [95 %]"]:
-            claims.append(Claim(name, row["metric"], row["null"].split(" ")[0], row["ours - null [95 %]"], row["p"], row["conclusion"]))
-    claims = [claim._replace(conclusion="same" if claim.conclusion.startswith("tested as") else claim.conclusion) for claim in claims]
+            claims.append(
+                Claim(
+                    name,
+                    row["metric"],
+                    row["null"].split(" ")[0],
+                    row["ours - null [95 %]"],
+                    row["p"],
+                    row["conclusion"],
+                )
+            )
+    claims = [
+        claim._replace(conclusion="same" if claim.conclusion.startswith("tested as") else claim.conclusion)
+        for claim in claims
+    ]
     items = "\n".join(page.items)
-    return Output(claims, counts_in(items), findings_in(items), [part.rsplit(" on ", 1)[0] for part in re.split(r"(?<=kinematic 1) and ", page.title)])
+    return Output(
+        claims,
+        counts_in(items),
+        findings_in(items),
+        [part.rsplit(" on ", 1)[0] for part in re.split(r"(?<=kinematic 1) and ", page.title)],
+    )
 
 
 def of_latex(text: str) -> Output:
     """means.tex or differences.tex. An untested difference has a dash for p."""
     claims = []
     for line in text.splitlines():
-        cells = [cell.strip(" $").replace("\\ ", " ").replace("\\allowbreak{}", "").replace("\\", "") for cell in line.removesuffix(" \\\\").split(" & ")]
+        cells = [
+            cell.strip(" $").replace("\\ ", " ").replace("\\allowbreak{}", "").replace("\\", "")
+            for cell in line.removesuffix(" \\\\").split(" & ")
+        ]
         if len(cells) != 6 or cells[0] == "metric":
             continue
         title, _, null = cells[0].removesuffix(")").partition(" (null: ")
-        claims.append(Claim("", title if null else cells[0], null.removesuffix(" null") or "shadow", cells[3], "" if cells[4] == "--" else cells[4], ""))
-    return Output(claims, counts_in(text), [], re.findall(r"(?:^%(?: a:)?|; b:) ([^%\n]*?) on kinematic", text, re.MULTILINE))
+        claims.append(
+            Claim(
+                "",
+                title if null else cells[0],
+                null.removesuffix(" null") or "shadow",
+                cells[3],
+                "" if cells[4] == "--" else cells[4],
+                "",
+            )
+        )
+    return Output(
+        claims, counts_in(text), [], re.findall(r"(?:^%(?: a:)?|; b:) ([^%\n]*?) on kinematic", text, re.MULTILINE)
+    )
 
 
 def of_json(text: str, title_of, reading_of) -> Output:
@@ -176,19 +253,39 @@ def of_json(text: str, title_of, reading_of) -> Output:
             conclusion = f"differs is {difference['differs']}, conclusion {conclusion}"
         if conclusion == "not compared":
             p = None  # of a raw difference next to the answer
-        claims.append(Claim(label, title_of(metric), null, shown, "" if p is None else "<0.001" if p < 0.0005 else f"{p:.3f}", conclusion))
+        claims.append(
+            Claim(
+                label,
+                title_of(metric),
+                null,
+                shown,
+                "" if p is None else "<0.001" if p < 0.0005 else f"{p:.3f}",
+                conclusion,
+            )
+        )
 
     for one in content["sets"]:
         for metric in one["metrics"]:
             for baseline in metric["baselines"]:
                 if baseline["role"] == "null" or baseline["name"] == "shadow":  # a reference next to a neutral null
-                    add(one["set"], metric, baseline["name"], {**baseline, "conclusion": baseline["conclusion"] or "not compared"}, "difference")
+                    add(
+                        one["set"],
+                        metric,
+                        baseline["name"],
+                        {**baseline, "conclusion": baseline["conclusion"] or "not compared"},
+                        "difference",
+                    )
     for metric in content.get("differences", []):
         for kind in ("over_shadow", "raw"):
             if metric[kind]["value"] is not None:
                 add("", metric, kind, metric[kind], "value")
     counts = [(content["family"]["comparisons"], content["family"]["significant"])]
-    return Output(claims, counts, [finding["sentence"] for finding in content["findings"]], [one["set"] for one in content["sets"]])
+    return Output(
+        claims,
+        counts,
+        [finding["sentence"] for finding in content["findings"]],
+        [one["set"] for one in content["sets"]],
+    )
 
 
 def of_csv(text: str, title_of, reading_of) -> Output:
@@ -198,15 +295,39 @@ def of_csv(text: str, title_of, reading_of) -> Output:
     for row in rows:
         if not row.get("null", "differences") or not row["difference"]:
             continue
-        value, lower, upper = (float(row[name]) if row.get(name) else None for name in (
-            ("difference", "difference_lower", "difference_upper") if "null" in row else ("difference", "lower", "upper")))
+        value, lower, upper = (
+            float(row[name]) if row.get(name) else None
+            for name in (
+                ("difference", "difference_lower", "difference_upper")
+                if "null" in row
+                else ("difference", "lower", "upper")
+            )
+        )
         is_answer = row.get("compared") != "raw" or not any(one["compared"] == "over_shadow" for one in rows)
         p = float(row["p_holm"]) if row["p_holm"] and is_answer else None
         tested += p is not None
         found += p is not None and p <= 0.05
-        conclusion = "same" if row["same_as"] and is_answer else "" if p is None else "inconclusive" if p > 0.05 else "above" if value > 0 else "below"
-        claims.append(Claim(row.get("set", ""), title_of(row), row.get("null") or row["compared"], reading_of(row, value, lower, upper),
-                            "" if p is None else "<0.001" if p < 0.0005 else f"{p:.3f}", conclusion))
+        conclusion = (
+            "same"
+            if row["same_as"] and is_answer
+            else ""
+            if p is None
+            else "inconclusive"
+            if p > 0.05
+            else "above"
+            if value > 0
+            else "below"
+        )
+        claims.append(
+            Claim(
+                row.get("set", ""),
+                title_of(row),
+                row.get("null") or row["compared"],
+                reading_of(row, value, lower, upper),
+                "" if p is None else "<0.001" if p < 0.0005 else f"{p:.3f}",
+                conclusion,
+            )
+        )
     return Output(claims, [(tested, found)], [], list(dict.fromkeys(row["set"] for row in rows if "set" in row)))
 
 

@@ -16,9 +16,17 @@ def problems(figure):
     hidden, found, ticks = set(), [], []
     for axes in figure.findobj(lambda one: hasattr(one, "xaxis")):
         for axis in (axes.xaxis, axes.yaxis):
-            labels = [label for tick in [*axis.get_major_ticks(), *axis.get_minor_ticks()] for label in (tick.label1, tick.label2)]
+            labels = [
+                label
+                for tick in [*axis.get_major_ticks(), *axis.get_minor_ticks()]
+                for label in (tick.label1, tick.label2)
+            ]
             hidden.update(labels)
-            drawn = [label for tick in axis._update_ticks() for label in (tick.label1, tick.label2)] if axes.axison and axes.get_visible() else []
+            drawn = (
+                [label for tick in axis._update_ticks() for label in (tick.label1, tick.label2)]
+                if axes.axison and axes.get_visible()
+                else []
+            )
             drawn = [label for label in drawn if label.get_visible() and label.get_text()]
             ticks += drawn
             for a, b in itertools.combinations(drawn, 2):

@@ -43,7 +43,10 @@ def price(folder, column):
             born_s[event.id] = event.time_s
         sums["start"], sums["end"] = start, sum(living.values()) / len(living)
         sums["change"] = sums["end"] - sums["start"]
-        lives = [(trait[id], ended_s.get(id, manifest["clock"]["until_s"]) - born_s[id], offspring.get(id, 0)) for id in born_s]
+        lives = [
+            (trait[id], ended_s.get(id, manifest["clock"]["until_s"]) - born_s[id], offspring.get(id, 0))
+            for id in born_s
+        ]
         mean = sum(z for z, _, _ in lives) / len(lives)
         by_length = sum(z * life_s for z, life_s, _ in lives) / sum(life_s for _, life_s, _ in lives)
         by_offspring = sum(z * w for z, _, w in lives) / sum(w for _, _, w in lives)

@@ -14,7 +14,12 @@ from trophic.sweeps import arrays
 from trophic.values import Metric
 
 PROGRAM = os.environ.get("TROPHIC_PREDATOR_PREY")
-HEADLINES = ("attribution_caught", "attribution_catches", "velocity", "wall_sticking")  # metrics of the paper for which 600 s suffice
+HEADLINES = (
+    "attribution_caught",
+    "attribution_catches",
+    "velocity",
+    "wall_sticking",
+)  # metrics of the paper for which 600 s suffice
 
 
 @pytest.fixture(scope="module")
@@ -23,7 +28,23 @@ def pooled(tmp_path_factory):
     if PROGRAM is None:
         pytest.skip("TROPHIC_PREDATOR_PREY names no program")
     folder = tmp_path_factory.mktemp("runs") / "paper"
-    subprocess.run([PROGRAM, "--backend", "kinematic", "--replay-hz", "0", "--duration", "600", "--replicates", "60", "--out", folder], check=True, capture_output=True)
+    subprocess.run(
+        [
+            PROGRAM,
+            "--backend",
+            "kinematic",
+            "--replay-hz",
+            "0",
+            "--duration",
+            "600",
+            "--replicates",
+            "60",
+            "--out",
+            folder,
+        ],
+        check=True,
+        capture_output=True,
+    )
     return pool.read_set([folder], how=Measuring(jobs=1)).matrix()
 
 
@@ -58,7 +79,9 @@ def test_alike_runs_differ_in_at_most_7_percent_of_analyses_metric_by_metric_and
         of_tested = p[tested][~numpy.isnan(p[tested])]
         any_found += holm(of_tested).min() <= 0.05
         if trial < 10:  # the judge says the same
-            ours, null = (quick_set({name: half[:, i] for i, name in enumerate(names)}) for half in (both[:10], both[10:]))
+            ours, null = (
+                quick_set({name: half[:, i] for i, name in enumerate(names)}) for half in (both[:10], both[10:])
+            )
             ours.shadow = null
             frame = judge.summarize(ours)
             numpy.testing.assert_allclose(frame["p"], p, rtol=1e-6)
@@ -83,7 +106,11 @@ def test_tags_that_say_nothing_about_the_species_differ_from_permuted_ones_in_5_
         of_prey, of_predators = plus[..., :prey].sum(axis=2), plus[..., prey:].sum(axis=2)
         observed += numpy.abs(2.0 * of_prey / prey - 1.0 + 2.0 * of_predators / (robots - prey) - 1.0) / ticks
         permuted += by_number[of_prey + of_predators] / ticks
-    found = {name: numpy.mean([not (interval := interval_of_mean(of)).lower <= 0.0 <= interval.upper for of in observed - null])
-             for name, null in (("permuted", permuted), ("bernoulli", bernoulli_symmetry(prey, robots - prey)))}
+    found = {
+        name: numpy.mean(
+            [not (interval := interval_of_mean(of)).lower <= 0.0 <= interval.upper for of in observed - null]
+        )
+        for name, null in (("permuted", permuted), ("bernoulli", bernoulli_symmetry(prey, robots - prey)))
+    }
     assert 0.03 <= found["permuted"] <= 0.07
     assert found["bernoulli"] >= 0.9  # so Bernoulli(1/2) tags are not a null

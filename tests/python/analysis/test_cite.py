@@ -8,10 +8,34 @@ import pytest
 from trophic import cite
 from trophic.runs import RunError
 
-MANIFEST = {"trophic": "0.1.0", "source_revision": "abc", "status": "complete", "fingerprint": "0123456789abcdef", "identity": "0123456789abcdef", "seed": 7,
-            "rule_table": "paper", "backend": "kinematic 1", "code": "c0de", "clock": {"until_s": 20.0}, "arena": {"half_side_m": 5.0}, "species": [], "food_web": [],
-            "description": {"name": "paper", "sentence": "rule table `paper` and its parameters", "parameters": [], "changes": []}}
-CHANGED = {"identity": "0123456789abcdef+01234567", "description": {**MANIFEST["description"], "sentence": "rule table `paper` and its parameters; at 5 s rules.a changes from 1 to 2"}}
+MANIFEST = {
+    "trophic": "0.1.0",
+    "source_revision": "abc",
+    "status": "complete",
+    "fingerprint": "0123456789abcdef",
+    "identity": "0123456789abcdef",
+    "seed": 7,
+    "rule_table": "paper",
+    "backend": "kinematic 1",
+    "code": "c0de",
+    "clock": {"until_s": 20.0},
+    "arena": {"half_side_m": 5.0},
+    "species": [],
+    "food_web": [],
+    "description": {
+        "name": "paper",
+        "sentence": "rule table `paper` and its parameters",
+        "parameters": [],
+        "changes": [],
+    },
+}
+CHANGED = {
+    "identity": "0123456789abcdef+01234567",
+    "description": {
+        **MANIFEST["description"],
+        "sentence": "rule table `paper` and its parameters; at 5 s rules.a changes from 1 to 2",
+    },
+}
 
 
 def write(folder, **entries):
@@ -22,7 +46,9 @@ def write(folder, **entries):
 def replicates(folder, *entries):
     for i, each in enumerate(entries):
         write(folder / f"replicate-{i:02}", seed=i, master_seed="3", **each)
-    (folder / "replicates.json").write_text(json.dumps({"replicates": [{"folder": f"replicate-{i:02}", "seed": i} for i in range(len(entries))]}))
+    (folder / "replicates.json").write_text(
+        json.dumps({"replicates": [{"folder": f"replicate-{i:02}", "seed": i} for i in range(len(entries))]})
+    )
 
 
 def cited(folder, capsys):
@@ -33,16 +59,31 @@ def cited(folder, capsys):
 def test_a_run(tmp_path, capsys):
     write(tmp_path / "run")
     sentence, entries = cited(tmp_path / "run", capsys)
-    assert sentence == ("A run of 20 s on kinematic 1 in trophic 0.1.0 (revision abc, fingerprint 0123456789abcdef, seed 7), with the rule table `paper` and its "
-                        "parameters.")
+    assert sentence == (
+        "A run of 20 s on kinematic 1 in trophic 0.1.0 (revision abc, fingerprint 0123456789abcdef, seed 7), with the rule table `paper` and its "
+        "parameters."
+    )
     assert "note = {Software, version 0.1.0, revision abc}" in entries and "@article{kachler2023," in entries
 
 
-@pytest.mark.parametrize("entries, parts", [
-    ([CHANGED] * 2, ["2 runs of 20 s", "fingerprint 0123456789abcdef+01234567, master seed 3", "; at 5 s rules.a changes from 1 to 2."]),
-    ([{}, {"code": "beef", "source_revision": "def"}], ["revision abc and def", "; 2 builds of the program made them."]),
-    ([{"description": {}}], ["with the rule table `paper`.", ]),
-])
+@pytest.mark.parametrize(
+    "entries, parts",
+    [
+        (
+            [CHANGED] * 2,
+            [
+                "2 runs of 20 s",
+                "fingerprint 0123456789abcdef+01234567, master seed 3",
+                "; at 5 s rules.a changes from 1 to 2.",
+            ],
+        ),
+        (
+            [{}, {"code": "beef", "source_revision": "def"}],
+            ["revision abc and def", "; 2 builds of the program made them."],
+        ),
+        ([{"description": {}}], ["with the rule table `paper`."]),
+    ],
+)
 def test_what_a_set_is_stands_in_the_sentence(tmp_path, capsys, entries, parts):
     replicates(tmp_path / "set", *entries)
     sentence, _ = cited(tmp_path / "set", capsys)
@@ -54,15 +95,26 @@ def test_an_older_run_names_the_file_with_its_parameters(tmp_path, capsys):
     write(tmp_path / "run")
     old = {key: value for key, value in MANIFEST.items() if key not in ("description", "identity")}
     (tmp_path / "run/manifest.json").write_text(json.dumps(old))
-    assert cited(tmp_path / "run", capsys)[0].endswith("with the rule table `paper`. The parameters are in manifest.json.")
+    assert cited(tmp_path / "run", capsys)[0].endswith(
+        "with the rule table `paper`. The parameters are in manifest.json."
+    )
 
 
-@pytest.mark.parametrize("make, sentence", [
-    (lambda folder: (folder.mkdir(), (folder / "plan.jsonl").write_text("{}\n")), "is a sweep; name one of its cells"),
-    (lambda folder: folder.mkdir(), "is set a run's folder?"),
-    (lambda folder: (folder.mkdir(), replicates(folder)), "no run is there"),
-    (lambda folder: replicates(folder, {}, CHANGED), "runs of different fingerprints: 0123456789abcdef, 0123456789abcdef+01234567"),
-])
+@pytest.mark.parametrize(
+    "make, sentence",
+    [
+        (
+            lambda folder: (folder.mkdir(), (folder / "plan.jsonl").write_text("{}\n")),
+            "is a sweep; name one of its cells",
+        ),
+        (lambda folder: folder.mkdir(), "is set a run's folder?"),
+        (lambda folder: (folder.mkdir(), replicates(folder)), "no run is there"),
+        (
+            lambda folder: replicates(folder, {}, CHANGED),
+            "runs of different fingerprints: 0123456789abcdef, 0123456789abcdef+01234567",
+        ),
+    ],
+)
 def test_what_is_not_one_set_is_refused(tmp_path, monkeypatch, make, sentence):
     monkeypatch.chdir(tmp_path)
     make(tmp_path / "set")

@@ -55,13 +55,25 @@ def outputs_of(outcome, folder):
     latex = claims.of_latex((out / f"{table}.tex").read_text())
     kind = ("over_shadow" if all(of.shadow for of in outcome.sets) else "raw") if compares else ""
     found[f"{table}.tex"] = latex._replace(claims=[claim._replace(null=kind or claim.null) for claim in latex.claims])
-    for answer in [one for of in json.loads((out / "summary.json").read_text())["sets"] for one in of["answers"] if not compares]:
-        for shown in (whole, brief, html.unescape((folder / "page.html").read_text()), (out / "answers.tex").read_text().replace("\\,", "").replace("\\", "")):
+    for answer in [
+        one for of in json.loads((out / "summary.json").read_text())["sets"] for one in of["answers"] if not compares
+    ]:
+        for shown in (
+            whole,
+            brief,
+            html.unescape((folder / "page.html").read_text()),
+            (out / "answers.tex").read_text().replace("\\,", "").replace("\\", ""),
+        ):
             at = shown.index(answer["question"])
-            assert shown[at + len(answer["question"]):].lstrip(" &").lower().startswith(answer["answer"]), (answer, shown[at:at + 200])
+            assert shown[at + len(answer["question"]) :].lstrip(" &").lower().startswith(answer["answer"]), (
+                answer,
+                shown[at : at + 200],
+            )
     read, made = read_analysis(out), outcome.analysis(None)
     for name, analysis in (("read_analysis", read), ("analysis in memory", made)):
-        shown = "\n".join(re.findall("<li>(.*?)</li>", analysis._repr_html_())).replace("&lt;", "<").replace("&#x27;", "'")
+        shown = (
+            "\n".join(re.findall("<li>(.*?)</li>", analysis._repr_html_())).replace("&lt;", "<").replace("&#x27;", "'")
+        )
         found[f"{name} in a notebook"] = claims.Output([], claims.counts_in(shown), claims.findings_in(shown), [])
         of = analysis.differences if compares else analysis.means
         found[f"{name} as frames"] = claims.of_csv(tables.csv_text(of), title_of, reading_of)
@@ -72,14 +84,25 @@ def check(outcome, folder):
     found = outputs_of(outcome, folder)
     assert claims.contradictions(found) == []
     truth = found["summary.json"]
-    for name in ("terminal", "terminal --all", "page", "read_analysis in a notebook", "analysis in memory in a notebook"):
+    for name in (
+        "terminal",
+        "terminal --all",
+        "page",
+        "read_analysis in a notebook",
+        "analysis in memory in a notebook",
+    ):
         assert bool(found[name].findings) == bool(truth.findings), name
         assert found[name].counts or truth.counts[0][0] == 0, name
-    shown = [row for row in truth.claims if row.difference != "missing" and not row.metric.startswith("deaths")]  # causes of which none died are left out
+    shown = [
+        row for row in truth.claims if row.difference != "missing" and not row.metric.startswith("deaths")
+    ]  # causes of which none died are left out
     for name in ("terminal --all", "page", f"{'differences' if outcome.compared is not None else 'means'}.csv"):
         # Of two sets the comparison alone is shown.
         wanted = {row[:3] for row in shown if outcome.compared is None or not row.set}
-        assert wanted <= {(row.set or shown[0].set, row.metric, row.null) if outcome.compared is None else row[:3] for row in found[name].claims}, name
+        assert wanted <= {
+            (row.set or shown[0].set, row.metric, row.null) if outcome.compared is None else row[:3]
+            for row in found[name].claims
+        }, name
     check_findings(outcome, truth)
     return found
 
@@ -107,40 +130,77 @@ def check_findings(outcome, truth):
 
 # Sets of simulated values, in which much is significant
 
+
 def simulated(seed, shift, label="paper", count=8, species=("prey", "predator"), shadow=True, neutral=False):
     rng = numpy.random.default_rng(seed)
     prey, predator = species
-    names = [metric("velocity", one, group) for one in species for group in ("all", "inherited", "active")] + [metric("velocity_points", one) for one in species]
-    names += [metric("attribution_caught", prey), metric("attribution_credited", predator), metric("wall_sticking", prey), metric("wall_sticking", predator, "active")]
-    names += [metric("deaths", prey), metric("deaths", prey, "caught"), metric("stuck", prey), metric("stuck", "all"), metric("my_own_metric", "", "left, right")]
+    names = [metric("velocity", one, group) for one in species for group in ("all", "inherited", "active")] + [
+        metric("velocity_points", one) for one in species
+    ]
+    names += [
+        metric("attribution_caught", prey),
+        metric("attribution_credited", predator),
+        metric("wall_sticking", prey),
+        metric("wall_sticking", predator, "active"),
+    ]
+    names += [
+        metric("deaths", prey),
+        metric("deaths", prey, "caught"),
+        metric("stuck", prey),
+        metric("stuck", "all"),
+        metric("my_own_metric", "", "left, right"),
+    ]
     names += [reading.metric for reading in QUESTIONS[0].readings if reading.metric not in names]
     tags = metric("tag_symmetry", f"{prey}+{predator}", "inherited")
     ours = {name: list(rng.normal(0.2 + shift * (i % 3), 0.05, count)) for i, name in enumerate([*names, tags])}
     ours[metric("hunger", predator)] = [1.0] * count
-    own = {(tags, "permuted_tags", "null"): list(rng.normal(0.2, 0.05, count)), (tags, "uniform_pairs", "paper"): [2 / 3] * count}
+    own = {
+        (tags, "permuted_tags", "null"): list(rng.normal(0.2, 0.05, count)),
+        (tags, "uniform_pairs", "paper"): [2 / 3] * count,
+    }
     null = {name: list(rng.normal(0.2, 0.05, len(values))) for name, values in ours.items()}
     made = set_of(ours, own, set_of(null, label=label) if shadow else None, label)
     if neutral:
-        made.neutral, made.inherited = set_of({name: values[1:] + values[:1] for name, values in null.items()}, label=label), frozenset({"stuck", "my_own_metric"})
+        made.neutral, made.inherited = set_of(
+            {name: values[1:] + values[:1] for name, values in null.items()}, label=label
+        ), frozenset({"stuck", "my_own_metric"})
     return made
 
 
 def outcome_of(*sets):
-    return analyze.Outcome(list(sets), [judge.summarize(of) for of in sets], judge.compare(*sets) if len(sets) > 1 else None)
+    return analyze.Outcome(
+        list(sets), [judge.summarize(of) for of in sets], judge.compare(*sets) if len(sets) > 1 else None
+    )
 
 
-SIMULATED = {"strong": lambda: outcome_of(simulated(1, 0.4)), "negative": lambda: outcome_of(simulated(2, -0.3)), "weak": lambda: outcome_of(simulated(3, 0.06)),
-             "nothing": lambda: outcome_of(simulated(4, 0.0)), "own species": lambda: outcome_of(simulated(5, 0.4, "forest", species=("grass", "wolf"))),
-             "neutral null": lambda: outcome_of(simulated(12, 0.4, neutral=True)), "no shadow": lambda: outcome_of(simulated(6, 0.4, shadow=False)), "five runs": lambda: outcome_of(simulated(7, 0.4, count=5)),
-             "compared": lambda: outcome_of(simulated(8, 0.0), simulated(9, 0.5, "released")), "compared, equal": lambda: outcome_of(simulated(8, 0.1), simulated(9, 0.1, "released")),
-             "compared raw": lambda: outcome_of(simulated(10, 0.0, shadow=False), simulated(11, 0.5, "mine, changed"))}
+SIMULATED = {
+    "strong": lambda: outcome_of(simulated(1, 0.4)),
+    "negative": lambda: outcome_of(simulated(2, -0.3)),
+    "weak": lambda: outcome_of(simulated(3, 0.06)),
+    "nothing": lambda: outcome_of(simulated(4, 0.0)),
+    "own species": lambda: outcome_of(simulated(5, 0.4, "forest", species=("grass", "wolf"))),
+    "neutral null": lambda: outcome_of(simulated(12, 0.4, neutral=True)),
+    "no shadow": lambda: outcome_of(simulated(6, 0.4, shadow=False)),
+    "five runs": lambda: outcome_of(simulated(7, 0.4, count=5)),
+    "compared": lambda: outcome_of(simulated(8, 0.0), simulated(9, 0.5, "released")),
+    "compared, equal": lambda: outcome_of(simulated(8, 0.1), simulated(9, 0.1, "released")),
+    "compared raw": lambda: outcome_of(simulated(10, 0.0, shadow=False), simulated(11, 0.5, "mine, changed")),
+}
 
 
 @pytest.mark.parametrize("name", SIMULATED)
 def test_simulated_sets(name, tmp_path):
     outcome = SIMULATED[name]()
     check(outcome, tmp_path)
-    expected = {"strong": True, "neutral null": True, "negative": True, "own species": True, "compared": True, "compared raw": True, "five runs": False}
+    expected = {
+        "strong": True,
+        "neutral null": True,
+        "negative": True,
+        "own species": True,
+        "compared": True,
+        "compared raw": True,
+        "five runs": False,
+    }
     if name in expected:
         assert (judge.count(outcome.answer).significant > 0) == expected[name]
     if name in ("strong", "nothing"):
@@ -150,14 +210,29 @@ def test_simulated_sets(name, tmp_path):
 
 # Sets of runs
 
+
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):
     """Sets of short kinematic runs."""
     folder = tmp_path_factory.mktemp("sets")
 
     def made(out, *options, replicates=6):
-        subprocess.run([PROGRAM, "--backend", "kinematic", "--replay-hz", "0", *(("--replicates", str(replicates)) if replicates else ()), *options, "--out", out],
-                       cwd=folder, check=True, capture_output=True)
+        subprocess.run(
+            [
+                PROGRAM,
+                "--backend",
+                "kinematic",
+                "--replay-hz",
+                "0",
+                *(("--replicates", str(replicates)) if replicates else ()),
+                *options,
+                "--out",
+                out,
+            ],
+            cwd=folder,
+            check=True,
+            capture_output=True,
+        )
 
     (folder / "changes.csv").write_text("time_s,number,value\n100,rules.mutation.sd,0.2\n")
     made("paper", "--duration", "400", "--shadow")
@@ -166,7 +241,19 @@ def folder(tmp_path_factory):
     made("changed", "--changes", "changes.csv", "--duration", "400", "--seed", "5")
     made("past", "--duration", "200", replicates=0)
     made("branch", "--from", "past", "--at", "200", "--duration", "400", "--seed", "6")
-    made("branch-changed", "--from", "past", "--at", "200", "--duration", "400", "--set", "rules.mutation.sd=0.2", "--seed", "7")
+    made(
+        "branch-changed",
+        "--from",
+        "past",
+        "--at",
+        "200",
+        "--duration",
+        "400",
+        "--set",
+        "rules.mutation.sd=0.2",
+        "--seed",
+        "7",
+    )
     for name, edit in (("species", {b"prey": b"hare", b"predator": b"wolf"}), ("tags", {})):
         shutil.copytree(folder / "paper", folder / name)
         for path in (folder / name).rglob("*.*"):
@@ -176,7 +263,15 @@ def folder(tmp_path_factory):
                     content = re.sub(rb"\b%s\b" % before, after, content)
                 path.write_bytes(content)
             if path.name == "replicates.json":  # as of an older program
-                path.write_text(json.dumps({key: value for key, value in json.loads(path.read_text()).items() if key not in ("format", "crc32")}))
+                path.write_text(
+                    json.dumps(
+                        {
+                            key: value
+                            for key, value in json.loads(path.read_text()).items()
+                            if key not in ("format", "crc32")
+                        }
+                    )
+                )
             if path.name == "manifest.json":
                 manifest = json.loads(path.read_text())
                 for key in ("tables", "format", "crc32"):  # as of an older program
@@ -196,11 +291,28 @@ def crowding(run):
 
 
 @needs_program
-@pytest.mark.parametrize("name, options", [
-    ("paper", {}), ("released", {}), ("paper", {"until": 200.0}), ("parameters", {}), ("changed", {}), ("branch", {}), ("branch-changed", {}), ("species", {}), ("tags", {}),
-    ("paper", {"column": ["own.csv:crowd:robots"], "metric": ["crowd", "velocity"]}), ("paper", {"functions": [crowding]}), ("paper/replicate-00", {}),
-    (("paper", "released"), {}), (("paper", "changed"), {}), (("branch", "branch-changed"), {}), (("paper", "species"), {})],
-    ids=lambda value: " ".join(value) if isinstance(value, (dict, tuple)) else value)
+@pytest.mark.parametrize(
+    "name, options",
+    [
+        ("paper", {}),
+        ("released", {}),
+        ("paper", {"until": 200.0}),
+        ("parameters", {}),
+        ("changed", {}),
+        ("branch", {}),
+        ("branch-changed", {}),
+        ("species", {}),
+        ("tags", {}),
+        ("paper", {"column": ["own.csv:crowd:robots"], "metric": ["crowd", "velocity"]}),
+        ("paper", {"functions": [crowding]}),
+        ("paper/replicate-00", {}),
+        (("paper", "released"), {}),
+        (("paper", "changed"), {}),
+        (("branch", "branch-changed"), {}),
+        (("paper", "species"), {}),
+    ],
+    ids=lambda value: " ".join(value) if isinstance(value, (dict, tuple)) else value,
+)
 def test_sets_of_runs(folder, name, options, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(folder)
     how = analyze.measuring_of({**options, "jobs": 1})
@@ -228,21 +340,32 @@ def test_sets_of_runs(folder, name, options, tmp_path, monkeypatch, capsys):
 @needs_program
 def test_sweep_says_the_same_everywhere_and_as_a_comparison(folder, tmp_path, monkeypatch):
     monkeypatch.chdir(folder)
-    (folder / "sweep.toml").write_text('rule_table = "paper"\nengine = "kinematic"\nreplicates = 6\nshadow = true\n[grid]\necology.duration_s = [400.0]\n'
-                                       "rules.capture.reach_m = [1.0, 3.0]\n")
+    (folder / "sweep.toml").write_text(
+        'rule_table = "paper"\nengine = "kinematic"\nreplicates = 6\nshadow = true\n[grid]\necology.duration_s = [400.0]\n'
+        "rules.capture.reach_m = [1.0, 3.0]\n"
+    )
     subprocess.run(planned(PROGRAM, "sweep.toml", "sweep", folder), check=True, capture_output=True)
     sweep = sweep_report.analyze_sweep("sweep", how=analyze.measuring_of({"jobs": 1}))
     shown, summary = sweep_report.text_of(sweep), sweep_report.summary_of(sweep)
     rows = sweep_report.with_significance(sweep.differences)
     answers = rows[rows["compared"] == "over_shadow"]
-    assert claims.counts_in(shown)[0] == (int(answers["p_holm"].notna().sum()), int((answers["significant"] == "yes").sum()))
+    assert claims.counts_in(shown)[0] == (
+        int(answers["p_holm"].notna().sum()),
+        int((answers["significant"] == "yes").sum()),
+    )
     assert claims.counts_in(summary["family"]["sentence"]) == [claims.counts_in(shown)[0]]
     for finding in summary["findings"]:
-        of = answers[(answers[["metric", "species", "group"]] == [finding[key] for key in ("metric", "species", "group")]).all(axis=1)]
+        of = answers[
+            (answers[["metric", "species", "group"]] == [finding[key] for key in ("metric", "species", "group")]).all(
+                axis=1
+            )
+        ]
         assert (of["significant"] == "yes").any() and finding["effect"] in set(of["difference"])
     compared = analyze.analyse([], ["sweep/cell-000", "sweep/cell-001"], None, analyze.measuring_of({"jobs": 1}))
     check(compared, tmp_path)
-    both = compared.compared[compared.compared["compared"] == "over_shadow"].merge(answers, on=["metric", "species", "group"], suffixes=("", "_of_sweep"))
+    both = compared.compared[compared.compared["compared"] == "over_shadow"].merge(
+        answers, on=["metric", "species", "group"], suffixes=("", "_of_sweep")
+    )
     assert len(both) > 20
     same = both[both["n_a"] + both["n_b"] == 12].dropna(subset=["difference_of_sweep"])
     numpy.testing.assert_allclose(same["difference"], same["difference_of_sweep"], atol=1e-9)

@@ -12,10 +12,19 @@ def test_the_page_ends_with_the_tables_of_the_module():
     assert PAGE.read_text().endswith(columns.document())
 
 
-@pytest.mark.parametrize("name, expected", [
-    ("species", columns.Column("species", "", "text", "of whom; of a metric of two: prey+predator")),
-    ("time_s", columns.Column("time_s", "s", "number, exact, or empty", "of a curve the end of its window; empty: of the whole run")),
-    ("value", columns.Column("value", "", "number, exact, or empty", "in `unit`; empty: could not be computed"))])
+@pytest.mark.parametrize(
+    "name, expected",
+    [
+        ("species", columns.Column("species", "", "text", "of whom; of a metric of two: prey+predator")),
+        (
+            "time_s",
+            columns.Column(
+                "time_s", "s", "number, exact, or empty", "of a curve the end of its window; empty: of the whole run"
+            ),
+        ),
+        ("value", columns.Column("value", "", "number, exact, or empty", "in `unit`; empty: could not be computed")),
+    ],
+)
 def test_a_line_is_read_with_cells_unit_and_meaning(name, expected):
     assert next(column for column in columns.TABLES["metrics.csv"][1] if column.name == name) == expected
 

@@ -13,9 +13,14 @@ from trophic.runs import RunError
 
 VALUES = [None, True, -1, 0, 1e300, math.nan, math.inf, "", [], {}, "x", "\x1b", [1], {"a": 1}, 10**30, [[]], [None]]
 BYTES = b'0123456789,.-"\n\r\x00\xffnaeinf '
-MORE = {"code": "a", "origin": {"at_s": "1", "run": "x", "seed": "1", "fingerprint": "a"}, "tables": {}, "result": {"reached_s": 6000.0},
-        "continued": [{"code": "b"}],
-        "agents_every_ticks": 1}
+MORE = {
+    "code": "a",
+    "origin": {"at_s": "1", "run": "x", "seed": "1", "fingerprint": "a"},
+    "tables": {},
+    "result": {"reached_s": 6000.0},
+    "continued": [{"code": "b"}],
+    "agents_every_ticks": 1,
+}
 
 
 def damaged_json(draw, manifest):
@@ -33,13 +38,16 @@ def damaged_json(draw, manifest):
 
 def damaged_bytes(draw, content):
     place = draw.randrange(len(content))
-    return content[:place] + bytes(draw.choices(BYTES, k=draw.randrange(20))) + content[place + draw.randrange(30):]
+    return content[:place] + bytes(draw.choices(BYTES, k=draw.randrange(20))) + content[place + draw.randrange(30) :]
 
 
 def test_a_long_cell_is_quoted_by_its_beginning_and_a_column_is_there_once(tmp_path):
     run = write_run(tmp_path / "run")
     events = (run / "events.csv").read_text()
-    for damaged, why in ((events.replace(",prey,", f",{'x' * 10**6},", 1), 'species = "x{100}\\.\\.\\.": must be'), (events.replace("x_m", "tag", 1), "column 'tag': must be")):
+    for damaged, why in (
+        (events.replace(",prey,", f",{'x' * 10**6},", 1), 'species = "x{100}\\.\\.\\.": must be'),
+        (events.replace("x_m", "tag", 1), "column 'tag': must be"),
+    ):
         (run / "events.csv").write_text(damaged)
         with pytest.raises(RunError, match=why) as caught:
             pool.read_set([run], how=Measuring(jobs=1))
@@ -79,8 +87,15 @@ def test_no_damage_of_a_complete_run_is_silent(tmp_path):
         file = draw.choice(list(whole))
         content = whole[file]
         place = draw.randrange(len(content))
-        damaged = draw.choice([content[:place], content + content[:1], content[:place] + bytes([content[place] ^ 1 << draw.randrange(8)]) + content[place + 1:],
-                               content[:place] + content[place + 1:], content.replace(b"\n", b"\r\n")])
+        damaged = draw.choice(
+            [
+                content[:place],
+                content + content[:1],
+                content[:place] + bytes([content[place] ^ 1 << draw.randrange(8)]) + content[place + 1 :],
+                content[:place] + content[place + 1 :],
+                content.replace(b"\n", b"\r\n"),
+            ]
+        )
         if number % 10 == 0:
             manifest = json.loads(whole[run / "manifest.json"])
             damaged_json(draw, manifest)
@@ -99,5 +114,7 @@ def test_no_damage_of_a_complete_run_is_silent(tmp_path):
         (tmp_path / "away").rename(file)
     other = {**json.loads(whole[run / "manifest.json"]), "seed": 2}
     (run / "manifest.json").write_text(sealed_text(other))
-    with pytest.raises(RunError, match="checkpoint.bin: is of fingerprint aa, seed 1: must be of aa, 2, as manifest.json"):
+    with pytest.raises(
+        RunError, match="checkpoint.bin: is of fingerprint aa, seed 1: must be of aa, 2, as manifest.json"
+    ):
         runs.verify(run)

@@ -11,11 +11,24 @@ from trophic.report import text
 from trophic.runs import RunError, Runs, read_run, read_runs
 from trophic.values import VALUE_COLUMNS, MeasuredSet, RunValues
 
-MANIFEST = {"trophic": "0.1.0", "status": "complete", "fingerprint": "0123456789abcdef", "seed": 7, "rule_table": "paper", "backend": "kinematic 1",
-            "code": "c0de", "clock": {"tick_s": 1.0, "until_s": 20.0}, "tables": {}}
+MANIFEST = {
+    "trophic": "0.1.0",
+    "status": "complete",
+    "fingerprint": "0123456789abcdef",
+    "seed": 7,
+    "rule_table": "paper",
+    "backend": "kinematic 1",
+    "code": "c0de",
+    "clock": {"tick_s": 1.0, "until_s": 20.0},
+    "tables": {},
+}
 ORIGIN = {"at_s": "700", "run": "runs/a", "seed": "7", "fingerprint": "fedcba9876543210"}
-SAID = {"name": "paper (capture.reach_m 0.5 at 10 s)", "sentence": "rule table `paper` and its parameters; at 10 s rules.capture.reach_m changes from 0.3 to 0.5",
-        "parameters": [], "changes": [{"time_s": 10.0, "number": "rules.capture.reach_m", "value": "0.5", "before": "0.3"}]}
+SAID = {
+    "name": "paper (capture.reach_m 0.5 at 10 s)",
+    "sentence": "rule table `paper` and its parameters; at 10 s rules.capture.reach_m changes from 0.3 to 0.5",
+    "parameters": [],
+    "changes": [{"time_s": 10.0, "number": "rules.capture.reach_m", "value": "0.5", "before": "0.3"}],
+}
 CHANGES = "time_s,tick,number,value,before\n"
 
 
@@ -41,15 +54,23 @@ def test_a_manifest_s_own_words_are_used(tmp_path):
     assert one.facts()["fingerprint"] == "0123456789abcdef+01234567"
 
 
-@pytest.mark.parametrize("changes, origin, identity, label", [
-    ("", None, "", "paper"),
-    ("5,5,rules.a,1,1\n", None, "", "paper"),  # no effect
-    ("5,5,rules.a,2,1\n5,5,rules.a,1,2\n", None, "", "paper"),  # nor has this, at the end of the tick
-    ("5,5,rules.a,2,1\n", None, "5 rules.a=2\n", "paper (1 change)"),
-    ("5,5,rules.b,2,1\n5,5,rules.a,x,y\n12,12,rules.a,y,x\n", None, "5 rules.a=x\n5 rules.b=2\n12 rules.a=y\n", "paper (3 changes)"),
-    ("", ORIGIN, "700 7 fedcba9876543210\n", "paper (from 700 s)"),
-    ("800,800,rules.a,2,1\n", ORIGIN, "700 7 fedcba9876543210\n800 rules.a=2\n", "paper (1 change; from 700 s)"),
-])
+@pytest.mark.parametrize(
+    "changes, origin, identity, label",
+    [
+        ("", None, "", "paper"),
+        ("5,5,rules.a,1,1\n", None, "", "paper"),  # no effect
+        ("5,5,rules.a,2,1\n5,5,rules.a,1,2\n", None, "", "paper"),  # nor has this, at the end of the tick
+        ("5,5,rules.a,2,1\n", None, "5 rules.a=2\n", "paper (1 change)"),
+        (
+            "5,5,rules.b,2,1\n5,5,rules.a,x,y\n12,12,rules.a,y,x\n",
+            None,
+            "5 rules.a=x\n5 rules.b=2\n12 rules.a=y\n",
+            "paper (3 changes)",
+        ),
+        ("", ORIGIN, "700 7 fedcba9876543210\n", "paper (from 700 s)"),
+        ("800,800,rules.a,2,1\n", ORIGIN, "700 7 fedcba9876543210\n800 rules.a=2\n", "paper (1 change; from 700 s)"),
+    ],
+)
 def test_an_older_run_with_changes_has_a_name_of_its_own(tmp_path, changes, origin, identity, label):
     run = run_in(tmp_path / "a", changes, **({"origin": origin} if origin else {}))
     assert run.identity == MANIFEST["fingerprint"] + (f"+{zlib.crc32(identity.encode()):08x}" if identity else "")
@@ -76,9 +97,23 @@ def test_equal_labels_are_distinguished():
     assert description.distinct(["paper", "released", "paper"]) == ["paper (a)", "released", "paper (b)"]
 
 
-@pytest.mark.parametrize("said, line", [(SAID, f"rules: {SAID['sentence']}\n"), ({**SAID, "name": "paper", "sentence": "rule table `paper` and its parameters"}, "")])
+@pytest.mark.parametrize(
+    "said, line",
+    [
+        (SAID, f"rules: {SAID['sentence']}\n"),
+        ({**SAID, "name": "paper", "sentence": "rule table `paper` and its parameters"}, ""),
+    ],
+)
 def test_the_terminal_prints_what_differs_from_the_table(tmp_path, said, line):
     values = RunValues(pandas.DataFrame([["hunger", "prey", "all", "1", "", "", 1.0]], columns=VALUE_COLUMNS))
-    of = MeasuredSet(said["name"], [run_in(tmp_path / "a", description=said, identity="0123456789abcdef+01234567")], [values], None, 20.0)
+    of = MeasuredSet(
+        said["name"],
+        [run_in(tmp_path / "a", description=said, identity="0123456789abcdef+01234567")],
+        [values],
+        None,
+        20.0,
+    )
     shown = text.table(of, judge.summarize(of))
-    assert shown.startswith(f"{said['name']} on kinematic 1, a run of 20 s, fingerprint 0123456789abcdef+01234567\n{line}no shadow")
+    assert shown.startswith(
+        f"{said['name']} on kinematic 1, a run of 20 s, fingerprint 0123456789abcdef+01234567\n{line}no shadow"
+    )

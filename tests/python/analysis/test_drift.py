@@ -21,19 +21,34 @@ ALIVE = math.inf
 def descent(*rows):
     """(parents, birth_s, death_s, weight[, species]) each."""
     parents, births, deaths, weights, species = zip(*((*row, "prey")[:5] for row in rows))
-    return Descent(list(range(len(rows))), numpy.array(births, float), numpy.array(deaths, float), list(species), [list(one) for one in parents],
-                   numpy.array(weights, float)[:, None], {"prey": 1, "predator": 1})
+    return Descent(
+        list(range(len(rows))),
+        numpy.array(births, float),
+        numpy.array(deaths, float),
+        list(species),
+        [list(one) for one in parents],
+        numpy.array(weights, float)[:, None],
+        {"prey": 1, "predator": 1},
+    )
 
 
 def test_the_stream_is_that_of_the_program(monkeypatch):
     monkeypatch.setattr(drift, "_NULL_MODEL", 0)
-    assert stream(0, 0)() == (0x16554d9eca36314c >> 11) * 2.0**-53  # the published answer of Philox 4x64-10 to zeros
+    assert stream(0, 0)() == (0x16554D9ECA36314C >> 11) * 2.0**-53  # the published answer of Philox 4x64-10 to zeros
 
 
 def test_parents_are_drawn_evenly_among_the_living_and_mutations_are_permuted():
     # 0 and 1 may be the parent of 5; 2 has died at its birth, 3 is of another species, 4 is born with it. 7 is a later root.
-    run = descent(([], 0, ALIVE, 0), ([], 0, ALIVE, 10), ([], 0, 5, 20), ([], 0, ALIVE, 30, "predator"), ([], 5, ALIVE, 40), ([0], 5, ALIVE, 0.5),
-                  ([5], 6, ALIVE, 0.25), ([], 7, ALIVE, 50))
+    run = descent(
+        ([], 0, ALIVE, 0),
+        ([], 0, ALIVE, 10),
+        ([], 0, 5, 20),
+        ([], 0, ALIVE, 30, "predator"),
+        ([], 5, ALIVE, 40),
+        ([0], 5, ALIVE, 0.5),
+        ([5], 6, ALIVE, 0.25),
+        ([], 7, ALIVE, 50),
+    )
     parents, mutations, founders = (collections.Counter() for _ in range(3))
     for seed in range(2000):
         drifted = drift_of(run, ["prey", "predator"], stream(seed, 0))
@@ -73,35 +88,77 @@ SENSES = "species,input0,input1\nprey,1,0.5\nprey,,\nprey,1,0.5\npredator,-1,\np
 
 
 def written(folder, **more):
-    write_run(folder, until_s=40.0, **{"result": {"reached_s": 40.0}, "senses": {"inputs": ["a", "b"]}, "params": {"seed": 1},
-                                       "files": {"phylogeny.csv": PHYLOGENY, "genomes.csv": GENOMES, "senses.csv": SENSES}, **more})
+    write_run(
+        folder,
+        until_s=40.0,
+        **{
+            "result": {"reached_s": 40.0},
+            "senses": {"inputs": ["a", "b"]},
+            "params": {"seed": 1},
+            "files": {"phylogeny.csv": PHYLOGENY, "genomes.csv": GENOMES, "senses.csv": SENSES},
+            **more,
+        },
+    )
     return pool.read_pooled(folder)
 
 
 def test_a_run_has_individuals_in_the_order_of_births(tmp_path):
     of = read_descent(written(tmp_path / "run"))
-    assert (of.ids, of.parents, of.species, of.sizes) == ([0, 5, 7], [[], [], [0]], ["prey", "predator", "prey"], {"prey": 2, "predator": 1})
+    assert (of.ids, of.parents, of.species, of.sizes) == (
+        [0, 5, 7],
+        [[], [], [0]],
+        ["prey", "predator", "prey"],
+        {"prey": 2, "predator": 1},
+    )
     assert of.weights.tolist() == [[0.25, 0.5], [1, 0], [3, 4]] and of.death_s.tolist() == [20, ALIVE, ALIVE]
 
 
-@pytest.mark.parametrize("change, why", [
-    ({"rules": {"heredity": "shared_copy"}}, "genomes.csv: rule heredity = shared_copy: must give each individual a genome of its own"),
-    ({"status": "running", "result": None}, 'manifest.json: status "running": phylogeny.csv has those alive only at a run\'s end; resume the run'),
-    ({"genomes.csv": None}, "genomes.csv: is missing: lineage measures need phylogeny and genomes"),
-    ({"genomes.csv": GENOMES.replace("5,5,0", "5,0,0")}, "a genome that several share"),
-    ({"genomes.csv": GENOMES[:-len("7,7,10,3,4\n")]}, "genomes.csv: has no genome of individual 7"),
-    ({"genomes.csv": GENOMES[:-2]}, "genomes.csv: the last line is truncated"),
-    ({"phylogeny.csv": PHYLOGENY.replace("[0],0,10", "[1],1,10")}, "phylogeny.csv: id 7: its parent 1 is not among those born before it"),
-    ({"phylogeny.csv": PHYLOGENY.replace("[0],0,10,inf", "[0],0,-1,inf")}, "id 7: origin_time = -1: must be >= 0 and <= 40, the run's end"),
-    ({"phylogeny.csv": PHYLOGENY.replace("10,inf", "41,inf")}, "id 7: origin_time = 41: must be >= 0 and <= 40"),
-    ({"phylogeny.csv": PHYLOGENY.replace("10,inf", "10,9")}, "id 7: destruction_time = 9: must be >= its origin_time, 10, and <= 40"),
-    ({"phylogeny.csv": PHYLOGENY.replace("7,[0],0", "7,[5],0")}, "id 7: ancestor_list = [5]: must be [0], as its ancestor_id"),
-    ({"phylogeny.csv": PHYLOGENY + "5,[none],5,10,inf,prey\n"}, "id 5: has two rows"),
-])
+@pytest.mark.parametrize(
+    "change, why",
+    [
+        (
+            {"rules": {"heredity": "shared_copy"}},
+            "genomes.csv: rule heredity = shared_copy: must give each individual a genome of its own",
+        ),
+        (
+            {"status": "running", "result": None},
+            'manifest.json: status "running": phylogeny.csv has those alive only at a run\'s end; resume the run',
+        ),
+        ({"genomes.csv": None}, "genomes.csv: is missing: lineage measures need phylogeny and genomes"),
+        ({"genomes.csv": GENOMES.replace("5,5,0", "5,0,0")}, "a genome that several share"),
+        ({"genomes.csv": GENOMES[: -len("7,7,10,3,4\n")]}, "genomes.csv: has no genome of individual 7"),
+        ({"genomes.csv": GENOMES[:-2]}, "genomes.csv: the last line is truncated"),
+        (
+            {"phylogeny.csv": PHYLOGENY.replace("[0],0,10", "[1],1,10")},
+            "phylogeny.csv: id 7: its parent 1 is not among those born before it",
+        ),
+        (
+            {"phylogeny.csv": PHYLOGENY.replace("[0],0,10,inf", "[0],0,-1,inf")},
+            "id 7: origin_time = -1: must be >= 0 and <= 40, the run's end",
+        ),
+        ({"phylogeny.csv": PHYLOGENY.replace("10,inf", "41,inf")}, "id 7: origin_time = 41: must be >= 0 and <= 40"),
+        (
+            {"phylogeny.csv": PHYLOGENY.replace("10,inf", "10,9")},
+            "id 7: destruction_time = 9: must be >= its origin_time, 10, and <= 40",
+        ),
+        (
+            {"phylogeny.csv": PHYLOGENY.replace("7,[0],0", "7,[5],0")},
+            "id 7: ancestor_list = [5]: must be [0], as its ancestor_id",
+        ),
+        ({"phylogeny.csv": PHYLOGENY + "5,[none],5,10,inf,prey\n"}, "id 5: has two rows"),
+    ],
+)
 def test_what_a_run_cannot_give_is_refused(tmp_path, change, why):
-    files = {"phylogeny.csv": PHYLOGENY, "genomes.csv": GENOMES, **{name: text for name, text in change.items() if "." in name}}
-    run = written(tmp_path / "run", files={name: text for name, text in files.items() if text is not None},
-                  **{name: value for name, value in change.items() if "." not in name})
+    files = {
+        "phylogeny.csv": PHYLOGENY,
+        "genomes.csv": GENOMES,
+        **{name: text for name, text in change.items() if "." in name},
+    }
+    run = written(
+        tmp_path / "run",
+        files={name: text for name, text in files.items() if text is not None},
+        **{name: value for name, value in change.items() if "." not in name},
+    )
     with pytest.raises(RunError, match=re.escape(why)):
         read_descent(run)
 
@@ -111,7 +168,9 @@ def test_met_inputs_are_each_once_by_species(tmp_path):
     prey, predator = drift.met_inputs([run])
     assert sorted(prey) == [[0.0, 1.0], [1.0, 0.5]] and predator == [[-1.0]] and len(drift.met_inputs([run], 1)[0]) == 1
     (tmp_path / "run/senses.csv").unlink()
-    with pytest.raises(RunError, match="senses.csv: is missing: lineage measures need it of the first run; run with --senses"):
+    with pytest.raises(
+        RunError, match="senses.csv: is missing: lineage measures need it of the first run; run with --senses"
+    ):
         drift.met_inputs([run])
 
 
@@ -127,6 +186,7 @@ assert head["fingerprint"] == "aa" and len(head["inputs"]) == 2
 
 def test_a_program_says_of_which_types_the_genomes_are(tmp_path):
     import sys
+
     program = tmp_path / "program"
     program.write_text(PROGRAM.format(python=sys.executable))
     program.chmod(program.stat().st_mode | stat.S_IXUSR)

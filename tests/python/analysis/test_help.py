@@ -9,8 +9,14 @@ from trophic.errors import RunError
 HEADERS = trophic_help.include_folder()
 
 
-@pytest.mark.parametrize("policy, name, words", [("normal_mutation", "NormalMutation", "Random draws"), ("killer", "Killer", "Rule"),
-                                                 ("own_copy", "OwnCopy", "the offspring's genome is a copy")])
+@pytest.mark.parametrize(
+    "policy, name, words",
+    [
+        ("normal_mutation", "NormalMutation", "Random draws"),
+        ("killer", "Killer", "Rule"),
+        ("own_copy", "OwnCopy", "the offspring's genome is a copy"),
+    ],
+)
 def test_a_policy_has_the_docstring_of_its_header(policy, name, words, capsys):
     trophic_help.run({"topic": policy})
     text = capsys.readouterr().out
@@ -20,7 +26,12 @@ def test_a_policy_has_the_docstring_of_its_header(policy, name, words, capsys):
 def test_every_policy_says_how_many_random_numbers_it_draws():
     policies = [path for path in HEADERS.glob("trophic/*/*/**/*.hpp") if "string_view source" in path.read_text()]
     assert len(policies) > 100
-    assert not [str(path) for path in policies if path.name not in ("list.hpp", "per_species.hpp") and not re.search(r"Random\s+(/// )?draws", path.read_text())]
+    assert not [
+        str(path)
+        for path in policies
+        if path.name not in ("list.hpp", "per_species.hpp")
+        and not re.search(r"Random\s+(/// )?draws", path.read_text())
+    ]
 
 
 def test_every_slot_has_a_sentence_and_the_policies_of_its_folder(capsys):
@@ -31,7 +42,10 @@ def test_every_slot_has_a_sentence_and_the_policies_of_its_folder(capsys):
         folder = HEADERS / "trophic" / kind / slot
         of_parts = dict(part.split(": ") for part in f"{slot}: {policies.removeprefix('list of: ')}".split("; "))
         no_policies = {"contract", "list"} if policies.startswith("list of: ") else {"contract"}
-        there = {path.parent.name: {other.stem for other in path.parent.glob("*.hpp")} - no_policies for path in folder.rglob("contract.hpp")}
+        there = {
+            path.parent.name: {other.stem for other in path.parent.glob("*.hpp")} - no_policies
+            for path in folder.rglob("contract.hpp")
+        }
         assert {part: set(names.split()) for part, names in of_parts.items()} == there
 
 

@@ -21,11 +21,15 @@ def decisions(weights, inputs):
 def signatures(weights):
     """The type of each individual, and its complexity."""
     met = [decisions(weights, inputs) for inputs in INPUTS]
-    _, types = numpy.unique(sum(7**i * (side + 2 + 3 * tag) for i, (side, tag) in enumerate(met)), return_inverse=True)
+    _, types = numpy.unique(
+        sum(7**i * (side + 2 + 3 * tag) for i, (side, tag) in enumerate(met)), return_inverse=True
+    )
     depends = numpy.zeros((2, 2, len(weights)), dtype=bool)
     for inputs, before in zip(INPUTS, met):
         for place, end in itertools.product((0, 1), (min, max)):
-            after = decisions(weights, [end(INPUTS[:, place]) if i == place else value for i, value in enumerate(inputs)])
+            after = decisions(
+                weights, [end(INPUTS[:, place]) if i == place else value for i, value in enumerate(inputs)]
+            )
             depends[place] |= [before[0] != after[0], before[1] != after[1]]
     return types, depends.sum(axis=(0, 1))
 
@@ -38,7 +42,12 @@ def simulated(rng, fitness, has_heredity=True):
     chance = rng.random((steps, 4)).tolist()
     drawn = rng.uniform(-1, 1, (steps + POPULATION, 3)).tolist()
     mutation = rng.normal(0, 0.1, (steps, 3)).tolist()
-    parent, birth_s, death_s, weights = [-1] * POPULATION, [0.0] * POPULATION, [numpy.inf] * POPULATION, drawn[:POPULATION]
+    parent, birth_s, death_s, weights = (
+        [-1] * POPULATION,
+        [0.0] * POPULATION,
+        [numpy.inf] * POPULATION,
+        drawn[:POPULATION],
+    )
     living = list(range(POPULATION))
     for step, (dies, who, is_random, whose) in enumerate(chance):
         if dies >= 0.5:
@@ -85,7 +94,10 @@ def measured(runs, seed, fitness, has_heredity=True):
         drawn = [first, *(drift(rng, *first) for _ in range(4))]
         types, complexity = signatures(numpy.concatenate([each[3] for each in drawn]))
         size = len(first[0])
-        forests = [Forest(*each[:3], numpy.zeros(size, dtype=int), types[i * size:][:size], complexity[i * size:][:size]) for i, each in enumerate(drawn)]
+        forests = [
+            Forest(*each[:3], numpy.zeros(size, dtype=int), types[i * size :][:size], complexity[i * size :][:size])
+            for i, each in enumerate(drawn)
+        ]
         found = lineage_values(forests, [0], WINDOW_S, RUN_S).values
         own.append(found.value[found.baseline == ""].to_numpy())
         nulls.append(found.value[found.baseline == DRIFT].to_numpy())
@@ -103,7 +115,9 @@ def found(ours, shadows, size, analyses):
     """The shares of analyses of `size` runs in which each measure is above and below drift and the shadow: {title: (above, below)}."""
     rng = numpy.random.Generator(numpy.random.Philox([size, 1]))
     titles, own, drifted = ours
-    own_rows, shadow_rows = (rng.permuted(numpy.tile(numpy.arange(len(each)), (analyses, 1)), axis=1)[:, :size] for each in (own, shadows[1]))
+    own_rows, shadow_rows = (
+        rng.permuted(numpy.tile(numpy.arange(len(each)), (analyses, 1)), axis=1)[:, :size] for each in (own, shadows[1])
+    )
 
     def moments(values):
         counts = (~numpy.isnan(values)).sum(axis=1)
@@ -113,8 +127,13 @@ def found(ours, shadows, size, analyses):
     a, b = moments(own[own_rows]), moments(shadows[1][shadow_rows])
     with numpy.errstate(invalid="ignore", divide="ignore"):
         welch = (a[1] + b[1]) ** 2 / (a[1] ** 2 / a[2] + b[1] ** 2 / b[2])
-    for null, judged in ((DRIFT, side(*moments((own - drifted)[own_rows]))), ("shadow", side(a[0] - b[0], a[1] + b[1], welch))):
-        shares.update({f"{title}, {null}": pair for title, *pair in zip(titles, *(each.mean(axis=0) for each in judged))})
+    for null, judged in (
+        (DRIFT, side(*moments((own - drifted)[own_rows]))),
+        ("shadow", side(a[0] - b[0], a[1] + b[1], welch)),
+    ):
+        shares.update(
+            {f"{title}, {null}": pair for title, *pair in zip(titles, *(each.mean(axis=0) for each in judged))}
+        )
     return shares
 
 
@@ -149,7 +168,11 @@ def youngest_three(weights, birth_s, living, place):
     return 100.0 if living.index(place) + 3 >= len(living) else 1.0
 
 
-DIVERSITIES = [f"{measure} {half}, drift" for measure in ("modes_change", "modes_novelty", "modes_ecology", "activity_diversity") for half in ("early", "late")]
+DIVERSITIES = [
+    f"{measure} {half}, drift"
+    for measure in ("modes_change", "modes_novelty", "modes_ecology", "activity_diversity")
+    for half in ("early", "late")
+]
 
 
 def test_parents_by_chance_at_most_7_percent_of_1000_analyses_find_a_difference():
@@ -158,18 +181,41 @@ def test_parents_by_chance_at_most_7_percent_of_1000_analyses_find_a_difference(
     assert max((sum(both), title) for title, both in shares.items()) <= (0.07, "z")
 
 
-@pytest.mark.parametrize("fitness, above, below", [
-    (half_of_the_types, ["activity_excess late, drift"], []),
-    (quarter_of_the_types, ["activity_mean late, drift"], DIVERSITIES),
-    (most_complex, [f"modes_complexity {half}, {null}" for half in ("early", "late") for null in ("drift", "shadow")], []),
-    (rare_and_complex, [title for title in DIVERSITIES if title != "modes_novelty late, drift"], []),
-    (quarter_of_individuals, [f"descent_{measure} all, {null}" for measure in ("related_pairs", "largest_clade") for null in ("shadow", "drift")],
-     ["descent_roots all, drift"]),
-    (youngest_three, ["descent_mean_depth all, shadow", "descent_greatest_depth all, shadow"],
-     ["descent_common_ancestor all, shadow", "descent_diversity all, shadow"])])
+@pytest.mark.parametrize(
+    "fitness, above, below",
+    [
+        (half_of_the_types, ["activity_excess late, drift"], []),
+        (quarter_of_the_types, ["activity_mean late, drift"], DIVERSITIES),
+        (
+            most_complex,
+            [f"modes_complexity {half}, {null}" for half in ("early", "late") for null in ("drift", "shadow")],
+            [],
+        ),
+        (rare_and_complex, [title for title in DIVERSITIES if title != "modes_novelty late, drift"], []),
+        (
+            quarter_of_individuals,
+            [
+                f"descent_{measure} all, {null}"
+                for measure in ("related_pairs", "largest_clade")
+                for null in ("shadow", "drift")
+            ],
+            ["descent_roots all, drift"],
+        ),
+        (
+            youngest_three,
+            ["descent_mean_depth all, shadow", "descent_greatest_depth all, shadow"],
+            ["descent_common_ancestor all, shadow", "descent_diversity all, shadow"],
+        ),
+    ],
+)
 def test_a_planted_effect_is_found_in_at_least_80_percent_of_analyses_of_30_runs(fitness, above, below):
     shares = found(measured(150, 3, fitness), measured(400, 2, by_chance), 30, 200)
-    missed = {title: shares[title][place] for place, titles in enumerate((above, below)) for title in titles if shares[title][place] < 0.8}
+    missed = {
+        title: shares[title][place]
+        for place, titles in enumerate((above, below))
+        for title in titles
+        if shares[title][place] < 0.8
+    }
     assert not missed
 
 

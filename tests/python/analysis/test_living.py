@@ -23,11 +23,27 @@ NAN = math.nan
 
 
 def test_the_census_counts_who_lives_and_who_is_caught_at_each_tick():
-    census = Census(events(*(event("birth", 0, i, "prey") for i in range(3)), event("birth", 0, 3, "predator"), event("catch", 2, 3, "predator", victim_id=1),
-                           event("death", 2, 1, "prey", cause="caught"), event("birth", 4, 4, "prey"), event("death", 6, 3, "predator", cause="starved")), WEB, 2.0, 8.0)
-    assert census.numbers.tolist() == [[3, 2, 3, 3, 3], [1, 1, 1, 0, 0]] and census.catches.tolist() == [[0, 1, 0, 0, 0]]
+    census = Census(
+        events(
+            *(event("birth", 0, i, "prey") for i in range(3)),
+            event("birth", 0, 3, "predator"),
+            event("catch", 2, 3, "predator", victim_id=1),
+            event("death", 2, 1, "prey", cause="caught"),
+            event("birth", 4, 4, "prey"),
+            event("death", 6, 3, "predator", cause="starved"),
+        ),
+        WEB,
+        2.0,
+        8.0,
+    )
+    assert census.numbers.tolist() == [[3, 2, 3, 3, 3], [1, 1, 1, 0, 0]] and census.catches.tolist() == [
+        [0, 1, 0, 0, 0]
+    ]
     assert (census.deaths - census.caught).tolist() == [[0] * 5, [0, 0, 0, 1, 0]]
-    assert extinctions(numpy.array([[1, 0, 1], [1, 1, 0], [0, 0, 0]])).tolist() == [3, 2, 3] and dynamics(census.numbers[1])[0] == 3
+    assert (
+        extinctions(numpy.array([[1, 0, 1], [1, 1, 0], [0, 0, 0]])).tolist() == [3, 2, 3]
+        and dynamics(census.numbers[1])[0] == 3
+    )
 
 
 @pytest.mark.parametrize("memory, points", [(0, 150), (3, 150), (20, 300)])
@@ -42,10 +58,20 @@ def test_the_period_and_amplitude_of_cycles_with_noise(coherence, error):
     rng, period = numpy.random.default_rng(1), 37.0
     turn = 2.0 * math.pi / period
     for _ in range(10):
-        wave = signal.lfilter([1.0], [1.0, -2.0 * coherence * math.cos(turn), coherence**2], rng.standard_normal(900))[500:] if coherence < 1.0 else (
-            math.sqrt(2.0) * numpy.sin(turn * (numpy.arange(400) + rng.uniform(0.0, period))) + 0.3 * rng.standard_normal(400))
+        wave = (
+            signal.lfilter([1.0], [1.0, -2.0 * coherence * math.cos(turn), coherence**2], rng.standard_normal(900))[
+                500:
+            ]
+            if coherence < 1.0
+            else (
+                math.sqrt(2.0) * numpy.sin(turn * (numpy.arange(400) + rng.uniform(0.0, period)))
+                + 0.3 * rng.standard_normal(400)
+            )
+        )
         cycle = cycle_of(10.0 + wave / wave.std())
-        assert cycle.period == pytest.approx(period, rel=3.0 * error) and cycle.amplitude == pytest.approx(0.1 * math.sqrt(2.0), rel=0.2 if error < 0.1 else 0.6)
+        assert cycle.period == pytest.approx(period, rel=3.0 * error) and cycle.amplitude == pytest.approx(
+            0.1 * math.sqrt(2.0), rel=0.2 if error < 0.1 else 0.6
+        )
         assert phase(10.0 + wave, 10.0 + numpy.roll(wave, 9), cycle.period) == pytest.approx(9 / period, abs=0.05)
     assert math.isnan(cycle_of(numpy.ones(100)).p) and autocorrelation(numpy.arange(30.0) + [0.0, 1.0] * 15)[1] < -0.8
 
@@ -58,7 +84,9 @@ def test_functional_responses_and_the_coverage_of_their_intervals_over_runs(hand
         values = []
         for noise in red_noise(20.0, 300, 6, rng):
             prey = numpy.maximum(1.0, numpy.rint(100.0 * numpy.exp(0.2 * noise)))
-            values.append(responses(prey, numpy.full(300, 20.0), rng.poisson(20.0 / (1.0 / (search * prey) + handling_s)))[1:])
+            values.append(
+                responses(prey, numpy.full(300, 20.0), rng.poisson(20.0 / (1.0 / (search * prey) + handling_s)))[1:]
+            )
         intervals = [interval_of_mean(of) for of in numpy.transpose(values)]
         inside.append([each.lower <= truth <= each.upper for each, truth in zip(intervals, (1.0 / search, handling_s))])
         means.append(numpy.mean(values, axis=0))
@@ -95,7 +123,18 @@ def test_survival_with_runs_that_end_before_the_species_dies_out():
     assert numpy.mean(inside) >= 0.92
 
 
-def well_mixed(rng, ticks=1500, prey=240, hunters=100, capacity=600.0, born=0.05, dies=0.02, meets=3e-4, handling=12.0, converts=0.5):
+def well_mixed(
+    rng,
+    ticks=1500,
+    prey=240,
+    hunters=100,
+    capacity=600.0,
+    born=0.05,
+    dies=0.02,
+    meets=3e-4,
+    handling=12.0,
+    converts=0.5,
+):
     """Numbers and events of an independent program of Rosenzweig and MacArthur's world, as a Census."""
     census = Census(events(event("birth", 0, 0, "prey")), WEB, 1.0, float(ticks))
     for name in ("births", "deaths", "caught", "numbers", "catches"):
@@ -116,9 +155,13 @@ def test_the_mean_field_of_a_world_that_is_well_mixed_is_that_world():
     worlds = [well_mixed(rng) for _ in range(6)]
     rates = [mean_field.rates_of(world) for world in worlds]
     assert numpy.mean([rate.births[0] for rate in rates], axis=0) == pytest.approx([0.05, -0.05 / 600.0], rel=0.1)
-    assert numpy.mean([[rate.births[1, 0], rate.deaths[1, 0], *rate.waits[0]] for rate in rates], axis=0) == pytest.approx([0.5, 0.02, 1 / 3e-4, 12.0], rel=0.1)
+    assert numpy.mean(
+        [[rate.births[1, 0], rate.deaths[1, 0], *rate.waits[0]] for rate in rates], axis=0
+    ) == pytest.approx([0.5, 0.02, 1 / 3e-4, 12.0], rel=0.1)
     series, step_s = mean_field.simulate(rates[0], worlds[0], 10_000, 20, rng, 1500.0)
-    assert step_s == 1.0 and series[..., 500:].mean(axis=(1, 2)) == pytest.approx(numpy.mean([world.numbers[:, 500:].mean(axis=1) for world in worlds], axis=0), rel=0.1)
+    assert step_s == 1.0 and series[..., 500:].mean(axis=(1, 2)) == pytest.approx(
+        numpy.mean([world.numbers[:, 500:].mean(axis=1) for world in worlds], axis=0), rel=0.1
+    )
     assert mean_field.means_of(worlds[0], 10_000, 1, 1500.0)["persists", "all"] == 1.0
     extinct = well_mixed(rng, capacity=1600.0, prey=500)  # cycles grow until one dies out
     assert mean_field.means_of(extinct, 10_000, 1, 1500.0)["persists", "all"] <= 0.5
@@ -130,10 +173,18 @@ def early_set(folder):
     table = "id,ancestor_list,origin_time,destruction_time,species\n0,[none],0,inf,prey\n1,[none],0,inf,predator\n"
     for seed in (1, 2, 3, 4):
         end_s, more = (1000.0, {}) if seed < 3 else (300.0, {"ended": "gone: predator"})
-        write_run(folder / str(seed), seed, until_s=1000.0, of_events=(*lives, *[event("death", 300, 1, "predator", cause="starved")] * (seed > 2)),
-                  of_agents=[robot(tick, 0, "prey") for tick in range(0, int(end_s / 2) + 1, 10)], files={"phylogeny.csv": table},
-                  rules={"heredity": "own_copy", "recruitment": "at_energy"}, result={"reached_s": end_s, **more},
-                  clock={"until_s": 1000.0, "tick_s": 2.0}, params={"seed": seed})
+        write_run(
+            folder / str(seed),
+            seed,
+            until_s=1000.0,
+            of_events=(*lives, *[event("death", 300, 1, "predator", cause="starved")] * (seed > 2)),
+            of_agents=[robot(tick, 0, "prey") for tick in range(0, int(end_s / 2) + 1, 10)],
+            files={"phylogeny.csv": table},
+            rules={"heredity": "own_copy", "recruitment": "at_energy"},
+            result={"reached_s": end_s, **more},
+            clock={"until_s": 1000.0, "tick_s": 2.0},
+            params={"seed": seed},
+        )
     return [folder / str(seed) for seed in (1, 2, 3, 4)]
 
 
@@ -142,23 +193,32 @@ def test_runs_that_end_early_count_for_what_they_lived(tmp_path):
     assert [run.lived_s for run in measured.runs] == [1000.0, 1000.0, 300.0, 300.0]
     assert [remark for remark in measured.remarks if "early" in remark] == [
         "2 of 4 runs ended early, by ecology.ends_when, after 300 s: metrics, their windows and halves are of the time that each lived; persists leaves "
-        "out the species that it left alive"]
-    each = {one: measured.table[metric("persists", one)._replace(unit="1"), ""].tolist() for one in ("all", "prey", "predator")}
+        "out the species that it left alive"
+    ]
+    each = {
+        one: measured.table[metric("persists", one)._replace(unit="1"), ""].tolist()
+        for one in ("all", "prey", "predator")
+    }
     numpy.testing.assert_equal(each, {"all": [1, 1, 0, 0], "prey": [1, 1, NAN, NAN], "predator": [1, 1, 0, 0]})
     curves = [of.curves[of.curves.metric == "persists"] for of in measured.values]
     assert [len(curve[curve.species == "prey"]) for curve in curves] == [5, 5, 2, 2]
     gone = curves[3][curves[3].species == "predator"]
     assert gone.time_s.tolist() == [200, 400, 600, 800, 1000] and gone.value.tolist() == [1, 0, 0, 0, 0]
     deaths = measured.values[3].curves
-    assert deaths[(deaths.metric == "deaths") & (deaths.group == "all") & (deaths.species == "prey")].time_s.tolist() == [200, 400]
-    assert pool.read_set(early_set(tmp_path / "cut"), how=Measuring(until_s=600.0, jobs=1)).until_s == 600.0  # those that ended earlier are not refused
+    assert deaths[
+        (deaths.metric == "deaths") & (deaths.group == "all") & (deaths.species == "prey")
+    ].time_s.tolist() == [200, 400]
+    assert (
+        pool.read_set(early_set(tmp_path / "cut"), how=Measuring(until_s=600.0, jobs=1)).until_s == 600.0
+    )  # those that ended earlier are not refused
     rows = tables.survivals(measured)
     assert rows[["species", "time_s"]].values.tolist() == [["predator", 300.0]]
 
 
 def halving(rng, runs, endows, first_J=6.0):
     """Runs of a world without space in which who has 10 J gives half to an offspring; mean number, energy a head, and whether it lives at the end.
-    Genomes, which change nothing, are not modelled. If not `endows`, an offspring begins as a founder, as in a shadow that hands over nothing."""
+    Genomes, which change nothing, are not modelled. If not `endows`, an offspring begins as a founder, as in a shadow that hands over nothing.
+    """
     energy = numpy.where(numpy.arange(120) < 40, first_J, NAN) * numpy.ones((runs, 1))
     numbers, stocks = [], []
     for _ in range(60):
@@ -173,14 +233,22 @@ def halving(rng, runs, endows, first_J=6.0):
                 energy[run, free[0]] = energy[run, place] if endows else first_J
         numbers.append((~numpy.isnan(energy)).sum(axis=1))
         stocks.append(numpy.nansum(energy, axis=1) / numpy.maximum(1, numbers[-1]))
-    return {metric("population"): numpy.mean(numbers, axis=0), metric("stock"): numpy.mean(stocks, axis=0), metric("persists"): (numbers[-1] > 0).astype(float)}
+    return {
+        metric("population"): numpy.mean(numbers, axis=0),
+        metric("stock"): numpy.mean(stocks, axis=0),
+        metric("persists"): (numbers[-1] > 0).astype(float),
+    }
 
 
 def found(ours, null, sets=100, runs=8):
     """The share of sets of runs in which the judge finds a difference from the null."""
+
     def part(of, i):
-        return quick_set({name: values[i * runs:(i + 1) * runs] for name, values in of.items()})
-    return numpy.mean([judge.count(judge.summarize(_with(part(ours, i), part(null, i)))).significant > 0 for i in range(sets)])
+        return quick_set({name: values[i * runs : (i + 1) * runs] for name, values in of.items()})
+
+    return numpy.mean(
+        [judge.count(judge.summarize(_with(part(ours, i), part(null, i)))).significant > 0 for i in range(sets)]
+    )
 
 
 def _with(of, shadow):
@@ -200,44 +268,117 @@ def wolf_sheep(tmp_path_factory):
     if (program := os.environ.get("TROPHIC_WORLDS")) is None:
         pytest.skip("TROPHIC_WORLDS names no program")
     folder = tmp_path_factory.mktemp("runs") / "wolf_sheep"
-    subprocess.run([program, "--rules", "wolf_sheep", "--backend", "torus", "--replicates", "6", "--duration", "60", "--replay-hz", "0", "--checkpoint-s", "0", "--shadow",
-                    "--clones", "--agents-every", "1000", "--out", folder], check=True, capture_output=True)
+    subprocess.run(
+        [
+            program,
+            "--rules",
+            "wolf_sheep",
+            "--backend",
+            "torus",
+            "--replicates",
+            "6",
+            "--duration",
+            "60",
+            "--replay-hz",
+            "0",
+            "--checkpoint-s",
+            "0",
+            "--shadow",
+            "--clones",
+            "--agents-every",
+            "1000",
+            "--out",
+            folder,
+        ],
+        check=True,
+        capture_output=True,
+    )
     return folder
 
 
 def test_genomes_that_do_nothing_leave_shadow_and_clones_to_the_byte_as_the_runs(wolf_sheep):
     for null in ("shadow", "clones"):
         for file in ("events.csv", "energy.csv", "resource.csv"):
-            assert (wolf_sheep / null / "replicate-03" / file).read_bytes() == (wolf_sheep / "replicate-03" / file).read_bytes()
-    assert json.loads((wolf_sheep / "clones/replicate-03/manifest.json").read_text())["rules"]["heredity"] == "one_genome_for_all"
+            assert (wolf_sheep / null / "replicate-03" / file).read_bytes() == (
+                wolf_sheep / "replicate-03" / file
+            ).read_bytes()
+    assert (
+        json.loads((wolf_sheep / "clones/replicate-03/manifest.json").read_text())["rules"]["heredity"]
+        == "one_genome_for_all"
+    )
     measured = pool.read_set([wolf_sheep], how=Measuring(jobs=1))
     frame = judge.summarize(measured)
-    assert judge.count(frame).significant == 0 and {*frame["null"]} >= {"shadow", "clones", "mean_field"} and not (frame[frame["null"] == "clones"].role == "null").any()
-    assert judge.living_sentences(measured)[0] == ("All species live to the end of 6 of 6 runs, a share of [0.541, 1.000] (shadow 6 of 6, clones 6 of 6, mean field 1.00).")
+    assert (
+        judge.count(frame).significant == 0
+        and {*frame["null"]} >= {"shadow", "clones", "mean_field"}
+        and not (frame[frame["null"] == "clones"].role == "null").any()
+    )
+    assert judge.living_sentences(measured)[0] == (
+        "All species live to the end of 6 of 6 runs, a share of [0.541, 1.000] (shadow 6 of 6, clones 6 of 6, mean field 1.00)."
+    )
     means = {f"{row.metric}:{row.species}": row.mean for row in frame[frame.group == "all"].itertuples()}
-    assert means["birth_rate:sheep"] == pytest.approx(0.04, rel=0.1) and means["parents:wolf"] == 1.0 and 0.05 < means["trophic_efficiency:wolf"] < 1.0
+    assert (
+        means["birth_rate:sheep"] == pytest.approx(0.04, rel=0.1)
+        and means["parents:wolf"] == 1.0
+        and 0.05 < means["trophic_efficiency:wolf"] < 1.0
+    )
     assert "extinct:wolf" not in means and means["pyramid_numbers:sheep+wolf"] < 1.0
 
 
 def test_clones_have_one_genome_a_run_that_no_birth_changes(wolf_sheep):
-    arguments = ["--rules", "pond", "--backend", "kinematic", "--replicates", "2", "--duration", "100", "--replay-hz", "0", "--clones", "--agents-every", "50"]
-    subprocess.run([os.environ["TROPHIC_WORLDS"], *arguments, "--out", wolf_sheep / "pond"], check=True, capture_output=True)
-    genomes = [pandas.read_csv(wolf_sheep / "pond" / null / f"replicate-0{i}/genomes.csv").filter(regex="^w").drop_duplicates() for null in ("clones", ".") for i in (0, 1)]
-    assert [len(each) for each in genomes[:2]] == [1, 1] and min(map(len, genomes[2:])) >= 60 and genomes[0].to_numpy().tolist() != genomes[1].to_numpy().tolist()
+    arguments = [
+        "--rules",
+        "pond",
+        "--backend",
+        "kinematic",
+        "--replicates",
+        "2",
+        "--duration",
+        "100",
+        "--replay-hz",
+        "0",
+        "--clones",
+        "--agents-every",
+        "50",
+    ]
+    subprocess.run(
+        [os.environ["TROPHIC_WORLDS"], *arguments, "--out", wolf_sheep / "pond"], check=True, capture_output=True
+    )
+    genomes = [
+        pandas.read_csv(wolf_sheep / "pond" / null / f"replicate-0{i}/genomes.csv").filter(regex="^w").drop_duplicates()
+        for null in ("clones", ".")
+        for i in (0, 1)
+    ]
+    assert (
+        [len(each) for each in genomes[:2]] == [1, 1]
+        and min(map(len, genomes[2:])) >= 60
+        and genomes[0].to_numpy().tolist() != genomes[1].to_numpy().tolist()
+    )
     assert genomes[0].iloc[0].tolist() == genomes[2].iloc[0].tolist()  # the first founder's
 
 
 def test_runs_of_constant_numbers_have_none_of_these_metrics(tmp_path):
     measured = pool.read_set([write_set(tmp_path / "set")])
-    assert not {name.metric for name in measured.metrics()} & {"persists", "cycles", "birth_rate"} and judge.living_sentences(measured) == []
+    assert (
+        not {name.metric for name in measured.metrics()} & {"persists", "cycles", "birth_rate"}
+        and judge.living_sentences(measured) == []
+    )
     assert len(tables.survivals(measured)) == 0
 
 
 def test_sentences_of_a_set_in_which_a_species_dies_out_and_the_other_cycles():
-    of = {metric("persists", "all"): [1.0] * 6 + [0.0] * 4, metric("persists", "prey"): [1.0] * 10, metric("persists", "predator"): [1.0] * 6 + [0.0] * 4,
-          metric("cycles"): [1.0] * 9 + [0.0], metric("period")._replace(unit="s"): [100.0, 120.0] * 5, metric("amplitude"): [0.5] * 10,
-          metric("cycles", "predator"): [1.0] + [0.0] * 9}
+    of = {
+        metric("persists", "all"): [1.0] * 6 + [0.0] * 4,
+        metric("persists", "prey"): [1.0] * 10,
+        metric("persists", "predator"): [1.0] * 6 + [0.0] * 4,
+        metric("cycles"): [1.0] * 9 + [0.0],
+        metric("period")._replace(unit="s"): [100.0, 120.0] * 5,
+        metric("amplitude"): [0.5] * 10,
+        metric("cycles", "predator"): [1.0] + [0.0] * 9,
+    }
     assert judge.living_sentences(set_of(of)) == [
-        "All species live to the end of 6 of 10 runs, a share of [0.262, 0.878].", "Predators live to the end of 6 of 10 runs, a share of [0.262, 0.878].",
+        "All species live to the end of 6 of 10 runs, a share of [0.262, 0.878].",
+        "Predators live to the end of 6 of 10 runs, a share of [0.262, 0.878].",
         "Prey cycle in 9 of 10 runs, a share of [0.555, 0.997], with a period of 110 s [102, 118] and an amplitude of 0.50 [0.50, 0.50] of their mean.",
-        "Predators have no cycle: red noise explains their numbers in 9 of 10 runs."]
+        "Predators have no cycle: red noise explains their numbers in 9 of 10 runs.",
+    ]

@@ -33,6 +33,7 @@ class World:
             fitness = numpy.exp2(parenthood * trait)
             fitness[self.rows, self.dies[step]] = 0.0
             self.parents[step] = self._drawn(fitness, chance[1, step])
+
         self.trait = self.traits(self.founders, self.draws, self.mutations if inherits else None, choose)
 
     def traits(self, founders, draws, mutations, choose=lambda step, trait: None, parents=None):
@@ -68,7 +69,10 @@ class World:
     @staticmethod
     def _permuted(rng, values, mask):
         """The values where a mask is set, permuted within each run."""
-        places, others = (numpy.where(mask, key, numpy.inf).argsort(axis=0) for key in (numpy.arange(STEPS)[:, None], rng.random(mask.shape, numpy.float32)))
+        places, others = (
+            numpy.where(mask, key, numpy.inf).argsort(axis=0)
+            for key in (numpy.arange(STEPS)[:, None], rng.random(mask.shape, numpy.float32))
+        )
         found = values.copy()
         numpy.put_along_axis(found, places, numpy.take_along_axis(values, others, axis=0), axis=0)
         return numpy.where(mask, found, values)
@@ -77,7 +81,16 @@ class World:
 def share(*terms):
     """The share of sets in which a difference is found, p <= 0.05; `terms`: (weight, values of runs), independent of each other."""
     with numpy.errstate(all="ignore"):
-        return float((arrays.p_value(arrays.contrast(*((weight, arrays.moments(values.reshape(SETS, RUNS).T)) for weight, values in terms))) <= 0.05).mean())
+        return float(
+            (
+                arrays.p_value(
+                    arrays.contrast(
+                        *((weight, arrays.moments(values.reshape(SETS, RUNS).T)) for weight, values in terms)
+                    )
+                )
+                <= 0.05
+            ).mean()
+        )
 
 
 @functools.lru_cache(maxsize=None)
@@ -85,21 +98,41 @@ def found(planted):
     """The share of sets of ten runs in which each null finds the planted selection, and the mean trait of each null."""
     rng = numpy.random.default_rng([7, len(planted)])
     survival, parenthood = RATE[planted]
-    world, shadow, alone = (World(rng, survival, *rest, inherits=inherits) for rest, inherits in (((parenthood,), True), ((parenthood,), False), ((0.0,), True)))
+    world, shadow, alone = (
+        World(rng, survival, *rest, inherits=inherits)
+        for rest, inherits in (((parenthood,), True), ((parenthood,), False), ((0.0,), True))
+    )
     neutral, drift = world.neutral(rng), numpy.mean([world.drift(rng) for _ in range(2)], axis=0)
-    shares = {"shadow": share((1.0, world.trait), (-1.0, shadow.trait)), "neutral": share((1.0, world.trait - neutral)), "drift": share((1.0, world.trait - drift)),
-              "survival alone": share((1.0, world.trait), (-1.0, alone.trait)), "survival alone over its neutral null": share((1.0, alone.trait - alone.neutral(rng)))}
-    nulls = {"neutral": neutral, "drift": drift, "drift with lives": world.drift(rng, False), "survival alone": alone.trait, "shadow": shadow.trait}
+    shares = {
+        "shadow": share((1.0, world.trait), (-1.0, shadow.trait)),
+        "neutral": share((1.0, world.trait - neutral)),
+        "drift": share((1.0, world.trait - drift)),
+        "survival alone": share((1.0, world.trait), (-1.0, alone.trait)),
+        "survival alone over its neutral null": share((1.0, alone.trait - alone.neutral(rng))),
+    }
+    nulls = {
+        "neutral": neutral,
+        "drift": drift,
+        "drift with lives": world.drift(rng, False),
+        "survival alone": alone.trait,
+        "shadow": shadow.trait,
+    }
     return shares, {name: abs(values.mean()) / values.std() for name, values in nulls.items()}
 
 
 NULLS_MD = pathlib.Path(__file__).resolve().parents[3] / "docs/decisions/nulls.md"
 
 
-@pytest.mark.parametrize("planted, row", [("none", "none"), ("survival", "by survival"), ("parenthood", "by parenthood")])
-def test_each_null_finds_planted_selection_as_often_as_the_decision_states_and_none_in_at_most_7_percent_of_1000_sets(planted, row):
+@pytest.mark.parametrize(
+    "planted, row", [("none", "none"), ("survival", "by survival"), ("parenthood", "by parenthood")]
+)
+def test_each_null_finds_planted_selection_as_often_as_the_decision_states_and_none_in_at_most_7_percent_of_1000_sets(
+    planted, row
+):
     shares, _ = found(planted)
-    stated = re.search(rf"^\| {row} \| (\d+) % \| (\d+) % \| (\d+) % \| (\d+) % \|$", NULLS_MD.read_text(), re.M).groups()
+    stated = re.search(
+        rf"^\| {row} \| (\d+) % \| (\d+) % \| (\d+) % \| (\d+) % \|$", NULLS_MD.read_text(), re.M
+    ).groups()
     for null, percent in zip(("shadow", "neutral", "drift", "survival alone"), stated):
         assert abs(100.0 * shares[null] - int(percent)) <= 3.0, (null, shares[null])
         assert planted != "none" or shares[null] <= 0.07

@@ -16,8 +16,16 @@ from trophic.values import VALUE_COLUMNS, MeasuredSet, Metric, RunValues
 
 VELOCITY = Metric("velocity", "prey", "all", "m/s")
 STARVED = Metric("deaths", "prey", "starved", "1")
-REQUEST = {"who": "trophic analyze", "runs": ["runs/a<b"], "compare": [], "until": 600.0, "metric": ["velocity"],
-           "html": "page.html", "all": True, "shadow": None}
+REQUEST = {
+    "who": "trophic analyze",
+    "runs": ["runs/a<b"],
+    "compare": [],
+    "until": 600.0,
+    "metric": ["velocity"],
+    "html": "page.html",
+    "all": True,
+    "shadow": None,
+}
 
 INDEX = '<script type="application/json" id="trophic-index">{"a": "b"}</script>\n'
 FILE = '<script type="text/plain" data-run="0" data-file="replay">AAAA</script>\n'
@@ -25,10 +33,34 @@ FILE = '<script type="text/plain" data-run="0" data-file="replay">AAAA</script>\
 
 def set_of(folder, label, mean, shadow=None, runs=10):
     rng = numpy.random.default_rng(len(label) + (0 if shadow else 1))
-    manifest = {"rule_table": label, "backend": "kinematic 1", "fingerprint": f"{label:0>16}", "seed": 1, "status": "complete", "trophic": "0.1.0", "code": "c0de",
-                "clock": {"until_s": 600.0}, "rules": {"capture": "catch_within_reach", "floor": f"{label}_floor"}, "command_line": "predator_prey --out a"}
-    values = [RunValues(pandas.DataFrame([[*VELOCITY, "", "", mean + 0.001 * rng.normal()], [*STARVED, "", "", 0.0], [*VELOCITY, "zero", "reference", 0.0]], columns=VALUE_COLUMNS)) for _ in range(runs)]
-    return MeasuredSet(label, [Run(folder / label / f"replicate-{i:02}", manifest) for i in range(runs)], values, shadow, 600.0)
+    manifest = {
+        "rule_table": label,
+        "backend": "kinematic 1",
+        "fingerprint": f"{label:0>16}",
+        "seed": 1,
+        "status": "complete",
+        "trophic": "0.1.0",
+        "code": "c0de",
+        "clock": {"until_s": 600.0},
+        "rules": {"capture": "catch_within_reach", "floor": f"{label}_floor"},
+        "command_line": "predator_prey --out a",
+    }
+    values = [
+        RunValues(
+            pandas.DataFrame(
+                [
+                    [*VELOCITY, "", "", mean + 0.001 * rng.normal()],
+                    [*STARVED, "", "", 0.0],
+                    [*VELOCITY, "zero", "reference", 0.0],
+                ],
+                columns=VALUE_COLUMNS,
+            )
+        )
+        for _ in range(runs)
+    ]
+    return MeasuredSet(
+        label, [Run(folder / label / f"replicate-{i:02}", manifest) for i in range(runs)], values, shadow, 600.0
+    )
 
 
 @pytest.fixture
@@ -42,7 +74,10 @@ def written(tmp_path, sets, frame, request=REQUEST, **more):
 
 
 def cells(text):
-    return [[html.unescape(re.sub("<[^>]*>", "", cell)) for cell in re.findall(r"<td.*?</td>", row)] for row in re.findall(r"<tr>(<td.*)</tr>", text)]
+    return [
+        [html.unescape(re.sub("<[^>]*>", "", cell)) for cell in re.findall(r"<td.*?</td>", row)]
+        for row in re.findall(r"<tr>(<td.*)</tr>", text)
+    ]
 
 
 def test_findings_conclusions_and_counts_are_the_judge_s(tmp_path, paper):
@@ -58,7 +93,11 @@ def test_findings_conclusions_and_counts_are_the_judge_s(tmp_path, paper):
     assert "trophic analyze runs/a&lt;b --until 600 --metric velocity --html page.html\n" in text
     assert "a &lt; b" in text and "http" not in text.replace("http-equiv", "")
     files = dict(re.findall(r'<a download="([^"]*)" href="data:text/csv;base64,([^"]*)"', text))
-    assert base64.b64decode(files["table.csv"]).decode().startswith('metric,ours [95 %],null,ours - null [95 %],p,conclusion\n"velocity prey, cm/s"')
+    assert (
+        base64.b64decode(files["table.csv"])
+        .decode()
+        .startswith('metric,ours [95 %],null,ours - null [95 %],p,conclusion\n"velocity prey, cm/s"')
+    )
 
 
 def test_too_few_runs_are_said(tmp_path):
@@ -88,17 +127,30 @@ def test_figures_and_replays_are_carried(tmp_path, paper, monkeypatch, capsys):
     monkeypatch.setenv("TROPHIC_BIN", str(tmp_path))
     replays = page.replays_of([paper], 1, "trophic analyze")
     assert capsys.readouterr().err == "trophic analyze: a remark\n"
-    said, text = written(tmp_path, [paper], judge.summarize(paper), {**REQUEST, "figures": str(figures)}, replays=replays)
+    said, text = written(
+        tmp_path, [paper], judge.summarize(paper), {**REQUEST, "figures": str(figures)}, replays=replays
+    )
     assert "1 figures, 1 replays" in said
-    assert f'src="data:image/png;base64,{base64.b64encode(b"%cPNG..." % 0x89).decode()}"' in text and "<figcaption>A &amp; B</figcaption>" in text
+    assert (
+        f'src="data:image/png;base64,{base64.b64encode(b"%cPNG..." % 0x89).decode()}"' in text
+        and "<figcaption>A &amp; B</figcaption>" in text
+    )
     viewer = base64.b64encode(b"<p><!--RUNS--></p>\n").decode()
     assert f'id="viewer">{viewer}</script>' in text
     assert '<template data-replay="0">' + INDEX + FILE + "</template>" in text and ">replicate-00</button>" in text
 
 
-@pytest.mark.parametrize("captions, png, sentence", [
-    (None, b"", "captions.json: No such file"), ("[]", b"", "is not a JSON object"), ('{"../a": "b"}', b"", "must be the name of a figure"), ('{"a": 1}', b"", "its caption a text"),
-    ('{"a": "b"}', None, "a.png: No such file"), ('{"a": "b"}', b"GIF", "a.png: is not a PNG")])
+@pytest.mark.parametrize(
+    "captions, png, sentence",
+    [
+        (None, b"", "captions.json: No such file"),
+        ("[]", b"", "is not a JSON object"),
+        ('{"../a": "b"}', b"", "must be the name of a figure"),
+        ('{"a": 1}', b"", "its caption a text"),
+        ('{"a": "b"}', None, "a.png: No such file"),
+        ('{"a": "b"}', b"GIF", "a.png: is not a PNG"),
+    ],
+)
 def test_a_folder_without_figures_is_refused(tmp_path, captions, png, sentence):
     if captions is not None:
         (tmp_path / "captions.json").write_text(captions)

@@ -16,17 +16,44 @@ from trophic.runs import RunError
 
 PROGRAM = os.environ.get("TROPHIC_PREDATOR_PREY")
 # Prey 0 and 1 are founders; 0 begets 2; 1 is caught; 3 is a newcomer; the last prey dies and 4 comes; 9 is a predator whose parent is a prey.
-EVENTS = [event("birth", 0, 0, "prey"), event("birth", 0, 1, "prey"), event("birth", 0, 8, "predator"),
-          event("birth", 4, 2, "prey", origin="inherited", parent_id=0), event("death", 6, 1, "prey", cause="caught"),
-          event("birth", 8, 3, "prey"), event("birth", 8, 9, "predator", origin="inherited", parent_id=0), event("death", 12, 0, "prey", cause="starved"),
-          event("death", 20, 2, "prey", cause="caught"), event("death", 22, 3, "prey", cause="caught"), event("birth", 26, 4, "prey")]
+EVENTS = [
+    event("birth", 0, 0, "prey"),
+    event("birth", 0, 1, "prey"),
+    event("birth", 0, 8, "predator"),
+    event("birth", 4, 2, "prey", origin="inherited", parent_id=0),
+    event("death", 6, 1, "prey", cause="caught"),
+    event("birth", 8, 3, "prey"),
+    event("birth", 8, 9, "predator", origin="inherited", parent_id=0),
+    event("death", 12, 0, "prey", cause="starved"),
+    event("death", 20, 2, "prey", cause="caught"),
+    event("death", 22, 3, "prey", cause="caught"),
+    event("birth", 26, 4, "prey"),
+]
 Z = {0: 1.0, 1: 3.0, 2: 2.0, 3: 6.0, 4: 5.0, 8: 0.5, 9: 1.5}
 # Births of 2 (mean 2 of two), 3 (1.5 of two) and 4 (alone; the last mean was 6); deaths of 1 (2 of three), 0 (3 of three), 2 (4 of two) and 3.
-PREY = {("start", "all"): 2.0, ("end", "all"): 5.0, ("change", "all"): 3.0, ("parenthood", "all"): -1 / 3, ("mutation", "all"): 1 / 3,
-        ("newcomers", "all"): 1.5 - 1.0, ("survival", "all"): -0.5 + 1.0 + 2.0, ("survival_caught", "all"): -0.5 + 2.0, ("survival_starved", "all"): 1.0,
-        ("survival", "first"): -0.5, ("newcomers", "first"): 1.5, ("survival", "second"): 1.0, ("survival", "third"): 2.0, ("newcomers", "third"): -1.0,
-        ("change", "first"): 1.0, ("change", "second"): 1.0, ("change", "third"): 1.0, ("end", "second"): 4.0, ("mutation_a_birth", "all"): 1.0,
-        ("lives", "all"): 1.0 - 3.4, ("lives_length", "all"): (12 * 1 + 6 * 3 + 16 * 2 + 14 * 6 + 4 * 5) / 52 - 3.4}
+PREY = {
+    ("start", "all"): 2.0,
+    ("end", "all"): 5.0,
+    ("change", "all"): 3.0,
+    ("parenthood", "all"): -1 / 3,
+    ("mutation", "all"): 1 / 3,
+    ("newcomers", "all"): 1.5 - 1.0,
+    ("survival", "all"): -0.5 + 1.0 + 2.0,
+    ("survival_caught", "all"): -0.5 + 2.0,
+    ("survival_starved", "all"): 1.0,
+    ("survival", "first"): -0.5,
+    ("newcomers", "first"): 1.5,
+    ("survival", "second"): 1.0,
+    ("survival", "third"): 2.0,
+    ("newcomers", "third"): -1.0,
+    ("change", "first"): 1.0,
+    ("change", "second"): 1.0,
+    ("change", "third"): 1.0,
+    ("end", "second"): 4.0,
+    ("mutation_a_birth", "all"): 1.0,
+    ("lives", "all"): 1.0 - 3.4,
+    ("lives_length", "all"): (12 * 1 + 6 * 3 + 16 * 2 + 14 * 6 + 4 * 5) / 52 - 3.4,
+}
 
 
 def frame_of(of_events=EVENTS):
@@ -36,15 +63,26 @@ def frame_of(of_events=EVENTS):
 def test_a_population_written_by_hand():
     found = selection.terms(frame_of(), pandas.Series(Z), "prey", 30.0)
     assert {key: found[key] for key in PREY} == pytest.approx(PREY, abs=1e-12)
-    predators = selection.terms(frame_of(), pandas.Series(Z), "predator", 30.0)  # a parent of another species: a newcomer
-    assert (predators["newcomers", "all"], predators["mutation", "all"], predators["change", "all"]) == pytest.approx((0.5, 0.0, 0.5))
+    predators = selection.terms(
+        frame_of(), pandas.Series(Z), "predator", 30.0
+    )  # a parent of another species: a newcomer
+    assert (predators["newcomers", "all"], predators["mutation", "all"], predators["change", "all"]) == pytest.approx(
+        (0.5, 0.0, 0.5)
+    )
 
 
 def test_two_parents_count_half_each():
     lists = {2: "[0,1]", 9: "[0]"}
     events = frame_of().assign(parents=lambda frame: frame["id"].map(lists).fillna("[none]"))
-    found = selection.terms(events, pandas.Series(Z), "prey", 30.0)  # 2 is as the mean of its parents, which is that of the living
-    changed = {("parenthood", "all"): 0.0, ("mutation", "all"): 0.0, ("mutation_a_birth", "all"): 0.0, ("lives", "all"): 2.0 - 3.4}
+    found = selection.terms(
+        events, pandas.Series(Z), "prey", 30.0
+    )  # 2 is as the mean of its parents, which is that of the living
+    changed = {
+        ("parenthood", "all"): 0.0,
+        ("mutation", "all"): 0.0,
+        ("mutation_a_birth", "all"): 0.0,
+        ("lives", "all"): 2.0 - 3.4,
+    }
     assert {key: found[key] for key in PREY} == pytest.approx(PREY | changed, abs=1e-12)
     births = events[events["event"] == "birth"]
     assert selection.descent_of(births)["share"].tolist() == [0.5, 0.5, 1.0]
@@ -62,13 +100,16 @@ def test_who_lacks_the_trait_never_lived_and_a_trait_that_does_not_vary_is_exact
 
 def simulated(rng, runs, steps, survival=0.0, parenthood=0.0, mutation=0.0, size=12):
     """Populations in which at each step one dies, by exp(-survival z), and one is born: a newcomer once in three, else the offspring of one of the
-    living, drawn by exp(parenthood z), with a mutation of mean `mutation`. Returns step, z and parent_z as selection.price takes them."""
+    living, drawn by exp(parenthood z), with a mutation of mean `mutation`. Returns step, z and parent_z as selection.price takes them.
+    """
     living = rng.normal(size=(runs, size))
     rows = numpy.arange(runs)
     z, parent_z, step = [*living.T.copy()], [numpy.full(runs, numpy.nan)] * size, [1] * size
     for _ in range(steps):
+
         def drawn(by):
             return (by * living + rng.gumbel(size=living.shape)).argmax(axis=1) if by else rng.integers(size, size=runs)
+
         dies = drawn(-survival)
         z.append(living[rows, dies])
         living[rows, dies] = -numpy.inf if parenthood > 0 else living[rows, dies]
@@ -103,8 +144,23 @@ def runs(tmp_path_factory):
     if PROGRAM is None:
         pytest.skip("TROPHIC_PREDATOR_PREY names no program")
     folder = tmp_path_factory.mktemp("selection") / "runs"
-    subprocess.run([PROGRAM, "--backend", "kinematic", "--duration", "600", "--replicates", "6", "--shadow", "--neutral", "--out", folder], check=True,
-                   capture_output=True)
+    subprocess.run(
+        [
+            PROGRAM,
+            "--backend",
+            "kinematic",
+            "--duration",
+            "600",
+            "--replicates",
+            "6",
+            "--shadow",
+            "--neutral",
+            "--out",
+            folder,
+        ],
+        check=True,
+        capture_output=True,
+    )
     return folder
 
 
@@ -117,10 +173,20 @@ def test_a_stranger_finds_the_same_to_the_digit(runs):
 
 def test_the_command_has_shadow_and_neutral_null_next_to_the_runs(runs, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
-    request = {"who": "trophic analyze", "runs": [str(runs)], "selection": ["turns_to", "velocity_open", "open_speed", "agents.csv:tag:1"], "out": "found", "jobs": 1}
+    request = {
+        "who": "trophic analyze",
+        "runs": [str(runs)],
+        "selection": ["turns_to", "velocity_open", "open_speed", "agents.csv:tag:1"],
+        "out": "found",
+        "jobs": 1,
+    }
     assert selection.run(request) == 0
     printed = capsys.readouterr().out
-    assert "neutral: paper with heredity = neutral_own_copy" in printed and "predator, turns_to" in printed and "24 comparisons" in printed
+    assert (
+        "neutral: paper with heredity = neutral_own_copy" in printed
+        and "predator, turns_to" in printed
+        and "24 comparisons" in printed
+    )
     table = pandas.read_csv("found/selection.csv")
     tested = table[table.p.notna()]
     assert set(tested.null) == {"neutral", "zero"} and (table.runs_n <= 6).all() and len(tested) == 24
@@ -132,7 +198,10 @@ def test_the_command_has_shadow_and_neutral_null_next_to_the_runs(runs, tmp_path
 
 def test_the_inputs_of_turns_to(tmp_path):
     """A brain that looks at the side alone turns to it; its opposite turns away; a third always turns right."""
-    rows = [[id, id, 0, *weights] for id, weights in enumerate([[1, 0, 0] * 3 + [1] * 6, [-1, 0, 0] * 3 + [1] * 6, [0, 1, 0] * 3 + [1] * 6])]
+    rows = [
+        [id, id, 0, *weights]
+        for id, weights in enumerate([[1, 0, 0] * 3 + [1] * 6, [-1, 0, 0] * 3 + [1] * 6, [0, 1, 0] * 3 + [1] * 6])
+    ]
     genomes = pandas.DataFrame(rows, columns=["id", "genome_id", "time_s", *(f"w{i}" for i in range(15))])
     rules = {"brain": "cognitive_brain", "sensors": "side_of_adversary + distance_over_terrain + tag_ratio_of_all"}
     folder = write_run(tmp_path / "run", files={"genomes.csv": genomes}, rules=rules)
@@ -141,17 +210,34 @@ def test_the_inputs_of_turns_to(tmp_path):
 
 
 def test_behaviour_is_measured_away_from_walls(tmp_path):
-    rows = [robot(tick, id, "prey", x_m, 0.0) for tick, places in enumerate([(1.0, 8.5), (1.2, 8.9), (1.6, 9.4)]) for id, x_m in enumerate(places)]
-    folder = write_run(tmp_path / "run", of_agents=rows, of_events=[*EVENTS[:2], event("death", 4, 1, "prey", cause="diverged")], until_s=4.0)
+    rows = [
+        robot(tick, id, "prey", x_m, 0.0)
+        for tick, places in enumerate([(1.0, 8.5), (1.2, 8.9), (1.6, 9.4)])
+        for id, x_m in enumerate(places)
+    ]
+    folder = write_run(
+        tmp_path / "run",
+        of_agents=rows,
+        of_events=[*EVENTS[:2], event("death", 4, 1, "prey", cause="diverged")],
+        until_s=4.0,
+    )
     (run,), _ = selection.pool.pooled_runs([folder], Measuring())
     assert selection.measure(["open_speed"], run)["open_speed", "prey", "missing", "all"] == 1
     assert selection.trait_of("open_speed").read(run).to_dict() == pytest.approx({0: 0.15, 1: 0.2})
 
 
-@pytest.mark.parametrize("trait, why", [
-    ("turns", "--selection turns: must be turns_to"), ("turns_to:2", "--selection turns_to:2: must be"), ("gene:brain", "--selection gene:brain: must be"),
-    ("../x.csv:a", "--selection ../x.csv:a: must be"), ("genomes.csv:w0", "runs/replicate-00/genomes.csv: cannot be read"),
-    ("agents.csv:height", 'runs/replicate-00/agents.csv:1: no column "height"'), ("turns_to", "--selection turns_to: runs/replicate-00: brain = unknown")])
+@pytest.mark.parametrize(
+    "trait, why",
+    [
+        ("turns", "--selection turns: must be turns_to"),
+        ("turns_to:2", "--selection turns_to:2: must be"),
+        ("gene:brain", "--selection gene:brain: must be"),
+        ("../x.csv:a", "--selection ../x.csv:a: must be"),
+        ("genomes.csv:w0", "runs/replicate-00/genomes.csv: cannot be read"),
+        ("agents.csv:height", 'runs/replicate-00/agents.csv:1: no column "height"'),
+        ("turns_to", "--selection turns_to: runs/replicate-00: brain = unknown"),
+    ],
+)
 def test_traits_that_are_not_there_are_refused(trait, why, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     write_set("runs", shadow=False)
@@ -166,5 +252,8 @@ def test_runs_without_their_beginning_and_another_neutral_null_are_refused(tmp_p
         selection.analyse(["late"], ["agents.csv:tag"])
     write_set("runs", shadow=False)
     write_set(pathlib.Path("runs/neutral"), shadow=False)
-    with pytest.raises(RunError, match="runs/neutral/replicate-00: is not a neutral null of runs/replicate-00: its rule in slot heredity is own_copy"):
+    with pytest.raises(
+        RunError,
+        match="runs/neutral/replicate-00: is not a neutral null of runs/replicate-00: its rule in slot heredity is own_copy",
+    ):
         selection.analyse(["runs"], ["agents.csv:tag"])

@@ -7,7 +7,9 @@ import pathlib
 import numpy
 import pytest
 
-spec = importlib.util.spec_from_file_location("growth", pathlib.Path(__file__).resolve().parents[2] / "soak" / "growth.py")
+spec = importlib.util.spec_from_file_location(
+    "growth", pathlib.Path(__file__).resolve().parents[2] / "soak" / "growth.py"
+)
 growth = importlib.util.module_from_spec(spec)
 spec.loader.exec_module(growth)
 
@@ -19,7 +21,9 @@ def conclusions(by: float, deviation: float, runs: int = 400) -> collections.Cou
     about = numpy.zeros_like(shocks)
     for i in range(600):
         about[:, i] = shocks[:, i] + (0.5 * about[:, i - 1] if i else 0.0)
-    return collections.Counter(growth.growth_of(1.0 + row + by * (numpy.arange(600) >= 330)).conclusion for row in about)
+    return collections.Counter(
+        growth.growth_of(1.0 + row + by * (numpy.arange(600) >= 330)).conclusion for row in about
+    )
 
 
 def test_growth_by_the_margin_is_found_and_none_is_flat():
@@ -30,6 +34,8 @@ def test_growth_by_the_margin_is_found_and_none_is_flat():
     assert conclusions(0.0, 2.0)["inconclusive"] > 360
 
 
-@pytest.mark.parametrize("measured, conclusion", [([1.0] * 21, "unknown"), ([1.0] * 22, "equivalent"), ([0.0] * 600, "unknown")])
+@pytest.mark.parametrize(
+    "measured, conclusion", [([1.0] * 21, "unknown"), ([1.0] * 22, "equivalent"), ([0.0] * 600, "unknown")]
+)
 def test_short_and_empty_series(measured, conclusion):
     assert growth.growth_of(measured).conclusion == conclusion

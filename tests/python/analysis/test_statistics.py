@@ -5,15 +5,39 @@ import math
 import numpy
 import pytest
 from pytest import approx
-from trophic.statistics import (MIN_RUNS_FOR_TEST, Contrast, Difference, Scatter, adjust_together, contrast, detectable_difference, deviation_of,
-                                difference_of, errors_for_power, estimate, hedges_correction, hedges_g, holm, interval_of,
-                                interval_of_mean, is_significant, mean_of, p_value, power_of_t, runs_for_power, scatter_of, t_quantile, t_two_sided)
+from trophic.statistics import (
+    MIN_RUNS_FOR_TEST,
+    Contrast,
+    Difference,
+    Scatter,
+    adjust_together,
+    contrast,
+    detectable_difference,
+    deviation_of,
+    difference_of,
+    errors_for_power,
+    estimate,
+    hedges_correction,
+    hedges_g,
+    holm,
+    interval_of,
+    interval_of_mean,
+    is_significant,
+    mean_of,
+    p_value,
+    power_of_t,
+    runs_for_power,
+    scatter_of,
+    t_quantile,
+    t_two_sided,
+)
 from trophic.statistics import test_equivalence as equivalence_of
 
 SIX = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
 
 
 # Student's t
+
 
 def test_quantiles_are_those_of_printed_tables():
     assert t_quantile(0.975, 9) == approx(2.262, rel=1e-3)
@@ -32,6 +56,7 @@ def test_tails_beyond_a_quantile_have_the_probability_that_it_leaves(freedom):
 
 
 # Intervals and tests
+
 
 def test_interval_of_six_values_by_hand():
     # Mean 3.5, deviation sqrt(3.5), error sqrt(3.5 / 6) = 0.763763, t(5) = 2.570582 at 95 % and 2.015048 at 90 %.
@@ -91,15 +116,21 @@ def missed(draw, truth, runs, trials=8000):
 def test_intervals_leave_out_the_truth_in_5_percent_of_cases_within_1_5_points(world, runs):
     rng = numpy.random.default_rng(runs)
     # Gamma with shape 8: a skewness of 0.71, that of the sacrifices among the released rules' runs.
-    draw, truth = {"normal": (lambda shape: rng.normal(3, 2, shape), 3.0), "uniform": (lambda shape: rng.uniform(0, 1, shape), 0.5),
-                   "gamma": (lambda shape: rng.gamma(8, 1, shape), 8.0)}[world]
+    draw, truth = {
+        "normal": (lambda shape: rng.normal(3, 2, shape), 3.0),
+        "uniform": (lambda shape: rng.uniform(0, 1, shape), 0.5),
+        "gamma": (lambda shape: rng.gamma(8, 1, shape), 8.0),
+    }[world]
     assert abs(missed(draw, truth, runs) - 0.05) <= 0.015
 
 
 # Many comparisons
 
+
 def test_holm_by_hand():
-    assert list(holm([0.01, 0.9, 0.04, 0.03])) == approx([0.04, 0.9, 0.09, 0.09])  # 2 x 0.04 = 0.08 would pass the one before
+    assert list(holm([0.01, 0.9, 0.04, 0.03])) == approx(
+        [0.04, 0.9, 0.09, 0.09]
+    )  # 2 x 0.04 = 0.08 would pass the one before
     assert list(holm([0.6, 0.7])) == [1.0, 1.0] and list(holm([])) == [] and list(holm([0.05])) == [0.05]
 
 
@@ -132,6 +163,7 @@ def test_significant_is_a_corrected_p_value_of_at_most_5_percent(p_holm, signifi
 
 # Effect sizes
 
+
 def test_hedges_correction_has_closed_forms_at_few_degrees_of_freedom():
     assert hedges_correction(2) == approx(1 / math.sqrt(math.pi))
     assert hedges_correction(4) == approx(math.sqrt(2 / math.pi))
@@ -156,6 +188,7 @@ def test_hedges_g_of_six_runs_is_unbiased():
 
 # Equivalence
 
+
 def test_equal_sets_are_equivalent_far_ones_different_scattered_ones_inconclusive_five_runs_unknown():
     a = [1.0, 1.1, 0.9, 1.0, 1.05, 0.95]
 
@@ -170,14 +203,18 @@ def test_equal_sets_are_equivalent_far_ones_different_scattered_ones_inconclusiv
     assert test(a[:5]) == (None, None, 0.2, "unknown")
     sure = [1.05, 1.06, 1.04, 1.05, 1.06, 1.04]
     small = contrast((-1, [x - 0.05 for x in sure]), (1, sure))
-    assert equivalence_of(small, 0.1).conclusion == "equivalent" and equivalence_of(small, 0.04).conclusion == "different"
+    assert (
+        equivalence_of(small, 0.1).conclusion == "equivalent" and equivalence_of(small, 0.04).conclusion == "different"
+    )
 
 
 @pytest.mark.parametrize("runs", [6, 30])
 def test_sets_that_differ_by_the_margin_are_called_equivalent_in_5_percent_of_cases(runs):
     rng = numpy.random.default_rng(runs)
-    wrong = [equivalence_of(contrast((-1, a), (1, b)), 1.0).conclusion == "equivalent"
-             for a, b in zip(rng.normal(0.0, 0.3, (4000, runs)), rng.normal(1.0, 0.3, (4000, runs)))]
+    wrong = [
+        equivalence_of(contrast((-1, a), (1, b)), 1.0).conclusion == "equivalent"
+        for a, b in zip(rng.normal(0.0, 0.3, (4000, runs)), rng.normal(1.0, 0.3, (4000, runs)))
+    ]
     assert 0.035 < numpy.mean(wrong) < 0.065
 
 
@@ -188,6 +225,7 @@ def test_equivalence_refuses_a_bad_margin_or_level(margin, alpha):
 
 
 # Power
+
 
 def test_power_of_a_t_test_as_in_printed_tables():
     assert power_of_t(0.5 * math.sqrt(34), 33, 0.05) == approx(0.8078, rel=1e-3)  # one sample, half a deviation
@@ -205,8 +243,19 @@ def test_power_far_away_is_one_without_a_step_where_the_formula_changes():
     assert runs_for_power(1e6, Scatter(1.0), 1e-7) == MIN_RUNS_FOR_TEST
 
 
-@pytest.mark.parametrize("difference, scatter, runs", [(0.5, (1, 1), 34), (-0.5, (2, 2), 64), (0.2, (2, 2), 394), (0.8, (2, 2), 26), (100, (1, 1), 6),
-                                                       (1, (0, 1), 6), (0, (1, 1), None), (1e-4, (1, 1), None)])
+@pytest.mark.parametrize(
+    "difference, scatter, runs",
+    [
+        (0.5, (1, 1), 34),
+        (-0.5, (2, 2), 64),
+        (0.2, (2, 2), 394),
+        (0.8, (2, 2), 26),
+        (100, (1, 1), 6),
+        (1, (0, 1), 6),
+        (0, (1, 1), None),
+        (1e-4, (1, 1), None),
+    ],
+)
 def test_fewest_runs_that_are_enough(difference, scatter, runs):
     assert runs_for_power(difference, Scatter(*scatter), 0.05) == runs
 
@@ -232,7 +281,11 @@ def test_detectable_difference_is_in_errors():
 
 def test_scatter_of_pairs_and_of_sets():
     a, b = [1.0, 2.0, 3.0], [4.0, 6.0, 8.0]
-    assert scatter_of(b) == approx((4.0, 1.0)) and scatter_of(a, b) == approx((5.0, 25 / 17)) and scatter_of(a, a).freedom == approx(2.0)
+    assert (
+        scatter_of(b) == approx((4.0, 1.0))
+        and scatter_of(a, b) == approx((5.0, 25 / 17))
+        and scatter_of(a, a).freedom == approx(2.0)
+    )
     assert scatter_of([1.0]) is None and scatter_of(a, [1.0]) is None
 
 

@@ -21,7 +21,9 @@ def run(tmp_path_factory):
     folder = tmp_path_factory.mktemp("types") / "run"
     options = "--backend kinematic --rules released --duration 6000 --seed 5 --senses --states --replay-hz 0 --out"
     subprocess.run([PROGRAM, *options.split(), folder], check=True, capture_output=True)
-    types = {file: table["columns"] for file, table in json.loads((folder / "manifest.json").read_text())["tables"].items()}
+    types = {
+        file: table["columns"] for file, table in json.loads((folder / "manifest.json").read_text())["tables"].items()
+    }
     return folder, types, {file: pandas.read_csv(folder / file, dtype=str, keep_default_na=False) for file in types}
 
 
@@ -31,7 +33,11 @@ def test_types_are_of_all_columns_and_hold_their_cells(run):
         assert list(frame.columns) == list(run[1][file])
         for name, kind in run[1][file].items():
             cells = frame[name][frame[name] != ""]
-            assert not cells.str.fullmatch("[-0-9.e]+").any() if kind == "string" else cells.map(int if kind == "int64" else float).size == cells.size
+            assert (
+                not cells.str.fullmatch("[-0-9.e]+").any()
+                if kind == "string"
+                else cells.map(int if kind == "int64" else float).size == cells.size
+            )
 
 
 @pytest.mark.parametrize("reader", ["pandas", "polars", "pyarrow.csv", "duckdb"])
@@ -39,14 +45,27 @@ def test_the_page_reads_every_table(run, reader):
     pytest.importorskip(reader)
     line = next(line for line in PAGE if line.startswith(f"{reader}.read_csv(f"))
     for file, frame in run[2].items():
-        names = {reader.split(".")[0]: importlib.import_module(reader.split(".")[0]), "run": str(run[0]), "types": run[1]}
+        names = {
+            reader.split(".")[0]: importlib.import_module(reader.split(".")[0]),
+            "run": str(run[0]),
+            "types": run[1],
+        }
         assert len(eval(line.replace("events.csv", file), names)) == len(frame)
 
 
 def test_the_page_reads_every_table_in_r(run):
-    if not shutil.which("Rscript") or subprocess.run(["Rscript", "-e", "library(jsonlite)"], capture_output=True).returncode:
+    if (
+        not shutil.which("Rscript")
+        or subprocess.run(["Rscript", "-e", "library(jsonlite)"], capture_output=True).returncode
+    ):
         pytest.skip("no R with jsonlite")
-    lines = "; ".join(line.replace("runs/first-1", str(run[0])) for line in PAGE if line.startswith(("types <- ", "events <- ")))
+    lines = "; ".join(
+        line.replace("runs/first-1", str(run[0])) for line in PAGE if line.startswith(("types <- ", "events <- "))
+    )
     for file, frame in run[2].items():
-        done = subprocess.run(["Rscript", "-e", f"{lines.replace('events.csv', file)}; stopifnot(nrow(events) == {len(frame)})"], capture_output=True, text=True)
+        done = subprocess.run(
+            ["Rscript", "-e", f"{lines.replace('events.csv', file)}; stopifnot(nrow(events) == {len(frame)})"],
+            capture_output=True,
+            text=True,
+        )
         assert done.returncode == 0, done.stderr

@@ -12,7 +12,10 @@ def approach(from_x_m=5.0, to_x_m=4.4, last=6, step=1, **changes):
     rows = []
     for tick in range(0, last + 1, step):
         walker = dict(x_m=from_x_m + (to_x_m - from_x_m) * tick / 6, adversary_id=0)
-        rows += [robot(tick, 0, "prey"), {**robot(tick, 1, "predator", **walker), **{name: change(tick) for name, change in changes.items()}}]
+        rows += [
+            robot(tick, 0, "prey"),
+            {**robot(tick, 1, "predator", **walker), **{name: change(tick) for name, change in changes.items()}},
+        ]
     return rows
 
 
@@ -20,13 +23,25 @@ def of(rows):
     return velocity.samples(agents(*rows)).velocity_m_s
 
 
-@pytest.mark.parametrize("rows, expected", [
-    (approach(), [0.05]),  # tick 0 only: the others have no tick six later, and the prey has no adversary
-    (approach(to_x_m=5.3), [-0.025]),
-    ([{**row, "x_m": -100.0} if row["id"] == 0 and row["tick"] else row for row in approach()], [0.05]),  # its own walk does not count
-    ([{**row, "id": 77} if row["body"] == 0 and row["tick"] > 2 else row for row in approach()], [0.05]),  # it may die
-    (approach(id=lambda tick: 78 if tick > 4 else 1, body=lambda tick: 1), []),  # born meanwhile
-    (approach(adversary_id=lambda tick: math.nan), []), (approach(last=5), []), ([], [])])
+@pytest.mark.parametrize(
+    "rows, expected",
+    [
+        (approach(), [0.05]),  # tick 0 only: the others have no tick six later, and the prey has no adversary
+        (approach(to_x_m=5.3), [-0.025]),
+        (
+            [{**row, "x_m": -100.0} if row["id"] == 0 and row["tick"] else row for row in approach()],
+            [0.05],
+        ),  # its own walk does not count
+        (
+            [{**row, "id": 77} if row["body"] == 0 and row["tick"] > 2 else row for row in approach()],
+            [0.05],
+        ),  # it may die
+        (approach(id=lambda tick: 78 if tick > 4 else 1, body=lambda tick: 1), []),  # born meanwhile
+        (approach(adversary_id=lambda tick: math.nan), []),
+        (approach(last=5), []),
+        ([], []),
+    ],
+)
 def test_the_approach_to_where_the_adversary_was(rows, expected):
     assert of(rows) == pytest.approx(expected)
 
@@ -36,9 +51,14 @@ def test_the_stored_adversary_follows_its_body_and_outlives_births():
     rows = approach(5.0, 5.6, 7, adversary_id=lambda tick: 0 if tick == 0 else math.nan)
     rows = [{**row, "id": 77, "x_m": 10.0} if row["body"] == 0 and row["tick"] else row for row in rows]
     assert velocity.stored_samples(agents(*rows)).velocity_m_s == pytest.approx([-0.05, 0.05])
-    rows = approach(5.0, 4.4, 7, id=lambda tick: 78 if tick else 1, adversary_id=lambda tick: 0 if tick == 0 else math.nan)
+    rows = approach(
+        5.0, 4.4, 7, id=lambda tick: 78 if tick else 1, adversary_id=lambda tick: 0 if tick == 0 else math.nan
+    )
     found = velocity.stored_samples(agents(*rows))
-    assert (found.row.tolist(), found.velocity_m_s) == ([3], pytest.approx([0.05]))  # at tick 1; the individual of tick 0 is dead at tick 6
+    assert (found.row.tolist(), found.velocity_m_s) == (
+        [3],
+        pytest.approx([0.05]),
+    )  # at tick 1; the individual of tick 0 is dead at tick 6
     assert len(velocity.stored_samples(agents(*approach(adversary_id=lambda tick: math.nan))).row) == 0
     assert len(velocity.stored_samples(agents()).row) == 0
 

@@ -6,10 +6,29 @@ import importlib
 
 __version__ = "0.1.0"
 # The module of each name. Modules are imported at first use, because numpy, pandas or matplotlib may be missing.
-_MODULES = {"Recording": "recording", "RecordingError": "recording", "read_replay": "recording",
-            "Run": "runs", "Runs": "runs", "Analysis": "runs", "RunError": "errors", "read_run": "runs", "read_runs": "runs", "read_study": "runs",
-            "read_analysis": "runs", "verify": "runs", "study_frames": "runs", "to_parquet": "runs", "metric": "metrics.own", "show": "start", "run": "start", "analyze": "start",
-            "ablation_table": "ablations", "analyze_sweep": "sweeps", "ProgramError": "errors"}
+_MODULES = {
+    "Recording": "recording",
+    "RecordingError": "recording",
+    "read_replay": "recording",
+    "Run": "runs",
+    "Runs": "runs",
+    "Analysis": "runs",
+    "RunError": "errors",
+    "read_run": "runs",
+    "read_runs": "runs",
+    "read_study": "runs",
+    "read_analysis": "runs",
+    "verify": "runs",
+    "study_frames": "runs",
+    "to_parquet": "runs",
+    "metric": "metrics.own",
+    "show": "start",
+    "run": "start",
+    "analyze": "start",
+    "ablation_table": "ablations",
+    "analyze_sweep": "sweeps",
+    "ProgramError": "errors",
+}
 __all__ = sorted(_MODULES)
 
 

@@ -29,6 +29,7 @@ GROUPS = ("perception", "reproduction", "death", "ecology")
 @dataclasses.dataclass
 class Direction:
     """All swaps of one table compared with its base."""
+
     name: str
     base: MeasuredSet
     effects: pandas.DataFrame
@@ -39,12 +40,17 @@ def effects_of(base: MeasuredSet, swapped: dict[str, MeasuredSet], direction: st
     """The effect of each swap on each metric, by swaps, one row each, with a raw one behind it if sets have shadows.
 
     Columns: those of ablations.csv (docs/tables.md), and as in judge.compare `role` ("null" of an answer), `same_as`, `level`, `conclusion`. Holm's
-    correction is over all swaps and metrics that repeat no other in all sets together; raw differences behind answers are a family of their own."""
+    correction is over all swaps and metrics that repeat no other in all sets together; raw differences behind answers are a family of their own.
+    """
     every = [one for each in (base, *swapped.values()) for one in (each, each.shadow) if one]
-    repeats = judge.repeated([metric for metric in base.metrics() if all((metric, "") in one.table for one in every)], every)
+    repeats = judge.repeated(
+        [metric for metric in base.metrics() if all((metric, "") in one.table for one in every)], every
+    )
     frames = [judge.compare(base, one).assign(swap=swap, direction=direction) for swap, one in swapped.items()]
     if not frames:
-        return pandas.DataFrame(columns=[*column_names("ablations.csv"), "role", "conclusion", "same_as", "is_comparison"])
+        return pandas.DataFrame(
+            columns=[*column_names("ablations.csv"), "role", "conclusion", "same_as", "is_comparison"]
+        )
     frame = pandas.concat(frames, ignore_index=True)
     frame["same_as"] = [str(repeats.get(metric_of(row), "")) for row in frame.itertuples(index=False)]
     frame["is_comparison"] = frame["p"].notna() & (frame["same_as"] == "")
@@ -63,7 +69,10 @@ def read_study(folder: str | os.PathLike, jobs: int | None = None) -> list[Direc
         raise RunError(f"{folder}: has no folder from_TABLE with a base")
     if len(tables_) > 2:
         raise RunError(f"{folder}: has more than two folders from_TABLE")
-    names = {table: sorted(path.parent.name for path in table.glob("*/replicates.json") if path.parent.name != BASE) for table in tables_}
+    names = {
+        table: sorted(path.parent.name for path in table.glob("*/replicates.json") if path.parent.name != BASE)
+        for table in tables_
+    }
     first = None
     for table in tables_:
         base, shadow = _complete_runs(table / BASE)
@@ -97,7 +106,9 @@ def _complete_runs(path: pathlib.Path) -> tuple[pool.PooledRun, pool.PooledRun |
 def check_comparable(a: pool.PooledRun, b: pool.PooledRun) -> None:
     """Raises RunError, naming both, if two runs did not last equally long, or it is not known."""
     if not pool.lasted_alike(a, b):
-        raise RunError(f"{b.path}: {pool.lasted_text(b)}, but {a.path} has {pool.lasted_text(a)}; runs of different length are not compared: use --until")
+        raise RunError(
+            f"{b.path}: {pool.lasted_text(b)}, but {a.path} has {pool.lasted_text(a)}; runs of different length are not compared: use --until"
+        )
 
 
 def _measure(folder: pathlib.Path, names: Sequence[str], how: Measuring) -> Direction:
@@ -107,6 +118,7 @@ def _measure(folder: pathlib.Path, names: Sequence[str], how: Measuring) -> Dire
             if one.remarks:
                 raise RunError(one.remarks[0])
         return of
+
     base = read(BASE)
     return Direction(folder.name, base, effects_of(base, {name: read(name) for name in names}, folder.name))
 
@@ -117,9 +129,12 @@ def whole_difference(first: Direction, second: Direction) -> pandas.DataFrame:
     return effects_of(first.base, {there: second.base}, f"{here}_to_{there}")
 
 
-def ablation_table(runs: str | os.PathLike, out: str | os.PathLike | None = None, *, jobs: int | None = None) -> pandas.DataFrame:
+def ablation_table(
+    runs: str | os.PathLike, out: str | os.PathLike | None = None, *, jobs: int | None = None
+) -> pandas.DataFrame:
     """Compares each swap of an ablation study with its base: the rows of ablations.csv (docs/tables.md) as a frame, with `role` and `conclusion`. `out`: a new
-    folder for ablations.csv and ablations.md. Raises RunError for a study that is incomplete or cannot be compared, and if the folder exists."""
+    folder for ablations.csv and ablations.md. Raises RunError for a study that is incomplete or cannot be compared, and if the folder exists.
+    """
     directions = read_study(runs, jobs)
     whole = whole_difference(*directions) if len(directions) == 2 else None
     frame = pandas.concat([one.effects for one in directions] + ([] if whole is None else [whole]), ignore_index=True)
@@ -141,12 +156,15 @@ def run(request: dict) -> int:
 
 # Markdown
 
+
 def markdown(directions: Sequence[Direction], whole: pandas.DataFrame | None) -> str:
     """ablations.md: the significant effects, and what groups of rules make of the whole difference of two tables."""
     text = ""
     for one in directions:
         text += f"## {markdown_text(one.name)}\n\n{count(one.effects).sentence()}\n\n{significant_table(one.effects)}"
-        text += "\np: corrected for all swaps and metrics of this direction; intervals are those of single comparisons.\n\n"
+        text += (
+            "\np: corrected for all swaps and metrics of this direction; intervals are those of single comparisons.\n\n"
+        )
     if whole is not None:
         first, second = (one.name.removeprefix(PREFIX) for one in directions)
         text += f"## Together\n\nFirst: {markdown_text(first)}. Second: {markdown_text(second)}. Each group of rules alone put into the first, and taken out of the second.\n\n"
@@ -156,7 +174,9 @@ def markdown(directions: Sequence[Direction], whole: pandas.DataFrame | None) ->
 
 
 def _table(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
-    return "".join(f"| {' | '.join(row)} |\n" for row in (head, *rows)).replace("\n", "\n|" + "---|" * len(head) + "\n", 1)
+    return "".join(f"| {' | '.join(row)} |\n" for row in (head, *rows)).replace(
+        "\n", "\n|" + "---|" * len(head) + "\n", 1
+    )
 
 
 def significant_table(effects: pandas.DataFrame) -> str:
@@ -164,8 +184,16 @@ def significant_table(effects: pandas.DataFrame) -> str:
     rows = []
     for row in _significant(effects):
         reading = Reading(metric_of(row))
-        rows.append((markdown_text(row.swap), markdown_text(compared_title(row)), reading(row.base), reading(row.swapped), reading.with_interval(row.difference, (row.lower, row.upper), True),
-                     p_text(row.p_holm)))
+        rows.append(
+            (
+                markdown_text(row.swap),
+                markdown_text(compared_title(row)),
+                reading(row.base),
+                reading(row.swapped),
+                reading.with_interval(row.difference, (row.lower, row.upper), True),
+                p_text(row.p_holm),
+            )
+        )
     return _table(("swap", "metric", "base", "swapped", "difference [95 %]", "p (Holm)"), rows)
 
 
@@ -174,7 +202,9 @@ def _significant(effects: pandas.DataFrame) -> list:
     return list(of[of["conclusion"].isin(("above", "below"))].itertuples(index=False))
 
 
-def shares_table(whole: pandas.DataFrame, forward: pandas.DataFrame, backward: pandas.DataFrame, names: Sequence[str] = GROUPS) -> str:
+def shares_table(
+    whole: pandas.DataFrame, forward: pandas.DataFrame, backward: pandas.DataFrame, names: Sequence[str] = GROUPS
+) -> str:
     """How much of the difference between two tables the swaps of some names make: one line per metric, each swap's effect. `forward`: swaps from the
     first table towards the second. `backward`: from the second towards the first, whose effects have the sign turned, so that both say what the
     second table's rules do. Only metrics whose `whole` is significant."""
@@ -189,11 +219,24 @@ def shares_table(whole: pandas.DataFrame, forward: pandas.DataFrame, backward: p
                 effect = effects.get((name, metric))
                 value = float("nan") if effect is None else sign * effect.difference
                 sums[side] += value
-                cells.append(reading(value, True) + ("*" if effect is not None and effect.conclusion in ("above", "below") else ""))
-        rows.append((markdown_text(compared_title(row)), reading(row.base), reading(row.swapped), reading.with_interval(row.difference, (row.lower, row.upper), True), *cells,
-                     *(reading(value, True) for value in sums)))
+                cells.append(
+                    reading(value, True)
+                    + ("*" if effect is not None and effect.conclusion in ("above", "below") else "")
+                )
+        rows.append(
+            (
+                markdown_text(compared_title(row)),
+                reading(row.base),
+                reading(row.swapped),
+                reading.with_interval(row.difference, (row.lower, row.upper), True),
+                *cells,
+                *(reading(value, True) for value in sums),
+            )
+        )
     head = [f"{name} {way}" for name in names for way in ("into first", "out of second")]
-    return _table(("metric", "first", "second", "whole difference [95 %]", *head, "sum into first", "sum out of second"), rows)
+    return _table(
+        ("metric", "first", "second", "whole difference [95 %]", *head, "sum into first", "sum out of second"), rows
+    )
 
 
 def _by_swap(effects: pandas.DataFrame) -> dict[tuple[str, Metric], Any]:

@@ -42,14 +42,20 @@ def run(request: dict) -> int:
         verify(cited.path)
     others = sorted({one.identity for one in runs} - {runs[0].identity})
     if others:
-        raise RunError(f"{folder}: runs of different fingerprints: {', '.join([runs[0].identity, *others])}; cite them one by one")
+        raise RunError(
+            f"{folder}: runs of different fingerprints: {', '.join([runs[0].identity, *others])}; cite them one by one"
+        )
     first = runs[0].manifest
-    versions, revisions = (sorted({one.manifest.get(key, "unknown") for one in runs}) for key in ("trophic", "source_revision"))
+    versions, revisions = (
+        sorted({one.manifest.get(key, "unknown") for one in runs}) for key in ("trophic", "source_revision")
+    )
     seed = f"master seed {first['master_seed']}" if "master_seed" in first else f"seed {first['seed']}"
     one = description.describe(Runs(folder, list(runs)))
     made = f"in trophic {_all(versions)} (revision {_all(revisions)}, fingerprint {one.identity}, {seed})"
     also = "" if "description" in first else " The parameters are in manifest.json."
-    print(f"{one.sentence(made)}{also}\n\n{ENTRIES % (latex_text(_all(versions)), latex_text(_all(revisions)))}", end="")
+    print(
+        f"{one.sentence(made)}{also}\n\n{ENTRIES % (latex_text(_all(versions)), latex_text(_all(revisions)))}", end=""
+    )
     return 0
 
 

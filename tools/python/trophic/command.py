@@ -27,8 +27,10 @@ def run(module: str, request: dict) -> int:
         if str(error.name).startswith("trophic"):
             raise
         _continue_with_system()
-        code, why = 2, (f"needs the Python module {error.name}, which {sys.executable} lacks: apt-get install python3-jinja2 python3-matplotlib "
-                        "python3-pandas python3-scipy, or let TROPHIC_PYTHON name a Python that has it")
+        code, why = 2, (
+            f"needs the Python module {error.name}, which {sys.executable} lacks: apt-get install python3-jinja2 python3-matplotlib "
+            "python3-pandas python3-scipy, or let TROPHIC_PYTHON name a Python that has it"
+        )
     except OSError as error:
         code, why = 1, f"{error.filename or 'cannot write to standard output'}: {error.strerror}"
     except MemoryError:
@@ -43,7 +45,9 @@ def run(module: str, request: dict) -> int:
 
 def one_line(text: str) -> str:
     """Writes control characters, which the name of a file may have, as \\x0a."""
-    return re.sub(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]", lambda found: "".join(f"\\x{byte:02x}" for byte in found[0].encode()), text)
+    return re.sub(
+        r"[\x00-\x1f\x7f-\x9f\u2028\u2029]", lambda found: "".join(f"\\x{byte:02x}" for byte in found[0].encode()), text
+    )
 
 
 def _continue_with_system() -> None:

@@ -41,6 +41,7 @@ _BATCH_S = 20.0  # how long a call of the program shall take
 @dataclasses.dataclass
 class Size:
     """How many contests there are, of what."""
+
     epochs_s: list[float]
     against: Sequence[str]
     """own and others; none of them with a panel"""
@@ -52,12 +53,14 @@ class Size:
 @dataclasses.dataclass
 class Planned:
     """The teams and matches of a plan as JSON, and each match's row of contests.csv but for its outcome."""
+
     teams: list[dict] = dataclasses.field(default_factory=list)
     matches: list[list[int]] = dataclasses.field(default_factory=list)
     rows: list[dict[str, Any]] = dataclasses.field(default_factory=list)
 
 
 # The draw
+
 
 def _stream(seed: int, purpose: int, *numbers: int) -> numpy.random.RandomState:
     return numpy.random.RandomState([seed & 0xFFFFFFFF, seed >> 32, purpose, *numbers])
@@ -66,7 +69,9 @@ def _stream(seed: int, purpose: int, *numbers: int) -> numpy.random.RandomState:
 def members(seed: int, team: Sequence[int], living: int, size: int) -> list[int]:
     """`size` of `living` individuals, all of them before any twice. `team`: replicate, 1 for the shadow, epoch, species and number."""
     stream = _stream(seed, _TEAM, *team)
-    return list(itertools.chain.from_iterable(stream.permutation(living).tolist() for _ in range(math.ceil(size / living))))[:size]
+    return list(
+        itertools.chain.from_iterable(stream.permutation(living).tolist() for _ in range(math.ceil(size / living)))
+    )[:size]
 
 
 def partner(seed: int, replicates: int, replicate: int, team: int) -> int:
@@ -83,22 +88,30 @@ def places(seed: int, replicate: int, team: int) -> int:
 
 # The teams
 
+
 def check_epoch(run: PooledRun, epoch_s: float) -> None:
     """Raises RunError unless a run was written to its end and reached an epoch."""
     path = run.path / "manifest.json"
     if run.reached_s is None:
-        raise RunError(f'{path}: status "{run.manifest["status"]}": phylogeny.csv has those alive only at a run\'s end; resume the run')
+        raise RunError(
+            f'{path}: status "{run.manifest["status"]}": phylogeny.csv has those alive only at a run\'s end; resume the run'
+        )
     if run.reached_s < epoch_s:
-        raise RunError(f"{path}: the run reached {number_text(run.reached_s)} s: must be >= {number_text(epoch_s)} s, an epoch")
+        raise RunError(
+            f"{path}: the run reached {number_text(run.reached_s)} s: must be >= {number_text(epoch_s)} s, an epoch"
+        )
 
 
 def living_genomes(run: PooledRun, epochs_s: Sequence[float]) -> list[dict[str, list[list[list[float]]]]]:
     """The genomes, [weights, genes of gait, of body, traits], of the individuals that were alive after the rules of each epoch's tick: for each epoch
-    by species, in the order of their ids. A genome that several share changes at later births: the last one up to the epoch counts."""
+    by species, in the order of their ids. A genome that several share changes at later births: the last one up to the epoch counts.
+    """
     for epoch_s in epochs_s:
         check_epoch(run, epoch_s)
     born, genomes = run.table("phylogeny"), run.table("genomes")
-    genes = run.table("genes") if (run.path / "genes.csv").exists() else pandas.DataFrame(columns=["id", "part", "value"])
+    genes = (
+        run.table("genes") if (run.path / "genes.csv").exists() else pandas.DataFrame(columns=["id", "part", "value"])
+    )
     parts = {key: of.tolist() for key, of in genes.groupby(["id", "part"], sort=False)["value"]}
     weights = [name for name in genomes if name[0] == "w" and name[1:].isdigit()]
     traits = [name for name in genomes if name not in ("id", "genome_id", "time_s", *weights)]
@@ -134,9 +147,13 @@ class _Teams:
         if key not in self.numbers:
             living = self.living[replicate][epoch].get(species)
             if not living:
-                raise RunError(f"{self.runs[replicate].path}: no {species} is alive at {number_text(self.size.epochs_s[epoch])} s, an epoch")
+                raise RunError(
+                    f"{self.runs[replicate].path}: no {species} is alive at {number_text(self.size.epochs_s[epoch])} s, an epoch"
+                )
             number = self.species.index(species)
-            drawn = members(self.size.seed, (replicate, int(self.is_shadow), epoch, number, team), len(living), self.size.team_size)
+            drawn = members(
+                self.size.seed, (replicate, int(self.is_shadow), epoch, number, team), len(living), self.size.team_size
+            )
             self.numbers[key] = len(self.planned.teams)
             self.planned.teams.append({"species": number, "genomes": [living[one] for one in drawn]})
         return self.numbers[key]
@@ -144,7 +161,10 @@ class _Teams:
 
 # The matches
 
-def add_matches(planned: Planned, runs: Sequence[PooledRun], size: Size, is_shadow: bool, panel: Sequence[PooledRun]) -> None:
+
+def add_matches(
+    planned: Planned, runs: Sequence[PooledRun], size: Size, is_shadow: bool, panel: Sequence[PooledRun]
+) -> None:
     """Adds the contests of a set of runs: every epoch with every other or, with a panel, with the last living of one of its runs, the same in all
     epochs, sets and studies."""
     teams = _Teams(runs, size, is_shadow, planned)
@@ -152,8 +172,20 @@ def add_matches(planned: Planned, runs: Sequence[PooledRun], size: Size, is_shad
 
     def add(against: str, link: tuple[str, str], team: int, replicate: int, hunters: tuple, victims: tuple) -> None:
         planned.matches.append([hunters[0], victims[0], places(size.seed, replicate, team)])
-        planned.rows.append({"shadow": int(is_shadow), "against": against, "hunters_run": str(hunters[1]), "victims_run": str(victims[1]), "team": team,
-                             "hunter": link[0], "victim": link[1], "hunter_epoch_s": hunters[2], "victim_epoch_s": victims[2]})
+        planned.rows.append(
+            {
+                "shadow": int(is_shadow),
+                "against": against,
+                "hunters_run": str(hunters[1]),
+                "victims_run": str(victims[1]),
+                "team": team,
+                "hunter": link[0],
+                "victim": link[1],
+                "hunter_epoch_s": hunters[2],
+                "victim_epoch_s": victims[2],
+            }
+        )
+
     if panel:
         last = dataclasses.replace(size, epochs_s=[panel[0].reached_s or 0.0])
         opponents = _Teams(panel, last, False, planned)
@@ -161,14 +193,33 @@ def add_matches(planned: Planned, runs: Sequence[PooledRun], size: Size, is_shad
         for against in size.against:
             for replicate, team, p, q in itertools.product(range(len(runs)), range(size.teams), epochs, epochs):
                 other = replicate if against == "own" else partner(size.seed, len(runs), replicate, team)
-                add(against, (hunter, victim), team, replicate, (teams(replicate, p, hunter, team), runs[replicate].path, size.epochs_s[p]),
-                    (teams(other, q, victim, team), runs[other].path, size.epochs_s[q]))
+                add(
+                    against,
+                    (hunter, victim),
+                    team,
+                    replicate,
+                    (teams(replicate, p, hunter, team), runs[replicate].path, size.epochs_s[p]),
+                    (teams(other, q, victim, team), runs[other].path, size.epochs_s[q]),
+                )
         if panel:
-            for replicate, team, epoch, hunts in itertools.product(range(len(runs)), range(size.teams), epochs, (True, False)):
+            for replicate, team, epoch, hunts in itertools.product(
+                range(len(runs)), range(size.teams), epochs, (True, False)
+            ):
                 other = (replicate + team) % len(panel)
-                ours = teams(replicate, epoch, hunter if hunts else victim, team), runs[replicate].path, size.epochs_s[epoch]
+                ours = (
+                    teams(replicate, epoch, hunter if hunts else victim, team),
+                    runs[replicate].path,
+                    size.epochs_s[epoch],
+                )
                 theirs = opponents(other, 0, victim if hunts else hunter, team), panel[other].path, last.epochs_s[0]
-                add("panel_victims" if hunts else "panel_hunters", (hunter, victim), team, replicate, ours if hunts else theirs, theirs if hunts else ours)
+                add(
+                    "panel_victims" if hunts else "panel_hunters",
+                    (hunter, victim),
+                    team,
+                    replicate,
+                    ours if hunts else theirs,
+                    theirs if hunts else ours,
+                )
 
 
 def _table_of(run: PooledRun) -> str:
@@ -209,18 +260,39 @@ def plan_of(request: dict) -> tuple[dict, list[dict[str, Any]], list[str]]:
     against = () if panel else ("own", "others") if request["against"] == "both" else (request["against"],)
     if len(runs) < 2 and "others" in against:
         raise RunError(f"--against others: needs at least two replicates; {first.path} is one")
-    epochs_s = _epochs_of(request["epochs"]) or [(first.reached_s or 0.0) * i / (_DEFAULT_EPOCHS - 1) for i in range(_DEFAULT_EPOCHS)]
+    epochs_s = _epochs_of(request["epochs"]) or [
+        (first.reached_s or 0.0) * i / (_DEFAULT_EPOCHS - 1) for i in range(_DEFAULT_EPOCHS)
+    ]
     _check_epochs(epochs_s, request["split"])
-    size = Size(epochs_s, against, request["teams"], request["team_size"] or max(1, first.manifest["params"]["ecology"]["robots"] // 2), request["seed"])
+    size = Size(
+        epochs_s,
+        against,
+        request["teams"],
+        request["team_size"] or max(1, first.manifest["params"]["ecology"]["robots"] // 2),
+        request["seed"],
+    )
     planned = Planned()
     for is_shadow, of in ((False, runs), (True, shadow)):
         if of:
             add_matches(planned, of, size, is_shadow, panel)
-    plan = {"format": "trophic contests", "version": 1, "rule_table": _table_of(first), "engine": first.manifest["backend"].split()[0],
-            "fingerprint": first.fingerprint, "params": first.manifest["params"], "duration_s": request["duration"], "reach_m": request["reach"],
-            "teams": planned.teams, "matches": planned.matches}
+    plan = {
+        "format": "trophic contests",
+        "version": 1,
+        "rule_table": _table_of(first),
+        "engine": first.manifest["backend"].split()[0],
+        "fingerprint": first.fingerprint,
+        "params": first.manifest["params"],
+        "duration_s": request["duration"],
+        "reach_m": request["reach"],
+        "teams": planned.teams,
+        "matches": planned.matches,
+    }
     if request["backend"] and request["backend"] != plan["engine"]:
-        plan |= {"engine": request["backend"], "fingerprint": "", "params": {key: of for key, of in plan["params"].items() if key != "backend"}}
+        plan |= {
+            "engine": request["backend"],
+            "fingerprint": "",
+            "params": {key: of for key, of in plan["params"].items() if key != "backend"},
+        }
     return plan, planned.rows, remarks
 
 
@@ -243,16 +315,19 @@ def _check_epochs(epochs_s: Sequence[float], split_s: float | None) -> None:
         if before_s is not None and epoch_s <= before_s:
             raise RunError(f"--epochs {number_text(epoch_s)}: must be > {number_text(before_s)}, the epoch before it")
     if split_s is not None and split_s not in epochs_s:
-        raise RunError(f"--split {number_text(split_s)}: must be one of the epochs, {', '.join(map(number_text, epochs_s))} s")
+        raise RunError(
+            f"--split {number_text(split_s)}: must be one of the epochs, {', '.join(map(number_text, epochs_s))} s"
+        )
 
 
 # Playing
+
 
 def _played(path: pathlib.Path, head: str) -> dict[int, list[float]]:
     """The outcomes that a program left that played the same plan; what was cut short is not one."""
     found: dict[int, list[float]] = {}
     if path.exists() and (whole := path.read_text()).startswith(head):
-        for line in whole[len(head):].splitlines(keepends=True):
+        for line in whole[len(head) :].splitlines(keepends=True):
             if not line.endswith("\n"):
                 break
             match, *outcome = json.loads(line)
@@ -277,7 +352,10 @@ def play(plan: dict, program: str, jobs: int, folder: pathlib.Path) -> list[list
         began = time.monotonic()
         found = dict(zip(batch, _play_some(plan, batch, program, jobs, folder)))
         with (folder / PLAYED).open("a") as file:  # made when there is an outcome
-            file.write(("" if known else head) + "".join(json.dumps([match, *outcome]) + "\n" for match, outcome in found.items()))
+            file.write(
+                ("" if known else head)
+                + "".join(json.dumps([match, *outcome]) + "\n" for match, outcome in found.items())
+            )
             file.flush()
             os.fsync(file.fileno())
         known |= found
@@ -285,16 +363,28 @@ def play(plan: dict, program: str, jobs: int, folder: pathlib.Path) -> list[list
     return [known[match] for match in range(len(plan["matches"]))]
 
 
-def _play_some(plan: dict, matches: Sequence[int], program: str, jobs: int, folder: pathlib.Path) -> Iterator[list[float]]:
+def _play_some(
+    plan: dict, matches: Sequence[int], program: str, jobs: int, folder: pathlib.Path
+) -> Iterator[list[float]]:
     chosen = [plan["matches"][match] for match in matches]
     teams = {team: number for number, team in enumerate(dict.fromkeys(team for match in chosen for team in match[:2]))}
     path = folder / "plan.json"
     outcomes = path.with_name("plan.json.outcomes")
     outcomes.unlink(missing_ok=True)
-    path.write_text(json.dumps({**plan, "teams": [plan["teams"][team] for team in teams],
-                                "matches": [[teams[hunters], teams[victims], at] for hunters, victims, at in chosen]}) + "\n")
+    path.write_text(
+        json.dumps(
+            {
+                **plan,
+                "teams": [plan["teams"][team] for team in teams],
+                "matches": [[teams[hunters], teams[victims], at] for hunters, victims, at in chosen],
+            }
+        )
+        + "\n"
+    )
     try:
-        process = subprocess.Popen([program, "--play", path, "--jobs", str(jobs)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        process = subprocess.Popen(
+            [program, "--play", path, "--jobs", str(jobs)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
+        )
     except OSError as error:
         raise RunError(f"--program {program}: {error.strerror}") from None
     try:
@@ -315,6 +405,7 @@ def _play_some(plan: dict, matches: Sequence[int], program: str, jobs: int, fold
 
 # The command
 
+
 def run(request: dict) -> int:
     """`trophic contest`. `request`: runs, shadow, panel, epochs, against, split, teams, team_size, duration, reach, seed, backend, `experiment` (the
     program), jobs, accept_other_build and out."""
@@ -322,7 +413,9 @@ def run(request: dict) -> int:
         if not 0.0 < request[name] <= MOST_TIME_S:
             raise RunError(f"--{name} {number_text(request[name])}: must be > 0 and <= {number_text(MOST_TIME_S)}")
     if not 2 <= request["teams"] <= 1000:
-        raise RunError(f"--teams {request['teams']}: must be >= 2 and <= 1000; what a single team does is not what its epoch does")
+        raise RunError(
+            f"--teams {request['teams']}: must be >= 2 and <= 1000; what a single team does is not what its epoch does"
+        )
     if request["team_size"] is not None and not 1 <= request["team_size"] <= 10_000:
         raise RunError(f"--team-size {request['team_size']}: must be >= 1 and <= 10000")
     if request["jobs"] == 0:
@@ -331,12 +424,21 @@ def run(request: dict) -> int:
     for remark in remarks:
         print(f"trophic contest: {remark}", flush=True)
     program = chosen_program(request)
-    out = request["out"] or next(free for free in itertools.chain(["contests"], (f"contests-{i}" for i in itertools.count(1))) if not os.path.lexists(free))
+    out = request["out"] or next(
+        free
+        for free in itertools.chain(["contests"], (f"contests-{i}" for i in itertools.count(1)))
+        if not os.path.lexists(free)
+    )
     try:
         with result_folder(out, keeps=PLAYED) as folder:
             began = time.monotonic()
             outcomes = play(plan, program, request["jobs"] or os.cpu_count() or 1, folder)
-            table = pandas.DataFrame([{**row, "contact_s": contact_s, "contacted": contacted} for row, (contact_s, contacted) in zip(rows, outcomes)])
+            table = pandas.DataFrame(
+                [
+                    {**row, "contact_s": contact_s, "contacted": contacted}
+                    for row, (contact_s, contacted) in zip(rows, outcomes)
+                ]
+            )
             write_new(folder / "contests.csv", csv_text(table))
             (folder / PLAYED).unlink(missing_ok=True)
             return contests.report(folder, out, request, time.monotonic() - began)

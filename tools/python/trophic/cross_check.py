@@ -17,9 +17,18 @@ from .statistics import EquivalenceTest, contrast, estimate, test_equivalence
 from .values import MeasuredSet
 from .words import Reading, columns, metric_title, number_text
 
-MARGINS = {("attribution_caught", "all"): 0.05, ("attribution_catches", "all"): 0.05, ("attribution_catchers", "all"): 0.05, ("velocity", "all"): 0.005,
-           ("velocity", "inherited"): 0.005, ("velocity", "random"): 0.005, ("wall_sticking", "all"): 0.1, ("wall_sticking_gap", "all"): 0.1,
-           ("tag_symmetry", "inherited"): 0.05, ("deaths", "all"): 0.2}
+MARGINS = {
+    ("attribution_caught", "all"): 0.05,
+    ("attribution_catches", "all"): 0.05,
+    ("attribution_catchers", "all"): 0.05,
+    ("velocity", "all"): 0.005,
+    ("velocity", "inherited"): 0.005,
+    ("velocity", "random"): 0.005,
+    ("wall_sticking", "all"): 0.1,
+    ("wall_sticking_gap", "all"): 0.1,
+    ("tag_symmetry", "inherited"): 0.05,
+    ("deaths", "all"): 0.2,
+}
 """The difference of a metric and group between engines that would still leave the paper's conclusion alone: shares by 0.05 and wall sticking by 0.1, a
 fraction of what separates the published values from their baselines; velocities by 0.5 cm/s; deaths by this share of the first set's."""
 SHARES_OF_FIRST = ("deaths",)
@@ -32,18 +41,42 @@ def run(request: dict) -> int:
         sets = [pool.read_set([path]) for path in request["runs"]]
         check(*sets)
         found = list(metrics(*sets))
-        write_new(folder / _TABLE, csv_text(pandas.DataFrame([row for pair in found for row in pair], columns=names(_TABLE))))
+        write_new(
+            folder / _TABLE, csv_text(pandas.DataFrame([row for pair in found for row in pair], columns=names(_TABLE)))
+        )
     print(metrics_text(sets, found) + f"files   {request['out']}")
     return 0
 
 
-def _row(engine: str, quantity: str, unit: str, values: Sequence[float] | numpy.ndarray, test: EquivalenceTest | None, **more: Any) -> dict[str, Any]:
+def _row(
+    engine: str,
+    quantity: str,
+    unit: str,
+    values: Sequence[float] | numpy.ndarray,
+    test: EquivalenceTest | None,
+    **more: Any,
+) -> dict[str, Any]:
     ours = estimate(values)
     lower, upper = ours.interval or (None, None)
-    row = {"engine": engine, "quantity": quantity, "unit": unit, "mean": ours.mean, "lower": lower, "upper": upper, "n": ours.runs, **more}
+    row = {
+        "engine": engine,
+        "quantity": quantity,
+        "unit": unit,
+        "mean": ours.mean,
+        "lower": lower,
+        "upper": upper,
+        "n": ours.runs,
+        **more,
+    }
     if test is not None:
         lower, upper = test.interval or (None, None)
-        row |= {"margin": test.margin, "difference": test.difference, "difference_lower": lower, "difference_upper": upper, "conclusion": test.conclusion}
+        row |= {
+            "margin": test.margin,
+            "difference": test.difference,
+            "difference_lower": lower,
+            "difference_upper": upper,
+            "conclusion": test.conclusion,
+        }
     return row
 
 
@@ -57,8 +90,18 @@ def metrics(first: MeasuredSet, second: MeasuredSet) -> Iterator[tuple[dict[str,
         if metric.metric in SHARES_OF_FIRST:
             margin *= max(1.0, estimate(values[0]).mean or 1.0)
         test = test_equivalence(contrast((-1.0, values[0]), (1.0, values[1])), margin)
-        one, other = (_row(str(of.runs[0].manifest["backend"]), metric.metric, metric.unit, its, tested, species=metric.species, group=metric.group)
-                      for of, its, tested in ((first, values[0], None), (second, values[1], test)))
+        one, other = (
+            _row(
+                str(of.runs[0].manifest["backend"]),
+                metric.metric,
+                metric.unit,
+                its,
+                tested,
+                species=metric.species,
+                group=metric.group,
+            )
+            for of, its, tested in ((first, values[0], None), (second, values[1], test))
+        )
         yield one, other
 
 
@@ -71,6 +114,7 @@ def check(first: MeasuredSet, second: MeasuredSet) -> None:
         if "ecology" in params:
             params["ecology"] = {key: value for key, value in params["ecology"].items() if key != "duration_s"}
         return {"rule_table": manifest["rule_table"], "rules": manifest["rules"], "params": params}
+
     if why := pool.first_difference(ecology(a.manifest), ecology(b.manifest)):
         raise RunError(f"{b.path}: {why} as in {a.path}")
     if not pool.lasted_alike(a, b):  # type: ignore[arg-type]
@@ -79,15 +123,33 @@ def check(first: MeasuredSet, second: MeasuredSet) -> None:
 
 def metrics_text(sets: Sequence[MeasuredSet], found: Sequence[tuple[dict[str, Any], dict[str, Any]]]) -> str:
     """A line for each metric."""
-    lines: list[tuple[str, ...]] = [("metric", "first [95 %]", "second [95 %]", "margin", "difference [90 %]", "conclusion")]
+    lines: list[tuple[str, ...]] = [
+        ("metric", "first [95 %]", "second [95 %]", "margin", "difference [90 %]", "conclusion")
+    ]
     by_title = {(metric.metric, metric.species, metric.group): metric for metric in sets[0].metrics()}
     for one, other in found:
         metric = by_title[one["quantity"], one["species"], one["group"]]
         reading = Reading(metric)
-        lines.append((metric_title(metric), *(reading.with_interval(row["mean"], None if row["lower"] is None else (row["lower"], row["upper"])) for row in (one, other)),
-                      reading(other["margin"]), reading.with_interval(other["difference"], None if other["difference_lower"] is None else
-                                                                      (other["difference_lower"], other["difference_upper"])), other["conclusion"]))
+        lines.append(
+            (
+                metric_title(metric),
+                *(
+                    reading.with_interval(row["mean"], None if row["lower"] is None else (row["lower"], row["upper"]))
+                    for row in (one, other)
+                ),
+                reading(other["margin"]),
+                reading.with_interval(
+                    other["difference"],
+                    None
+                    if other["difference_lower"] is None
+                    else (other["difference_lower"], other["difference_upper"]),
+                ),
+                other["conclusion"],
+            )
+        )
     first, second = (of.runs[0].manifest["backend"] for of in sets)
     remarks = "".join(f"remark: {remark}\n" for of in sets for remark in of.remarks)
-    return (f"rules {sets[0].runs[0].manifest['rule_table']}: first {first}, {len(sets[0].runs)} runs; second {second}, {len(sets[1].runs)} runs; "
-            f"{number_text(sets[0].until_s)} s each\n" + columns(lines) + remarks)
+    return (
+        f"rules {sets[0].runs[0].manifest['rule_table']}: first {first}, {len(sets[0].runs)} runs; second {second}, {len(sets[1].runs)} runs; "
+        f"{number_text(sets[0].until_s)} s each\n" + columns(lines) + remarks
+    )

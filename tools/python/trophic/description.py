@@ -35,11 +35,16 @@ class SetOfRuns(Protocol):
     """`trophic.runs.Runs` and `trophic.values.MeasuredSet`."""
 
     @property
-    def runs(self) -> Sequence[Any]: ...
+    def runs(self) -> Sequence[Any]:
+        ...
+
     @property
-    def shadow(self) -> Any: ...
+    def shadow(self) -> Any:
+        ...
+
     @property
-    def neutral(self) -> Any: ...
+    def neutral(self) -> Any:
+        ...
 
 
 @dataclasses.dataclass(frozen=True)
@@ -72,11 +77,11 @@ class Description:
     """Simulated time of the runs, of which `until_s` is measured, s."""
 
     def title(self) -> str:
-        """ "paper on kinematic 1". """
+        """ "paper on kinematic 1"."""
         return f"{self.label} on {self.engine}"
 
     def length(self) -> str:
-        """ "10 runs of 6000 s", "A run of 20 s". """
+        """ "10 runs of 6000 s", "A run of 20 s"."""
         cut = "" if self.until_s == self.whole_s else f"the first {self.until_s:.10g} of "
         return f"{'A run' if self.replicates == 1 else f'{self.replicates} runs'} of {cut}{self.whole_s:.10g} s"
 
@@ -87,10 +92,16 @@ class Description:
 
     def facts(self) -> dict[str, str]:
         """(what, which) for cards and pages."""
-        nulls = [f", {count} of the {title}" for count, title in ((self.shadow, "shadow"), (self.neutral, "neutral null")) if count]
+        nulls = [
+            f", {count} of the {title}"
+            for count, title in ((self.shadow, "shadow"), (self.neutral, "neutral null"))
+            if count
+        ]
         facts = {"runs": self.length() + "".join(nulls), "rules": self.rules, "engine": self.engine}
         facts["fingerprint"] = self.identity
-        facts["program"] = f"trophic {', '.join(self.versions)}, {'builds' if len(self.builds) > 1 else 'build'} {' and '.join(self.builds) or 'unknown'}"
+        facts[
+            "program"
+        ] = f"trophic {', '.join(self.versions)}, {'builds' if len(self.builds) > 1 else 'build'} {' and '.join(self.builds) or 'unknown'}"
         return facts
 
 
@@ -103,24 +114,40 @@ def describe(of: SetOfRuns) -> Description:
     begins = _begins(manifest)
     name, rules = said.get("name"), said.get("sentence")
     if name is None:  # made by a program that did not describe it
-        parts = ([f"{len(changes)} change{'s'[: len(changes) != 1]}"] if changes else []) + ([f"from {manifest['origin']['at_s']} s"] if begins else [])
+        parts = ([f"{len(changes)} change{'s'[: len(changes) != 1]}"] if changes else []) + (
+            [f"from {manifest['origin']['at_s']} s"] if begins else []
+        )
         name = manifest["rule_table"] + (f" ({'; '.join(parts)})" if parts else "")
-        rules = f"rule table `{manifest['rule_table']}`" + "".join(f"; at {c.time_s:.10g} s {c.number} changes from {c.before} to {c.value}" for c in changes)
+        rules = f"rule table `{manifest['rule_table']}`" + "".join(
+            f"; at {c.time_s:.10g} s {c.number} changes from {c.before} to {c.value}" for c in changes
+        )
         rules += f"; begins {begins}" if begins else ""
     whole_s = float(manifest["clock"]["until_s"])
     until_s = float(getattr(of, "until_s", whole_s))
-    return Description(label=name, rules=rules, table=manifest["rule_table"], engine=manifest.get("backend", "unknown"),
-                       parameters=tuple(Parameter(one["path"], one["value"], one["table"]) for one in said.get("parameters", ())),
-                       changes=changes, begins=begins, identity=identity(first),
-                       builds=tuple(sorted({build for run in of.runs for build in run.builds})),
-                       versions=tuple(sorted({run.manifest.get("trophic", "unknown") for run in of.runs})),
-                       replicates=len(of.runs), **{name: len(its.runs) if (its := getattr(of, name)) else 0 for name in ("shadow", "neutral")},
-                       until_s=until_s, whole_s=whole_s)
+    return Description(
+        label=name,
+        rules=rules,
+        table=manifest["rule_table"],
+        engine=manifest.get("backend", "unknown"),
+        parameters=tuple(Parameter(one["path"], one["value"], one["table"]) for one in said.get("parameters", ())),
+        changes=changes,
+        begins=begins,
+        identity=identity(first),
+        builds=tuple(sorted({build for run in of.runs for build in run.builds})),
+        versions=tuple(sorted({run.manifest.get("trophic", "unknown") for run in of.runs})),
+        replicates=len(of.runs),
+        **{name: len(its.runs) if (its := getattr(of, name)) else 0 for name in ("shadow", "neutral")},
+        until_s=until_s,
+        whole_s=whole_s,
+    )
 
 
 def distinct(labels: Sequence[str]) -> list[str]:
     """The labels; those that several sets have are distinguished by (a), (b), ..."""
-    return [label if list(labels).count(label) == 1 else f"{label} ({chr(ord('a') + list(labels[:i]).count(label))})" for i, label in enumerate(labels)]
+    return [
+        label if list(labels).count(label) == 1 else f"{label} ({chr(ord('a') + list(labels[:i]).count(label))})"
+        for i, label in enumerate(labels)
+    ]
 
 
 def identity(run: Any) -> str:
@@ -137,7 +164,9 @@ def identity(run: Any) -> str:
 
 def card(title: str, facts: dict[str, Any]) -> str:
     """A few facts as a small table for notebooks."""
-    rows = "".join(f"<tr><td>{html.escape(str(name))}</td><td>{html.escape(str(value))}</td></tr>" for name, value in facts.items())
+    rows = "".join(
+        f"<tr><td>{html.escape(str(name))}</td><td>{html.escape(str(value))}</td></tr>" for name, value in facts.items()
+    )
     return f"<b>{html.escape(title)}</b><table>{rows}</table>"
 
 
@@ -160,5 +189,7 @@ def _effective(run: Any) -> pandas.DataFrame:
     if not file.exists():
         return pandas.DataFrame(columns=["time_s", "tick", "number", "value", "before"])
     rows = pandas.read_csv(file, dtype=str, keep_default_na=False).astype({"time_s": float, "tick": int})
-    rows = rows.groupby(["tick", "number"], as_index=False).agg(time_s=("time_s", "first"), value=("value", "last"), before=("before", "first"))
+    rows = rows.groupby(["tick", "number"], as_index=False).agg(
+        time_s=("time_s", "first"), value=("value", "last"), before=("before", "first")
+    )
     return rows[rows["value"] != rows["before"]]

@@ -26,7 +26,10 @@ def run(request: Mapping[str, Any]) -> int:
         headers = include_folder()
         slots = slots_in(headers)
         if topic in ("slots", *slots):
-            print("".join(slot_text(headers, slot, slots[slot]) for slot in ([topic] if topic in slots else slots)), end="")
+            print(
+                "".join(slot_text(headers, slot, slots[slot]) for slot in ([topic] if topic in slots else slots)),
+                end="",
+            )
         elif text := card(topic, headers):
             print(text, end="")
         elif mistaken := did_you_mean(topic, ["slots", "metrics", *slots]):
@@ -60,11 +63,15 @@ def slot_text(headers: pathlib.Path, slot: str, kind: str) -> str:
     folder = headers / "trophic" / kind / slot
     about = re.search(r"^// The contract of a slot: (.*)$", (folder / "contract.hpp").read_text(), re.M)
     is_list = (folder / "list.hpp").exists()
-    parts = [f"{'' if path.parent == folder else f'{path.parent.relative_to(folder)}: '}"
-             f"{' '.join(sorted(other.stem for other in path.parent.glob('*.hpp') if other.stem not in ('contract', 'list')[:1 + is_list]))}"
-             for path in sorted(folder.rglob("contract.hpp"), key=lambda path: (path.parent != folder, path))]
-    return (f"{slot} ({kind})\n  {about[1] if about else ''}\n  policies: {'list of: ' * is_list}{'; '.join(parts)}\n"
-            f"  swap: with_{slot}<Table, Policy>; contract and policies: include/trophic/{kind}/{slot}/\n")
+    parts = [
+        f"{'' if path.parent == folder else f'{path.parent.relative_to(folder)}: '}"
+        f"{' '.join(sorted(other.stem for other in path.parent.glob('*.hpp') if other.stem not in ('contract', 'list')[:1 + is_list]))}"
+        for path in sorted(folder.rglob("contract.hpp"), key=lambda path: (path.parent != folder, path))
+    ]
+    return (
+        f"{slot} ({kind})\n  {about[1] if about else ''}\n  policies: {'list of: ' * is_list}{'; '.join(parts)}\n"
+        f"  swap: with_{slot}<Table, Policy>; contract and policies: include/trophic/{kind}/{slot}/\n"
+    )
 
 
 def card(policy: str, headers: pathlib.Path) -> str:
@@ -72,8 +79,11 @@ def card(policy: str, headers: pathlib.Path) -> str:
     for path in sorted(headers.rglob("*.hpp")):
         text = path.read_text()
         named = re.search(rf'static constexpr std::string_view name = "{re.escape(policy)}"', text)
-        documented = [found for found in re.finditer(r"((?:^///.*\n)+)(?:template.*\n)?(?:class|struct) (\w+)", text, re.M)
-                      if named and found.start() < named.start()]
+        documented = [
+            found
+            for found in re.finditer(r"((?:^///.*\n)+)(?:template.*\n)?(?:class|struct) (\w+)", text, re.M)
+            if named and found.start() < named.start()
+        ]
         if documented:
             lines, name = documented[-1].groups()
             return f"{policy} ({name}, {path.relative_to(headers)})\n" + re.sub(r"^/// ?", "", lines, flags=re.M)
@@ -83,9 +93,12 @@ def card(policy: str, headers: pathlib.Path) -> str:
 def _metrics() -> str:
     from .metrics import Web, living, names_of
     from .words import columns
+
     rows: dict[tuple[str, str], list[str]] = {}
     web = Web(["prey", "predator"], [("predator", "prey")])
     for name in [*names_of(web), *living.names(web, True)]:
         rows.setdefault((name.metric, name.unit), []).append(f"{name.species}:{name.group}")
-    return ("METRIC:SPECIES:GROUP as --metric takes them, in a food web of prey and predators; docs/GLOSSARY.md defines them\n"
-            + columns([("metric", "unit", "of"), *((*of, " ".join(groups)) for of, groups in rows.items())]))
+    return (
+        "METRIC:SPECIES:GROUP as --metric takes them, in a food web of prey and predators; docs/GLOSSARY.md defines them\n"
+        + columns([("metric", "unit", "of"), *((*of, " ".join(groups)) for of, groups in rows.items())])
+    )

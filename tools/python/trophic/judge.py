@@ -16,8 +16,21 @@ import pandas
 from . import published
 from .errors import RunError
 from .metrics import READINGS, chosen, living
-from .statistics import (MIN_RUNS_FOR_TEST, SIGNIFICANCE, Difference, adjust_together, contrast, difference_of, estimate, known, mean_of,
-                         is_by_chance, scatter_of, share_difference, share_interval)
+from .statistics import (
+    MIN_RUNS_FOR_TEST,
+    SIGNIFICANCE,
+    Difference,
+    adjust_together,
+    contrast,
+    difference_of,
+    estimate,
+    known,
+    mean_of,
+    is_by_chance,
+    scatter_of,
+    share_difference,
+    share_interval,
+)
 from .values import METRIC, NEUTRAL, SHADOW, MeasuredSet, Metric
 from .words import NULLS, Reading, over_text, p_text
 
@@ -28,6 +41,7 @@ MOST_FINDINGS = 7
 
 class Count(NamedTuple):
     """The size of a family: comparisons, and those that are significant."""
+
     comparisons: int
     significant: int
 
@@ -40,6 +54,7 @@ class Count(NamedTuple):
 
 class Finding(NamedTuple):
     """A significant difference in words."""
+
     sentence: str
     metric: Metric
     baseline: str
@@ -55,6 +70,7 @@ class Finding(NamedTuple):
 
 # Comparisons
 
+
 def repeated(metrics: Sequence[Metric], sets: Sequence[MeasuredSet]) -> dict[Metric, Metric]:
     """The first earlier metric that a metric repeats, for each that repeats one.
 
@@ -62,8 +78,14 @@ def repeated(metrics: Sequence[Metric], sets: Sequence[MeasuredSet]) -> dict[Met
     either their difference or their sum is the same in all runs: their tests are then one test. A metric repeats none if it is constant, or has
     fewer than six values, of which two may agree by chance."""
     missing = [numpy.full(len(one.values), NAN) for one in sets]
-    return repeated_values({metric: numpy.concatenate([one.table.get((metric, ""), lack) for one, lack in zip(sets, missing)] or [numpy.empty(0)])
-                            for metric in metrics})
+    return repeated_values(
+        {
+            metric: numpy.concatenate(
+                [one.table.get((metric, ""), lack) for one, lack in zip(sets, missing)] or [numpy.empty(0)]
+            )
+            for metric in metrics
+        }
+    )
 
 
 def repeated_values(values: dict[Metric, numpy.ndarray]) -> dict[Metric, Metric]:
@@ -89,6 +111,7 @@ def repeated_values(values: dict[Metric, numpy.ndarray]) -> dict[Metric, Metric]
 
 # Frames
 
+
 def summarize(of: MeasuredSet, choices: Sequence[str] = ()) -> pandas.DataFrame:
     """Each metric of a set next to each of its baselines, one row each, the nulls that are runs first; one row for a metric without a baseline.
 
@@ -112,8 +135,13 @@ def summarize(of: MeasuredSet, choices: Sequence[str] = ()) -> pandas.DataFrame:
     differences: list[Difference | None] = []
     for metric in wanted:
         values = of.table[metric, ""]
-        row = {"set": of.label, **metric._asdict(), **_estimated(metric, values), "published": published.value_of(metric) if has_published else None,
-               "same_as": str(repeats.get(metric, ""))}
+        row = {
+            "set": of.label,
+            **metric._asdict(),
+            **_estimated(metric, values),
+            "published": published.value_of(metric) if has_published else None,
+            "same_as": str(repeats.get(metric, "")),
+        }
         baselines: list[tuple[str, str, numpy.ndarray, Difference | None]] = []
         for name in (name for name in of.nulls if name != NEUTRAL or metric.metric in of.inherited):
             role = "null" if name == of.null_of(metric) else "reference"
@@ -135,7 +163,8 @@ def compare(a: MeasuredSet, b: MeasuredSet, choices: Sequence[str] = ()) -> pand
     Columns: those of differences.csv (docs/tables.md), `set_a`, `set_b`, the deviations and intervals of both means, and as in `summarize` role,
     scatter, level and conclusion. If both sets have a shadow, the answer is the difference over the shadows, (b - its shadow) - (a - its shadow),
     and of what is inherited over the neutral nulls, if both have one. The raw difference stands behind it: p values of these are corrected as a
-    family of their own, which answers nothing. Raises RunError for a choice that names no metric, and for sets without a common one."""
+    family of their own, which answers nothing. Raises RunError for a choice that names no metric, and for sets without a common one.
+    """
     both = [metric for metric in a.metrics() if (metric, "") in b.table]
     if not both:
         raise RunError(f"{a.label} and {b.label}: have no metric in common")
@@ -145,8 +174,14 @@ def compare(a: MeasuredSet, b: MeasuredSet, choices: Sequence[str] = ()) -> pand
     differences: list[Difference | None] = []
     for metric in wanted:
         of_a, of_b = a.table[metric, ""], b.table[metric, ""]
-        row = {"set_a": a.label, "set_b": b.label, **metric._asdict(), **_estimated(metric, of_a, "_a"), **_estimated(metric, of_b, "_b"),
-               "same_as": str(repeats.get(metric, ""))}
+        row = {
+            "set_a": a.label,
+            "set_b": b.label,
+            **metric._asdict(),
+            **_estimated(metric, of_a, "_a"),
+            **_estimated(metric, of_b, "_b"),
+            "same_as": str(repeats.get(metric, "")),
+        }
         null = a.null_of(metric) if a.null_of(metric) == b.null_of(metric) else SHADOW if a.shadow and b.shadow else ""
         null = "" if metric.metric in living.SHARES else null  # no exact test compares two differences
         if null:
@@ -162,7 +197,13 @@ def compare(a: MeasuredSet, b: MeasuredSet, choices: Sequence[str] = ()) -> pand
 def _estimated(metric: Metric, values: numpy.ndarray, suffix: str = "") -> dict[str, Any]:
     n, mean, deviation, interval = estimate(values)
     interval = share_interval(values) if metric.metric in living.SHARES else interval
-    named = {"n": n, "mean": mean, "deviation": deviation, "lower": interval and interval.lower, "upper": interval and interval.upper}
+    named = {
+        "n": n,
+        "mean": mean,
+        "deviation": deviation,
+        "lower": interval and interval.lower,
+        "upper": interval and interval.upper,
+    }
     return {name + suffix: value for name, value in named.items()}
 
 
@@ -189,17 +230,45 @@ def _sum(*terms: tuple[float, numpy.ndarray]) -> float | None:
     return total
 
 
-def _judged(rows: list[dict[str, Any]], differences: Sequence[Difference | None], lower: str, upper: str) -> pandas.DataFrame:
+def _judged(
+    rows: list[dict[str, Any]], differences: Sequence[Difference | None], lower: str, upper: str
+) -> pandas.DataFrame:
     """The rows with their differences: corrects those with the role of a null that repeat no other, and concludes. Raw ones are a family apart."""
     for role in ("null", ""):
-        adjust_together(one for row, one in zip(rows, differences) if one and row["role"] == role and not row["same_as"])
+        adjust_together(
+            one for row, one in zip(rows, differences) if one and row["role"] == role and not row["same_as"]
+        )
     for row, one in zip(rows, differences):
         one = one or Difference()
-        row.update({"difference": one.value, lower: one.interval and one.interval.lower, upper: one.interval and one.interval.upper, "p": one.p,
-                    "p_holm": one.adjusted, "runs_needed": one.runs_needed(), "scatter": one.scatter and math.sqrt(one.scatter.variance),
-                    "level": one.level, "conclusion": _conclusion(row, one)})
+        row.update(
+            {
+                "difference": one.value,
+                lower: one.interval and one.interval.lower,
+                upper: one.interval and one.interval.upper,
+                "p": one.p,
+                "p_holm": one.adjusted,
+                "runs_needed": one.runs_needed(),
+                "scatter": one.scatter and math.sqrt(one.scatter.variance),
+                "level": one.level,
+                "conclusion": _conclusion(row, one),
+            }
+        )
     frame = pandas.DataFrame(rows)
-    texts = {"set", "set_a", "set_b", *METRIC, "null", "same_as", "role", "compared", "conclusion", "n", "n_a", "n_b", "null_n"}
+    texts = {
+        "set",
+        "set_a",
+        "set_b",
+        *METRIC,
+        "null",
+        "same_as",
+        "role",
+        "compared",
+        "conclusion",
+        "n",
+        "n_a",
+        "n_b",
+        "null_n",
+    }
     return frame.astype({column: float for column in frame.columns if column not in texts})
 
 
@@ -215,7 +284,11 @@ def _conclusion(row: dict[str, Any], difference: Difference) -> str:
 
 def conclusions(p_holm: Any, difference: Any) -> numpy.ndarray:
     """The conclusions on tested comparisons: above, below or inconclusive. Arrays of corrected p values and of differences."""
-    return numpy.where(numpy.asarray(p_holm, float) <= SIGNIFICANCE, numpy.where(numpy.asarray(difference, float) > 0.0, "above", "below"), "inconclusive")
+    return numpy.where(
+        numpy.asarray(p_holm, float) <= SIGNIFICANCE,
+        numpy.where(numpy.asarray(difference, float) > 0.0, "above", "below"),
+        "inconclusive",
+    )
 
 
 def with_nulls(frame: pandas.DataFrame) -> pandas.DataFrame:
@@ -231,7 +304,10 @@ def with_nulls(frame: pandas.DataFrame) -> pandas.DataFrame:
 
 def count(frame: pandas.DataFrame) -> Count:
     """The size of a frame's family."""
-    return Count(int((frame["p_holm"].notna() & (frame["role"] == "null")).sum()), int(frame["conclusion"].isin(("above", "below")).sum()))
+    return Count(
+        int((frame["p_holm"].notna() & (frame["role"] == "null")).sum()),
+        int(frame["conclusion"].isin(("above", "below")).sum()),
+    )
 
 
 def runs_of(row: Any) -> str:
@@ -243,11 +319,15 @@ def runs_of(row: Any) -> str:
 
 def too_few(of: MeasuredSet) -> list[str]:
     """A sentence for a set, and one for each of its nulls, of too few runs for a test."""
-    return [f"too few runs for a test: {MIN_RUNS_FOR_TEST} are needed, {one.label} has {len(one.runs)}"
-            for one in (of, *of.nulls.values()) if len(one.runs) < MIN_RUNS_FOR_TEST]
+    return [
+        f"too few runs for a test: {MIN_RUNS_FOR_TEST} are needed, {one.label} has {len(one.runs)}"
+        for one in (of, *of.nulls.values())
+        if len(one.runs) < MIN_RUNS_FOR_TEST
+    ]
 
 
 # Worlds whose numbers change
+
 
 def living_sentences(of: MeasuredSet) -> list[str]:
     """Sentences about persistence and cycles in a set whose numbers change, with those of its nulls; none for any other set."""
@@ -255,7 +335,11 @@ def living_sentences(of: MeasuredSet) -> list[str]:
     for metric in of.metrics():
         values = known(of.table[metric, ""])
         nulls = {name: known(null.baseline(metric, "")) for name, null in of.nulls.items()}
-        is_asked = metric.metric == "cycles" or metric.species == "all" or any((its == 0.0).any() for its in (values, *nulls.values()))
+        is_asked = (
+            metric.metric == "cycles"
+            or metric.species == "all"
+            or any((its == 0.0).any() for its in (values, *nulls.values()))
+        )
         if metric.metric not in living.SHARES or len(values) == 0 or not is_asked:
             continue
         who = "All species" if metric.species == "all" else _who(metric.species).capitalize()
@@ -264,13 +348,18 @@ def living_sentences(of: MeasuredSet) -> list[str]:
         field = mean_of(of.baseline(metric, living.MEAN_FIELD))
         beside += [] if field is None else [f"mean field {field:.2f}"]
         interval = share_interval(values)
-        share = f"{many} of {count} runs" + (f", a share of [{interval.lower:.3f}, {interval.upper:.3f}]" if interval else "")
+        share = f"{many} of {count} runs" + (
+            f", a share of [{interval.lower:.3f}, {interval.upper:.3f}]" if interval else ""
+        )
         if metric.metric == "persists":
             text = f"{who} live to the end of {share}"
         elif is_by_chance(many, count):
             text = f"{who} have no cycle: red noise explains their numbers in {count - many} of {count} runs"
         else:
-            period, amplitude = (estimate(of.baseline(Metric(name, *metric[1:3], unit), "")) for name, unit in (("period", "s"), ("amplitude", "1")))
+            period, amplitude = (
+                estimate(of.baseline(Metric(name, *metric[1:3], unit), ""))
+                for name, unit in (("period", "s"), ("amplitude", "1"))
+            )
             text = f"{who} cycle in {share}, with a period of {_plain(period, 0, ' s')} and an amplitude of {_plain(amplitude, 2)} of their mean"
         sentences.append(f"{text} ({', '.join(beside)})." if beside else f"{text}.")
     return sentences
@@ -284,10 +373,19 @@ def _plain(of: Any, digits: int, unit: str = "") -> str:
 # Findings
 
 # The paper's questions: metric -> (place of its question, measure, how plain a reading of the measure it is).
-_MEASURES = {"velocity": (0, "velocity", 0), "velocity_stored": (0, "velocity", 1), "velocity_points": (0, "velocity", 2),
-             "attribution_credited": (1, "catches", 0), "attribution_catches": (1, "catches", 1), "attribution_catchers": (1, "catches", 2),
-             "attribution_caught": (1, "caught", 0), "attribution_died": (1, "caught", 1), "wall_sticking": (2, "walls", 0),
-             "wall_sticking_gap": (2, "walls gap", 0), "tag_symmetry": (3, "tags", 0)}
+_MEASURES = {
+    "velocity": (0, "velocity", 0),
+    "velocity_stored": (0, "velocity", 1),
+    "velocity_points": (0, "velocity", 2),
+    "attribution_credited": (1, "catches", 0),
+    "attribution_catches": (1, "catches", 1),
+    "attribution_catchers": (1, "catches", 2),
+    "attribution_caught": (1, "caught", 0),
+    "attribution_died": (1, "caught", 1),
+    "wall_sticking": (2, "walls", 0),
+    "wall_sticking_gap": (2, "walls gap", 0),
+    "tag_symmetry": (3, "tags", 0),
+}
 _GROUPS = ("", "all", "inherited", "active", "inherited_active", "random")
 
 
@@ -317,7 +415,13 @@ def findings(frame: pandas.DataFrame) -> list[Finding]:
     """The significant differences of a frame of `summarize` or `compare`: each fact once, in the words of its plainest row; velocity, attribution,
     walls and tags first, then by strength."""
     rows = facts(frame, ("above", "below"))
-    rows.sort(key=lambda row: (_MEASURES.get(row.metric, (9,))[0], row.p, -abs(row.difference) / row.scatter if row.scatter > 0.0 else -math.inf))
+    rows.sort(
+        key=lambda row: (
+            _MEASURES.get(row.metric, (9,))[0],
+            row.p,
+            -abs(row.difference) / row.scatter if row.scatter > 0.0 else -math.inf,
+        )
+    )
     return [_finding(row) for row in rows]
 
 
@@ -326,7 +430,9 @@ def inconclusive(frame: pandas.DataFrame) -> list[Any]:
     the fewest come first. Inconclusive does not mean equal."""
     seen = {_fact(row) for row in facts(frame, ("above", "below"))}
     rows = []
-    for row in frame[frame["conclusion"] == "inconclusive"].sort_values("runs_needed", kind="stable").itertuples(index=False):
+    for row in (
+        frame[frame["conclusion"] == "inconclusive"].sort_values("runs_needed", kind="stable").itertuples(index=False)
+    ):
         if _fact(row) not in seen:
             seen.add(_fact(row))
             rows.append(row)
@@ -339,37 +445,75 @@ def _finding(row: Any) -> Finding:
         interval = (row.lower, row.upper)
         sentence = _difference_sentence(metric, row)
         return Finding(sentence, metric, row.compared, row.difference, interval, row.p_holm, "")
-    return Finding(_sentence(metric, row), metric, row.null, row.difference, (row.difference_lower, row.difference_upper), row.p_holm, row.set)
+    return Finding(
+        _sentence(metric, row),
+        metric,
+        row.null,
+        row.difference,
+        (row.difference_lower, row.difference_upper),
+        row.p_holm,
+        row.set,
+    )
 
 
 # Words
 
 _WHO = {"prey": "prey", "predator": "predators", "all": "robots", "": ""}
-_NULLS = {**{name: f"in the {title}" for name, title in NULLS.items()}, "permuted_tags": "with permuted tags", "drift": "under drift"}
-_NOUNS = {"velocity": "the velocity of {who} towards their adversaries", "velocity_stored": "the velocity of {who} towards their stored adversaries",
-          "velocity_points": "the velocity of {who} towards their adversaries, every 200 s,",
-          "attribution_credited": "the share of deaths of their prey that are credited to inherited {who}",
-          "attribution_catches": "the share of catches that inherited {who} make",
-          "attribution_catchers": "the share of the inherited among {who} that caught",
-          "attribution_caught": "the share of the inherited among {who} that are caught",
-          "attribution_died": "the share of the inherited among {who} that die", "wall_sticking": "the share of {who} within 1 m of a wall",
-          "wall_sticking_gap": "the excess of {first} over {second} within 1 m of a wall", "tag_symmetry": "the tag symmetry of {who}",
-          "population": "the number of {who}", "hunger": "the hunger of {who}", "ticks_at": "the share of time with {group} {who}",
-          "deaths": "the number of {who} that die in a run", "stuck": "the share of {who} that are stuck",
-          "locked": "the share of {who} that are locked into another one", "near_pairs": "the number of pairs of {who} within 0.3 m",
-          "near_longest": "the longest time that a pair of {who} stays within 0.3 m", "walked": "the speed of {who}",
-          "open_speed": "the speed of {who} away from walls", "upright_speed": "the speed of upright {who} away from walls",
-          "overturned": "the share of {who} that lie on their backs", "wall_contact": "the share of {who} that touch a wall",
-          "persists": "the share of runs that {who} survive", "cycles": "the share of runs in which {who} cycle",
-          "period": "the period of the cycle of {who}", "amplitude": "the relative amplitude of the cycle of {who}",
-          "phase": "the phase between {who}", "birth_rate": "the birth rate of {who}", "generation_time": "the generation time of {who}",
-          "parents": "the number of parents of {who}", "lineage_depth": "the depth of the lineages of {who}",
-          "search_rate": "the search rate between {who}", "search_rate_holling": "the search rate between {who} of type II",
-          "handling_time": "the handling time between {who}", "stock": "the stock of energy of {who}",
-          "trophic_efficiency": "the trophic efficiency of {who}", "pyramid_numbers": "the pyramid of numbers of {who}",
-          "pyramid_energy": "the pyramid of energy of {who}", "extinct": "the share of runs in which {who} die out",
-          "extinct_at": "the time at which {who} die out"}
-_CAUSES = {"caught": "are caught", "starved": "starve", "sacrificed": "are sacrificed", "senescence": "die of senescence"}
+_NULLS = {
+    **{name: f"in the {title}" for name, title in NULLS.items()},
+    "permuted_tags": "with permuted tags",
+    "drift": "under drift",
+}
+_NOUNS = {
+    "velocity": "the velocity of {who} towards their adversaries",
+    "velocity_stored": "the velocity of {who} towards their stored adversaries",
+    "velocity_points": "the velocity of {who} towards their adversaries, every 200 s,",
+    "attribution_credited": "the share of deaths of their prey that are credited to inherited {who}",
+    "attribution_catches": "the share of catches that inherited {who} make",
+    "attribution_catchers": "the share of the inherited among {who} that caught",
+    "attribution_caught": "the share of the inherited among {who} that are caught",
+    "attribution_died": "the share of the inherited among {who} that die",
+    "wall_sticking": "the share of {who} within 1 m of a wall",
+    "wall_sticking_gap": "the excess of {first} over {second} within 1 m of a wall",
+    "tag_symmetry": "the tag symmetry of {who}",
+    "population": "the number of {who}",
+    "hunger": "the hunger of {who}",
+    "ticks_at": "the share of time with {group} {who}",
+    "deaths": "the number of {who} that die in a run",
+    "stuck": "the share of {who} that are stuck",
+    "locked": "the share of {who} that are locked into another one",
+    "near_pairs": "the number of pairs of {who} within 0.3 m",
+    "near_longest": "the longest time that a pair of {who} stays within 0.3 m",
+    "walked": "the speed of {who}",
+    "open_speed": "the speed of {who} away from walls",
+    "upright_speed": "the speed of upright {who} away from walls",
+    "overturned": "the share of {who} that lie on their backs",
+    "wall_contact": "the share of {who} that touch a wall",
+    "persists": "the share of runs that {who} survive",
+    "cycles": "the share of runs in which {who} cycle",
+    "period": "the period of the cycle of {who}",
+    "amplitude": "the relative amplitude of the cycle of {who}",
+    "phase": "the phase between {who}",
+    "birth_rate": "the birth rate of {who}",
+    "generation_time": "the generation time of {who}",
+    "parents": "the number of parents of {who}",
+    "lineage_depth": "the depth of the lineages of {who}",
+    "search_rate": "the search rate between {who}",
+    "search_rate_holling": "the search rate between {who} of type II",
+    "handling_time": "the handling time between {who}",
+    "stock": "the stock of energy of {who}",
+    "trophic_efficiency": "the trophic efficiency of {who}",
+    "pyramid_numbers": "the pyramid of numbers of {who}",
+    "pyramid_energy": "the pyramid of energy of {who}",
+    "extinct": "the share of runs in which {who} die out",
+    "extinct_at": "the time at which {who} die out",
+}
+_CAUSES = {
+    "caught": "are caught",
+    "starved": "starve",
+    "sacrificed": "are sacrificed",
+    "senescence": "die of senescence",
+}
 
 
 def _who(species: str) -> str:
@@ -388,7 +532,9 @@ def noun_of(metric: Metric) -> str:
         noun = _NOUNS[name].format(who=who, group=group, first=first, second=second)
         if name == "deaths" and group != "all":
             return f"the number of {who} that {_CAUSES.get(group, f'die ({group})')} in a run"
-        return noun + (f" ({group})" if group in ("early", "late") or name == "wall_sticking_gap" and group != "all" else "")
+        return noun + (
+            f" ({group})" if group in ("early", "late") or name == "wall_sticking_gap" and group != "all" else ""
+        )
     noun = name.replace("_", " ") + (f" of {who}" if who else "")
     return noun + (f" ({group})" if group not in _GROUPS else "")
 
@@ -427,5 +573,7 @@ def _difference_sentence(metric: Metric, row: Any) -> str:
     noun = noun_of(metric)
     over = "" if row.compared == "raw" else f", each {over_text(row.compared).replace('the', 'its')}"
     side = "higher" if row.difference > 0.0 else "lower"
-    return (f"{noun[0].upper()}{noun[1:]} is {size} {side} in runs of {row.set_b} than in runs of {row.set_a}{over} {interval} "
-            f"(p {p_text(row.p_holm)}, {runs_of(row)} runs).")
+    return (
+        f"{noun[0].upper()}{noun[1:]} is {size} {side} in runs of {row.set_b} than in runs of {row.set_a}{over} {interval} "
+        f"(p {p_text(row.p_holm)}, {runs_of(row)} runs)."
+    )

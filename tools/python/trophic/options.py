@@ -13,7 +13,9 @@ from typing import Any, NoReturn
 
 from .errors import RunError
 
-_EXIT_CODES = "Exit codes: 0 done; 1 a run or a computation failed; 2 wrong arguments, nothing was started; 3 stopped by a signal"
+_EXIT_CODES = (
+    "Exit codes: 0 done; 1 a run or a computation failed; 2 wrong arguments, nothing was started; 3 stopped by a signal"
+)
 _MOST = 2**64 - 1
 _WIDTH = 100
 
@@ -46,15 +48,25 @@ def parsed(name: str, words: Sequence[str]) -> dict[str, Any]:
     if name not in VERBS:
         raise RunError(f"must be {one_of(sorted(VERBS))}")
     verb, who = VERBS[name], f"trophic {name}"
-    parser = _Parser(who, description=textwrap.fill(verb.about, _WIDTH), epilog="\n".join([_EXIT_CODES, "", "Examples:", *(f"  {one}" for one in verb.examples)]),
-                     formatter_class=lambda prog: argparse.RawDescriptionHelpFormatter(prog, max_help_position=26, width=_WIDTH), add_help=False, allow_abbrev=False)
+    parser = _Parser(
+        who,
+        description=textwrap.fill(verb.about, _WIDTH),
+        epilog="\n".join([_EXIT_CODES, "", "Examples:", *(f"  {one}" for one in verb.examples)]),
+        formatter_class=lambda prog: argparse.RawDescriptionHelpFormatter(prog, max_help_position=26, width=_WIDTH),
+        add_help=False,
+        allow_abbrev=False,
+    )
     verb.options(parser)
     parser.add_argument("-h", "--help", action="help", help="print this help and exit")
     options, extras = parser.parse_known_intermixed_args(words)
     if extras:
         raise RunError(_about_extra(next((one for one in extras if one.startswith("-")), extras[0]), parser))
     request = vars(options)
-    given = {action.option_strings[-1]: request.get(action.dest) not in (None, False, []) for action in parser._actions if action.option_strings}
+    given = {
+        action.option_strings[-1]: request.get(action.dest) not in (None, False, [])
+        for action in parser._actions
+        if action.option_strings
+    }
     for option, others in verb.not_with.items():
         for other in others:
             if given[option] and given[other]:
@@ -84,6 +96,7 @@ def did_you_mean(word: str, words: Sequence[str]) -> str:
 
 # Texts, numbers and words that options take
 
+
 def _text(text: str) -> str:
     if not text:
         raise argparse.ArgumentTypeError("must not be empty")
@@ -95,7 +108,10 @@ def _whole(text: str, least: int = 0, most: int = _MOST) -> int:
         raise argparse.ArgumentTypeError(f"{text}: must be >= {least}")
     if not re.fullmatch(r"0|[1-9][0-9]*", text):
         raise argparse.ArgumentTypeError(f"{text}: must be a whole number in decimal digits")
-    for is_wrong, bound in ((len(text) > 20 or int(text) > most, f"<= {most}"), (len(text) <= 20 and int(text) < least, f">= {least}")):
+    for is_wrong, bound in (
+        (len(text) > 20 or int(text) > most, f"<= {most}"),
+        (len(text) <= 20 and int(text) < least, f">= {least}"),
+    ):
         if is_wrong:
             raise argparse.ArgumentTypeError(f"{text}: must be {bound}")
     return int(text)
@@ -122,6 +138,7 @@ def _word(*words: str) -> Callable[[str], str]:
         if text not in words:
             raise argparse.ArgumentTypeError(f"{text}: must be {one_of(words)}{did_you_mean(text, words)}")
         return text
+
     return checked
 
 
@@ -129,48 +146,135 @@ _TEXT: dict[str, Any] = {"type": _text, "metavar": "TEXT"}
 _TEXTS: dict[str, Any] = {**_TEXT, "nargs": "+", "action": "extend"}
 _FLAG: dict[str, Any] = {"action": "store_true"}
 _N: dict[str, Any] = {"type": _whole, "metavar": "N"}
-_JOBS: dict[str, Any] = {"type": _within(1), "metavar": "N", "help": "runs measured at a time (one per core); results do not depend on it"}
+_JOBS: dict[str, Any] = {
+    "type": _within(1),
+    "metavar": "N",
+    "help": "runs measured at a time (one per core); results do not depend on it",
+}
 
 
 # The verbs
 
+
 def _analyze(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
-    add("runs", nargs="*", type=_text, help="folders of runs, or of replicates, pooled, so they must have one fingerprint; or one folder of a sweep")
-    add("--compare", nargs=2, type=_text, metavar="TEXT", help="two such folders: the difference of every metric, raw and over their nulls")
+    add(
+        "runs",
+        nargs="*",
+        type=_text,
+        help="folders of runs, or of replicates, pooled, so they must have one fingerprint; or one folder of a sweep",
+    )
+    add(
+        "--compare",
+        nargs=2,
+        type=_text,
+        metavar="TEXT",
+        help="two such folders: the difference of every metric, raw and over their nulls",
+    )
     add("--shadow", **_TEXT, help="the runs' neutral shadow, if it is not in RUNS/shadow")
     add("--until", type=_positive, metavar="X", help="measure only the first seconds of every run")
-    add("--metric", **_TEXTS, help="test only these: METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP; fewer tests need fewer runs. `trophic help metrics` lists them")
-    add("--column", **_TEXTS, help="a metric of your own: FILE:COLUMN or FILE:COLUMN:UNIT, a CSV table in each run's folder, of which the mean over rows is tested "
-        "like any metric; may be repeated")
-    add("--metric-file", **_TEXTS, help="metrics of your own: a Python file whose functions of a run are marked with @trophic.metric; may be repeated")
-    add("--lineages", **_FLAG, help="measure lineages instead: change, novelty, ecology and complexity of what persists, evolutionary activity and descent, next to "
-        "their nulls; docs/how-to/is-it-open-ended.md explains them")
-    add("--window", type=_positive, metavar="X", help="of --lineages: seconds for which a type must persist (500, or a quarter of shorter runs)")
-    add("--program", **_TEXT, help="of --lineages: the program that made the runs, whose brains are asked (trophic-predator-prey)")
-    add("--bodies", **_FLAG, help="measure bodies instead: shape, size, number of plans, genes of gaits and brains, and how fast robots walk; selection needs the "
-        "neutral null of the runs (--neutral)")
-    add("--selection", **_TEXTS, help="measure instead where selection acts on a trait, by Price's equation: turns_to, open_speed, velocity_open, gene:NUMBER or "
-        "FILE:COLUMN:UNIT; may be repeated; docs/how-to/where-does-selection-act.md explains it")
-    add("--accept-other-build", **_FLAG, help="pool runs that several builds of a program made, whose rules may be other code under the same names")
-    add("--published", **_FLAG, help="a conclusion on every published claim, under each reading that the paper allows: reproduced, not reproduced or inconclusive")
+    add(
+        "--metric",
+        **_TEXTS,
+        help="test only these: METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP; fewer tests need fewer runs. `trophic help metrics` lists them",
+    )
+    add(
+        "--column",
+        **_TEXTS,
+        help="a metric of your own: FILE:COLUMN or FILE:COLUMN:UNIT, a CSV table in each run's folder, of which the mean over rows is tested "
+        "like any metric; may be repeated",
+    )
+    add(
+        "--metric-file",
+        **_TEXTS,
+        help="metrics of your own: a Python file whose functions of a run are marked with @trophic.metric; may be repeated",
+    )
+    add(
+        "--lineages",
+        **_FLAG,
+        help="measure lineages instead: change, novelty, ecology and complexity of what persists, evolutionary activity and descent, next to "
+        "their nulls; docs/how-to/is-it-open-ended.md explains them",
+    )
+    add(
+        "--window",
+        type=_positive,
+        metavar="X",
+        help="of --lineages: seconds for which a type must persist (500, or a quarter of shorter runs)",
+    )
+    add(
+        "--program",
+        **_TEXT,
+        help="of --lineages: the program that made the runs, whose brains are asked (trophic-predator-prey)",
+    )
+    add(
+        "--bodies",
+        **_FLAG,
+        help="measure bodies instead: shape, size, number of plans, genes of gaits and brains, and how fast robots walk; selection needs the "
+        "neutral null of the runs (--neutral)",
+    )
+    add(
+        "--selection",
+        **_TEXTS,
+        help="measure instead where selection acts on a trait, by Price's equation: turns_to, open_speed, velocity_open, gene:NUMBER or "
+        "FILE:COLUMN:UNIT; may be repeated; docs/how-to/where-does-selection-act.md explains it",
+    )
+    add(
+        "--accept-other-build",
+        **_FLAG,
+        help="pool runs that several builds of a program made, whose rules may be other code under the same names",
+    )
+    add(
+        "--published",
+        **_FLAG,
+        help="a conclusion on every published claim, under each reading that the paper allows: reproduced, not reproduced or inconclusive",
+    )
     add("--all", **_FLAG, help="print every metric, not only the clearest findings")
     add("--reference", **_N, help="for a sweep: the cell that all others are compared with (the first)")
-    add("--difference", type=_number, metavar="X", help="for a sweep: how many replicates a difference of this size in --metric, in the tables' unit, would need")
+    add(
+        "--difference",
+        type=_number,
+        metavar="X",
+        help="for a sweep: how many replicates a difference of this size in --metric, in the tables' unit, would need",
+    )
     add("--allow-missing", **_FLAG, help="for a sweep: leave out runs that are missing or incomplete")
     add("--jobs", **_JOBS)
-    add("--out", **_TEXT, help="new folder for the tables and summary.json (analysis, or the next free analysis-1, -2, ...; with --html alone there are none)")
+    add(
+        "--out",
+        **_TEXT,
+        help="new folder for the tables and summary.json (analysis, or the next free analysis-1, -2, ...; with --html alone there are none)",
+    )
     add("--html", **_TEXT, help="new page with the table, figures and replays, which opens from disk")
-    add("--figures", **_TEXT, help="for the page: the folder of figures that `trophic plot` made, with its captions.json")
-    add("--replays", type=_within(0, 20), metavar="N", help="for the page: how many runs of a set it replays, at most 20 (2, if they were recorded)")
+    add(
+        "--figures",
+        **_TEXT,
+        help="for the page: the folder of figures that `trophic plot` made, with its captions.json",
+    )
+    add(
+        "--replays",
+        type=_within(0, 20),
+        metavar="N",
+        help="for the page: how many runs of a set it replays, at most 20 (2, if they were recorded)",
+    )
 
 
 def _plot(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("analysis", type=_text, help="folder of the analysis")
     add("--out", **_TEXT, help="new folder for the figures (ANALYSIS/figures)")
-    add("--style", type=_word("plain", "serif", "ieee"), default="plain", metavar="TEXT", help="fonts and widths: plain, serif or ieee (plain)")
-    add("--columns", type=_within(1, 2), default=1, metavar="N", help="width of a figure in columns of the page, 1 or 2 (1)")
+    add(
+        "--style",
+        type=_word("plain", "serif", "ieee"),
+        default="plain",
+        metavar="TEXT",
+        help="fonts and widths: plain, serif or ieee (plain)",
+    )
+    add(
+        "--columns",
+        type=_within(1, 2),
+        default=1,
+        metavar="N",
+        help="width of a figure in columns of the page, 1 or 2 (1)",
+    )
     add("--with-captions", **_FLAG, help="draw the captions into the figures, too")
     add("--run", **_N, help="whose phylogeny, paths and catch are drawn: the N-th run of a set, from 0 (0)")
     add("--metric", **_TEXTS, help="for a sweep: draw only these; METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP")
@@ -190,7 +294,13 @@ def _ablation_table(parser: argparse.ArgumentParser) -> None:
 def _plan(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("sweep", type=_text, help="TOML file; docs/how-to/a-sweep.md describes it")
-    add("--program", **_TEXT, dest="experiment", default="trophic-predator-prey", help="the experiment program that makes the runs (trophic-predator-prey)")
+    add(
+        "--program",
+        **_TEXT,
+        dest="experiment",
+        default="trophic-predator-prey",
+        help="the experiment program that makes the runs (trophic-predator-prey)",
+    )
     add("--out", **_TEXT, help="folder for the plan and its runs; one that has a plan gets more runs")
     add("--dry-run", **_FLAG, help="print the cells and how long they take by short runs; write nothing")
     add("--sbatch", **_N, help="print a Slurm script with N array tasks: time by short runs, memory, output, signal")
@@ -200,17 +310,47 @@ def _contest(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("runs", nargs="+", type=_text, help="folders of runs, or of replicates")
     add("--shadow", **_TEXT, help="folder of the shadow (RUNS/shadow, if there is one)")
-    add("--epochs", type=str, default="", metavar="TEXT", help="comma-separated times, e.g. 0,2000,6000 (default: four, evenly spaced)")
-    add("--against", type=_word("others", "own", "both"), default="others", metavar="TEXT", help="opponents: others, of another replicate; own; or both (others)")
+    add(
+        "--epochs",
+        type=str,
+        default="",
+        metavar="TEXT",
+        help="comma-separated times, e.g. 0,2000,6000 (default: four, evenly spaced)",
+    )
+    add(
+        "--against",
+        type=_word("others", "own", "both"),
+        default="others",
+        metavar="TEXT",
+        help="opponents: others, of another replicate; own; or both (others)",
+    )
     add("--panel", **_TEXT, help="folder of runs whose last living are the opponents of all, instead of --against")
     add("--split", type=_number, metavar="X", help="the epoch at which the late period begins (that in the middle)")
     add("--teams", type=_whole, default=6, metavar="N", help="teams drawn for each epoch and species, at least 2 (6)")
     add("--team-size", **_N, help="robots in a team (half of the runs' robots)")
-    add("--duration", type=_number, default=300.0, metavar="X", help="length of a contest, seconds of the ecology's clock (300)")
-    add("--reach", type=_number, default=1.0, metavar="X", help="distance in metres at which a hunter reaches a victim (1)")
+    add(
+        "--duration",
+        type=_number,
+        default=300.0,
+        metavar="X",
+        help="length of a contest, seconds of the ecology's clock (300)",
+    )
+    add(
+        "--reach",
+        type=_number,
+        default=1.0,
+        metavar="X",
+        help="distance in metres at which a hunter reaches a victim (1)",
+    )
     add("--seed", type=_whole, default=1, metavar="N", help="of teams, partners and places (1)")
     add("--backend", **_TEXT, help="play on this backend, with its default parameters (the runs')")
-    add("--program", **_TEXT, dest="experiment", default="trophic-predator-prey", help="the program that made the runs (trophic-predator-prey)")
+    add(
+        "--program",
+        **_TEXT,
+        dest="experiment",
+        default="trophic-predator-prey",
+        help="the program that made the runs (trophic-predator-prey)",
+    )
     add("--jobs", type=_whole, metavar="N", help="contests at a time (one per core); results do not depend on it")
     add("--accept-other-build", **_FLAG, help="take runs that several builds of a program made")
     add("--out", **_TEXT, help="new folder for contests.csv and progress.csv (the next free contests, contests-1, ...)")
@@ -226,34 +366,92 @@ def _help(parser: argparse.ArgumentParser) -> None:
 
 
 VERBS = {
-    "analyze": Verb("report.analyze", "Measures runs: the paper's metrics with 95 % intervals over runs, next to its published values and their nulls. The neutral "
-                    "shadow, runs in which nothing is inherited, is found in RUNS/shadow. Measures of genomes, bodies and brains are compared with the neutral null "
-                    "in RUNS/neutral, which --neutral makes, if there is one. Each cell of a sweep is compared with one of them, corrected for the number of "
-                    "comparisons. Needs Python with pandas, scipy and jinja2.", _analyze,
-                    ["trophic analyze runs/paper --out analysis", "trophic analyze --compare runs/paper runs/released --metric velocity:predator",
-                     "trophic analyze runs/sweep --reference 3 --jobs 4"],
-                    {"--compare": ["--shadow", "--published"], "--lineages": ["--published", "--until", "--compare", "--column", "--metric-file"],
-                     "--bodies": ["--published", "--lineages"], "--published": ["--metric"],
-                     "--selection": ["--compare", "--published", "--lineages", "--bodies", "--metric", "--column", "--metric-file", "--html"]},
-                    {"--window": "--lineages", "--program": "--lineages", "--figures": "--html", "--replays": "--html"}),
-    "plot": Verb("plot", "Draws the figures of what `trophic analyze` or `trophic cross-check` wrote, as PNG and PDF with captions.json and captions.tex: the "
-                 "paper's figures, a forest plot of a comparison, response curves and heat maps of a sweep. Needs Python with matplotlib, pandas and scipy.", _plot,
-                 ["trophic plot analysis", "trophic plot analysis --style ieee --out figures", "trophic plot analysis/sweep --metric velocity:predator:inherited"]),
-    "cite": Verb("cite", "Prints how to cite a run or a set of replicates: a sentence with rule table, changed parameters, engine, version and seed from its "
-                 "manifest, and BibTeX entries. Needs Python with pandas.", _cite, ["trophic cite runs/paper"]),
-    "ablation-table": Verb("ablations", "Reads the sets of an ablation study and writes what each swap changes: ablations.csv (all) and ablations.md (the "
-                           "significant ones). Needs Python with pandas and scipy.", _ablation_table, ["trophic ablation-table runs/swaps --out swaps"]),
-    "plan": Verb("plan", "Writes the list of runs that a sweep file describes: settings by [grid], [zip] and [[runs]], with replicates and shadows. PROGRAM --plan "
-                 "FOLDER/plan.jsonl makes the runs. Needs Python with numpy and pandas.", _plan, ["trophic plan sweep.toml --out runs/sweep", "trophic plan sweep.toml --dry-run"]),
-    "contest": Verb("contest_plan", "Lets hunters of one epoch of the runs meet victims of another, in the runs' arena without catches, births and deaths. Progress of a "
-                    "species is how much sooner its later hunters reach the victims of all epochs, or how much later its later victims are reached; against opponents "
-                    "of other replicates it is global, against those from the same run historical. It is compared with the neutral shadow, which is found in "
-                    "RUNS/shadow. Needs Python with pandas and scipy.", _contest,
-                    ["trophic contest runs/study", "trophic contest runs/study --against both --epochs 0,2000,4000,6000",
-                     "trophic contest runs/mine --program build/my_experiment"]),
-    "cross-check": Verb("cross_check", "Compares two engines, or two settings of one: the metrics of two sets of runs of the same rules, as two cells of a sweep over "
-                        "engines, with two one-sided tests of equivalence each. Needs Python with pandas and scipy.", _cross_check,
-                        ["trophic cross-check runs/engines/cell-000 runs/engines/cell-001 --out engines"]),
-    "help": Verb("help", "Prints the help of a command, or `slots`: what each slot of a rule table decides, a slot or a policy by its name, or `metrics`.", _help,
-                 ["trophic help analyze", "trophic help slots", "trophic help mutation", "trophic help normal_mutation"]),
+    "analyze": Verb(
+        "report.analyze",
+        "Measures runs: the paper's metrics with 95 % intervals over runs, next to its published values and their nulls. The neutral "
+        "shadow, runs in which nothing is inherited, is found in RUNS/shadow. Measures of genomes, bodies and brains are compared with the neutral null "
+        "in RUNS/neutral, which --neutral makes, if there is one. Each cell of a sweep is compared with one of them, corrected for the number of "
+        "comparisons. Needs Python with pandas, scipy and jinja2.",
+        _analyze,
+        [
+            "trophic analyze runs/paper --out analysis",
+            "trophic analyze --compare runs/paper runs/released --metric velocity:predator",
+            "trophic analyze runs/sweep --reference 3 --jobs 4",
+        ],
+        {
+            "--compare": ["--shadow", "--published"],
+            "--lineages": ["--published", "--until", "--compare", "--column", "--metric-file"],
+            "--bodies": ["--published", "--lineages"],
+            "--published": ["--metric"],
+            "--selection": [
+                "--compare",
+                "--published",
+                "--lineages",
+                "--bodies",
+                "--metric",
+                "--column",
+                "--metric-file",
+                "--html",
+            ],
+        },
+        {"--window": "--lineages", "--program": "--lineages", "--figures": "--html", "--replays": "--html"},
+    ),
+    "plot": Verb(
+        "plot",
+        "Draws the figures of what `trophic analyze` or `trophic cross-check` wrote, as PNG and PDF with captions.json and captions.tex: the "
+        "paper's figures, a forest plot of a comparison, response curves and heat maps of a sweep. Needs Python with matplotlib, pandas and scipy.",
+        _plot,
+        [
+            "trophic plot analysis",
+            "trophic plot analysis --style ieee --out figures",
+            "trophic plot analysis/sweep --metric velocity:predator:inherited",
+        ],
+    ),
+    "cite": Verb(
+        "cite",
+        "Prints how to cite a run or a set of replicates: a sentence with rule table, changed parameters, engine, version and seed from its "
+        "manifest, and BibTeX entries. Needs Python with pandas.",
+        _cite,
+        ["trophic cite runs/paper"],
+    ),
+    "ablation-table": Verb(
+        "ablations",
+        "Reads the sets of an ablation study and writes what each swap changes: ablations.csv (all) and ablations.md (the "
+        "significant ones). Needs Python with pandas and scipy.",
+        _ablation_table,
+        ["trophic ablation-table runs/swaps --out swaps"],
+    ),
+    "plan": Verb(
+        "plan",
+        "Writes the list of runs that a sweep file describes: settings by [grid], [zip] and [[runs]], with replicates and shadows. PROGRAM --plan "
+        "FOLDER/plan.jsonl makes the runs. Needs Python with numpy and pandas.",
+        _plan,
+        ["trophic plan sweep.toml --out runs/sweep", "trophic plan sweep.toml --dry-run"],
+    ),
+    "contest": Verb(
+        "contest_plan",
+        "Lets hunters of one epoch of the runs meet victims of another, in the runs' arena without catches, births and deaths. Progress of a "
+        "species is how much sooner its later hunters reach the victims of all epochs, or how much later its later victims are reached; against opponents "
+        "of other replicates it is global, against those from the same run historical. It is compared with the neutral shadow, which is found in "
+        "RUNS/shadow. Needs Python with pandas and scipy.",
+        _contest,
+        [
+            "trophic contest runs/study",
+            "trophic contest runs/study --against both --epochs 0,2000,4000,6000",
+            "trophic contest runs/mine --program build/my_experiment",
+        ],
+    ),
+    "cross-check": Verb(
+        "cross_check",
+        "Compares two engines, or two settings of one: the metrics of two sets of runs of the same rules, as two cells of a sweep over "
+        "engines, with two one-sided tests of equivalence each. Needs Python with pandas and scipy.",
+        _cross_check,
+        ["trophic cross-check runs/engines/cell-000 runs/engines/cell-001 --out engines"],
+    ),
+    "help": Verb(
+        "help",
+        "Prints the help of a command, or `slots`: what each slot of a rule table decides, a slot or a policy by its name, or `metrics`.",
+        _help,
+        ["trophic help analyze", "trophic help slots", "trophic help mutation", "trophic help normal_mutation"],
+    ),
 }

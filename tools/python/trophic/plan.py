@@ -63,6 +63,7 @@ Settings = dict[str, Any]
 @dataclasses.dataclass
 class Sweep:
     """A sweep file."""
+
     path: pathlib.Path
     text: str
     replicates: int = 10
@@ -81,6 +82,7 @@ class Sweep:
 
 # The file
 
+
 def _json(value: Any) -> str:
     return json.dumps(value, separators=(",", ":"), ensure_ascii=False)
 
@@ -95,7 +97,13 @@ def _leaves(table: dict[str, Any], prefix: str = "") -> Iterable[tuple[str, Any]
 
 
 def _value(value: Any, where: str) -> Any:
-    if isinstance(value, (bool, str)) or type(value) is int and -2**63 <= value < 2**63 or isinstance(value, float) and math.isfinite(value):
+    if (
+        isinstance(value, (bool, str))
+        or type(value) is int
+        and -(2**63) <= value < 2**63
+        or isinstance(value, float)
+        and math.isfinite(value)
+    ):
         return value
     raise RunError(f"{where} = {value}: must be a finite number, a text, true or false")
 
@@ -123,9 +131,16 @@ def _whole(least: int, most: int):
 
 
 _SWITCH = (lambda value: isinstance(value, bool)), "true or false"
-_KEYS = {"replicates": _whole(1, MOST_RUNS), "seed": _whole(0, 2**53), "paired": _SWITCH, "shadow": _SWITCH,
-         "replay_hz": ((lambda value: type(value) in (int, float) and value in (0, 5, 10, 30)), "0, 5, 10 or 30"),
-         "agents_every": _whole(1, 1_000_000), "senses": _SWITCH, "states": _SWITCH}
+_KEYS = {
+    "replicates": _whole(1, MOST_RUNS),
+    "seed": _whole(0, 2**53),
+    "paired": _SWITCH,
+    "shadow": _SWITCH,
+    "replay_hz": ((lambda value: type(value) in (int, float) and value in (0, 5, 10, 30)), "0, 5, 10 or 30"),
+    "agents_every": _whole(1, 1_000_000),
+    "senses": _SWITCH,
+    "states": _SWITCH,
+}
 _CHOICES = ("rule_table", "engine")
 
 
@@ -133,6 +148,7 @@ def read_sweep(path: str | os.PathLike) -> Sweep:
     """Reads a sweep file. Raises RunError "FILE: ..." for a bad one: an unknown key, an axis without values, lists of [zip] of different lengths,
     a key in two places, no setting that varies, more than MOST_RUNS. The program checks the settings."""
     import tomllib  # of Python 3.11
+
     path = pathlib.Path(path)
     try:
         text = path.read_text()
@@ -151,7 +167,9 @@ def _sweep(path: pathlib.Path, text: str, table: dict[str, Any]) -> Sweep:
         if section in table and not isinstance(table[section], dict):
             raise RunError(f"{section}: must be a section, [{section}]")
     listed = table.pop("runs", None)
-    if listed is not None and not (isinstance(listed, list) and listed and all(isinstance(one, dict) for one in listed)):
+    if listed is not None and not (
+        isinstance(listed, list) and listed and all(isinstance(one, dict) for one in listed)
+    ):
         raise RunError("runs: must be sections, [[runs]]")
     sweep.set = _settings(table.pop("set", {}))
     sweep.grid = _axes(table.pop("grid"), "grid") if "grid" in table else {}
@@ -174,8 +192,10 @@ def _sweep(path: pathlib.Path, text: str, table: dict[str, Any]) -> Sweep:
         else:
             known = ["set", "grid", "zip", "runs", *_CHOICES, *_KEYS]
             near = difflib.get_close_matches(key, known, 1)
-            raise RunError(f"{f'[{key}]' if isinstance(value, dict) else key}: unknown key" +
-                            (f"; did you mean {near[0]}?" if near else f"; known here: {', '.join(known)}"))
+            raise RunError(
+                f"{f'[{key}]' if isinstance(value, dict) else key}: unknown key"
+                + (f"; did you mean {near[0]}?" if near else f"; known here: {', '.join(known)}")
+            )
     _check(sweep)
     return sweep
 
@@ -184,7 +204,12 @@ def _check(sweep: Sweep) -> None:
     if not (sweep.grid or sweep.zip or sweep.runs):
         raise RunError("has neither [grid] nor [zip] nor [[runs]]: nothing varies")
     seen: dict[str, str] = {}
-    for section, keys in (("[set]", sweep.set), ("[grid]", sweep.grid), ("[zip]", sweep.zip), *(("[[runs]]", run) for run in sweep.runs)):
+    for section, keys in (
+        ("[set]", sweep.set),
+        ("[grid]", sweep.grid),
+        ("[zip]", sweep.zip),
+        *(("[[runs]]", run) for run in sweep.runs),
+    ):
         for key in keys:
             other = seen.setdefault(key, section)
             if other != section:
@@ -196,7 +221,14 @@ def _check(sweep: Sweep) -> None:
         if len(values) != len(of_first):
             raise RunError(f"[zip] {key}: has {len(values)} values: must have {len(of_first)}, as {first}")
     rows = len(next(iter(sweep.zip.values()), [0]))
-    if sweep.replicates * (2 if sweep.shadow else 1) * max(1, len(sweep.runs)) * rows * math.prod(map(len, sweep.grid.values())) > MOST_RUNS:
+    if (
+        sweep.replicates
+        * (2 if sweep.shadow else 1)
+        * max(1, len(sweep.runs))
+        * rows
+        * math.prod(map(len, sweep.grid.values()))
+        > MOST_RUNS
+    ):
         raise RunError(f"makes more than {MOST_RUNS} runs (cells x replicates): must be fewer")
 
 
@@ -204,12 +236,18 @@ def cells_of(sweep: Sweep) -> list[Settings]:
     """The settings of each cell: [[runs]] x [zip] x [grid], the last key of [grid] fastest, each with those of [set]."""
     rows = [dict(zip(sweep.zip, values)) for values in zip(*sweep.zip.values())] or [{}]
     points = [dict(zip(sweep.grid, values)) for values in itertools.product(*sweep.grid.values())]
-    return [{**sweep.set, **run, **row, **point} for run, row, point in itertools.product(sweep.runs or [{}], rows, points)]
+    return [
+        {**sweep.set, **run, **row, **point} for run, row, point in itertools.product(sweep.runs or [{}], rows, points)
+    ]
 
 
 def text_of(cell: Settings, sweep: Sweep) -> str:
-    """ "rules.capture.reach_m=0.5 rules.mutation.sd=0.1": those settings of a cell that are not in [set]. """
-    return " ".join(f"{key}={value if isinstance(value, str) else _json(value)}" for key, value in cell.items() if key not in sweep.set)
+    """ "rules.capture.reach_m=0.5 rules.mutation.sd=0.1": those settings of a cell that are not in [set]."""
+    return " ".join(
+        f"{key}={value if isinstance(value, str) else _json(value)}"
+        for key, value in cell.items()
+        if key not in sweep.set
+    )
 
 
 # The plan
@@ -234,7 +272,9 @@ def described(program: str, drafts: Sequence[Line]) -> list[Line]:
         path = pathlib.Path(folder) / "draft.jsonl"
         path.write_text("".join(_json(draft) + "\n" for draft in drafts))
         try:
-            done = subprocess.run([program, "--plan", path, "--describe"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            done = subprocess.run(
+                [program, "--plan", path, "--describe"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+            )
         except OSError as error:
             raise RunError(f"--program {program}: {error.strerror}") from None
         if done.returncode == 0:
@@ -253,13 +293,15 @@ class _BadRun(Exception):
 
 def plan_of(sweep: Sweep, program: str, there: Sequence[Line] = ()) -> list[Line]:
     """The lines of a sweep's plan. Cells and runs that are in `there`, the plan of the sweep's folder, have their numbers and places there; others
-    follow. Raises RunError "FILE: cell 3 (SETTINGS): ..." for the first cell that the program cannot run, and for two cells that are the same experiment."""
+    follow. Raises RunError "FILE: cell 3 (SETTINGS): ..." for the first cell that the program cannot run, and for two cells that are the same experiment.
+    """
     cells = cells_of(sweep)
     nulls = ("none", "shadow") if sweep.shadow else ("none",)
 
     def refuse(cell: int, why: str) -> None:
         text = text_of(cells[cell], sweep)
         raise RunError(f"{sweep.path}: cell {cell}{f' ({text})' if text else ''}: {why}")
+
     drafts = []
     for number, (cell, null) in enumerate(itertools.product(cells, nulls)):
         for key in _CHOICES:
@@ -267,8 +309,19 @@ def plan_of(sweep: Sweep, program: str, there: Sequence[Line] = ()) -> list[Line
                 refuse(number // len(nulls), f"{key} = {cell[key]}: must be a text")
         draft = {key: cell[key] for key in _CHOICES if key in cell}
         settings = {key: value for key, value in cell.items() if key not in _CHOICES}
-        drafts.append({**draft, "settings": settings, "seed": 0, "null": null, "folder": str(number), "replay_hz": sweep.replay_hz,
-                       "agents_every": sweep.agents_every, "senses": sweep.senses, "states": sweep.states})
+        drafts.append(
+            {
+                **draft,
+                "settings": settings,
+                "seed": 0,
+                "null": null,
+                "folder": str(number),
+                "replay_hz": sweep.replay_hz,
+                "agents_every": sweep.agents_every,
+                "senses": sweep.senses,
+                "states": sweep.states,
+            }
+        )
     try:
         facts = described(program, drafts)
     except _BadRun as bad:
@@ -285,8 +338,17 @@ def plan_of(sweep: Sweep, program: str, there: Sequence[Line] = ()) -> list[Line
             own = numbers.of({**draft, **fact})
         master_seed = sweep.seed if sweep.paired else seed_of(sweep.seed, own)
         folder = cell_name(own) + ("/shadow" if draft["null"] == "shadow" else "")
-        plan += [{"cell": own, "replicate": k, **draft, **fact, "seed": seed_of(master_seed, k), "folder": f"{folder}/replicate-{k:02}"}
-                 for k in range(sweep.replicates)]
+        plan += [
+            {
+                "cell": own,
+                "replicate": k,
+                **draft,
+                **fact,
+                "seed": seed_of(master_seed, k),
+                "folder": f"{folder}/replicate-{k:02}",
+            }
+            for k in range(sweep.replicates)
+        ]
     places = {line["folder"]: place for place, line in enumerate(there)}
     return sorted(plan, key=lambda line: places.get(line["folder"], len(places)))
 
@@ -314,7 +376,9 @@ class _CellNumbers:
 
     @staticmethod
     def _key(line: Line, with_duration: bool) -> str:
-        settings = sorted((path, value) for path, value in line["settings"].items() if with_duration or path != DURATION)
+        settings = sorted(
+            (path, value) for path, value in line["settings"].items() if with_duration or path != DURATION
+        )
         return _json([line["rule_table"], line["engine"], [[path, _json(value)] for path, value in settings]])
 
 
@@ -325,6 +389,7 @@ def _differences(there: Line, here: Line) -> list[str]:
     def compare(name: str, its: Any, ours: Any) -> None:
         if its != ours:
             found.append(f"{name} = {_json(its)} there, {_json(ours)} here")
+
     compare("engine", there["engine"], here["engine"])
     compare("rule_table", there["rule_table"], here["rule_table"])
     for path in {**there["settings"], **here["settings"]}:
@@ -345,16 +410,26 @@ def check_grown(path: pathlib.Path, there: Sequence[Line], plan: Sequence[Line])
             continue
         least = min((_differences(line, here) for here in plan), key=len)
         if least:
-            raise RunError(f"{path}:{number}: the folder holds another plan, whose run the sweep lacks: {'; '.join(least[:3])}; a sweep can get more "
-                            "values, replicates and time: take another --out")
+            raise RunError(
+                f"{path}:{number}: the folder holds another plan, whose run the sweep lacks: {'; '.join(least[:3])}; a sweep can get more "
+                "values, replicates and time: take another --out"
+            )
 
 
 def _list_text(sweep: Sweep, line: Line) -> str:
     """replicates.json of a cell, by which its runs are found and analysed alone."""
     master_seed = sweep.seed if sweep.paired else seed_of(sweep.seed, line["cell"])
     runs = [{"folder": f"replicate-{k:02}", "seed": seed_of(master_seed, k)} for k in range(sweep.replicates)]
-    content = {"format": 2, "rule_table": line["rule_table"], "backend": line["engine"], "fingerprint": line["fingerprint"],
-               "until_s": line["until_s"], "master_seed": master_seed, "count": sweep.replicates, "replicates": runs}
+    content = {
+        "format": 2,
+        "rule_table": line["rule_table"],
+        "backend": line["engine"],
+        "fingerprint": line["fingerprint"],
+        "until_s": line["until_s"],
+        "master_seed": master_seed,
+        "count": sweep.replicates,
+        "replicates": runs,
+    }
     body = json.dumps(content, indent=2)[:-2]
     return f'{body},\n  "crc32": {zlib.crc32(body.encode())}\n}}\n'
 
@@ -406,9 +481,11 @@ def _umask() -> int:
 
 # How long it takes
 
+
 @dataclasses.dataclass
 class Estimate:
     """How long a plan takes, by short runs on this machine."""
+
     rates: dict[tuple[str, str], float]
     """core-seconds for one unit of `work`, by table and engine"""
     probes: int
@@ -418,8 +495,10 @@ class Estimate:
 
     def text(self, plan: Sequence[Line]) -> str:
         core_s = self.core_s(plan)
-        return (f"{len(plan)} runs in {len({line['cell'] for line in plan})} cells, about {_duration_text(core_s)} of one core "
-                f"({number_text(math.ceil(core_s / 36.0) / 100.0)} core-hours) by {self.probes} short {'run' if self.probes == 1 else 'runs'} of this machine")
+        return (
+            f"{len(plan)} runs in {len({line['cell'] for line in plan})} cells, about {_duration_text(core_s)} of one core "
+            f"({number_text(math.ceil(core_s / 36.0) / 100.0)} core-hours) by {self.probes} short {'run' if self.probes == 1 else 'runs'} of this machine"
+        )
 
 
 def _duration_text(seconds: float) -> str:
@@ -446,7 +525,19 @@ def estimate(program: str, plan: Sequence[Line]) -> Estimate:
 
 def _probe(program: str, line: Line) -> float:
     """Core-seconds for one unit of a run's `work`."""
-    words = [program, "--rules", line["rule_table"], "--backend", line["engine"], "--threads", "1", "--seed", str(line["seed"]), "--replay-hz", "0"]
+    words = [
+        program,
+        "--rules",
+        line["rule_table"],
+        "--backend",
+        line["engine"],
+        "--threads",
+        "1",
+        "--seed",
+        str(line["seed"]),
+        "--replay-hz",
+        "0",
+    ]
     for path, value in line["settings"].items():
         if path != DURATION:
             words += ["--set", f"{path}={_json(value)}"]
@@ -454,7 +545,12 @@ def _probe(program: str, line: Line) -> float:
     while True:
         with tempfile.TemporaryDirectory(prefix="trophic-probe-") as folder:
             run = pathlib.Path(folder) / "run"
-            done = subprocess.run([*words, "--duration", repr(until_s), "--out", run], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            done = subprocess.run(
+                [*words, "--duration", repr(until_s), "--out", run],
+                stdout=subprocess.DEVNULL,
+                stderr=subprocess.PIPE,
+                text=True,
+            )
             if done.returncode == STOPPED:
                 raise KeyboardInterrupt
             if done.returncode != 0:
@@ -469,8 +565,12 @@ def dry_run(sweep: Sweep, program: str) -> str:
     """The cells, and how long all of it will take on one core."""
     plan = plan_of(sweep, program)
     cells = cells_of(sweep)
-    text = "".join(f"{cell_name(line['cell'])}  {sweep.replicates} x {number_text(line['until_s'])} s, {line['rule_table']} on {line['engine']}, "
-                   f"{text_of(cells[line['cell']], sweep)}\n" for line in plan if line["replicate"] == 0 and line["null"] == "none")
+    text = "".join(
+        f"{cell_name(line['cell'])}  {sweep.replicates} x {number_text(line['until_s'])} s, {line['rule_table']} on {line['engine']}, "
+        f"{text_of(cells[line['cell']], sweep)}\n"
+        for line in plan
+        if line["replicate"] == 0 and line["null"] == "none"
+    )
     return text + estimate(program, plan).text(plan) + "\n"
 
 
@@ -510,7 +610,10 @@ def run(request: dict) -> int:
         text = dry_run(sweep, program)
     else:
         plan = make_plan(sweep, program, pathlib.Path(out))
-        text = (f"{len(plan)} runs planned; next: {shlex.quote(named)} --plan {shlex.quote(str(pathlib.Path(out) / PLAN))}\n" if sbatch is None else
-                job_script(program, pathlib.Path(out), plan, sbatch))
+        text = (
+            f"{len(plan)} runs planned; next: {shlex.quote(named)} --plan {shlex.quote(str(pathlib.Path(out) / PLAN))}\n"
+            if sbatch is None
+            else job_script(program, pathlib.Path(out), plan, sbatch)
+        )
     print(text, end="")
     return 0

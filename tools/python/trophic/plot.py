@@ -8,11 +8,13 @@ import pathlib
 def run(request: dict) -> int:
     """Draws the figures of the folder `analysis`; the request has the options of `trophic plot`. Returns the exit code."""
     import matplotlib
+
     matplotlib.use("Agg")
     from .figures import bodies, contests, cross_check, paper, style, sweep
     from .report.tables import check_new, result_folder
     from .errors import RunError
     from .runs import read_analysis
+
     folder = pathlib.Path(request["analysis"])
     if not folder.is_dir():
         raise RunError(f"{folder}: {'is not a folder' if folder.exists() else 'does not exist'}")
@@ -40,7 +42,9 @@ def run(request: dict) -> int:
         raise RunError(error) from None
     except KeyError as error:
         option = str(error.args[0])
-        raise RunError(option if option.startswith("--") else f"{folder}: no {error}: is it what trophic analyze wrote?") from None
+        raise RunError(
+            option if option.startswith("--") else f"{folder}: no {error}: is it what trophic analyze wrote?"
+        ) from None
     except (OSError, ValueError, AttributeError) as error:
         raise RunError(f"{folder}: is not what trophic analyze writes: {error}") from None
     with result_folder(out) as part:

@@ -34,12 +34,17 @@ MOST_TIME_S = 1e8
 _LONGEST_TICK_S = 3600.0  # a run's last tick may end after its duration, by less than this
 _MOST_SPECIES = 1000
 # The cells of events.csv and agents.csv.
-_NAMES = {"event": ("birth", "activation", "tag_switch", "catch", "death"), "origin": ("random", "inherited"),
-          "cause": ("", "caught", "starved", "sacrificed", "senescence", "diverged")}
+_NAMES = {
+    "event": ("birth", "activation", "tag_switch", "catch", "death"),
+    "origin": ("random", "inherited"),
+    "cause": ("", "caught", "starved", "sacrificed", "senescence", "diverged"),
+}
 _NUMBERS = ("time_s", "x_m", "y_m")
 _OPTIONAL = ("victim_id", "parent_id", "adversary_id", "hunger_ticks")
-_TYPES = {**dict.fromkeys(("time_s", "species", *_NAMES), "category"),
-          **dict.fromkeys(("tick", "id", "body", "tag", "active"), "int64")}  # others: numbers
+_TYPES = {
+    **dict.fromkeys(("time_s", "species", *_NAMES), "category"),
+    **dict.fromkeys(("tick", "id", "body", "tag", "active"), "int64"),
+}  # others: numbers
 
 
 @dataclasses.dataclass(frozen=True)
@@ -104,11 +109,19 @@ class PooledRun(Run):
         if file in self.manifest.get("tables", {}):
             types = {name: _TYPES.get(name, "float64") for name in columns}
             # The parser is exact for at most 15 digits, which all numbers but times have; those are few, as texts.
-            frame = _parsed(self.path / file, content, usecols=list(columns), dtype=types, float_precision="high",
-                            na_values={name: [""] for name in columns if types[name] == "float64"})
+            frame = _parsed(
+                self.path / file,
+                content,
+                usecols=list(columns),
+                dtype=types,
+                float_precision="high",
+                na_values={name: [""] for name in columns if types[name] == "float64"},
+            )
             frame["time_s"] = frame.time_s.astype("category").cat.rename_categories(float).astype(float)
         else:
-            frame = _checked(self, file, _parsed(self.path / file, content, usecols=list({*columns, "tick"}), dtype=str))
+            frame = _checked(
+                self, file, _parsed(self.path / file, content, usecols=list({*columns, "tick"}), dtype=str)
+            )
             if file == "agents.csv" and not is_whole and len(frame):
                 frame = frame[frame.tick != frame.tick.iloc[-1]]
         return frame[frame.time_s <= self.until_s] if len(frame) and frame.time_s.iloc[-1] > self.until_s else frame
@@ -124,11 +137,15 @@ class PooledRun(Run):
         whole = runs.content(path)
         content = runs.whole_lines(path, self.manifest.get("tables", {}).get(file), whole)
         if len(content) < len(whole):
-            remarks.append(f"{path}:{content.count(10) + 1}: truncated in the middle of a line (killed run?); everything before it is used")
+            remarks.append(
+                f"{path}:{content.count(10) + 1}: truncated in the middle of a line (killed run?); everything before it is used"
+            )
         return content, len(content) == len(whole)
 
 
-def read_set(paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | None = None, how: Measuring | None = None) -> MeasuredSet:
+def read_set(
+    paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | None = None, how: Measuring | None = None
+) -> MeasuredSet:
     """Reads and measures runs that may be pooled, and their nulls: the shadow named, or else what is in the folders PATH/shadow, the neutral
     null in PATH/neutral and the clones in PATH/clones.
 
@@ -151,6 +168,7 @@ def read_set(paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | Non
     metrics.check_names(shipped, how)
     if how.lineages is not None:
         from .metrics import lineages  # type: ignore[attr-defined]
+
         how = lineages.prepared(pooled, nulls.get(SHADOW, ([], []))[0], every, how)
     values = measure(every, how)
     metrics.same_metrics(values, how.metrics)
@@ -158,7 +176,10 @@ def read_set(paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | Non
 
     def measured(these: list[PooledRun], remarks: list[str]) -> MeasuredSet:
         its = [next(rest) for _ in these]
-        return MeasuredSet("", list(these), its, None, these[0].until_s, [*remarks, *(remark for run in its for remark in run.remarks)])
+        return MeasuredSet(
+            "", list(these), its, None, these[0].until_s, [*remarks, *(remark for run in its for remark in run.remarks)]
+        )
+
     found = measured(pooled, remarks)
     found.inherited = inherited
     for name, (its_runs, its_remarks) in nulls.items():
@@ -168,8 +189,9 @@ def read_set(paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | Non
     return found
 
 
-def pooled_sets(paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | None,
-                how: Measuring) -> tuple[tuple[list[PooledRun], list[str]], dict[str, tuple[list[PooledRun], list[str]]]]:
+def pooled_sets(
+    paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | None, how: Measuring
+) -> tuple[tuple[list[PooledRun], list[str]], dict[str, tuple[list[PooledRun], list[str]]]]:
     """The runs of some folders, and those of their nulls by name, each with remarks. Raises RunError as `read_set`."""
     folders = [pathlib.Path(path) for path in paths]
     pooled, nulls = pooled_runs(folders, how), {}
@@ -181,7 +203,9 @@ def pooled_sets(paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | 
     return pooled, nulls
 
 
-def measure(of: Sequence[PooledRun], how: Measuring, keep: Callable[[RunValues], Any] = lambda values: values) -> list[Any]:
+def measure(
+    of: Sequence[PooledRun], how: Measuring, keep: Callable[[RunValues], Any] = lambda values: values
+) -> list[Any]:
     """Measures runs, several at a time in processes, with a line of progress on a terminal. Returns what `keep` keeps of each, all of it by
     default. Raises the RunError of the first run, in their order, that cannot be measured, and gives up the others."""
     shows = sys.stderr.isatty()
@@ -192,14 +216,22 @@ def measure(of: Sequence[PooledRun], how: Measuring, keep: Callable[[RunValues],
             values.append(value)
             if shows:
                 last = len(values) == len(of)
-                print(f"\r{'' if last else f'measured {len(values)} of {len(of)} runs'}\033[K", end="", file=sys.stderr, flush=True)
+                print(
+                    f"\r{'' if last else f'measured {len(values)} of {len(of)} runs'}\033[K",
+                    end="",
+                    file=sys.stderr,
+                    flush=True,
+                )
         return values
+
     cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     jobs = min(how.jobs or cores, len(of))
     if jobs <= 1:
         return counted(keep(metrics.measure_run(run, how)) for run in of)
     # A forked process has the functions of a user, which need not be importable.
-    executor = concurrent.futures.ProcessPoolExecutor(jobs, multiprocessing.get_context("fork"), _share, (of, how, keep))
+    executor = concurrent.futures.ProcessPoolExecutor(
+        jobs, multiprocessing.get_context("fork"), _share, (of, how, keep)
+    )
     try:
         return counted(executor.map(_measure_shared, range(len(of))))
     finally:
@@ -223,7 +255,8 @@ def _measure_shared(place: int) -> Any:
 
 def pooled_runs(paths: Iterable[pathlib.Path], how: Measuring) -> tuple[list[PooledRun], list[str]]:
     """The runs of some folders, which may be pooled, and remarks. Raises RunError if they differ in fingerprint, build, beginning, changes,
-    status, duration or the ticks in agents.csv, if one is there twice, if a manifest cannot be read, or if there is no run."""
+    status, duration or the ticks in agents.csv, if one is there twice, if a manifest cannot be read, or if there is no run.
+    """
     remarks: list[str] = []
     found: list[PooledRun] = []
     for folder in [folder for path in paths for folder in run_folders(path, remarks)]:
@@ -236,15 +269,21 @@ def pooled_runs(paths: Iterable[pathlib.Path], how: Measuring) -> tuple[list[Poo
         raise RunError(f"no run is there{': ' + remarks[0] if remarks else ''}")
     builds = sorted({build for run in found for build in run.builds})
     if len(builds) > 1:
-        remarks.append(f"{len(builds)} builds of a program made these runs: {builds_text(builds)}; their rules may be other code under the same "
-                       "names")
+        remarks.append(
+            f"{len(builds)} builds of a program made these runs: {builds_text(builds)}; their rules may be other code under the same "
+            "names"
+        )
     if len(found) > 1 and found[0].begins:
-        remarks.append(f"all runs begin {found[0].begins}: they share that past, so that intervals are over its futures, not over runs")
+        remarks.append(
+            f"all runs begin {found[0].begins}: they share that past, so that intervals are over its futures, not over runs"
+        )
     found = [run if how.until_s is None else _cut(run, how.until_s) for run in found]
     if early := sorted(run.lived_s for run in found if run.lived_s < run.until_s and "ended" in run.manifest["result"]):
         between = number_text(early[0]) + (f" to {number_text(early[-1])}" if early[-1] > early[0] else "")
-        remarks.append(f"{len(early)} of {len(found)} runs ended early, by ecology.ends_when, after {between} s: metrics, their windows and "
-                       "halves are of the time that each lived; persists leaves out the species that it left alive")
+        remarks.append(
+            f"{len(early)} of {len(found)} runs ended early, by ecology.ends_when, after {between} s: metrics, their windows and "
+            "halves are of the time that each lived; persists leaves out the species that it left alive"
+        )
     return found, remarks
 
 
@@ -287,11 +326,15 @@ def read_pooled(folder: pathlib.Path) -> PooledRun:
     def number(section: str, name: str, least: float, most: float) -> None:
         value = manifest[section][name]
         if type(value) not in (int, float) or not least <= value <= most:
-            refuse(f"{section}.{name} = {json.dumps(value)}: must be >= {number_text(least)} and <= {number_text(most)}")
+            refuse(
+                f"{section}.{name} = {json.dumps(value)}: must be >= {number_text(least)} and <= {number_text(most)}"
+            )
+
     def texts(of: list[dict], key: str, is_needed: bool = False) -> None:
         for value in [one[key] for one in of if is_needed or key in one]:
             if type(value) is not str:
                 refuse(f"{key} = {json.dumps(value)}: must be text")
+
     if text := _not_plain({key: value for key, value in manifest.items() if key not in ("command_line", "error")}):
         refuse(f"{json.dumps(text)}: must be text without control characters")
     try:
@@ -300,20 +343,28 @@ def read_pooled(folder: pathlib.Path) -> PooledRun:
         number("clock", "until_s", 0.0, MOST_TIME_S)
         number("arena", "half_side_m", sys.float_info.min, sys.float_info.max)
         for one in manifest["arena"].get("obstacles", []):
-            if not (isinstance(one, list) and len(one) == 6 and all(isinstance(value, (int, float)) and math.isfinite(value) for value in one)):
+            if not (
+                isinstance(one, list)
+                and len(one) == 6
+                and all(isinstance(value, (int, float)) and math.isfinite(value) for value in one)
+            ):
                 refuse(f"arena.obstacles: {json.dumps(one)}: must be six numbers")
         if "result" in manifest:
             number("result", "reached_s", 0.0, MOST_TIME_S + _LONGEST_TICK_S)
         whole(manifest.get("agents_every_ticks", 1), "agents_every_ticks", 1, 2**63 - 1)
         species = manifest["species"]
-        if not isinstance(species, list) or len(species) > _MOST_SPECIES or not all(isinstance(name, str) for name in species):
+        if (
+            not isinstance(species, list)
+            or len(species) > _MOST_SPECIES
+            or not all(isinstance(name, str) for name in species)
+        ):
             refuse(f"species: must be <= {_MOST_SPECIES} names")
         for link in manifest["food_web"]:
             for end in ("hunter", "victim"):
                 if link[end] not in species:
                     refuse(f"food_web: {end} = {json.dumps(link[end])}: must be one of {', '.join(species)}")
         for tag in manifest.get("tags", []):
-            whole(tag, "tags", -2**31, 2**31 - 1)
+            whole(tag, "tags", -(2**31), 2**31 - 1)
         for file, expected in manifest.get("tables", {}).items():
             if pathlib.PurePath(file).name != file:
                 refuse(f"tables: {file}: must be the name of a file")
@@ -326,7 +377,11 @@ def read_pooled(folder: pathlib.Path) -> PooledRun:
             texts(origin, key, is_needed=True)
         texts([manifest, *origin, *manifest.get("continued", [])], "code")
     except (KeyError, TypeError, AttributeError) as error:
-        refuse(f"{error}: must be there, as trophic writes it" if isinstance(error, KeyError) else f"is not what trophic writes: {error}")
+        refuse(
+            f"{error}: must be there, as trophic writes it"
+            if isinstance(error, KeyError)
+            else f"is not what trophic writes: {error}"
+        )
     return PooledRun(folder, manifest, manifest["clock"]["until_s"])
 
 
@@ -335,26 +390,36 @@ def why_not_pooled(run: PooledRun, other: PooledRun, is_cut: bool, any_build: bo
     also runs that different builds of a program made."""
     here, there = f"{run.path}: ", other.path
     if run.fingerprint != other.fingerprint:
+
         def named(of: PooledRun) -> str:
             return f"{of.fingerprint} ({of.manifest['rule_table']} on {of.manifest['backend']})"
+
         return f"{here}fingerprint {named(run)}, but {there} has {named(other)}; runs of different rules or parameters are not pooled: use --compare"
     if run.builds != other.builds and not any_build:
-        return (f"{here}made by {builds_text(run.builds)}, but {there} by {builds_text(other.builds)}; builds of a program may have other rules "
-                "under the same names: --accept-other-build pools them")
+        return (
+            f"{here}made by {builds_text(run.builds)}, but {there} by {builds_text(other.builds)}; builds of a program may have other rules "
+            "under the same names: --accept-other-build pools them"
+        )
     if run.seed == other.seed:
         return f"{here}seed {run.seed} as in {there}; the same run twice is not a second replicate"
     if run.begins != other.begins:
         begins, others = (f"begins {of.begins or 'at its beginning'}" for of in (run, other))
         return f"{here}{begins}, but {there} {others}; futures of one moment are not pooled with other runs"
     if run.identity != other.identity:
-        return (f"{here}{len(changes_of(run))} changes of parameters (changes.csv), but {there} has {len(changes_of(other))}, or others; runs with "
-                "different changes are not pooled")
+        return (
+            f"{here}{len(changes_of(run))} changes of parameters (changes.csv), but {there} has {len(changes_of(other))}, or others; runs with "
+            "different changes are not pooled"
+        )
     if run.every_ticks != other.every_ticks:
-        return (f"{here}agents_every_ticks {run.every_ticks}, but {there} has {other.every_ticks}; runs that say more and less of their robots are "
-                "not pooled")
+        return (
+            f"{here}agents_every_ticks {run.every_ticks}, but {there} has {other.every_ticks}; runs that say more and less of their robots are "
+            "not pooled"
+        )
     if not is_cut and (run.manifest["status"] != other.manifest["status"] or not lasted_alike(run, other)):
-        return (f"{here}{lasted_text(run)}, but {there} has {lasted_text(other)}; runs of different length are not pooled: leave some out, or "
-                "cut all with --until")
+        return (
+            f"{here}{lasted_text(run)}, but {there} has {lasted_text(other)}; runs of different length are not pooled: leave some out, or "
+            "cut all with --until"
+        )
     return ""
 
 
@@ -383,8 +448,10 @@ def null_folders(paths: Iterable[pathlib.Path], name: str = SHADOW) -> list[path
 def _check_null(runs: Sequence[PooledRun], null: Sequence[PooledRun], name: str, how: Measuring) -> None:
     check_shadow(runs[0], null[0], name=name)
     if runs[0].builds != null[0].builds and not how.accept_other_build:
-        raise RunError(f"{null[0].path}: made by {builds_text(null[0].builds)}: must be made by {builds_text(runs[0].builds)}, as "
-                       f"{runs[0].path} (--accept-other-build takes it)")
+        raise RunError(
+            f"{null[0].path}: made by {builds_text(null[0].builds)}: must be made by {builds_text(runs[0].builds)}, as "
+            f"{runs[0].path} (--accept-other-build takes it)"
+        )
     if name == NEUTRAL and (others := [run for run in null if run.seed not in {run.seed for run in runs}]):
         raise RunError(f"{others[0].path}: seed {others[0].seed}: must be that of a run that it repeats")
 
@@ -393,8 +460,12 @@ def check_shadow(run: PooledRun, shadow: PooledRun, any_parent: bool = False, na
     """Raises RunError, naming both runs and what differs, unless `shadow` is a run of the same rules, parameters, engine and duration with
     nothing inherited or, with the name of the neutral null, with its heredity. Seeds may differ. With `any_parent` the rule in slot parent may
     differ too: if nothing is inherited, it changes parents and labels, and no genome and no motion."""
+
     def refuse(why: str) -> None:
-        raise RunError(f"{shadow.path}: is not a {'set of' if name == CLONES else 'neutral'} {name.replace(NEUTRAL, 'null')} of {run.path}: {why}")
+        raise RunError(
+            f"{shadow.path}: is not a {'set of' if name == CLONES else 'neutral'} {name.replace(NEUTRAL, 'null')} of {run.path}: {why}"
+        )
+
     policy, own_policy = (one.manifest.get("rules", {}).get(SHADOW_SLOT, "unknown") for one in (shadow, run))
     if policy != (wanted := POLICIES.get(name, f"{NEUTRAL}_{own_policy}")):
         refuse(f"its rule in slot {SHADOW_SLOT} is {policy}: must be {wanted}")
@@ -404,8 +475,12 @@ def check_shadow(run: PooledRun, shadow: PooledRun, any_parent: bool = False, na
         params = {key: value for key, value in of.manifest.get("params", {}).items() if key != "seed"}
         if "rules" in params:
             params["rules"] = {slot: value for slot, value in params["rules"].items() if slot not in free}
-        return {"backend": of.manifest["backend"], "params": params,
-                "rules": {slot: rule for slot, rule in of.manifest.get("rules", {}).items() if slot not in free}}
+        return {
+            "backend": of.manifest["backend"],
+            "params": params,
+            "rules": {slot: rule for slot, rule in of.manifest.get("rules", {}).items() if slot not in free},
+        }
+
     if why := first_difference(rest(run), rest(shadow)):
         refuse(why)
     if changes_of(run) != changes_of(shadow):
@@ -430,8 +505,10 @@ def _cut(run: PooledRun, until_s: float) -> PooledRun:
         times = run.load("agents.csv", metrics.AGENTS, [])["time_s"]
         reached_s = float(times.iloc[-1]) if len(times) else 0.0
     if reached_s < until_s:
-        raise RunError(f"{run.path}: reached {number_text(reached_s)} s (status {run.manifest['status']}): must be >= {number_text(until_s)} s, as "
-                       "--until asks")
+        raise RunError(
+            f"{run.path}: reached {number_text(reached_s)} s (status {run.manifest['status']}): must be >= {number_text(until_s)} s, as "
+            "--until asks"
+        )
     return dataclasses.replace(run, until_s=until_s)
 
 
@@ -439,7 +516,9 @@ def _flat(of: Any, at: str = "") -> dict[str, str]:
     if not isinstance(of, (dict, list)) or not of:
         return {at: json.dumps(of)}
     items = of.items() if isinstance(of, dict) else enumerate(of)
-    return {key: value for name, part in items for key, value in _flat(part, f"{at}/{name}" if at else str(name)).items()}
+    return {
+        key: value for name, part in items for key, value in _flat(part, f"{at}/{name}" if at else str(name)).items()
+    }
 
 
 def _is_plain(text: str) -> bool:
@@ -450,7 +529,13 @@ def _not_plain(value: Any) -> str | None:
     """The first text with a control character in a value of a JSON file."""
     if isinstance(value, str):
         return None if _is_plain(value) else value
-    parts = [part for item in value.items() for part in item] if isinstance(value, dict) else value if isinstance(value, list) else []
+    parts = (
+        [part for item in value.items() for part in item]
+        if isinstance(value, dict)
+        else value
+        if isinstance(value, list)
+        else []
+    )
     return next((found for part in parts if (found := _not_plain(part)) is not None), None)
 
 
@@ -476,7 +561,10 @@ def _checked(run: PooledRun, file: str, texts: pandas.DataFrame) -> pandas.DataF
     def refuse_first(wrong: pandas.Series, must: str) -> None:
         if wrong.any():
             place = wrong.idxmax()
-            raise RunError(f'{run.path / file}:{place + 2}: {wrong.name} = "{excerpt(texts[wrong.name][place])}": must be {must}')
+            raise RunError(
+                f'{run.path / file}:{place + 2}: {wrong.name} = "{excerpt(texts[wrong.name][place])}": must be {must}'
+            )
+
     for name in texts:
         cells = texts[name]
         if name == "species":
@@ -487,13 +575,17 @@ def _checked(run: PooledRun, file: str, texts: pandas.DataFrame) -> pandas.DataF
             refuse_first(~cells.isin(["0", "1"]), "0 or 1")
         elif name in _NUMBERS:
             numbers = pandas.to_numeric(cells, errors="coerce")
-            refuse_first(cells.str.lower().isin(["nan", "-nan", "inf", "-inf"]) | (numbers.abs() == float("inf")), "finite")
+            refuse_first(
+                cells.str.lower().isin(["nan", "-nan", "inf", "-inf"]) | (numbers.abs() == float("inf")), "finite"
+            )
             refuse_first(numbers.isna(), "a number")
         else:
             is_whole = cells.str.fullmatch(r"-?\d{1,18}" if name == "tag" else r"\d{1,18}")
             refuse_first(~(is_whole | ((cells == "") & (name in _OPTIONAL))), "a whole number in range")
         is_text = name == "species" or name in _NAMES
-        frame[name] = cells if is_text else cells.replace("", "nan").astype(float if name in _NUMBERS + _OPTIONAL else "int64")
+        frame[name] = (
+            cells if is_text else cells.replace("", "nan").astype(float if name in _NUMBERS + _OPTIONAL else "int64")
+        )
     refuse_first(~frame.time_s.between(0.0, MOST_TIME_S + _LONGEST_TICK_S), f">= 0 and <= {number_text(MOST_TIME_S)}")
     if file == "agents.csv":
         refuse_first(frame.tick % run.every_ticks != 0, f"a multiple of {run.every_ticks}, as its manifest says")

@@ -30,7 +30,9 @@ def chosen_program(request: dict) -> str:
 def call(program: str, arguments: list, what: str) -> str:
     """Calls a program and returns what it remarks on standard error. Raises ProgramError with its sentence, or with `what` and the exit code, if it fails."""
     try:
-        done = subprocess.run([program, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        done = subprocess.run(
+            [program, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
+        )
     except OSError as error:
         raise ProgramError(f"{program}: {error.strerror}") from None
     if done.returncode != 0:
@@ -46,11 +48,13 @@ class Page:
 
     def _repr_html_(self) -> str:
         import html
+
         text = html.escape(self.path.read_text(), quote=True)
         return f'<iframe srcdoc="{text}" style="width: 100%; height: 640px; border: 1px solid #ccc"></iframe>'
 
     def open(self) -> None:
         import webbrowser
+
         webbrowser.open(self.path.resolve().as_uri())
 
 
@@ -58,6 +62,7 @@ def show(folder: pathlib.Path, out: str | os.PathLike | None = None) -> Page:
     """A page of the recorded run in a folder, in `out` or in a temporary file."""
     if out is None:
         import tempfile
+
         out = pathlib.Path(tempfile.mkdtemp(prefix="trophic-")) / "run.html"
     call(find_program("trophic"), ["show", folder, "-o", out], "trophic show")
     return Page(pathlib.Path(out))

@@ -24,8 +24,21 @@ import numpy
 import pandas
 from scipy import special
 
-from .statistics import (MIN_RUNS_FOR_TEST, Contrast, Difference, Estimate, Interval, adjust_together, contrast, deviation_of, difference_of, estimate,
-                         interval_of, scatter_of, test_equivalence)
+from .statistics import (
+    MIN_RUNS_FOR_TEST,
+    Contrast,
+    Difference,
+    Estimate,
+    Interval,
+    adjust_together,
+    contrast,
+    deviation_of,
+    difference_of,
+    estimate,
+    interval_of,
+    scatter_of,
+    test_equivalence,
+)
 from .values import SHADOW, MeasuredSet, Metric
 
 DURATION_S = 6000.0
@@ -38,12 +51,14 @@ TABLES = ("paper", "released")
 
 class Spread(NamedTuple):
     """The standard deviation between runs of one system, in SI units, and its source."""
+
     deviation: float
     origin: str
 
 
 class ClaimReading(NamedTuple):
     """One way to read a claim: the metric of ours that counts what it counts, and the number to compare with, a mean over RUNS runs."""
+
     metric: Metric
     value: float
     spread: Spread | None
@@ -63,6 +78,7 @@ class Claim(NamedTuple):
 
 class ReadingConclusion(NamedTuple):
     """Ours compared with the published number under one reading."""
+
     reading: ClaimReading
     ours: Estimate
     difference: float | None = None
@@ -84,6 +100,7 @@ class ClaimConclusion(NamedTuple):
 
 class Question(NamedTuple):
     """Whether something evolves: whether runs differ from their neutral shadow."""
+
     text: str
     above: str
     """the answer if they lie above it"""
@@ -95,13 +112,20 @@ class Question(NamedTuple):
 
 class Effect(NamedTuple):
     """The difference from the neutral shadow under one reading."""
+
     reading: ClaimReading
     difference: Difference
     """corrected for the family of the analysis, in which the reading stands in the place of the metric that it repeats"""
 
     @property
     def conclusion(self) -> str:
-        return "inconclusive" if not self.difference.differs() else "above" if (self.difference.value or 0.0) > 0.0 else "below"
+        return (
+            "inconclusive"
+            if not self.difference.differs()
+            else "above"
+            if (self.difference.value or 0.0) > 0.0
+            else "below"
+        )
 
 
 class Answer(NamedTuple):
@@ -111,12 +135,20 @@ class Answer(NamedTuple):
 
     @property
     def shown(self) -> Effect:
-        return max(self.effects, key=lambda each: (each.reading.metric.group == self.question.shown.group, each.reading.metric == self.question.shown))
+        return max(
+            self.effects,
+            key=lambda each: (
+                each.reading.metric.group == self.question.shown.group,
+                each.reading.metric == self.question.shown,
+            ),
+        )
 
     @property
     def runs_needed(self) -> int | None:
         """The runs in each set that would find every effect that is not significant, if all stay as they are; None if 1000 would not."""
-        needed = [each.difference.runs_needed() or MOST_RUNS + 1 for each in self.effects if each.conclusion == "inconclusive"]
+        needed = [
+            each.difference.runs_needed() or MOST_RUNS + 1 for each in self.effects if each.conclusion == "inconclusive"
+        ]
         return max(needed) if needed and max(needed) <= MOST_RUNS else None
 
     def __str__(self) -> str:
@@ -128,7 +160,9 @@ class Answer(NamedTuple):
         if len(found) == 1:
             return words[found.pop()]
         choices = [(words[side], *_condition_for(self.effects, side)) for side in words if side in found]
-        text = f"depends on {choices[0][1]}: " + "; ".join(f"{answer} if {condition}" for answer, _, condition in choices)
+        text = f"depends on {choices[0][1]}: " + "; ".join(
+            f"{answer} if {condition}" for answer, _, condition in choices
+        )
         return text + (f" ({self.runs_needed} runs would decide the rest)" if self.runs_needed else "")
 
 
@@ -139,7 +173,8 @@ def _logs(deviation: float) -> Spread:
 
 def _ours(deviation: float) -> Spread:
     """No log of positions of the ten runs is at hand, so between ten runs of `released` on MuJoCo, from half the width of their 95 % intervals times
-    sqrt(10) / 2.262; of the readings that leave out some members between six runs of 6000 s whose control starts after one period."""
+    sqrt(10) / 2.262; of the readings that leave out some members between six runs of 6000 s whose control starts after one period.
+    """
     return Spread(deviation, "our runs")
 
 
@@ -154,39 +189,114 @@ _CAUGHT = _logs(0.037)
 _TAGS = Spread(0.065, "published range")  # the range of ten runs, 0.33 to 0.53, over 3.08 [tippett1925]
 
 
-def _velocities(species: str, value: float, parts: Sequence[tuple[str, str, Spread, Spread]]) -> tuple[ClaimReading, ...]:
+def _velocities(
+    species: str, value: float, parts: Sequence[tuple[str, str, Spread, Spread]]
+) -> tuple[ClaimReading, ...]:
     """The readings of a velocity; parts: (group, members, spread of velocity_stored, spread of velocity)."""
-    ways = (("velocity_stored", "the adversary is the stored one"), ("velocity", "the adversary is the closest that is perceived"),
-            ("velocity_points", "velocity is measured only every 200 s"))
-    return tuple(ClaimReading(Metric(metric, species, group, "m/s"), value, spread, "text", members, counting)
-                 for group, members, stored, current in parts for (metric, counting), spread in zip(ways, (stored, current, _instead(stored))))
+    ways = (
+        ("velocity_stored", "the adversary is the stored one"),
+        ("velocity", "the adversary is the closest that is perceived"),
+        ("velocity_points", "velocity is measured only every 200 s"),
+    )
+    return tuple(
+        ClaimReading(Metric(metric, species, group, "m/s"), value, spread, "text", members, counting)
+        for group, members, stored, current in parts
+        for (metric, counting), spread in zip(ways, (stored, current, _instead(stored)))
+    )
 
 
-def _share(metric: str, species: str, group: str, value: float, spread: Spread, source: str = "text", members: str = "",
-           counting: str = "") -> ClaimReading:
+def _share(
+    metric: str,
+    species: str,
+    group: str,
+    value: float,
+    spread: Spread,
+    source: str = "text",
+    members: str = "",
+    counting: str = "",
+) -> ClaimReading:
     return ClaimReading(Metric(metric, species, group, "1"), value, spread, source, members, counting)
 
 
 CLAIMS = (
-    Claim("attribution of predators",
-          (_share("attribution_credited", "predator", "all", 0.725, _logs(0.032), "text", "", "prey deaths are credited to the last killer"),
-           _share("attribution_catches", "predator", "all", 0.743, _logs(0.034), "logs", "", "catches count"),
-           _share("attribution_catchers", "predator", "all", 0.717, _logs(0.038), "logs", "", "predators that ever caught count"))),
-    Claim("attribution of prey",
-          (_share("attribution_caught", "prey", "all", 0.65, _CAUGHT, "text", "", "the caught count as in the text"),
-           _share("attribution_caught", "prey", "all", 0.614, _CAUGHT, "logs", "", "the caught count as in the logs"),
-           _share("attribution_died", "prey", "all", 0.620, _logs(0.028), "logs", "", "all dead count as in the logs"))),
-    Claim("velocity of predators", _velocities("predator", 0.0195, (("all", _EVERY, _ours(0.00224), _instead(_ours(0.00224))),
-                                                                    ("inherited", _INHERITED, _ours(0.0021), _ours(0.0021))))),
-    Claim("velocity of prey", _velocities("prey", -0.0067, (("all", _EVERY, _ours(0.00161), _instead(_ours(0.00161))),
-                                                            ("active", _ACTIVE, _ours(0.0013), _ours(0.0013))))),
-    Claim("prey at walls", (_share("wall_sticking", "prey", "all", 0.60, _ours(0.051), "text", _EVERY),
-                            _share("wall_sticking", "prey", "active", 0.60, _ours(0.053), "text", _ACTIVE))),
+    Claim(
+        "attribution of predators",
+        (
+            _share(
+                "attribution_credited",
+                "predator",
+                "all",
+                0.725,
+                _logs(0.032),
+                "text",
+                "",
+                "prey deaths are credited to the last killer",
+            ),
+            _share("attribution_catches", "predator", "all", 0.743, _logs(0.034), "logs", "", "catches count"),
+            _share(
+                "attribution_catchers",
+                "predator",
+                "all",
+                0.717,
+                _logs(0.038),
+                "logs",
+                "",
+                "predators that ever caught count",
+            ),
+        ),
+    ),
+    Claim(
+        "attribution of prey",
+        (
+            _share("attribution_caught", "prey", "all", 0.65, _CAUGHT, "text", "", "the caught count as in the text"),
+            _share("attribution_caught", "prey", "all", 0.614, _CAUGHT, "logs", "", "the caught count as in the logs"),
+            _share("attribution_died", "prey", "all", 0.620, _logs(0.028), "logs", "", "all dead count as in the logs"),
+        ),
+    ),
+    Claim(
+        "velocity of predators",
+        _velocities(
+            "predator",
+            0.0195,
+            (
+                ("all", _EVERY, _ours(0.00224), _instead(_ours(0.00224))),
+                ("inherited", _INHERITED, _ours(0.0021), _ours(0.0021)),
+            ),
+        ),
+    ),
+    Claim(
+        "velocity of prey",
+        _velocities(
+            "prey",
+            -0.0067,
+            (
+                ("all", _EVERY, _ours(0.00161), _instead(_ours(0.00161))),
+                ("active", _ACTIVE, _ours(0.0013), _ours(0.0013)),
+            ),
+        ),
+    ),
+    Claim(
+        "prey at walls",
+        (
+            _share("wall_sticking", "prey", "all", 0.60, _ours(0.051), "text", _EVERY),
+            _share("wall_sticking", "prey", "active", 0.60, _ours(0.053), "text", _ACTIVE),
+        ),
+    ),
     Claim("predators at walls", (_share("wall_sticking", "predator", "all", 0.39, _ours(0.0356)),)),
-    Claim("prey at walls more than predators", (_share("wall_sticking_gap", "prey-predator", "all", 0.21, _ours(0.031), "text", _EVERY),
-                                                _share("wall_sticking_gap", "prey-predator", "active", 0.21, _ours(0.058), "text", _ACTIVE))),
-    Claim("tag symmetry", (_share("tag_symmetry", "prey+predator", "inherited", 0.43, _TAGS, "text", "every inherited member counts"),
-                           _share("tag_symmetry", "prey+predator", "inherited_active", 0.43, _TAGS, "text", _ACTIVE))),
+    Claim(
+        "prey at walls more than predators",
+        (
+            _share("wall_sticking_gap", "prey-predator", "all", 0.21, _ours(0.031), "text", _EVERY),
+            _share("wall_sticking_gap", "prey-predator", "active", 0.21, _ours(0.058), "text", _ACTIVE),
+        ),
+    ),
+    Claim(
+        "tag symmetry",
+        (
+            _share("tag_symmetry", "prey+predator", "inherited", 0.43, _TAGS, "text", "every inherited member counts"),
+            _share("tag_symmetry", "prey+predator", "inherited_active", 0.43, _TAGS, "text", _ACTIVE),
+        ),
+    ),
     Claim("time with 8 predators", (_share("ticks_at", "predator", "8", 0.305, _logs(0.030), "logs"),)),
     Claim("prey caught in a run", (_share("deaths", "prey", "caught", 164.3, _logs(7.9), "logs"),)),
     Claim("prey sacrificed in a run", (_share("deaths", "prey", "sacrificed", 33.6, _logs(4.9), "logs"),)),
@@ -194,24 +304,58 @@ CLAIMS = (
 )
 
 
-def _question(text: str, above: str, below: str, shown: tuple[str, str, str], claim: str, more: tuple[ClaimReading, ...] = ()) -> Question:
+def _question(
+    text: str, above: str, below: str, shown: tuple[str, str, str], claim: str, more: tuple[ClaimReading, ...] = ()
+) -> Question:
     """A question under the readings of a claim, and under more."""
     readings = next(one.readings for one in CLAIMS if one.title == claim) + more
     return Question(text, above, below, next(one.metric for one in readings if one.metric[:3] == shown), readings)
 
 
 QUESTIONS = (
-    _question("Do predators evolve to chase prey?", "yes, they approach faster", "no, they approach more slowly", ("velocity", "predator", "inherited"),
-              "velocity of predators"),
-    _question("Do prey evolve to flee?", "no, they approach", "yes, they move away faster", ("velocity", "prey", "inherited"), "velocity of prey",
-              _velocities("prey", -0.0067, (("inherited", _INHERITED, _ours(0.0013), _ours(0.0013)),))),
-    _question("Do inherited predators make more of the catches?", "yes, more", "no, less", ("attribution_catches", "predator", "all"),
-              "attribution of predators"),
-    _question("Does wall-following of prey evolve?", "yes, more at walls", "yes, less at walls", ("wall_sticking", "prey", "all"), "prey at walls"),
-    _question("Does wall-following of predators evolve?", "yes, more at walls", "yes, less at walls", ("wall_sticking", "predator", "all"),
-              "predators at walls"),
-    _question("Do the tags of the two species become more alike?", "yes, more alike", "no, less alike", ("tag_symmetry", "prey+predator", "inherited"),
-              "tag symmetry"),
+    _question(
+        "Do predators evolve to chase prey?",
+        "yes, they approach faster",
+        "no, they approach more slowly",
+        ("velocity", "predator", "inherited"),
+        "velocity of predators",
+    ),
+    _question(
+        "Do prey evolve to flee?",
+        "no, they approach",
+        "yes, they move away faster",
+        ("velocity", "prey", "inherited"),
+        "velocity of prey",
+        _velocities("prey", -0.0067, (("inherited", _INHERITED, _ours(0.0013), _ours(0.0013)),)),
+    ),
+    _question(
+        "Do inherited predators make more of the catches?",
+        "yes, more",
+        "no, less",
+        ("attribution_catches", "predator", "all"),
+        "attribution of predators",
+    ),
+    _question(
+        "Does wall-following of prey evolve?",
+        "yes, more at walls",
+        "yes, less at walls",
+        ("wall_sticking", "prey", "all"),
+        "prey at walls",
+    ),
+    _question(
+        "Does wall-following of predators evolve?",
+        "yes, more at walls",
+        "yes, less at walls",
+        ("wall_sticking", "predator", "all"),
+        "predators at walls",
+    ),
+    _question(
+        "Do the tags of the two species become more alike?",
+        "yes, more alike",
+        "no, less alike",
+        ("tag_symmetry", "prey+predator", "inherited"),
+        "tag symmetry",
+    ),
 )
 
 
@@ -228,6 +372,7 @@ def value_of(metric: Metric) -> float | None:
 def applies_to(of: MeasuredSet) -> bool:
     """Whether published numbers stand next to those of a set: its rules are a published table's, with the table's parameters, on any engine."""
     from .description import describe
+
     said = describe(of)
     return said.table in TABLES and said.label == said.table
 
@@ -243,7 +388,7 @@ def less_published(ours: Contrast, reading: ClaimReading) -> Contrast:
     spread that error is unknown and left out."""
     if reading.spread is None:
         return ours._replace(value=ours.value - reading.value)
-    theirs, own = reading.spread.deviation ** 2 / RUNS, ours.error ** 2
+    theirs, own = reading.spread.deviation**2 / RUNS, ours.error**2
     squares = theirs * theirs / (RUNS - 1) + own * own / ours.freedom
     return Contrast(ours.value - reading.value, math.sqrt(own + theirs), (own + theirs) ** 2 / squares)
 
@@ -260,11 +405,16 @@ def conclusion_on(difference: Contrast, margin: float | None) -> str:
         the published system: "reproduced"               19 %   38 %   60 %   68 %   78 %   82 %
         two margins away: "not reproduced"               93 %   99 %   100 %  100 %  100 %  100 %
 
-    All other cases of these are "inconclusive", but for the errors. Only more published runs would take "reproduced" beyond 82 %."""
+    All other cases of these are "inconclusive", but for the errors. Only more published runs would take "reproduced" beyond 82 %.
+    """
     if margin is None:
         return "no conclusion"
-    return {"equivalent": "reproduced", "different": "not reproduced", "inconclusive": "inconclusive",
-            "unknown": "no conclusion"}[test_equivalence(difference, margin).conclusion]
+    return {
+        "equivalent": "reproduced",
+        "different": "not reproduced",
+        "inconclusive": "inconclusive",
+        "unknown": "no conclusion",
+    }[test_equivalence(difference, margin).conclusion]
 
 
 def runs_to_decide(reading: ClaimReading, mean: float, deviation: float) -> int | None:
@@ -273,8 +423,8 @@ def runs_to_decide(reading: ClaimReading, mean: float, deviation: float) -> int 
     if margin is None:
         return None
     runs = numpy.arange(MIN_RUNS_FOR_TEST, MOST_RUNS + 1)
-    own, theirs = deviation ** 2 / runs, margin ** 2 / RUNS
-    error, freedom = numpy.sqrt(own + theirs), (own + theirs) ** 2 / (theirs ** 2 / (RUNS - 1) + own ** 2 / (runs - 1))
+    own, theirs = deviation**2 / runs, margin**2 / RUNS
+    error, freedom = numpy.sqrt(own + theirs), (own + theirs) ** 2 / (theirs**2 / (RUNS - 1) + own**2 / (runs - 1))
     off = abs(mean - reading.value)
     decides = (off + error * special.stdtrit(freedom, 0.95) < margin) | (off > error * special.stdtrit(freedom, 0.975))
     return int(runs[decides.argmax()]) if decides.any() else None
@@ -299,21 +449,32 @@ def _distinct(readings: Sequence[ClaimReading], *sets: MeasuredSet) -> list[Clai
     for reading in readings:
         if any((reading.metric, "") not in of.table for of in sets):
             continue
-        place = next((i for i, one in enumerate(kept) if all(_is_one_number(one, reading, of) for of in sets)), len(kept))
-        members, counting = (one if other in one else f"{one} or {other}" for one, other in zip((kept + [reading])[place][-2:], reading[-2:]))
-        kept[place:place + 1] = [(kept + [reading])[place]._replace(members=members, counting=counting)]
+        place = next(
+            (i for i, one in enumerate(kept) if all(_is_one_number(one, reading, of) for of in sets)), len(kept)
+        )
+        members, counting = (
+            one if other in one else f"{one} or {other}"
+            for one, other in zip((kept + [reading])[place][-2:], reading[-2:])
+        )
+        kept[place : place + 1] = [(kept + [reading])[place]._replace(members=members, counting=counting)]
     return kept
 
 
 def _is_one_number(one: ClaimReading, other: ClaimReading, of: MeasuredSet) -> bool:
     a, b = (of.table[reading.metric, ""] for reading in (one, other))
-    return one.value == other.value and numpy.allclose(a, b, rtol=0.0, atol=0.01 * (deviation_of(a) or 0.0), equal_nan=True)
+    return one.value == other.value and numpy.allclose(
+        a, b, rtol=0.0, atol=0.01 * (deviation_of(a) or 0.0), equal_nan=True
+    )
 
 
 def judge_claims(of: MeasuredSet) -> list[ClaimConclusion]:
     """Every claim about metrics that the runs have, under each of its readings."""
-    judged = [ClaimConclusion(claim, tuple(judge(reading, of.table[reading.metric, ""]) for reading in _distinct(claim.readings, of)))
-              for claim in CLAIMS]
+    judged = [
+        ClaimConclusion(
+            claim, tuple(judge(reading, of.table[reading.metric, ""]) for reading in _distinct(claim.readings, of))
+        )
+        for claim in CLAIMS
+    ]
     return [claim for claim in judged if claim.readings]
 
 
@@ -347,11 +508,17 @@ def summary_of(claim: ClaimConclusion) -> str:
     if len(conclusions) == 1:
         return conclusions[0]
     if len(set(conclusions)) == 1:
-        return {"no conclusion": "no conclusion under any reading", "not reproduced": "not reproduced under any reading"}.get(
-            conclusions[0], f"{conclusions[0]} under every reading")
+        return {
+            "no conclusion": "no conclusion under any reading",
+            "not reproduced": "not reproduced under any reading",
+        }.get(conclusions[0], f"{conclusions[0]} under every reading")
     if "reproduced" in conclusions:
         return "depends on {}: reproduced if {}".format(*_condition_for(claim.readings, "reproduced"))
-    open_if = ", inconclusive if " + _condition_for(claim.readings, "inconclusive")[1] if "inconclusive" in conclusions else ""
+    open_if = (
+        ", inconclusive if " + _condition_for(claim.readings, "inconclusive")[1]
+        if "inconclusive" in conclusions
+        else ""
+    )
     return f"reproduced under no reading{open_if}"
 
 
@@ -361,6 +528,8 @@ def _condition_for(readings: Sequence[ReadingConclusion | Effect], conclusion: s
     of_it = [each.reading for each in readings if each.conclusion == conclusion]
     for part, choice in (("members", "who counts"), ("counting", "how it is counted")):
         ways = list(dict.fromkeys(getattr(each, part) for each in of_it))
-        if all(ways) and all((each.conclusion == conclusion) == (getattr(each.reading, part) in ways) for each in readings):
+        if all(ways) and all(
+            (each.conclusion == conclusion) == (getattr(each.reading, part) in ways) for each in readings
+        ):
             return choice, " or ".join(ways)
     return "the reading", ", or ".join(" and ".join(filter(None, (each.members, each.counting))) for each in of_it)

@@ -102,7 +102,9 @@ def _blocks(path, content):
             bodies[0].append(_body(path, data))
         elif kind == b"WHO " and head["version"] == VERSION_OF_BODIES:
             numbers = struct.unpack(f"<{size // 4}I", data) if size % 8 == 4 else (0, head["robots"], 0)
-            known = [number < head["robots"] for number in numbers[1::2]] + [number < len(bodies[0]) for number in numbers[2::2]]
+            known = [number < head["robots"] for number in numbers[1::2]] + [
+                number < len(bodies[0]) for number in numbers[2::2]
+            ]
             if not all(known) or numbers[0] < frames:
                 raise RecordingError(f"{path}: damaged, a block of other robots or bodies at byte {at}")
             bodies[1].extend((numbers[0], robot, body) for robot, body in zip(numbers[1::2], numbers[2::2]))
@@ -134,11 +136,15 @@ def _head(path, kind, before, data):
     except (KeyError, TypeError, ValueError, RecursionError) as reason:
         raise RecordingError(f"{path}: its head cannot be read: {reason!r}") from None
     if version not in (VERSION, VERSION_OF_BODIES):
-        raise RecordingError(f"{path}: version {version!r} of the format; this program reads {VERSION} and {VERSION_OF_BODIES}")
+        raise RecordingError(
+            f"{path}: version {version!r} of the format; this program reads {VERSION} and {VERSION_OF_BODIES}"
+        )
     for name, number in numbers.items():
         least = {"robots": 1, "joints": 0, "frames_per_tick": 1, "steps_per_tick": 1}.get(name)
         if type(number) not in ((int, float) if least is None else (int,)) or not abs(number) < 2**32:
-            raise RecordingError(f"{path}: {name} = {number!r}: must be a {'' if least is None else 'whole '}number below 2^32")
+            raise RecordingError(
+                f"{path}: {name} = {number!r}: must be a {'' if least is None else 'whole '}number below 2^32"
+            )
         if least is not None and number < least:
             raise RecordingError(f"{path}: {name} = {number!r}: must be >= {least}")
     return head
@@ -182,7 +188,14 @@ def _recording(head, frames, values, complete, bodies):
     if bodies[0]:
         hinges = numpy.array([one.pop("hinges") for one in bodies[0]])
         joints = numpy.where(numpy.arange(joints.shape[-1]) < hinges[body][..., None], joints, numpy.nan)
-    return Recording(head=head, time_s=head["first_time_s"] + (frames // per_tick + step / steps) * head["tick_s"],
-                     position_m=units["position_m"] * values[..., :3],
-                     orientation=orientation / numpy.linalg.norm(orientation, axis=-1, keepdims=True),
-                     joint_rad=joints, complete=complete, bodies=bodies[0] or [head["robot"]], body=body, set_down=set_down)
+    return Recording(
+        head=head,
+        time_s=head["first_time_s"] + (frames // per_tick + step / steps) * head["tick_s"],
+        position_m=units["position_m"] * values[..., :3],
+        orientation=orientation / numpy.linalg.norm(orientation, axis=-1, keepdims=True),
+        joint_rad=joints,
+        complete=complete,
+        bodies=bodies[0] or [head["robot"]],
+        body=body,
+        set_down=set_down,
+    )

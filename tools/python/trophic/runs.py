@@ -22,8 +22,24 @@ from .errors import RunError
 
 TABLES = ("events", "agents", "phylogeny", "genomes", "senses", "states")
 # Columns of texts, whose empty cells are empty texts.
-_TEXT = ("same_as", "null", "compared", "event", "species", "cause", "cause_of_death", "origin", "unit", "metric", "group", "baseline", "set", "swap", "tag_outcome",
-         "ancestor_list")
+_TEXT = (
+    "same_as",
+    "null",
+    "compared",
+    "event",
+    "species",
+    "cause",
+    "cause_of_death",
+    "origin",
+    "unit",
+    "metric",
+    "group",
+    "baseline",
+    "set",
+    "swap",
+    "tag_outcome",
+    "ancestor_list",
+)
 # Columns of whole numbers that are never empty. All other numbers may have empty cells or fractions in some run.
 _WHOLE = ("tick", "id", "body", "genome_id", "active", "tag", "tag_at_birth")
 _CATEGORIES = ("event", "species", "cause", "cause_of_death", "origin", "tag_outcome", "run", "set")
@@ -93,7 +109,10 @@ class Run:
 
     def _repr_html_(self) -> str:
         one = description.describe(Runs(self.path, [self]))
-        return description.card(str(self.path), {**one.facts(), "seed": self.seed, "status": self.manifest["status"], **self.manifest.get("result", {})})
+        return description.card(
+            str(self.path),
+            {**one.facts(), "seed": self.seed, "status": self.manifest["status"], **self.manifest.get("result", {})},
+        )
 
     @functools.cached_property
     def events(self) -> pandas.DataFrame:
@@ -178,7 +197,9 @@ class Runs:
                 try:
                     value = pandas.DataFrame({name: [float(value)]})
                 except (TypeError, ValueError):
-                    raise RunError(f"{run.path}: {name}: must return a number or a frame, not {type(value).__name__}") from None
+                    raise RunError(
+                        f"{run.path}: {name}: must return a number or a frame, not {type(value).__name__}"
+                    ) from None
             if name not in value.columns:
                 raise RunError(f"{run.path}: {name}: the frame has no column {name}")
             tables.append((run, value))
@@ -223,7 +244,12 @@ class Analysis:
     def _repr_html_(self) -> str:
         sets = {one["set"]: one["description"] for one in self.summary["sets"]}
         sentences = [*self.findings, self.summary["family"]["sentence"]]
-        return description.card(str(self.path or "analysis"), sets) + "<ul>" + "".join(f"<li>{html.escape(one)}</li>" for one in sentences) + "</ul>"
+        return (
+            description.card(str(self.path or "analysis"), sets)
+            + "<ul>"
+            + "".join(f"<li>{html.escape(one)}</li>" for one in sentences)
+            + "</ul>"
+        )
 
 
 def read_run(path: str | os.PathLike) -> Run:
@@ -247,7 +273,11 @@ def read_runs(path: str | os.PathLike, *, incomplete: bool = False, accept_other
     path = pathlib.Path(path)
     numbered = {folder.name.removeprefix("replicate-"): folder for folder in path.glob("replicate-*")}
     folders = [numbered[number] for number in sorted(filter(str.isdigit, numbered), key=int)]
-    runs = [run for folder in folders if (folder / "manifest.json").exists() and ((run := read_run(folder)).complete or incomplete)]
+    runs = [
+        run
+        for folder in folders
+        if (folder / "manifest.json").exists() and ((run := read_run(folder)).complete or incomplete)
+    ]
     if not runs:
         raise RunError(f"{path}: no {'' if incomplete else 'complete '}replicates")
     identities = {run.identity for run in runs}
@@ -255,19 +285,32 @@ def read_runs(path: str | os.PathLike, *, incomplete: bool = False, accept_other
         raise RunError(f"{path}: runs of different fingerprints: {', '.join(sorted(identities))}")
     builds = {tuple(run.builds) for run in runs}
     if len(builds) > 1 and not accept_other_build:
-        raise RunError(f"{path}: made by different builds: {', '.join(' and '.join(each) or 'unknown' for each in sorted(builds))}; accept_other_build=True reads them")
-    nulls = [read_runs(path / name, incomplete=incomplete, accept_other_build=accept_other_build) if (path / name).is_dir() else None
-             for name in ("shadow", "neutral")]
+        raise RunError(
+            f"{path}: made by different builds: {', '.join(' and '.join(each) or 'unknown' for each in sorted(builds))}; accept_other_build=True reads them"
+        )
+    nulls = [
+        read_runs(path / name, incomplete=incomplete, accept_other_build=accept_other_build)
+        if (path / name).is_dir()
+        else None
+        for name in ("shadow", "neutral")
+    ]
     return Runs(path, runs, *nulls)
 
 
-def read_study(path: str | os.PathLike, *, incomplete: bool = False, accept_other_build: bool = False) -> dict[str, Runs]:
+def read_study(
+    path: str | os.PathLike, *, incomplete: bool = False, accept_other_build: bool = False
+) -> dict[str, Runs]:
     """Reads every set of runs below this folder, by its path from there: a sweep, or the swaps of an ablation study."""
     path = pathlib.Path(path)
-    folders = sorted(file.parent for file in path.rglob("replicates.json") if file.parent.name not in ("shadow", "neutral"))
+    folders = sorted(
+        file.parent for file in path.rglob("replicates.json") if file.parent.name not in ("shadow", "neutral")
+    )
     if not folders:
         raise RunError(f"{path}: no set of runs (replicates.json) below it")
-    return {str(folder.relative_to(path)): read_runs(folder, incomplete=incomplete, accept_other_build=accept_other_build) for folder in folders}
+    return {
+        str(folder.relative_to(path)): read_runs(folder, incomplete=incomplete, accept_other_build=accept_other_build)
+        for folder in folders
+    }
 
 
 def read_analysis(path: str | os.PathLike) -> Analysis:
@@ -289,8 +332,10 @@ def verify(path: str | os.PathLike) -> None:
         if "recording" in run.manifest:
             recording, expected = run.path / "replay.trp", run.manifest["recording"]["crc32"]
             if (found := zlib.crc32(content(recording))) != expected:
-                raise RunError(f"{recording}: has checksum {found}: must be {expected}, as its manifest says; the recording was cut or changed after "
-                               "the run")
+                raise RunError(
+                    f"{recording}: has checksum {found}: must be {expected}, as its manifest says; the recording was cut or changed after "
+                    "the run"
+                )
     except (AttributeError, KeyError, TypeError):
         raise RunError(f"{run.path}/manifest.json: tables, recording: must be as trophic writes them") from None
     if run.complete and "format" in run.manifest and (run.path / "checkpoint.bin").exists():
@@ -302,15 +347,19 @@ def _check_checkpoint(run: Run) -> None:
     path = run.path / "checkpoint.bin"
     whole = content(path)
     if zlib.crc32(whole[:-4]) != int.from_bytes(whole[-4:], "little"):
-        raise RunError(f"{path}: is cut short or damaged: its checksum is another; without this file the run can be read, but not continued")
+        raise RunError(
+            f"{path}: is cut short or damaged: its checksum is another; without this file the run can be read, but not continued"
+        )
     at = whole.find(b"\n") + 5  # after the first line and the version of the format
     texts = []
     for _ in range(3):  # fingerprint, version and code of the program
-        length = int.from_bytes(whole[at:at + 8], "little")
-        texts.append(whole[at + 8:at + 8 + length].decode(errors="replace"))
+        length = int.from_bytes(whole[at : at + 8], "little")
+        texts.append(whole[at + 8 : at + 8 + length].decode(errors="replace"))
         at += 8 + length
-    if (texts[0], seed := int.from_bytes(whole[at:at + 8], "little")) != (run.fingerprint, run.seed):
-        raise RunError(f"{path}: is of fingerprint {texts[0]}, seed {seed}: must be of {run.fingerprint}, {run.seed}, as manifest.json")
+    if (texts[0], seed := int.from_bytes(whole[at : at + 8], "little")) != (run.fingerprint, run.seed):
+        raise RunError(
+            f"{path}: is of fingerprint {texts[0]}, seed {seed}: must be of {run.fingerprint}, {run.seed}, as manifest.json"
+        )
 
 
 def sealed(path: pathlib.Path) -> dict:
@@ -346,7 +395,9 @@ def _check_rows(path: pathlib.Path, table: pandas.DataFrame, species: list[str] 
         if column == "species" and species is not None:
             if unknown := sorted(set(table[column]) - set(species)):
                 raise RunError(f"{path}: species = {unknown[0]!r}: must be a species of the run's manifest")
-        elif column not in _TEXT and not (pandas.api.types.is_numeric_dtype(table[column]) and table[column].abs().max() != float("inf")):
+        elif column not in _TEXT and not (
+            pandas.api.types.is_numeric_dtype(table[column]) and table[column].abs().max() != float("inf")
+        ):
             raise RunError(f"{path}: {column}: must be finite numbers")
 
 
@@ -354,12 +405,15 @@ def check_sum(path: pathlib.Path, whole: bytes, expected: dict) -> None:
     """Raises RunError for a table that does not have the rows and the checksum that its run's manifest lists."""
     found = {"rows": max(0, whole.count(b"\n") - 1), "crc32": zlib.crc32(whole)}
     if found != {"rows": expected["rows"], "crc32": expected["crc32"]}:
-        raise RunError(f"{path}: has {found['rows']} rows and checksum {found['crc32']}: must be {expected['rows']} and {expected['crc32']}, as its manifest says; the table was cut or changed after the run")
+        raise RunError(
+            f"{path}: has {found['rows']} rows and checksum {found['crc32']}: must be {expected['rows']} and {expected['crc32']}, as its manifest says; the table was cut or changed after the run"
+        )
 
 
 def whole_lines(path: pathlib.Path, expected: dict | None, whole: bytes | None = None) -> bytes:
     """The lines of a table without the incomplete last one of a killed program. Raises RunError if it was changed, or is not a table. `whole`:
-    the file's bytes, if they were read. A table with the checksum that the manifest lists is as the program wrote it; the lines of any other are checked."""
+    the file's bytes, if they were read. A table with the checksum that the manifest lists is as the program wrote it; the lines of any other are checked.
+    """
     whole = content(path) if whole is None else whole
     if expected is not None:
         check_sum(path, whole, expected)
@@ -384,9 +438,19 @@ def _table(path: pathlib.Path, columns: list[str] | None = None, expected: dict 
     header = pandas.read_csv(io.BytesIO(lines), nrows=0).columns
     texts = {name: str for name in header if name in _TEXT or name == "run"}
     numbers = {name: [""] for name in header if name not in texts}
-    table = pandas.read_csv(io.BytesIO(lines), usecols=columns, dtype=texts, keep_default_na=False, na_values=numbers,
-                            float_precision="round_trip")  # else the last bit of a number may be another
-    if "tick" in table and len(table) > 0 and not (pandas.api.types.is_numeric_dtype(table["tick"]) and table["tick"].is_monotonic_increasing):
+    table = pandas.read_csv(
+        io.BytesIO(lines),
+        usecols=columns,
+        dtype=texts,
+        keep_default_na=False,
+        na_values=numbers,
+        float_precision="round_trip",
+    )  # else the last bit of a number may be another
+    if (
+        "tick" in table
+        and len(table) > 0
+        and not (pandas.api.types.is_numeric_dtype(table["tick"]) and table["tick"].is_monotonic_increasing)
+    ):
         raise RunError(f"{path}: tick: must be >= that of the row before")
     return table
 
@@ -399,7 +463,12 @@ def study_frames(study: Runs | dict[str, Runs], name: str) -> Iterator[pandas.Da
     such as the weights of a larger brain, is empty there. Raises RunError, naming the file, for a run without the table.
     """
     sets = study if isinstance(study, dict) else {study.path.name: study}
-    runs = [(label, is_shadow, run) for label, of in sets.items() for is_shadow, part in ((False, of), (True, of.shadow)) for run in part or []]
+    runs = [
+        (label, is_shadow, run)
+        for label, of in sets.items()
+        for is_shadow, part in ((False, of), (True, of.shadow))
+        for run in part or []
+    ]
     types: dict[str, str] = {}
     for _, _, run in runs:
         for column, its_type in _types(run, name).items():
@@ -407,9 +476,17 @@ def study_frames(study: Runs | dict[str, Runs], name: str) -> Iterator[pandas.Da
     for label, is_shadow, run in runs:
         frame = run.table(name).reindex(columns=list(types))
         for column, its_type in types.items():
-            frame[column] = frame[column].fillna("").astype(str) if its_type == "object" else frame[column].astype(its_type)
-        for place, (column, value, its_type) in enumerate((("set", label, "object"), ("shadow", is_shadow, "bool"), ("run", run.path.name, "object"),
-                                                           ("seed", run.seed, "uint64"))):
+            frame[column] = (
+                frame[column].fillna("").astype(str) if its_type == "object" else frame[column].astype(its_type)
+            )
+        for place, (column, value, its_type) in enumerate(
+            (
+                ("set", label, "object"),
+                ("shadow", is_shadow, "bool"),
+                ("run", run.path.name, "object"),
+                ("seed", run.seed, "uint64"),
+            )
+        ):
             frame.insert(place, column, pandas.Series(value, index=frame.index, dtype=its_type))
         yield frame
 
@@ -423,11 +500,17 @@ def _types(run: Run, name: str) -> dict[str, str]:
                 header = file.readline().rstrip("\n").split(",")
         except OSError as error:
             raise RunError(f"{path}: cannot be read: {error.strerror}") from None
-        return {column: "object" if column in _TEXT else "int64" if column in _WHOLE else "float64" for column in header}
+        return {
+            column: "object" if column in _TEXT else "int64" if column in _WHOLE else "float64" for column in header
+        }
     return {column: "object" if dtype == object else "float64" for column, dtype in run.table(name).dtypes.items()}
 
 
-def to_parquet(study: Runs | dict[str, Runs], folder: str | os.PathLike, names: tuple[str, ...] = ("events", "agents", "phylogeny", "genomes")) -> list[pathlib.Path]:
+def to_parquet(
+    study: Runs | dict[str, Runs],
+    folder: str | os.PathLike,
+    names: tuple[str, ...] = ("events", "agents", "phylogeny", "genomes"),
+) -> list[pathlib.Path]:
     """Writes the tables of replicates or of a study, as study_frames yields them, into few files: FOLDER/events.parquet and so on. Returns their
     paths. The folder must be new; it appears under its name when it is complete. Needs pyarrow."""
     folder = pathlib.Path(folder)
@@ -445,7 +528,12 @@ def to_parquet(study: Runs | dict[str, Runs], folder: str | os.PathLike, names: 
         writer = None
         try:
             for frame in study_frames(study, name):
-                schema = pyarrow.schema([(column, pyarrow.string() if dtype == object else pyarrow.from_numpy_dtype(dtype)) for column, dtype in frame.dtypes.items()])
+                schema = pyarrow.schema(
+                    [
+                        (column, pyarrow.string() if dtype == object else pyarrow.from_numpy_dtype(dtype))
+                        for column, dtype in frame.dtypes.items()
+                    ]
+                )
                 writer = writer or pyarrow.parquet.ParquetWriter(part / f"{name}.parquet", schema)
                 writer.write_table(pyarrow.Table.from_pandas(frame, schema=schema, preserve_index=False))
         finally:

@@ -48,6 +48,7 @@ _SETS = ("runs", "shadow", "neutral")
 
 # Traits
 
+
 class Trait(NamedTuple):
     name: str
     unit: str
@@ -63,16 +64,24 @@ def trait_of(text: str) -> Trait:
     if kind in ("open_speed", "velocity_open") and not parts:
         return Trait(text, "m/s", functools.partial(_behaviour, kind), True)
     if kind == "gene" and len(parts) in (1, 2) and parts[-1].isdigit():
-        of = ("genomes.csv", f"w{int(parts[0])}", {}) if len(parts) == 1 else ("genes.csv", "value", {"part": parts[0], "index": str(int(parts[1]))})
+        of = (
+            ("genomes.csv", f"w{int(parts[0])}", {})
+            if len(parts) == 1
+            else ("genes.csv", "value", {"part": parts[0], "index": str(int(parts[1]))})
+        )
         return Trait(text, "1", functools.partial(_column, *of))
     if kind == "turns_to" and len(parts) < 2:
-        distances = [float(each) if each.replace(".", "", 1).isdigit() else numpy.nan for each in parts] or list(DISTANCES)
+        distances = [float(each) if each.replace(".", "", 1).isdigit() else numpy.nan for each in parts] or list(
+            DISTANCES
+        )
         if all(0.0 < each <= 1.0 for each in distances):
             return Trait(text, "1", functools.partial(_turns_to, distances))
     elif len(parts) in (1, 2) and all((kind, *parts)) and pathlib.PurePath(kind).name == kind and kind.endswith(".csv"):
         return Trait(f"{kind}:{parts[0]}", (*parts, "1")[1], functools.partial(_column, kind, parts[0], {}))
-    raise RunError(f"--selection {text}: must be turns_to, turns_to:DISTANCE with 0 < DISTANCE <= 1, open_speed, velocity_open, gene:NUMBER, "
-                   "gene:PART:NUMBER, FILE:COLUMN or FILE:COLUMN:UNIT")
+    raise RunError(
+        f"--selection {text}: must be turns_to, turns_to:DISTANCE with 0 < DISTANCE <= 1, open_speed, velocity_open, gene:NUMBER, "
+        "gene:PART:NUMBER, FILE:COLUMN or FILE:COLUMN:UNIT"
+    )
 
 
 def _column(file: str, column: str, only: Mapping[str, str], run: PooledRun) -> pandas.Series:
@@ -88,9 +97,13 @@ def _turns_to(distances: Sequence[float], run: PooledRun) -> pandas.Series:
     """The share of inputs at which the paper's network chooses the side of its adversary. Raises RunError for another brain or other sensors."""
     rules, path = run.manifest.get("rules", {}), run.path / "genomes.csv"
     brain, sensors = rules.get("brain", "unknown"), str(rules.get("sensors", "unknown"))
-    if not brain.startswith("cognitive_brain") or not sensors.startswith("side_of_adversary + distance_over_terrain + tag_ratio_of_"):
-        raise RunError(f"--selection turns_to: {run.path}: brain = {brain}, sensors = {sensors}: must be cognitive_brain with side_of_adversary, "
-                       "distance_over_terrain and a tag ratio")
+    if not brain.startswith("cognitive_brain") or not sensors.startswith(
+        "side_of_adversary + distance_over_terrain + tag_ratio_of_"
+    ):
+        raise RunError(
+            f"--selection turns_to: {run.path}: brain = {brain}, sensors = {sensors}: must be cognitive_brain with side_of_adversary, "
+            "distance_over_terrain and a tag ratio"
+        )
     per_neuron = 1 if brain.endswith("_with_biases") else 0
     width = [f"w{i}" for i in range(3 * (3 + per_neuron) + 2 * (3 + per_neuron))]
     table = run.texts("genomes.csv", ["id", *width], (), [])
@@ -99,9 +112,15 @@ def _turns_to(distances: Sequence[float], run: PooledRun) -> pandas.Series:
     hidden = inputs @ weights[:, :9].reshape(-1, 3, 3).transpose(0, 2, 1)  # genomes x inputs x neurons
     second = 9 + 3 * per_neuron
     hidden = numpy.tanh(hidden + (weights[:, None, 9:second] if per_neuron else 0.0))
-    out = (hidden @ weights[:, second:second + 3, None])[..., 0] + (weights[:, None, second + 6] if per_neuron else 0.0)
+    out = (hidden @ weights[:, second : second + 3, None])[..., 0] + (
+        weights[:, None, second + 6] if per_neuron else 0.0
+    )
     turns_right = out >= 0.0 if "zero_right" in brain else out > 0.0
-    return pandas.Series((turns_right == (inputs[:, 0] > 0.0)).mean(axis=1), index=table["id"].astype(int)).groupby(level=0).first()
+    return (
+        pandas.Series((turns_right == (inputs[:, 0] > 0.0)).mean(axis=1), index=table["id"].astype(int))
+        .groupby(level=0)
+        .first()
+    )
 
 
 def _behaviour(kind: str, run: PooledRun) -> pandas.Series:
@@ -120,6 +139,7 @@ def _behaviour(kind: str, run: PooledRun) -> pandas.Series:
 
 # Price's equation
 
+
 def price(step: numpy.ndarray, z: numpy.ndarray, parent_z: numpy.ndarray) -> tuple[numpy.ndarray, numpy.ndarray]:
     """The change of the mean trait of the living at each event, by KINDS, shape (4, ..., events), and the mean after it, (..., events).
 
@@ -134,9 +154,12 @@ def price(step: numpy.ndarray, z: numpy.ndarray, parent_z: numpy.ndarray) -> tup
         mean = numpy.take_along_axis(mean, last, axis=-1)
         before = numpy.concatenate([numpy.full_like(mean[..., :1], numpy.nan), mean[..., :-1]], axis=-1)
         is_birth, has_parent = step > 0, ~numpy.isnan(parent_z)
-        parts = (numpy.where(is_birth, 0.0, numpy.where(living > 0, (before - z) / living, 0.0)),
-                 numpy.where(is_birth & has_parent, (parent_z - before) / living, 0.0),
-                 numpy.where(is_birth & has_parent, (z - parent_z) / living, 0.0), numpy.where(is_birth & ~has_parent, (z - before) / living, 0.0))
+        parts = (
+            numpy.where(is_birth, 0.0, numpy.where(living > 0, (before - z) / living, 0.0)),
+            numpy.where(is_birth & has_parent, (parent_z - before) / living, 0.0),
+            numpy.where(is_birth & has_parent, (z - parent_z) / living, 0.0),
+            numpy.where(is_birth & ~has_parent, (z - before) / living, 0.0),
+        )
     return numpy.where(numpy.isnan(before), numpy.nan, numpy.stack(parts)), mean + origin
 
 
@@ -144,14 +167,22 @@ def events_of(run: PooledRun) -> pandas.DataFrame:
     """Births and deaths in their order; if a rule Recruitment may name several parents, with column `parents`, as an ancestor_list. Raises RunError
     for the death of an individual without a birth."""
     found = run.load("events.csv", ("time_s", "tick", "event", "id", "species", "parent_id", "cause"), [])
-    found = found[found["event"].isin(["birth", "death"])].astype({"event": str, "species": str, "cause": str}).reset_index(drop=True)
+    found = (
+        found[found["event"].isin(["birth", "death"])]
+        .astype({"event": str, "species": str, "cause": str})
+        .reset_index(drop=True)
+    )
     born = set(found["id"][found["event"] == "birth"])
     for id in found["id"]:
         if id not in born:
-            raise RunError(f"{run.path}/events.csv: individual {id} dies and has no birth: --selection needs runs from their beginning")
+            raise RunError(
+                f"{run.path}/events.csv: individual {id} dies and has no birth: --selection needs runs from their beginning"
+            )
     births = run.texts("events.csv", ["event", "id"], ["ancestor_list"], []).query("event == 'birth'")
     if "ancestor_list" in births:
-        found["parents"] = found["id"].map(births.set_index(numbers(run.path / "events.csv", births["id"]).astype(int))["ancestor_list"])
+        found["parents"] = found["id"].map(
+            births.set_index(numbers(run.path / "events.csv", births["id"]).astype(int))["ancestor_list"]
+        )
     return found
 
 
@@ -167,7 +198,8 @@ def descent_of(births: pandas.DataFrame) -> pandas.DataFrame:
 
 def terms(events: pandas.DataFrame, z: pandas.Series, species: str, end_s: float) -> dict[tuple[str, str], float]:
     """The terms of a species by (term, period), where PERIODS are the run and its thirds. `events`: as events_of; `z`: traits by id; those who
-    lack it are left out as if they had never lived. Terms of lives and births belong to the third of the birth. nan is what cannot be computed."""
+    lack it are left out as if they had never lived. Terms of lives and births belong to the third of the birth. nan is what cannot be computed.
+    """
     of = events[(events["species"] == species) & events["id"].isin(z.index)]
     is_birth = (of["event"] == "birth").to_numpy()
     births = events[(events["species"] == species) & (events["event"] == "birth")]
@@ -177,10 +209,14 @@ def terms(events: pandas.DataFrame, z: pandas.Series, species: str, end_s: float
     its_z, parent_z = of["id"].map(z).to_numpy(float), of["id"].map(means).where(is_birth).to_numpy(float)
     parts, mean = price(numpy.where(is_birth, 1, -1), its_z, parent_z)
     time_s, cause = of["time_s"].to_numpy(), of["cause"].to_numpy()
-    founds = is_birth & (of["tick"] == events["tick"].iloc[0]).to_numpy() | numpy.isnan(parts[0]) if len(of) else is_birth
+    founds = (
+        is_birth & (of["tick"] == events["tick"].iloc[0]).to_numpy() | numpy.isnan(parts[0]) if len(of) else is_birth
+    )
     third = numpy.minimum(2, (3.0 * time_s / end_s).astype(int))
-    lives = pandas.DataFrame({"z": its_z[is_birth], "birth_s": time_s[is_birth], "third": third[is_birth], "parent_z": parent_z[is_birth]},
-                             index=of["id"][is_birth])
+    lives = pandas.DataFrame(
+        {"z": its_z[is_birth], "birth_s": time_s[is_birth], "third": third[is_birth], "parent_z": parent_z[is_birth]},
+        index=of["id"][is_birth],
+    )
     deaths = of[~is_birth].set_index("id")["time_s"]
     lives["life_s"] = deaths.reindex(lives.index).fillna(end_s) - lives["birth_s"]
     lives["offspring"] = descent.groupby("parent")["share"].sum().reindex(lives.index).fillna(0.0)
@@ -188,7 +224,10 @@ def terms(events: pandas.DataFrame, z: pandas.Series, species: str, end_s: float
     for number, period in enumerate(PERIODS):
         first, last = (0, 2) if period == "all" else (number - 1, number - 1)
         is_in = ~founds & (third >= first) & (third <= last)
-        start, end = (mean[numpy.flatnonzero(founds | before)[-1]] if len(of) else numpy.nan for before in (third < first, third <= last))
+        start, end = (
+            mean[numpy.flatnonzero(founds | before)[-1]] if len(of) else numpy.nan
+            for before in (third < first, third <= last)
+        )
         values = {"start": start, "end": end, "change": end - start, **dict(zip(KINDS, parts[:, is_in].sum(axis=1)))}
         values |= {f"survival_{one}": parts[0, is_in & (cause == one)].sum() for one in sorted(set(cause[~is_birth]))}
         values |= _of_lives(lives[(lives["third"] >= first) & (lives["third"] <= last)])
@@ -199,13 +238,20 @@ def terms(events: pandas.DataFrame, z: pandas.Series, species: str, end_s: float
 def _of_lives(lives: pandas.DataFrame) -> dict[str, float]:
     z, parent_z = lives["z"].to_numpy(), lives["parent_z"].to_numpy()
     mean = z.mean() if len(z) else numpy.nan
-    by_length, by_offspring = (float(ratio(numpy.array([(weights * z).sum()]), numpy.array([weights.sum()]))[0])
-                               for weights in (lives["life_s"].to_numpy(), lives["offspring"].to_numpy()))
+    by_length, by_offspring = (
+        float(ratio(numpy.array([(weights * z).sum()]), numpy.array([weights.sum()]))[0])
+        for weights in (lives["life_s"].to_numpy(), lives["offspring"].to_numpy())
+    )
     child, parent = z[~numpy.isnan(parent_z)], parent_z[~numpy.isnan(parent_z)]
     varies = len(parent) > 2 and parent.std() > 1e-12 * numpy.abs(parent).max()
     slope = float(numpy.cov(parent, child)[0, 1] / parent.var(ddof=1)) if varies else numpy.nan
-    return {"lives": by_offspring - mean, "lives_length": by_length - mean, "lives_rate": by_offspring - by_length, "offspring_on_parent": slope,
-            "mutation_a_birth": (child - parent).mean() if len(child) else numpy.nan}
+    return {
+        "lives": by_offspring - mean,
+        "lives_length": by_length - mean,
+        "lives_rate": by_offspring - by_length,
+        "offspring_on_parent": slope,
+        "mutation_a_birth": (child - parent).mean() if len(child) else numpy.nan,
+    }
 
 
 def measure(texts: Sequence[str], run: PooledRun) -> pandas.Series:
@@ -214,7 +260,9 @@ def measure(texts: Sequence[str], run: PooledRun) -> pandas.Series:
     events, found = events_of(run), dict[tuple, float]()
     end_s = run.lived_s
     for trait in map(trait_of, texts):
-        z = trait.read(run).drop(events["id"][trait.is_behaviour & (events["cause"] == "diverged")], errors="ignore")  # no behaviour
+        z = trait.read(run).drop(
+            events["id"][trait.is_behaviour & (events["cause"] == "diverged")], errors="ignore"
+        )  # no behaviour
         for species in run.web.species:
             found |= {(trait.name, species, *key): value for key, value in terms(events, z, species, end_s).items()}
             born = events["id"][(events["event"] == "birth") & (events["species"] == species)]
@@ -223,6 +271,7 @@ def measure(texts: Sequence[str], run: PooledRun) -> pandas.Series:
 
 
 # The table
+
 
 def table(texts: Sequence[str], sets: Mapping[str, pandas.DataFrame]) -> pandas.DataFrame:
     """selection.csv. `sets`: of runs, shadow and neutral those that there are, a row of `measure` a run. The term of a cause is 0 in a run
@@ -233,15 +282,26 @@ def table(texts: Sequence[str], sets: Mapping[str, pandas.DataFrame]) -> pandas.
         keys = [key for of in of_trait.values() for key in of]
         for species in dict.fromkeys(key[0] for key in keys):
             order = list(dict.fromkeys(term for name, term, _ in keys if name == species and term != "missing"))
-            order.sort(key=lambda term: (term != "start", term != "end", term != "change", not term.startswith("survival")))
+            order.sort(
+                key=lambda term: (term != "start", term != "end", term != "change", not term.startswith("survival"))
+            )
             for term, period in [(term, period) for term in order for period in PERIODS]:
                 values = {name: _values(of_trait.get(name), species, term, period) for name in _SETS}
                 unit = "1" if term == "offspring_on_parent" else trait.unit
-                row = {"trait": trait.name, "species": species, "term": term, "period": period, "unit": unit,
-                       "missing": int(of_trait["runs"][species, "missing", "all"].sum())}
+                row = {
+                    "trait": trait.name,
+                    "species": species,
+                    "term": term,
+                    "period": period,
+                    "unit": unit,
+                    "missing": int(of_trait["runs"][species, "missing", "all"].sum()),
+                }
                 for name in _SETS:
                     n, mean, _, interval = statistics.estimate(values[name])
-                    row |= {f"{name}_{part}": value for part, value in zip(("n", "mean", "lower", "upper"), (n, mean, *(interval or (None, None))))}
+                    row |= {
+                        f"{name}_{part}": value
+                        for part, value in zip(("n", "mean", "lower", "upper"), (n, mean, *(interval or (None, None))))
+                    }
                 tested = statistics.Difference()
                 if term in TESTED and period == "all":
                     neutral = values["neutral"] if len(values["neutral"]) and not trait.is_behaviour else None
@@ -254,10 +314,18 @@ def table(texts: Sequence[str], sets: Mapping[str, pandas.DataFrame]) -> pandas.
     statistics.adjust_together(differences)
     for row, tested in rows:
         lower, upper = tested.interval or (None, None)
-        row |= {"difference": tested.value, "difference_lower": lower, "difference_upper": upper, "p": tested.p, "p_holm": tested.adjusted}
+        row |= {
+            "difference": tested.value,
+            "difference_lower": lower,
+            "difference_upper": upper,
+            "p": tested.p,
+            "p_holm": tested.adjusted,
+        }
     frame = pandas.DataFrame([row for row, _ in rows], columns=names("selection.csv"))
     texts_of = ("trait", "species", "term", "period", "unit", "null")
-    return frame.astype({name: float for name in frame.columns.difference(texts_of) if frame[name].dtype == object}).fillna({"null": ""})
+    return frame.astype(
+        {name: float for name in frame.columns.difference(texts_of) if frame[name].dtype == object}
+    ).fillna({"null": ""})
 
 
 def _values(of: pandas.DataFrame | None, species: str, term: str, period: str) -> numpy.ndarray:
@@ -268,9 +336,16 @@ def _values(of: pandas.DataFrame | None, species: str, term: str, period: str) -
     return numpy.nan_to_num(values) if term.startswith("survival_") else values
 
 
-_HEADS = {"start": "mean at the start", "end": "mean at the end", "change": "change, the sum of:", "lives": "over lives: cov(w, z) / mean w",
-          "lives_length": "  by length of life", "lives_rate": "  by offspring a second", "offspring_on_parent": "slope of offspring on parent",
-          "mutation_a_birth": "mutation, a birth"}
+_HEADS = {
+    "start": "mean at the start",
+    "end": "mean at the end",
+    "change": "change, the sum of:",
+    "lives": "over lives: cov(w, z) / mean w",
+    "lives_length": "  by length of life",
+    "lives_rate": "  by offspring a second",
+    "offspring_on_parent": "slope of offspring on parent",
+    "mutation_a_birth": "mutation, a birth",
+}
 
 
 def text(frame: pandas.DataFrame) -> str:
@@ -281,8 +356,11 @@ def text(frame: pandas.DataFrame) -> str:
         if not row[f"{name}_n"]:
             return "-"
         return reading.with_interval(row[f"{name}_mean"], (row[f"{name}_lower"], row[f"{name}_upper"]), True)
+
     for (trait, species), of in frame.groupby(["trait", "species"], sort=False):
-        lines.append([f"{species}, {trait}", "whole run [95 %]", "first third", "second", "last", "shadow", "neutral null", "p"])
+        lines.append(
+            [f"{species}, {trait}", "whole run [95 %]", "first third", "second", "last", "shadow", "neutral null", "p"]
+        )
         for term, rows in of.groupby("term", sort=False):
             head = _HEADS.get(term, f"    {term.split('_')[1]}" if "_" in term else f"  {term}")
             row, reading = rows.iloc[0], Reading(Metric(trait, species, "all", rows.iloc[0]["unit"]))
@@ -291,8 +369,11 @@ def text(frame: pandas.DataFrame) -> str:
             lines.append([f"  {head}", runs, *thirds, shadow, neutral, p_text(row["p_holm"])])
         said += _sentence(of)
     tested = int(frame["p"].notna().sum())
-    about = (f"p and sentences: over the neutral null; of behaviour, and without that null, over zero. Corrected for {tested} comparisons (Holm)\n"
-             if tested else f"fewer than {statistics.MIN_RUNS_FOR_TEST} runs: no intervals and no tests\n")
+    about = (
+        f"p and sentences: over the neutral null; of behaviour, and without that null, over zero. Corrected for {tested} comparisons (Holm)\n"
+        if tested
+        else f"fewer than {statistics.MIN_RUNS_FOR_TEST} runs: no intervals and no tests\n"
+    )
     return columns(lines) + said + about
 
 
@@ -301,16 +382,27 @@ def _sentence(of: pandas.DataFrame) -> str:
     reading, words = Reading(Metric(first["trait"], first["species"], "all", first["unit"])), []
     for row in of[of["p_holm"].notna()].itertuples():
         amount = reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True)
-        does = ("raises it," if row.difference > 0 else "lowers it,") if statistics.is_significant(row.p_holm) else "has no significant effect,"
+        does = (
+            ("raises it," if row.difference > 0 else "lowers it,")
+            if statistics.is_significant(row.p_holm)
+            else "has no significant effect,"
+        )
         words.append(f"{row.term} {does} {amount}")
     left = f"{first['missing']} individuals of the runs lack it and are left out. " if first["missing"] else ""
     unit = f", {reading.unit}" if reading.unit else ""
-    return f"{first['species']}, {first['trait']}{unit}: {left}{'; '.join(words) or 'not tested'}\n" if words or left else ""
+    return (
+        f"{first['species']}, {first['trait']}{unit}: {left}{'; '.join(words) or 'not tested'}\n"
+        if words or left
+        else ""
+    )
 
 
 # The command
 
-def read_sets(paths: Sequence[str | os.PathLike], shadow: str | os.PathLike | None, how: Measuring) -> tuple[dict[str, list[PooledRun]], list[str]]:
+
+def read_sets(
+    paths: Sequence[str | os.PathLike], shadow: str | os.PathLike | None, how: Measuring
+) -> tuple[dict[str, list[PooledRun]], list[str]]:
     """The runs of some folders, their shadow and their neutral null, as far as they are there, and remarks. Raises RunError for runs that may not
     be pooled and for a shadow or a neutral null that is not one."""
     runs, nulls = pool.pooled_sets(paths, shadow, how)
@@ -318,8 +410,12 @@ def read_sets(paths: Sequence[str | os.PathLike], shadow: str | os.PathLike | No
     return {name: of for name, (of, _) in sets.items()}, [remark for _, remarks in sets.values() for remark in remarks]
 
 
-def analyse(paths: Sequence[str | os.PathLike], texts: Sequence[str], shadow: str | os.PathLike | None = None,
-            how: Measuring | None = None) -> tuple[pandas.DataFrame, dict[str, list[PooledRun]], list[str]]:
+def analyse(
+    paths: Sequence[str | os.PathLike],
+    texts: Sequence[str],
+    shadow: str | os.PathLike | None = None,
+    how: Measuring | None = None,
+) -> tuple[pandas.DataFrame, dict[str, list[PooledRun]], list[str]]:
     """selection.csv of some runs, the runs and remarks. `texts`: traits, as trait_of reads them. Raises RunError, naming what is wrong."""
     how = how or Measuring()
     for each in texts:
@@ -329,12 +425,20 @@ def analyse(paths: Sequence[str | os.PathLike], texts: Sequence[str], shadow: st
     jobs = how.jobs or len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else how.jobs or 1
     with concurrent.futures.ProcessPoolExecutor(min(jobs, len(every)), multiprocessing.get_context("fork")) as executor:
         rows = iter(list(executor.map(functools.partial(measure, texts), every, chunksize=4)))
-    return table(texts, {name: pandas.concat([next(rows) for _ in of], axis=1).T for name, of in sets.items()}), sets, remarks
+    return (
+        table(texts, {name: pandas.concat([next(rows) for _ in of], axis=1).T for name, of in sets.items()}),
+        sets,
+        remarks,
+    )
 
 
 def run(request: Mapping[str, Any]) -> int:
     """The command. Raises RunError before any work for a trait that cannot be and for a folder that exists."""
-    how = Measuring(until_s=request.get("until"), accept_other_build=bool(request.get("accept_other_build")), jobs=request.get("jobs"))
+    how = Measuring(
+        until_s=request.get("until"),
+        accept_other_build=bool(request.get("accept_other_build")),
+        jobs=request.get("jobs"),
+    )
     with result_folder(request.get("out")) as folder:
         frame, sets, remarks = analyse(request["runs"], request["selection"], request.get("shadow"), how)
         for remark in remarks:

@@ -14,10 +14,23 @@ from .runs import Analysis, Run, Runs, read_run, read_runs
 __all__ = ["Page", "ProgramError", "analyze", "find_program", "run", "show"]
 
 
-def run(experiment: str | os.PathLike = "paper", *, out: str | os.PathLike, backend: str | None = None, rules: str | None = None,
-        set: dict | None = None, duration: float | None = None, robots: int | None = None, seed: int | None = None,
-        replicates: int | None = None, shadow: bool = False, neutral: bool = False, jobs: int | None = None, threads: int | None = None,
-        options: list[str] | None = None) -> Run | Runs:
+def run(
+    experiment: str | os.PathLike = "paper",
+    *,
+    out: str | os.PathLike,
+    backend: str | None = None,
+    rules: str | None = None,
+    set: dict | None = None,
+    duration: float | None = None,
+    robots: int | None = None,
+    seed: int | None = None,
+    replicates: int | None = None,
+    shadow: bool = False,
+    neutral: bool = False,
+    jobs: int | None = None,
+    threads: int | None = None,
+    options: list[str] | None = None,
+) -> Run | Runs:
     """Runs an experiment into the new folder `out` and reads it: a Run or, of `replicates`, Runs.
 
     `experiment` is a rule table of trophic-predator-prey (paper, released) or the path of any experiment program, whose table `rules`
@@ -27,8 +40,16 @@ def run(experiment: str | os.PathLike = "paper", *, out: str | os.PathLike, back
     is_path = os.sep in str(experiment) or pathlib.Path(experiment).is_file()
     program = str(pathlib.Path(experiment).resolve()) if is_path else find_program("trophic-predator-prey")
     arguments: list = []
-    named = {"--rules": rules if is_path else str(experiment), "--backend": backend, "--duration": duration, "--robots": robots, "--seed": seed,
-             "--replicates": replicates, "--jobs": jobs, "--threads": threads}
+    named = {
+        "--rules": rules if is_path else str(experiment),
+        "--backend": backend,
+        "--duration": duration,
+        "--robots": robots,
+        "--seed": seed,
+        "--replicates": replicates,
+        "--jobs": jobs,
+        "--threads": threads,
+    }
     for option, value in named.items():
         if value is not None:
             arguments += [option, value]
@@ -44,10 +65,18 @@ def run(experiment: str | os.PathLike = "paper", *, out: str | os.PathLike, back
     return read_run(out) if replicates is None else read_runs(out)
 
 
-def analyze(runs: Run | Runs | str | os.PathLike | Sequence, compare: Run | Runs | str | os.PathLike | None = None, *,
-            out: str | os.PathLike | None = None, shadow: Runs | str | os.PathLike | None = None, until: float | None = None,
-            metrics: Sequence[str | Callable[[Run], Any]] = (), columns: Sequence[str] = (), accept_other_build: bool = False,
-            jobs: int | None = None) -> Analysis:
+def analyze(
+    runs: Run | Runs | str | os.PathLike | Sequence,
+    compare: Run | Runs | str | os.PathLike | None = None,
+    *,
+    out: str | os.PathLike | None = None,
+    shadow: Runs | str | os.PathLike | None = None,
+    until: float | None = None,
+    metrics: Sequence[str | Callable[[Run], Any]] = (),
+    columns: Sequence[str] = (),
+    accept_other_build: bool = False,
+    jobs: int | None = None,
+) -> Analysis:
     """Measures runs, or two sets that are compared, and judges them: what `trophic analyze` does, in this process.
 
     `out` is a new folder for the tables; without it the analysis is in memory alone. `shadow`: the neutral shadow, if it is not in RUNS/shadow.
@@ -58,11 +87,18 @@ def analyze(runs: Run | Runs | str | os.PathLike | Sequence, compare: Run | Runs
     from .metrics import Measuring
     from .report import analyze as report
     from .report.tables import result_folder
+
     paths = [_path(each) for each in (runs if isinstance(runs, (list, tuple)) else [runs])]
     sets = [] if compare is None else [*paths, _path(compare)]
     its_shadow = None if shadow is None else _path(shadow)
-    how = Measuring(until_s=until, accept_other_build=accept_other_build, columns=columns, functions=[each for each in metrics if callable(each)],
-                    metrics=[each for each in metrics if not callable(each)], jobs=jobs)
+    how = Measuring(
+        until_s=until,
+        accept_other_build=accept_other_build,
+        columns=columns,
+        functions=[each for each in metrics if callable(each)],
+        metrics=[each for each in metrics if not callable(each)],
+        jobs=jobs,
+    )
     if out is None:
         return report.analyse(paths, sets, its_shadow, how).analysis(None)
     with result_folder(out) as folder:

@@ -45,6 +45,7 @@ class Interval(NamedTuple):
 
 class Contrast(NamedTuple):
     """A weighted sum of the means of independent sets, its standard error and the degrees of freedom of that error."""
+
     value: float
     error: float
     freedom: float
@@ -52,12 +53,14 @@ class Contrast(NamedTuple):
 
 class Scatter(NamedTuple):
     """With n runs in each set, or n pairs, the squared error of a comparison is `variance` / n, of `freedom` (n - 1) degrees of freedom."""
+
     variance: float
     freedom: float = 1.0
 
 
 class Estimate(NamedTuple):
     """A mean over `runs` values, the deviation between them and, from MIN_RUNS_FOR_TEST on, the mean's 95 % interval."""
+
     runs: int
     mean: float | None
     deviation: float | None
@@ -117,7 +120,11 @@ def t_quantile(probability: float, freedom: float) -> float:
     """The value that a t of `freedom` > 0 degrees of freedom stays below with this probability, 0 < probability < 1."""
     tail = min(probability, 1.0 - probability)
     t = float(special.stdtrit(freedom, tail))  # right to 1e-9; a step of Newton's method makes it right to rounding
-    log_density = math.lgamma((freedom + 1.0) / 2.0) - math.lgamma(freedom / 2.0) - (freedom + 1.0) / 2.0 * math.log1p(t * t / freedom)
+    log_density = (
+        math.lgamma((freedom + 1.0) / 2.0)
+        - math.lgamma(freedom / 2.0)
+        - (freedom + 1.0) / 2.0 * math.log1p(t * t / freedom)
+    )
     t -= (float(special.stdtr(freedom, t)) - tail) / (math.exp(log_density) / math.sqrt(freedom * math.pi))
     return t if probability <= 0.5 else -t
 
@@ -158,8 +165,10 @@ def share_interval(values: Values, level: float = 0.95) -> Interval | None:
     if n < MIN_RUNS_FOR_TEST:
         return None
     tail = (1.0 - level) / 2.0
-    return Interval(float(special.betaincinv(k, n - k + 1, tail)) if k > 0 else 0.0,
-                    float(special.betaincinv(k + 1, n - k, 1.0 - tail)) if k < n else 1.0)
+    return Interval(
+        float(special.betaincinv(k, n - k + 1, tail)) if k > 0 else 0.0,
+        float(special.betaincinv(k + 1, n - k, 1.0 - tail)) if k < n else 1.0,
+    )
 
 
 def share_difference(a: Values, b: Values, level: float = 0.95) -> Difference:
@@ -189,7 +198,8 @@ def is_by_chance(many: int, count: int) -> bool:
 
 def survival(ends: Values, died: Sequence[bool] | numpy.ndarray) -> list[tuple[float, int, int, float, float, float]]:
     """Kaplan and Meier's estimate [kaplan1958]: of each time at which a run died its time, the runs at risk, those that died, the share that survives
-    it, and its 95 % interval by Greenwood's error of log(-log), nan where the share is 0. `ends`: the time of each run's end or death."""
+    it, and its 95 % interval by Greenwood's error of log(-log), nan where the share is 0. `ends`: the time of each run's end or death.
+    """
     rows, share, error, quantile = [], 1.0, 0.0, float(special.ndtri(0.975))
     ends, died = numpy.asarray(ends, float), numpy.asarray(died, bool)
     for time in numpy.unique(ends[died]):
@@ -206,7 +216,8 @@ def survival(ends: Values, died: Sequence[bool] | numpy.ndarray) -> list[tuple[f
 
 def holm(p_values: Values) -> numpy.ndarray:
     """Holm's step-down correction [holm1979]: a corrected value <= 0.05 is found in at most 5 % of analyses in which nothing differs, however the
-    comparisons depend on each other. The k-th smallest of m values becomes the largest (m - j + 1) p_j of j = 1, ..., k."""
+    comparisons depend on each other. The k-th smallest of m values becomes the largest (m - j + 1) p_j of j = 1, ..., k.
+    """
     p = numpy.asarray(p_values, dtype=float)
     order = numpy.argsort(p, kind="stable")
     adjusted = numpy.empty(len(p))
@@ -229,7 +240,8 @@ def hedges_g(a: Values, b: Values) -> float | None:
     """Hedges' g [hedges1981]: mean(b) - mean(a) over the pooled spread between runs of both sets, corrected for the number of runs.
 
     Sets that are compared run by run are taken as if they were independent, so that paired and unpaired sweeps have the same measure: it says
-    how far apart runs are, not how sure the difference is. None with fewer than two values in a set, or without any spread."""
+    how far apart runs are, not how sure the difference is. None with fewer than two values in a set, or without any spread.
+    """
     a, b = known(a), known(b)
     if len(a) < 2 or len(b) < 2:
         return None
@@ -241,7 +253,8 @@ def hedges_g(a: Values, b: Values) -> float | None:
 
 def test_equivalence(difference: Contrast | None, margin: float, alpha: float = 0.05) -> EquivalenceTest:
     """Two one-sided tests [schuirmann1987], each at level `alpha`: equivalent iff the interval of the difference at 1 - 2 alpha lies within
-    +-margin; different iff it does not and the interval at 1 - alpha leaves out zero. Raises ValueError unless margin > 0 and 0 < alpha < 0.5."""
+    +-margin; different iff it does not and the interval at 1 - alpha leaves out zero. Raises ValueError unless margin > 0 and 0 < alpha < 0.5.
+    """
     if not margin > 0.0:
         raise ValueError(f"margin = {margin}: must be > 0")
     if not 0.0 < alpha < 0.5:
@@ -251,7 +264,9 @@ def test_equivalence(difference: Contrast | None, margin: float, alpha: float = 
         return EquivalenceTest(None, None, margin, "unknown")
     within = narrow.lower > -margin and narrow.upper < margin
     apart = wide.lower > 0.0 or wide.upper < 0.0
-    return EquivalenceTest(difference.value, narrow, margin, "equivalent" if within else "different" if apart else "inconclusive")
+    return EquivalenceTest(
+        difference.value, narrow, margin, "equivalent" if within else "different" if apart else "inconclusive"
+    )
 
 
 def scatter_of(*sets: Values) -> Scatter | None:
@@ -281,10 +296,13 @@ def errors_for_power(freedom: float, level: float, power: float = USUAL_POWER) -
     if power_of_t(0.0, freedom, level) >= power:
         return 0.0
     from scipy import optimize
+
     high = -t_quantile(level / 2.0, freedom) + max(0.0, t_quantile(power, freedom))
     while power_of_t(high, freedom, level) < power:
         high *= 2.0
-    return float(optimize.brentq(lambda errors: power_of_t(errors, freedom, level) - power, 0.0, high, xtol=1e-12, rtol=1e-12))
+    return float(
+        optimize.brentq(lambda errors: power_of_t(errors, freedom, level) - power, 0.0, high, xtol=1e-12, rtol=1e-12)
+    )
 
 
 def detectable_difference(of: Contrast, level: float, power: float = USUAL_POWER) -> float:
@@ -328,6 +346,7 @@ def runs_for_power(difference: float, scatter: Scatter, level: float, power: flo
 @dataclasses.dataclass
 class Difference:
     """A difference of sets. The interval and `p` are of this difference alone; `adjusted` is p corrected for all that are compared."""
+
     value: float | None = None
     interval: Interval | None = None
     p: float | None = None
@@ -359,4 +378,6 @@ def adjust_together(differences: Iterable[Difference]) -> None:
     p_values = [each.p for each in differences if each.p is not None]
     adjusted = iter(holm(p_values))
     for each in differences:
-        each.adjusted, each.level = (None, None) if each.p is None else (float(next(adjusted)), SIGNIFICANCE / len(p_values))
+        each.adjusted, each.level = (
+            (None, None) if each.p is None else (float(next(adjusted)), SIGNIFICANCE / len(p_values))
+        )

@@ -18,6 +18,7 @@ class Metric(NamedTuple):
 
     `species` of a metric of two is "prey+predator". `group`: all, random, inherited, active, inherited_active; of deaths a cause, of ticks_at a
     number of members. `unit` is "1" for shares and counts."""
+
     metric: str
     species: str
     group: str
@@ -37,6 +38,7 @@ CURVE_COLUMNS = [*METRIC, "baseline", "time_s", "value"]
 @dataclasses.dataclass
 class RunValues:
     """The measured values and curves of a run."""
+
     values: pandas.DataFrame
     """columns VALUE_COLUMNS, in the order of all tables. `baseline` is empty for what was observed; `role` of a baseline: "null", the value that
     chance alone would give, which is tested against, "paper" or "reference", which are not. `value` is nan if it could not be computed"""
@@ -48,6 +50,7 @@ class RunValues:
 @dataclasses.dataclass
 class MeasuredSet:
     """Runs that are replicates, with what was measured in each."""
+
     label: str
     """unique in an analysis: the rule table, or the changed table's own name"""
     runs: list["Run"]
@@ -67,7 +70,11 @@ class MeasuredSet:
     @property
     def nulls(self) -> "dict[str, MeasuredSet]":
         """The shadow, the neutral null and the clones, as far as there are any."""
-        return {name: one for name, one in ((SHADOW, self.shadow), (NEUTRAL, self.neutral), (CLONES, self.clones)) if one is not None}
+        return {
+            name: one
+            for name, one in ((SHADOW, self.shadow), (NEUTRAL, self.neutral), (CLONES, self.clones))
+            if one is not None
+        }
 
     def null_of(self, metric: Metric) -> str:
         """The null that answers for a metric: the neutral one for what is inherited, if there is one, else the shadow. Empty without it."""

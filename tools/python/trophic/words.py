@@ -10,13 +10,25 @@ from collections.abc import Iterable, Sequence
 from .statistics import MOST_RUNS, Estimate
 from .values import CLONES, NEUTRAL, SHADOW, Metric
 
-_PLAIN_UNITS = ("", "1", "ticks")  # shares and counts; hunger in ticks is a metric of trophic's own, whose unit the glossary gives
-_DECIMALS = {**dict.fromkeys(("deaths", "population", "period", "generation_time", "handling_time", "lineage_depth", "stock"), 1), "birth_rate": 5,
-             "search_rate": 4, "search_rate_holling": 4}
+_PLAIN_UNITS = (
+    "",
+    "1",
+    "ticks",
+)  # shares and counts; hunger in ticks is a metric of trophic's own, whose unit the glossary gives
+_DECIMALS = {
+    **dict.fromkeys(
+        ("deaths", "population", "period", "generation_time", "handling_time", "lineage_depth", "stock"), 1
+    ),
+    "birth_rate": 5,
+    "search_rate": 4,
+    "search_rate_holling": 4,
+}
 NULLS = {SHADOW: "shadow", NEUTRAL: "neutral null", CLONES: "clones"}
 """The nulls that are runs of their own. A null that each run has by itself has its own name."""
-NO_NEUTRAL = ("no neutral null: what is inherited changes by mutation alone, so a difference from the shadow need not be selection (--replicates with "
-              "--neutral makes one)")
+NO_NEUTRAL = (
+    "no neutral null: what is inherited changes by mutation alone, so a difference from the shadow need not be selection (--replicates with "
+    "--neutral makes one)"
+)
 _SHOWN = {SHADOW: "what inheritance does", NEUTRAL: "what selection does"}
 
 
@@ -77,7 +89,7 @@ class Reading:
         return f"{self.factor * value:{'+' * sign}.{self.decimals}f}"
 
     def with_interval(self, value: float | None, interval: Sequence[float] | None, sign: bool = False) -> str:
-        """"+1.10 [+0.85, +1.35]"; an interval of None or nan is left out."""
+        """ "+1.10 [+0.85, +1.35]"; an interval of None or nan is left out."""
         if interval is None or value is None or value != value or interval[0] is None or interval[0] != interval[0]:
             return self(value, sign)
         return f"{self(value, sign)} [{self(interval[0], sign)}, {self(interval[1], sign)}]"
@@ -91,7 +103,7 @@ class Reading:
 
 
 def p_text(p: float | None) -> str:
-    """"0.032", "<0.001"; empty without a p value."""
+    """ "0.032", "<0.001"; empty without a p value."""
     if p is None or p != p:
         return ""
     return "<0.001" if p < 0.0005 else f"{p:.3f}"
@@ -102,8 +114,17 @@ def runs_text(runs: float | None) -> str:
     return f"more than {MOST_RUNS}" if runs is None or runs != runs else str(int(runs))
 
 
-_LATEX = {"\\": r"\textbackslash{}", "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "<": r"\textless{}", ">": r"\textgreater{}",
-          "|": r"\textbar{}", "_": r"\_\allowbreak{}", "/": r"/\allowbreak{}", **{letter: "\\" + letter for letter in "{}$&#%"}}
+_LATEX = {
+    "\\": r"\textbackslash{}",
+    "^": r"\textasciicircum{}",
+    "~": r"\textasciitilde{}",
+    "<": r"\textless{}",
+    ">": r"\textgreater{}",
+    "|": r"\textbar{}",
+    "_": r"\_\allowbreak{}",
+    "/": r"/\allowbreak{}",
+    **{letter: "\\" + letter for letter in "{}$&#%"},
+}
 
 
 def latex_text(text: str) -> str:
@@ -124,7 +145,10 @@ def one_line(text: str) -> str:
 
 def width_of(text: str) -> int:
     """Columns of a text on the terminal: wide characters take two, combining ones none."""
-    return sum(0 if unicodedata.combining(letter) else 2 if unicodedata.east_asian_width(letter) in "WF" else 1 for letter in text)
+    return sum(
+        0 if unicodedata.combining(letter) else 2 if unicodedata.east_asian_width(letter) in "WF" else 1
+        for letter in text
+    )
 
 
 def columns(rows: Iterable[Sequence[str]], indent: str = "") -> str:

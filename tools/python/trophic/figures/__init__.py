@@ -19,13 +19,37 @@ def _of_analysis(draw):
     @functools.wraps(draw)
     def figure(analysis, *arguments, set=None, run=0):
         return draw(data_of(analysis, set, run), *arguments)
+
     return figure
 
 
-attribution, velocity, wall_sticking, tag_symmetry, population, with_and_without, own_metric = map(_of_analysis, (
-    paper.attribution, paper.velocity, paper.wall_sticking, paper.tag_symmetry, paper.population, paper.with_and_without, paper.own_metric))
-phylogeny, catches, trajectories, film_strip = map(_of_analysis, (pictures.phylogeny, pictures.catches, pictures.trajectories, pictures.film_strip))
-FIGURES = [attribution, velocity, wall_sticking, tag_symmetry, population, with_and_without, phylogeny, catches, trajectories, film_strip]
+attribution, velocity, wall_sticking, tag_symmetry, population, with_and_without, own_metric = map(
+    _of_analysis,
+    (
+        paper.attribution,
+        paper.velocity,
+        paper.wall_sticking,
+        paper.tag_symmetry,
+        paper.population,
+        paper.with_and_without,
+        paper.own_metric,
+    ),
+)
+phylogeny, catches, trajectories, film_strip = map(
+    _of_analysis, (pictures.phylogeny, pictures.catches, pictures.trajectories, pictures.film_strip)
+)
+FIGURES = [
+    attribution,
+    velocity,
+    wall_sticking,
+    tag_symmetry,
+    population,
+    with_and_without,
+    phylogeny,
+    catches,
+    trajectories,
+    film_strip,
+]
 
 
 def forest(analysis):

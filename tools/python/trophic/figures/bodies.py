@@ -17,9 +17,23 @@ from .paper import Data, draw_curve, window_s
 from .pictures import film
 from .style import Missing, NULL_COLOUR, caption, colour, legend_above, width_in
 
-MEASURES = {"walked": "walked [cm/s]", "wall_contact": "touch a wall", "body_modules": "modules", "body_mass": "mass [kg]", "body_proportion": "proportion", "body_coverage": "coverage",
-            "body_branching": "branching", "body_limbs": "limbs", "body_length_of_limbs": "limb length", "body_symmetry": "symmetry",
-            "body_joints": "joints", "body_plans_shannon": "plans", "body_change": "change", "brain_genes": "brain genes", "gait_genes": "gait genes"}
+MEASURES = {
+    "walked": "walked [cm/s]",
+    "wall_contact": "touch a wall",
+    "body_modules": "modules",
+    "body_mass": "mass [kg]",
+    "body_proportion": "proportion",
+    "body_coverage": "coverage",
+    "body_branching": "branching",
+    "body_limbs": "limbs",
+    "body_length_of_limbs": "limb length",
+    "body_symmetry": "symmetry",
+    "body_joints": "joints",
+    "body_plans_shannon": "plans",
+    "body_change": "change",
+    "brain_genes": "brain genes",
+    "gait_genes": "gait genes",
+}
 DESCRIPTORS = ["size", "proportion", "coverage", "branching", "limbs", "length_of_limbs", "symmetry", "joints"]
 
 
@@ -30,7 +44,13 @@ def has_bodies(metrics):
 
 def null_of(data):
     """The null that a set is; empty for a set with inheritance and its parent rule."""
-    return "survival alone" if "by_survival" in data.summary["set"] else "neutral null" if " = neutral_" in data.summary["set"] else ""
+    return (
+        "survival alone"
+        if "by_survival" in data.summary["set"]
+        else "neutral null"
+        if " = neutral_" in data.summary["set"]
+        else ""
+    )
 
 
 def species_of(data):
@@ -43,7 +63,14 @@ def measures(sets):
     if not shown:
         raise Missing("no measure with a curve")
     species = species_of(sets[0])
-    fig, axes = plt.subplots(len(shown), len(species), figsize=(width_in() * 1.6, 0.85 * len(shown) + 0.6), sharex=True, sharey="row", squeeze=False)
+    fig, axes = plt.subplots(
+        len(shown),
+        len(species),
+        figsize=(width_in() * 1.6, 0.85 * len(shown) + 0.6),
+        sharex=True,
+        sharey="row",
+        squeeze=False,
+    )
     for row, name in zip(axes, shown):
         scale = 100 if name == "walked" else 1
         for ax, one in zip(row, species):
@@ -51,13 +78,27 @@ def measures(sets):
                 if data.rows(name, one, curve=True).empty:
                     continue
                 time_s, runs = data.curve(name, one)
-                draw_curve(ax, time_s, runs, null_of(data) or "inheritance", NULL_COLOUR if null_of(data) else colour(one, species),
-                           (0, (4, 1.5)) if null_of(data) else "-", average=False, scale=scale)
+                draw_curve(
+                    ax,
+                    time_s,
+                    runs,
+                    null_of(data) or "inheritance",
+                    NULL_COLOUR if null_of(data) else colour(one, species),
+                    (0, (4, 1.5)) if null_of(data) else "-",
+                    average=False,
+                    scale=scale,
+                )
                 for baseline, look in (("shadow", ":"), ("neutral", "-.")):
                     if not data.rows(name, one, baseline=baseline, curve=True).empty:
                         null_s, nulls = data.curve(name, one, baseline=baseline)
-                        ax.plot(null_s - window_s(null_s) / 2, scale * np.nanmean(nulls, axis=0), look, color="black", linewidth=1,
-                                label=None if NULLS[baseline] in ax.get_legend_handles_labels()[1] else NULLS[baseline])
+                        ax.plot(
+                            null_s - window_s(null_s) / 2,
+                            scale * np.nanmean(nulls, axis=0),
+                            look,
+                            color="black",
+                            linewidth=1,
+                            label=None if NULLS[baseline] in ax.get_legend_handles_labels()[1] else NULLS[baseline],
+                        )
         row[0].set_ylabel(MEASURES[name], fontsize=7)
     for ax, one in zip(axes[0], species):
         ax.set_title(one, pad=4 + 11 * legend_above(ax, columns=3))
@@ -65,8 +106,11 @@ def measures(sets):
         ax.set_xlabel("time [s]")
     ours = [data for data in sets if not null_of(data)] or sets
     null = next(filter(None, map(null_of, sets)), "")
-    return caption(fig, f"{ours[0].subject('Measures of docs/bodies.md, means over those alive at the ends of windows (plans: their Shannon number)')} Windows of {window_s(time_s):g} s; lines: mean over "
-                        f"runs; {f'grey, dashed: {null}; ' * bool(null)}dotted: mean of the shadow, in which nothing is inherited; dash-dotted: of the neutral null. {sets[-1].intervals('bands', False)}")
+    return caption(
+        fig,
+        f"{ours[0].subject('Measures of docs/bodies.md, means over those alive at the ends of windows (plans: their Shannon number)')} Windows of {window_s(time_s):g} s; lines: mean over "
+        f"runs; {f'grey, dashed: {null}; ' * bool(null)}dotted: mean of the shadow, in which nothing is inherited; dash-dotted: of the neutral null. {sets[-1].intervals('bands', False)}",
+    )
 
 
 def living_bodies(data):
@@ -83,7 +127,9 @@ def living_bodies(data):
 def morphospace(sets):
     """The two first principal components of the descriptors: founders, the living, and the living of the null."""
     found = [(data, *living_bodies(data)) for data in sets]
-    everything = pd.concat([part for _, founders, living in found for part in (founders, living)])[DESCRIPTORS].to_numpy()
+    everything = pd.concat([part for _, founders, living in found for part in (founders, living)])[
+        DESCRIPTORS
+    ].to_numpy()
     mean = everything.mean(axis=0)
     _, sizes, components = np.linalg.svd(everything - mean, full_matrices=False)
     if len(sizes) < 2 or sizes[0] == 0:
@@ -95,20 +141,38 @@ def morphospace(sets):
         for data, founders, living in found:
             for rows, mark, label in ((living, "o", null_of(data) or "inheritance"), (founders, "*", "founders")):
                 at = (rows[rows.species == one][DESCRIPTORS].to_numpy() - mean) @ components[:2].T
-                places, counts = np.unique(at.round(6), axis=0, return_counts=True) if len(at) else (np.empty((0, 2)), [])
+                places, counts = (
+                    np.unique(at.round(6), axis=0, return_counts=True) if len(at) else (np.empty((0, 2)), [])
+                )
                 if mark == "*" and null_of(data) and len(sets) > 1:
                     continue
-                ax.scatter(*places.T, s=70 if mark == "*" else 6 + 6 * np.sqrt(counts), marker=mark, label=label, linewidths=0.6, zorder=3 if mark == "*" else 2,
-                           facecolors="white" if mark == "*" else NULL_COLOUR if null_of(data) else colour(one, species), alpha=1 if mark == "*" else 0.6,
-                           edgecolors="black" if mark == "*" else "none")
+                ax.scatter(
+                    *places.T,
+                    s=70 if mark == "*" else 6 + 6 * np.sqrt(counts),
+                    marker=mark,
+                    label=label,
+                    linewidths=0.6,
+                    zorder=3 if mark == "*" else 2,
+                    facecolors="white" if mark == "*" else NULL_COLOUR if null_of(data) else colour(one, species),
+                    alpha=1 if mark == "*" else 0.6,
+                    edgecolors="black" if mark == "*" else "none",
+                )
         ax.set(title=one, xlabel=f"component 1 ({shares[0]:.0%})")
         ax.legend(loc="best", fontsize=6)
     axes[0][0].set_ylabel(f"component 2 ({shares[1]:.0%})")
-    named = [", ".join(f"{weight:+.2f} {name.replace('_', ' ')}" for weight, name in sorted(zip(component, DESCRIPTORS), key=lambda pair: -abs(pair[0]))[:3])
-             for component in components[:2]]
+    named = [
+        ", ".join(
+            f"{weight:+.2f} {name.replace('_', ' ')}"
+            for weight, name in sorted(zip(component, DESCRIPTORS), key=lambda pair: -abs(pair[0]))[:3]
+        )
+        for component in components[:2]
+    ]
     runs = ", ".join(f"{len(data.folders)} of {null_of(data) or 'inheritance'}" for data in sets)
-    return caption(fig, f"Principal components of the eight descriptors of bodies at the ends of runs ({runs}); larger: more individuals; stars: founders. "
-                        f"Component 1: {named[0]}; component 2: {named[1]}.")
+    return caption(
+        fig,
+        f"Principal components of the eight descriptors of bodies at the ends of runs ({runs}); larger: more individuals; stars: founders. "
+        f"Component 1: {named[0]}; component 2: {named[1]}.",
+    )
 
 
 def robot_file(plan):
@@ -122,7 +186,11 @@ def robot_file(plan):
             path.pop()
         else:
             last = face
-            lines += [f"[{'.'.join([*path, face])}]".replace("core.core", "core"), f"module = '{module}'", f"rotation_deg = {90 * int(turns)}"]
+            lines += [
+                f"[{'.'.join([*path, face])}]".replace("core.core", "core"),
+                f"module = '{module}'",
+                f"rotation_deg = {90 * int(turns)}",
+            ]
     return "\n".join(lines) + "\n"
 
 
@@ -168,16 +236,30 @@ def plans(data, most=5):
     height = {plan: place for place, plan in enumerate(order)}
     pictured = list(dict.fromkeys([*(plan for plan in order if pd.isna(parent[plan])), *counts.index[:most]]))
     rows = (len(pictured) + 1) // 2
-    fig, (ax, side) = plt.subplots(1, 2, figsize=(width_in() * 1.8, max(0.8 * rows, 0.14 * len(order)) + 0.6), width_ratios=[2, 1])
+    fig, (ax, side) = plt.subplots(
+        1, 2, figsize=(width_in() * 1.8, max(0.8 * rows, 0.14 * len(order)) + 0.6), width_ratios=[2, 1]
+    )
     species = list(dict.fromkeys(bodies.species))
     for plan in order:
         shade = colour(first.species[plan], species)
-        ax.plot([first.time_s[plan], last_s[plan]], [height[plan]] * 2, color=shade, linewidth=1 + min(4, 0.4 * counts.get(plan, 0)))
+        ax.plot(
+            [first.time_s[plan], last_s[plan]],
+            [height[plan]] * 2,
+            color=shade,
+            linewidth=1 + min(4, 0.4 * counts.get(plan, 0)),
+        )
         if not pd.isna(parent[plan]):
             ax.plot([first.time_s[plan]] * 2, [height[int(parent[plan])], height[plan]], color="black", linewidth=0.5)
     for number, plan in enumerate(pictured):
         mark = chr(ord("A") + number)
-        ax.annotate(mark, (first.time_s[plan], height[plan]), xytext=(-7, -2), textcoords="offset points", fontsize=7, fontweight="bold")
+        ax.annotate(
+            mark,
+            (first.time_s[plan], height[plan]),
+            xytext=(-7, -2),
+            textcoords="offset points",
+            fontsize=7,
+            fontweight="bold",
+        )
         frame = side.inset_axes([0.5 * (number % 2), 1 - (number // 2 + 1) / rows, 0.48, 0.84 / rows])
         frame.imshow(picture_of(first.modules_text[plan]))
         frame.set_title(f"{mark}: {counts.get(plan, 0)} alive", fontsize=6, pad=1)
@@ -187,9 +269,12 @@ def plans(data, most=5):
     for one in species:
         ax.plot([], [], color=colour(one, species), label=f"first born as {one}")
     ax.legend(loc="upper left", fontsize=6)
-    return caption(fig, f"{folder.name}: plans of bodies of those alive at {end_s:g} s, and of their ancestors ({len(order)} of {bodies.plan.nunique()} plans). A line: from "
-                        "the first birth to the last death; thicker: more alive at the end; joined to the plan that it changed from. Pictures: founders, and the "
-                        "commonest plans of the living.")
+    return caption(
+        fig,
+        f"{folder.name}: plans of bodies of those alive at {end_s:g} s, and of their ancestors ({len(order)} of {bodies.plan.nunique()} plans). A line: from "
+        "the first birth to the last death; thicker: more alive at the end; joined to the plan that it changed from. Pictures: founders, and the "
+        "commonest plans of the living.",
+    )
 
 
 def figures_of(folder, run=0):

@@ -10,6 +10,7 @@ import pandas as pd
 
 from .style import caption
 
+
 def draw_metrics(axes, metrics, engines):
     """Differences in units of their margins: equivalent if the bar stays within +-1. `engines`: of the first set and the second."""
     rows = metrics.iloc[::-1].reset_index(drop=True)
@@ -28,7 +29,10 @@ def cross_check(folder):
     table = pd.read_csv(pathlib.Path(folder) / "cross_check.csv")
     figure, panel = plt.subplots(figsize=(5.0, 4.0))
     draw_metrics(panel, table[table.conclusion.notna()], table.engine.unique())
-    return caption(figure, "Differences between engines in units of their margins with 90 % intervals: equivalent within the green band.")
+    return caption(
+        figure,
+        "Differences between engines in units of their margins with 90 % intervals: equivalent within the green band.",
+    )
 
 
 def figures_of(folder):

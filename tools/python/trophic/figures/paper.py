@@ -40,7 +40,11 @@ class Data:
 
     def published(self, metric, species, group="all"):
         """The paper's mean of a metric as `trophic analyze` has it, or None."""
-        rows = [row for row in self.summary["metrics"] if (row["metric"], row["species"], row["group"]) == (metric, species, group)]
+        rows = [
+            row
+            for row in self.summary["metrics"]
+            if (row["metric"], row["species"], row["group"]) == (metric, species, group)
+        ]
         return rows[0].get("published") if rows else None
 
     def rows(self, metric, species=None, group=None, baseline="", curve=False):
@@ -150,11 +154,23 @@ def attribution(data):
             if data.has_shadow:
                 mean, lower, upper = (x[0] for x in interval(data.values(metric, species, baseline="shadow")[:, None]))
                 ax.fill_between([place - 0.31, place + 0.31], lower, upper, color="black", alpha=0.25, linewidth=0)
-                ax.plot([place - 0.31, place + 0.31], [mean] * 2, color="black", linewidth=1.6,
-                        label="null: nothing inherited" if place == 0 else None)
+                ax.plot(
+                    [place - 0.31, place + 0.31],
+                    [mean] * 2,
+                    color="black",
+                    linewidth=1.6,
+                    label="null: nothing inherited" if place == 0 else None,
+                )
             if (published := data.published(metric, species)) is not None:
-                ax.plot(place + 0.22, published, "D", ms=4.5, mfc="white", mec="black",
-                        label="published" if "published" not in ax.get_legend_handles_labels()[1] else None)
+                ax.plot(
+                    place + 0.22,
+                    published,
+                    "D",
+                    ms=4.5,
+                    mfc="white",
+                    mec="black",
+                    label="published" if "published" not in ax.get_legend_handles_labels()[1] else None,
+                )
             names.append(f"{species}:\n{word}")
             place += 1
     if place == 0:
@@ -166,12 +182,17 @@ def attribution(data):
     else:
         ax.set_xticklabels(names)
     legend_above(ax)
-    return caption(fig, f"{data.subject('Attribution, the share of inherited individuals')} Bar: mean over runs; point: a run. {data.intervals('whisker and grey box')} Caught: of the prey that were caught; "
-                        "credited: of all prey deaths, by the last killer in that body; catches: of all catches.")
+    return caption(
+        fig,
+        f"{data.subject('Attribution, the share of inherited individuals')} Bar: mean over runs; point: a run. {data.intervals('whisker and grey box')} Caught: of the prey that were caught; "
+        "credited: of all prey deaths, by the last killer in that body; catches: of all catches.",
+    )
 
 
 def velocity(data):
-    fig, axes = plt.subplots(len(data.species), 1, figsize=(width_in(), 1.55 * len(data.species) + 0.3), sharex=True, squeeze=False)
+    fig, axes = plt.subplots(
+        len(data.species), 1, figsize=(width_in(), 1.55 * len(data.species) + 0.3), sharex=True, squeeze=False
+    )
     for ax, species in zip(axes[:, 0], data.species[::-1]):
         for group, style, shade in (("inherited", "-", colour(species, data.species)), ("random", "--", NULL_COLOUR)):
             time_s, runs = data.curve("velocity", species, group)
@@ -179,13 +200,25 @@ def velocity(data):
         draw_shadow(ax, data, "velocity", species, "inherited", "inherited, shadow", scale=100)
         ax.axhline(0, color="black", linewidth=0.4)
         if (published := data.published("velocity", species)) is not None:
-            ax.plot([1.0], [100 * published], "D", ms=4.5, mfc="white", mec="black", clip_on=False,
-                    transform=ax.get_yaxis_transform(), label="published mean")
+            ax.plot(
+                [1.0],
+                [100 * published],
+                "D",
+                ms=4.5,
+                mfc="white",
+                mec="black",
+                clip_on=False,
+                transform=ax.get_yaxis_transform(),
+                label="published mean",
+            )
         ax.set_ylabel(f"{species}: velocity to\nadversary [cm/s]")
         legend_above(ax)
     axes[-1, 0].set_xlabel("time [s]")
-    return caption(fig, f"{data.subject('Velocity relative to the closest perceived adversary')} Above 0: towards it. Windows of {window_s(time_s):g} s; "
-                        f"thick: mean over runs; thin: its mean over time. {data.intervals('bands')}")
+    return caption(
+        fig,
+        f"{data.subject('Velocity relative to the closest perceived adversary')} Above 0: towards it. Windows of {window_s(time_s):g} s; "
+        f"thick: mean over runs; thin: its mean over time. {data.intervals('bands')}",
+    )
 
 
 def wall_sticking(data):
@@ -199,19 +232,35 @@ def wall_sticking(data):
             mean = data.values("wall_sticking", species, "all", "shadow").mean()
             ax.axhline(mean, color=shade, linestyle="-.", linewidth=0.8, label=f"{species}, shadow's mean")
         if (published := data.published("wall_sticking", species)) is not None:
-            ax.plot([1.0], [published], "D", ms=4.5, mfc="white", mec=shade, clip_on=False,
-                    transform=ax.get_yaxis_transform(), label=f"{species}, published mean")
+            ax.plot(
+                [1.0],
+                [published],
+                "D",
+                ms=4.5,
+                mfc="white",
+                mec=shade,
+                clip_on=False,
+                transform=ax.get_yaxis_transform(),
+                label=f"{species}, published mean",
+            )
     spread = data.values("wall_sticking", data.species[0], "all", "uniform_density")[0]
     ax.axhline(spread, color="black", linestyle=":", linewidth=1, label="uniform density (not a null)")
     ax.set(xlabel="time [s]", ylabel="share within 1 m of a wall", ylim=(0, 1))
     legend_above(ax)
-    return caption(fig, f"{data.subject('Share of robots within 1 m of a wall')} Windows of {window_s(time_s):g} s; thick: mean over runs; thin: its mean over "
-                        f"time. {data.intervals('bands')}")
+    return caption(
+        fig,
+        f"{data.subject('Share of robots within 1 m of a wall')} Windows of {window_s(time_s):g} s; thick: mean over runs; thin: its mean over "
+        f"time. {data.intervals('bands')}",
+    )
 
 
 def tag_symmetry(data):
     fig, ax = plt.subplots(figsize=(width_in(), 2.6))
-    rows = [("ours", "", "#0072B2"), ("null: permuted\ntags", "permuted_tags", NULL_COLOUR), ("Bernoulli(1/2)", "bernoulli_tags", "#999999")]
+    rows = [
+        ("ours", "", "#0072B2"),
+        ("null: permuted\ntags", "permuted_tags", NULL_COLOUR),
+        ("Bernoulli(1/2)", "bernoulli_tags", "#999999"),
+    ]
     if data.has_shadow:
         rows.insert(1, ("null: nothing\ninherited", "shadow", NULL_COLOUR))
     uniform = data.values("tag_symmetry", group="inherited", baseline="uniform_pairs")[0]
@@ -230,9 +279,12 @@ def tag_symmetry(data):
     ax.text(uniform - 0.005, top + 0.42, "paper's baseline 2/3", color="#CC0000", ha="right", fontsize=7)
     ax.set(yticks=range(top + 1), ylim=(-0.5, top + 0.65), xlabel="tag symmetry, mean of each run")
     ax.set_yticklabels([name for name, _, _ in rows] + ["published\nmean"])
-    return caption(fig, f"{data.subject('Tag symmetry: the absolute sum of the mean tags of both species')} Point: a run; square: mean over runs. "
-                        f"{data.intervals('bars')} Permuted tags: the tags of the same tick, drawn again among the same robots; Bernoulli(1/2): tags drawn with "
-                        "equal chances.")
+    return caption(
+        fig,
+        f"{data.subject('Tag symmetry: the absolute sum of the mean tags of both species')} Point: a run; square: mean over runs. "
+        f"{data.intervals('bars')} Permuted tags: the tags of the same tick, drawn again among the same robots; Bernoulli(1/2): tags drawn with "
+        "equal chances.",
+    )
 
 
 def population(data):
@@ -255,12 +307,24 @@ def population(data):
                 continue
             time_s, runs = data.curve("deaths", species, cause)
             mean = np.nanmean(runs, axis=0)
-            axes[2].bar(time_s - window_s(time_s) / 2, mean, window_s(time_s) * 0.9, bottom, color=colour(species, data.species), hatch=hatch,
-                        linewidth=0.3, edgecolor="white", label=f"{species}, {cause}")
+            axes[2].bar(
+                time_s - window_s(time_s) / 2,
+                mean,
+                window_s(time_s) * 0.9,
+                bottom,
+                color=colour(species, data.species),
+                hatch=hatch,
+                linewidth=0.3,
+                edgecolor="white",
+                label=f"{species}, {cause}",
+            )
             bottom = bottom + mean
     axes[2].set(xlabel="time [s]", ylabel=f"deaths per {window_s(time_s):g} s")
     legend_above(axes[2])
-    return caption(fig, f"{data.subject('Individuals, hunger and deaths')} Means over runs in windows of {window_s(time_s):g} s. {data.intervals('bands', False)} Hunger: time since birth or the last catch.")
+    return caption(
+        fig,
+        f"{data.subject('Individuals, hunger and deaths')} Means over runs in windows of {window_s(time_s):g} s. {data.intervals('bands', False)} Hunger: time since birth or the last catch.",
+    )
 
 
 def with_and_without(data):
@@ -270,12 +334,24 @@ def with_and_without(data):
         for species in data.species:
             for baseline, style, words in (("", "-", "inheritance"), ("shadow", (0, (1, 1)), "nothing inherited")):
                 time_s, runs = data.curve(metric, species, group, baseline)
-                draw_curve(ax, time_s, runs, f"{species}, {words}", colour(species, data.species), style, average=False, scale=scale)
+                draw_curve(
+                    ax,
+                    time_s,
+                    runs,
+                    f"{species}, {words}",
+                    colour(species, data.species),
+                    style,
+                    average=False,
+                    scale=scale,
+                )
     axes[0].set(ylabel="individuals", ylim=(0, None))
     axes[1].set(ylabel="velocity to\nadversary [cm/s]", xlabel="time [s]")
     axes[1].axhline(0, color="black", linewidth=0.4)
     legend_above(axes[0])
-    return caption(fig, f"{data.subject('Numbers, and velocity of the inherited towards the closest perceived adversary')} Windows of {window_s(time_s):g} s. {data.intervals('bands')}")
+    return caption(
+        fig,
+        f"{data.subject('Numbers, and velocity of the inherited towards the closest perceived adversary')} Windows of {window_s(time_s):g} s. {data.intervals('bands')}",
+    )
 
 
 def own_metric(data, metric):
@@ -299,8 +375,16 @@ def own_metric(data, metric):
             mean, lower, upper = (x[0] for x in interval(values[:, None]))
             ax.plot([place + shift] * len(values), values, "o", ms=2.5, mew=0, color=look, alpha=0.6)
             bars = [[mean - lower], [upper - mean]] if np.isfinite(lower) else None
-            ax.errorbar([place + 1.8 * shift], [mean], yerr=bars, fmt="s", ms=4, color=look, capsize=2.5,
-                        label=("shadow" if baseline else "ours") if place == 0 else None)
+            ax.errorbar(
+                [place + 1.8 * shift],
+                [mean],
+                yerr=bars,
+                fmt="s",
+                ms=4,
+                color=look,
+                capsize=2.5,
+                label=("shadow" if baseline else "ours") if place == 0 else None,
+            )
     if not has_curve:
         ax.set_xticks(range(len(parts)), [" ".join(filter(None, [p.species, p.group])) for p in parts])
     unit = "" if parts[0].unit == "1" else f" [{parts[0].unit}]"
@@ -315,7 +399,10 @@ MOST_LINES_OF_A_FOREST = 30
 def forest(summary):
     """The differences of two sets that were compared, each in standard deviations between runs, with 95 % intervals; filled: significant."""
     kinds = ("over_neutral", "over_shadow", "raw")
-    answers = [next(kind for kind in kinds if kind == "raw" or d.get(kind, {}).get("value") is not None) for d in summary["differences"]]
+    answers = [
+        next(kind for kind in kinds if kind == "raw" or d.get(kind, {}).get("value") is not None)
+        for d in summary["differences"]
+    ]
     _, over, _ = over_nulls(answers)
     rows = []
     for d, kind in zip(summary["differences"], answers):
@@ -334,19 +421,41 @@ def forest(summary):
     for place, (d, of, (value, lower, upper)) in enumerate(rows):
         ax.plot([lower, upper], [place, place], color="black", linewidth=1)
         ax.plot([value], [place], "o", ms=4, color="black", mfc="black" if of["differs"] else "white")
-    names = [f"{d['metric'].replace('_', ' ')} {d['species']}" + ("" if d["group"] == "all" else f" ({d['group']})") for d, _, _ in rows]
+    names = [
+        f"{d['metric'].replace('_', ' ')} {d['species']}" + ("" if d["group"] == "all" else f" ({d['group']})")
+        for d, _, _ in rows
+    ]
     ax.axvline(0, color="#555555", linewidth=0.6)
     ax.set_yticks(range(len(rows)), names, fontsize=6)
     ax.set_ylim(-0.7, len(rows) - 0.3)
     first, second = (s["set"] for s in summary["sets"])
-    ax.set_xlabel(wrapped(f"{second} \u2212 {first}" + (f", {over}" if over else "")) + "\n[standard deviations between runs]", loc="right")
+    ax.set_xlabel(
+        wrapped(f"{second} \u2212 {first}" + (f", {over}" if over else "")) + "\n[standard deviations between runs]",
+        loc="right",
+    )
     rest = f" The {left_out} least significant are left out." if left_out > 0 else ""
-    return caption(fig, f"Differences {second} - {first}" + (f", {over}" if over else " (raw)") + f", n = {len(summary['sets'][0]['runs'])} and "
-                        f"{len(summary['sets'][1]['runs'])} runs, in pooled standard deviations between runs; bars: 95 % intervals of single comparisons. "
-                        f"Filled: p <= 0.05 after Holm's correction for all metrics.{rest}")
+    return caption(
+        fig,
+        f"Differences {second} - {first}"
+        + (f", {over}" if over else " (raw)")
+        + f", n = {len(summary['sets'][0]['runs'])} and "
+        f"{len(summary['sets'][1]['runs'])} runs, in pooled standard deviations between runs; bars: 95 % intervals of single comparisons. "
+        f"Filled: p <= 0.05 after Holm's correction for all metrics.{rest}",
+    )
 
 
-FIGURES = [attribution, velocity, wall_sticking, tag_symmetry, population, with_and_without, phylogeny, catches, trajectories, film_strip]
+FIGURES = [
+    attribution,
+    velocity,
+    wall_sticking,
+    tag_symmetry,
+    population,
+    with_and_without,
+    phylogeny,
+    catches,
+    trajectories,
+    film_strip,
+]
 
 
 def analysis_of(analysis):
@@ -382,9 +491,16 @@ def figures_of(folder, run=0):
     figures = []
     for data in sets:
         prefix = "" if len(sets) == 1 else re.sub(r"\W+", "_", data.summary["set"]).strip("_") + "-"
-        figures += [(prefix + draw.__name__, functools.partial(draw, data)) for draw in FIGURES if draw is not with_and_without or data.has_shadow]
+        figures += [
+            (prefix + draw.__name__, functools.partial(draw, data))
+            for draw in FIGURES
+            if draw is not with_and_without or data.has_shadow
+        ]
         own = data.own_metrics()
-        figures += [(f"{prefix}own-{re.sub(r'[^A-Za-z0-9]+', '_', metric)}", functools.partial(own_metric, data, metric)) for metric in own]
+        figures += [
+            (f"{prefix}own-{re.sub(r'[^A-Za-z0-9]+', '_', metric)}", functools.partial(own_metric, data, metric))
+            for metric in own
+        ]
     summary = json.loads((pathlib.Path(folder) / "summary.json").read_text())
     if "differences" in summary:
         figures.insert(0, ("forest", functools.partial(forest, summary)))

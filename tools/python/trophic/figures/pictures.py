@@ -74,7 +74,11 @@ def phylogeny(data):
     if links:
         x, low, high = zip(*links)
         ax.vlines(x, low, high, color="black", linewidth=0.6)
-    waits = [(rows[p], tree.destruction_time[p], max(tree.origin_time[c] for c in children[p])) for p in rows if p in children]
+    waits = [
+        (rows[p], tree.destruction_time[p], max(tree.origin_time[c] for c in children[p]))
+        for p in rows
+        if p in children
+    ]
     waits = [wait for wait in waits if wait[2] > wait[1]]
     if waits:
         y, death_s, birth_s = zip(*waits)
@@ -83,17 +87,37 @@ def phylogeny(data):
         of = shown[shown.species == species]
         shade = colour(species, data.species)
         y = [rows[i] for i in of.index]
-        ax.hlines(y, of.origin_time, of.destruction_time.replace(np.inf, end_s), color=shade, linewidth=1.5, label=species,
-                  linestyle=line(species, data.species) if len(data.species) > 2 else "-")
+        ax.hlines(
+            y,
+            of.origin_time,
+            of.destruction_time.replace(np.inf, end_s),
+            color=shade,
+            linewidth=1.5,
+            label=species,
+            linestyle=line(species, data.species) if len(data.species) > 2 else "-",
+        )
         living = of[np.isinf(of.destruction_time)]
         ax.plot([end_s] * len(living), [rows[i] for i in living.index], ">", ms=3, mew=0, color=shade)
-    ax.set(xlabel="time [s]", ylabel="a line a life, a stripe a family", ylim=(-1.5, row), yticks=[], xlim=(-0.01 * end_s, 1.02 * end_s))
+    ax.set(
+        xlabel="time [s]",
+        ylabel="a line a life, a stripe a family",
+        ylim=(-1.5, row),
+        yticks=[],
+        xlim=(-0.01 * end_s, 1.02 * end_s),
+    )
     legend_above(ax, len(data.species))
     left_out = len(tree) - len(rows)
     alone = sum(len(family) == 1 for family in found)
-    rest = "" if left_out == 0 else (f" Not shown: {left_out} in smaller families, {alone} of them without parent and offspring.")
-    return caption(fig, f"{folder.name}: the {len(chosen)} largest of {len(found)} families, {len(rows)} of {len(tree)} individuals. Black: from "
-                        f"parent to offspring, at the birth (dotted: the parent is dead); arrow: alive at the end.{rest}")
+    rest = (
+        ""
+        if left_out == 0
+        else (f" Not shown: {left_out} in smaller families, {alone} of them without parent and offspring.")
+    )
+    return caption(
+        fig,
+        f"{folder.name}: the {len(chosen)} largest of {len(found)} families, {len(rows)} of {len(tree)} individuals. Black: from "
+        f"parent to offspring, at the birth (dotted: the parent is dead); arrow: alive at the end.{rest}",
+    )
 
 
 def catches(data):
@@ -131,7 +155,9 @@ def trajectories(data):
         raise Missing(f"{folder / 'agents.csv'}: no robot in it")
     half_m = data.summary["runs"][0]["half_side_m"]
     count = len(data.species)
-    fig, axes = plt.subplots(1, count, figsize=(max(width_in(), 1.75 * count), 2.5), sharex=True, sharey=True, squeeze=False)
+    fig, axes = plt.subplots(
+        1, count, figsize=(max(width_in(), 1.75 * count), 2.5), sharex=True, sharey=True, squeeze=False
+    )
     paths = {species: [] for species in data.species}
     for _, body in rows.groupby("body", sort=False):
         # A body's path is cut where it passes from one species to another.
@@ -140,15 +166,33 @@ def trajectories(data):
             paths[part.species.iloc[0]].append(part[["x_m", "y_m"]].to_numpy())
     points = len(rows) / max(1, count)
     for ax, species in zip(axes[0], data.species):
-        ax.add_collection(LineCollection(paths[species], colors=colour(species, data.species), linewidths=0.35,
-                                         alpha=float(np.clip(12000 / max(1.0, points), 0.2, 0.8)), rasterized=True))
-        ax.plot(half_m * np.array([-1, 1, 1, -1, -1]), half_m * np.array([-1, -1, 1, 1, -1]), color="black", linewidth=1)
-        ax.set(aspect="equal", title=species, xlabel="x [m]", xlim=(-1.04 * half_m, 1.04 * half_m), ylim=(-1.04 * half_m, 1.04 * half_m))
+        ax.add_collection(
+            LineCollection(
+                paths[species],
+                colors=colour(species, data.species),
+                linewidths=0.35,
+                alpha=float(np.clip(12000 / max(1.0, points), 0.2, 0.8)),
+                rasterized=True,
+            )
+        )
+        ax.plot(
+            half_m * np.array([-1, 1, 1, -1, -1]), half_m * np.array([-1, -1, 1, 1, -1]), color="black", linewidth=1
+        )
+        ax.set(
+            aspect="equal",
+            title=species,
+            xlabel="x [m]",
+            xlim=(-1.04 * half_m, 1.04 * half_m),
+            ylim=(-1.04 * half_m, 1.04 * half_m),
+        )
     axes[0][0].set_ylabel("y [m]")
     step_s = np.diff(np.unique(rows.time_s))
-    return caption(fig, f"{folder.name}: the paths of all {rows.body.nunique()} robots in {rows.time_s.max():g} s, a place every "
-                        f"{np.min(step_s) if len(step_s) else 0:g} s. A body that passes to the other species continues in the other panel. Frame: the "
-                        "walls.")
+    return caption(
+        fig,
+        f"{folder.name}: the paths of all {rows.body.nunique()} robots in {rows.time_s.max():g} s, a place every "
+        f"{np.min(step_s) if len(step_s) else 0:g} s. A body that passes to the other species continues in the other panel. Frame: the "
+        "walls.",
+    )
 
 
 def film(*words):
@@ -156,7 +200,12 @@ def film(*words):
     with tempfile.TemporaryDirectory() as name:
         picture = pathlib.Path(name) / "picture.png"
         try:
-            done = subprocess.run([find_program("trophic"), "film", *map(str, words), "-o", str(picture)], capture_output=True, text=True, timeout=120)
+            done = subprocess.run(
+                [find_program("trophic"), "film", *map(str, words), "-o", str(picture)],
+                capture_output=True,
+                text=True,
+                timeout=120,
+            )
         except ProgramError as error:
             raise Missing(str(error)) from None
         if done.returncode != 0:
@@ -175,5 +224,8 @@ def film_strip(data):
     ax.imshow(pixels)
     ax.set_axis_off()
     what = said.partition("; ")[2]  # "at 390 s predator 29 catches prey 12: random, lived 390 s"
-    return caption(fig, f"{folder.name}: {what}. The camera stands still; only the two robots of the catch are named. Ring on the floor: filled "
-                        "or hollow by its robot's tag, with a pointer ahead; red ring: the catch, at which a newborn (grey: inactive) takes over the victim's body.")
+    return caption(
+        fig,
+        f"{folder.name}: {what}. The camera stands still; only the two robots of the catch are named. Ring on the floor: filled "
+        "or hollow by its robot's tag, with a pointer ahead; red ring: the catch, at which a newborn (grey: inactive) takes over the victim's body.",
+    )

@@ -18,10 +18,26 @@ BESIDE_COLOURS = ["#882255", "#56B4E9", "#E69F00", "#332288"]
 LINES = ["-", (0, (4, 1.5)), (0, (1, 1)), (0, (5, 1, 1, 1, 1, 1)), (0, (7, 2, 1, 2))]
 NULL_COLOUR = "#555555"
 
-_SIZES = {"font.size": 8, "axes.titlesize": 8, "axes.labelsize": 8, "legend.fontsize": 7, "xtick.labelsize": 7, "ytick.labelsize": 7,
-          "axes.spines.top": False, "axes.spines.right": False, "lines.linewidth": 1.2, "legend.frameon": False, "pdf.fonttype": 42,
-          "figure.constrained_layout.use": True, "text.parse_math": False}  # a $ in a name of a user is a $
-_SERIF = {"font.family": "serif", "font.serif": ["Times New Roman", "Nimbus Roman", "Liberation Serif", "STIXGeneral"], "mathtext.fontset": "stix"}
+_SIZES = {
+    "font.size": 8,
+    "axes.titlesize": 8,
+    "axes.labelsize": 8,
+    "legend.fontsize": 7,
+    "xtick.labelsize": 7,
+    "ytick.labelsize": 7,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "lines.linewidth": 1.2,
+    "legend.frameon": False,
+    "pdf.fonttype": 42,
+    "figure.constrained_layout.use": True,
+    "text.parse_math": False,
+}  # a $ in a name of a user is a $
+_SERIF = {
+    "font.family": "serif",
+    "font.serif": ["Times New Roman", "Nimbus Roman", "Liberation Serif", "STIXGeneral"],
+    "mathtext.fontset": "stix",
+}
 # Inches of a column and of a page, and how letters look.
 STYLES = {"plain": (3.5, 7.16, {}), "serif": (3.5, 7.16, _SERIF), "ieee": (3.487, 7.14, _SERIF)}
 _WIDTH_IN = [3.5]
@@ -73,7 +89,15 @@ def legend_above(ax, columns=2, **options):
         return 0
     figure, room_in = ax.figure, (ax.figure.get_figwidth() - 0.7) / ax.get_subplotspec().get_gridspec().ncols
     for count in range(columns, 0, -1):
-        legend = ax.legend(loc="lower left", bbox_to_anchor=(0, 1.0), ncol=count, borderaxespad=0.2, columnspacing=1, handlelength=1.6, **options)
+        legend = ax.legend(
+            loc="lower left",
+            bbox_to_anchor=(0, 1.0),
+            ncol=count,
+            borderaxespad=0.2,
+            columnspacing=1,
+            handlelength=1.6,
+            **options,
+        )
         if legend.get_window_extent().width < room_in * figure.dpi:
             break
     rows = -(-len(labels) // count)
@@ -91,24 +115,47 @@ def letter_panels(figure):
     panels = [ax for ax in figure.axes if ax.get_label() != "<colorbar>" and ax.axison]
     if len(panels) > 1:
         for number, ax in enumerate(panels):
-            ax.annotate(chr(ord("a") + number % 26), (0, 1), xytext=(-20, 4), xycoords="axes fraction", textcoords="offset points",
-                        fontweight="bold", fontsize=9, annotation_clip=False)
+            ax.annotate(
+                chr(ord("a") + number % 26),
+                (0, 1),
+                xytext=(-20, 4),
+                xycoords="axes fraction",
+                textcoords="offset points",
+                fontweight="bold",
+                fontsize=9,
+                annotation_clip=False,
+            )
     return figure
 
 
 def _with_caption(figure):
     lines = textwrap.wrap(figure.caption, int(figure.get_figwidth() * 20.5))
-    figure.set_figheight(figure.get_figheight() + len(lines) * 6 * 1.15 / 72)  # so panels stay as large as without a caption
+    figure.set_figheight(
+        figure.get_figheight() + len(lines) * 6 * 1.15 / 72
+    )  # so panels stay as large as without a caption
     figure.supxlabel("\n".join(lines), fontsize=6, color="#444444", x=0.01, ha="left", linespacing=1.15)
 
 
 def captions_tex(captions, folder="."):
     """A \\newcommand for the caption of each figure: \\trophicVelocity for velocity."""
+
     def command(name):
-        return "trophic" + "".join(part.capitalize() for part in "".join(c if c.isalpha() else " " for c in name).split())
+        return "trophic" + "".join(
+            part.capitalize() for part in "".join(c if c.isalpha() else " " for c in name).split()
+        )
+
     superscript = r"\textsuperscript{2}"
     lines = ["% \\input{captions}; then \\includegraphics{velocity} \\caption{\\trophicVelocity}"]
-    return "\n".join(lines + [f"\\newcommand{{\\{command(name)}}}{{{latex_text(one_line(text)).replace('²', superscript)}}}" for name, text in captions.items()]) + "\n"
+    return (
+        "\n".join(
+            lines
+            + [
+                f"\\newcommand{{\\{command(name)}}}{{{latex_text(one_line(text)).replace('²', superscript)}}}"
+                for name, text in captions.items()
+            ]
+        )
+        + "\n"
+    )
 
 
 def save_all(figures, out, with_captions=False):
@@ -128,7 +175,9 @@ def save_all(figures, out, with_captions=False):
         if with_captions and getattr(figure, "caption", ""):
             _with_caption(figure)
         for ending in ("png", "pdf"):
-            figure.savefig(out / f"{name}.{ending}", dpi=300, metadata={"CreationDate": None} if ending == "pdf" else None)
+            figure.savefig(
+                out / f"{name}.{ending}", dpi=300, metadata={"CreationDate": None} if ending == "pdf" else None
+            )
         captions[name] = getattr(figure, "caption", "")
         plt.close(figure)
         drawn += 1

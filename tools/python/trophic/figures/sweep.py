@@ -19,7 +19,16 @@ from matplotlib.patches import Patch, Rectangle
 
 from .style import OTHER_COLOURS, Missing, caption, width_in
 
-HEADLINE = ["attribution_caught", "attribution_credited", "velocity", "wall_sticking", "tag_symmetry", "population", "deaths", "hunger"]
+HEADLINE = [
+    "attribution_caught",
+    "attribution_credited",
+    "velocity",
+    "wall_sticking",
+    "tag_symmetry",
+    "population",
+    "deaths",
+    "hunger",
+]
 MARKERS = "os^Dvp*X"
 MOST_PANELS, MOST_LINES, MOST_NUMBERS = 6, 8, 64
 UNITS = {"m/s": ("cm/s", 100.0), "1": ("", 1.0)}
@@ -92,7 +101,10 @@ class Sweep:
         elif self.chosen_before_looking(keys):
             keys = keys.merge(self.differences[["metric", "species", "group"]].drop_duplicates())
         else:
-            keys = keys[keys.metric.isin(HEADLINE) & ((keys.group == "all") | (keys.metric + keys.group == "tag_symmetryinherited"))]
+            keys = keys[
+                keys.metric.isin(HEADLINE)
+                & ((keys.group == "all") | (keys.metric + keys.group == "tag_symmetryinherited"))
+            ]
         metrics = ((metric, list(rows.itertuples(index=False))) for metric, rows in keys.groupby("metric", sort=False))
         return [(metric, list(filter(self.varies, rows))) for metric, rows in metrics]
 
@@ -163,7 +175,9 @@ def frame(rows, columns, size, legends, fixed, **sharing):
     fig = plt.figure(figsize=(size[0], size[1] + sum(heights)))
     *strips, below = fig.subfigures(len(legends) + 1, 1, height_ratios=[*heights, size[1]])
     for strip, handles in zip(strips, legends):
-        strip.legend(handles=handles, loc="center", ncol=min(len(handles), in_a_row), columnspacing=1.2, handlelength=1.6)
+        strip.legend(
+            handles=handles, loc="center", ncol=min(len(handles), in_a_row), columnspacing=1.2, handlelength=1.6
+        )
     if fixed:
         below.supxlabel(f"at {fixed}", fontsize=6.5, color="#555555")
     return fig, below, below.subplots(rows, columns, squeeze=False, **sharing)
@@ -175,11 +189,28 @@ def draw_line(ax, sweep, key, cells, x, shift, style, label):
     where = np.array([position[value] for value in cells[x.name]]) + shift
     order = np.argsort(where)
     errors = np.vstack([means["mean"] - means.lower, means.upper - means["mean"]])
-    ax.errorbar(where, means["mean"], np.nan_to_num(errors), fmt="none", color=style["color"], capsize=1.5, linewidth=0.8, alpha=0.8)
+    ax.errorbar(
+        where,
+        means["mean"],
+        np.nan_to_num(errors),
+        fmt="none",
+        color=style["color"],
+        capsize=1.5,
+        linewidth=0.8,
+        alpha=0.8,
+    )
     ax.plot(where[order], means["mean"].to_numpy()[order], color=style["color"], linewidth=1, label=label, zorder=3)
     significant = sweep.is_significant(key).reindex(cells.index, fill_value=False).to_numpy()
     for chosen, face in ((significant, style["color"]), (~significant, "white")):
-        ax.plot(where[chosen], means["mean"].to_numpy()[chosen], style["marker"], ms=4, mfc=face, mec=style["color"], zorder=4)
+        ax.plot(
+            where[chosen],
+            means["mean"].to_numpy()[chosen],
+            style["marker"],
+            ms=4,
+            mfc=face,
+            mec=style["color"],
+            zorder=4,
+        )
     for place in where[cells.index == sweep.reference]:
         ax.plot([place], [means["mean"].loc[sweep.reference]], "o", ms=9, mfc="none", mec="black", mew=0.8, zorder=5)
 
@@ -194,12 +225,25 @@ def response(sweep, keys):
     cells, fixed = sweep.at([axis for axis in (x, lines, panels) if axis])
     columns = panels_of(sweep, panels)
     values = lines.values[:MOST_LINES] if lines else [None]
-    styles = [{"color": colour, "marker": MARKERS[i % len(MARKERS)]} for i, colour in enumerate(shades(lines) if lines else ["#0072B2"])]
-    of_lines = [Line2D([], [], color=s["color"], marker=s["marker"], ms=4, mfc="white", label=f"{lines.title} {lines.text(v)}")
-                for v, s in zip(values, styles)] if lines else []
-    marks = [Line2D([], [], linestyle="", marker="o", ms=4, color="black", label="significant (corrected)"),
-                Line2D([], [], linestyle="", marker="o", ms=4, mfc="white", mec="black", label="inconclusive"),
-                Line2D([], [], linestyle="", marker="o", ms=9, mfc="none", mec="black", label="reference")]
+    styles = [
+        {"color": colour, "marker": MARKERS[i % len(MARKERS)]}
+        for i, colour in enumerate(shades(lines) if lines else ["#0072B2"])
+    ]
+    of_lines = (
+        [
+            Line2D(
+                [], [], color=s["color"], marker=s["marker"], ms=4, mfc="white", label=f"{lines.title} {lines.text(v)}"
+            )
+            for v, s in zip(values, styles)
+        ]
+        if lines
+        else []
+    )
+    marks = [
+        Line2D([], [], linestyle="", marker="o", ms=4, color="black", label="significant (corrected)"),
+        Line2D([], [], linestyle="", marker="o", ms=4, mfc="white", mec="black", label="inconclusive"),
+        Line2D([], [], linestyle="", marker="o", ms=9, mfc="none", mec="black", label="reference"),
+    ]
     size = (max(width_in(), 1.1 + 1.9 * len(columns)), 0.4 + 1.5 * len(keys))
     fig, _, grid = frame(len(keys), len(columns), size, [of_lines, marks], fixed, sharex=True, sharey="row")
     step = np.diff(x.positions()).min() if len(x.values) > 1 else 1.0
@@ -215,10 +259,15 @@ def response(sweep, keys):
                 ax.set_title(title)
             if row == len(keys) - 1:
                 ax.set_xlabel(x.title)
-            ax.set_xticks(x.positions(), [x.text(value) for value in x.values], rotation=0 if len(x.values) <= 6 else 60)
+            ax.set_xticks(
+                x.positions(), [x.text(value) for value in x.values], rotation=0 if len(x.values) <= 6 else 60
+            )
             ax.margins(x=0.08, y=0.12)
         grid[row, 0].set_ylabel(sweep.title(key), fontsize=7)
-    return caption(fig, f"{keys[0].metric.replace('_', ' ').capitalize()} by {x.title}: means of the runs of a cell with 95 % intervals. Filled: differs from the reference cell, p <= 0.05 corrected for all comparisons.")
+    return caption(
+        fig,
+        f"{keys[0].metric.replace('_', ' ').capitalize()} by {x.title}: means of the runs of a cell with 95 % intervals. Filled: differs from the reference cell, p <= 0.05 corrected for all comparisons.",
+    )
 
 
 def signed(value, largest):
@@ -237,21 +286,54 @@ def draw_map(ax, sweep, key, cells, x, y, limit, with_numbers):
         place = y.values.index(at[y.name]), x.values.index(at[x.name])
         if cell == sweep.reference:
             values[place] = 0.0
-            ax.add_patch(Rectangle((place[1] - 0.5, place[0] - 0.5), 1, 1, fill=False, edgecolor="black", linewidth=1.6, zorder=4, clip_on=False))
+            ax.add_patch(
+                Rectangle(
+                    (place[1] - 0.5, place[0] - 0.5),
+                    1,
+                    1,
+                    fill=False,
+                    edgecolor="black",
+                    linewidth=1.6,
+                    zorder=4,
+                    clip_on=False,
+                )
+            )
         elif cell in differences.index:
             values[place] = factor * differences.difference[cell]
             if not significant[cell]:
-                ax.add_patch(Rectangle((place[1] - 0.5, place[0] - 0.5), 1, 1, fill=False, edgecolor="#777777", hatch="////", linewidth=0, zorder=2))
+                ax.add_patch(
+                    Rectangle(
+                        (place[1] - 0.5, place[0] - 0.5),
+                        1,
+                        1,
+                        fill=False,
+                        edgecolor="#777777",
+                        hatch="////",
+                        linewidth=0,
+                        zorder=2,
+                    )
+                )
     image = ax.imshow(values, cmap="RdBu_r", vmin=-limit, vmax=limit, origin="lower", aspect="auto")
     image.cmap.set_bad("#dddddd")
     if with_numbers:
         for (row, column), value in np.ndenumerate(values):
             if np.isnan(value):
                 continue
-            is_reference = cells.index[(cells[x.name] == x.values[column]) & (cells[y.name] == y.values[row])][0] == sweep.reference
+            is_reference = (
+                cells.index[(cells[x.name] == x.values[column]) & (cells[y.name] == y.values[row])][0]
+                == sweep.reference
+            )
             text = "ref" if is_reference else signed(value, limit)
-            ax.text(column, row, text, ha="center", va="center", fontsize=6, zorder=5,
-                    bbox={"boxstyle": "round,pad=0.15", "facecolor": "white", "alpha": 0.85, "linewidth": 0})
+            ax.text(
+                column,
+                row,
+                text,
+                ha="center",
+                va="center",
+                fontsize=6,
+                zorder=5,
+                bbox={"boxstyle": "round,pad=0.15", "facecolor": "white", "alpha": 0.85, "linewidth": 0},
+            )
     ax.set_xticks(range(len(x.values)), [x.text(value) for value in x.values], rotation=0 if len(x.values) <= 6 else 60)
     ax.set_yticks(range(len(y.values)), [y.text(value) for value in y.values])
     for spine in ax.spines.values():
@@ -268,15 +350,22 @@ def heat(sweep, keys, x, y):
     panels = rest[0] if rest else None
     cells, fixed = sweep.at([axis for axis in (x, y, panels) if axis])
     columns = panels_of(sweep, panels)
-    size = (max(width_in(), 1.3 + len(columns) * max(1.3, 0.38 * len(x.values))), 0.4 + len(keys) * max(1.1, 0.3 * len(y.values)))
-    handles = [Patch(facecolor="white", edgecolor="#777777", hatch="////", linewidth=0, label="inconclusive"),
-               Patch(facecolor="#d6604d", label="significant (corrected)"),
-               Patch(facecolor="white", edgecolor="black", linewidth=1.6, label="reference")]
+    size = (
+        max(width_in(), 1.3 + len(columns) * max(1.3, 0.38 * len(x.values))),
+        0.4 + len(keys) * max(1.1, 0.3 * len(y.values)),
+    )
+    handles = [
+        Patch(facecolor="white", edgecolor="#777777", hatch="////", linewidth=0, label="inconclusive"),
+        Patch(facecolor="#d6604d", label="significant (corrected)"),
+        Patch(facecolor="white", edgecolor="black", linewidth=1.6, label="reference"),
+    ]
     if cells.shape[0] < len(x.values) * len(y.values) * len(columns):
         handles.append(Patch(facecolor="#dddddd", label="no such cell"))
     fig, panel_figure, grid = frame(len(keys), len(columns), size, [handles], fixed, sharex=True, sharey=True)
     for row, key in enumerate(keys):
-        differences = sweep.rows(sweep.differences, key).difference.reindex(cells.index) * UNITS.get(key.unit, ("", 1.0))[1]
+        differences = (
+            sweep.rows(sweep.differences, key).difference.reindex(cells.index) * UNITS.get(key.unit, ("", 1.0))[1]
+        )
         limit = differences.abs().max()
         if not limit > 0:
             limit = 1.0
@@ -293,7 +382,10 @@ def heat(sweep, keys, x, y):
         bar = panel_figure.colorbar(image, ax=grid[row, :], pad=0.02)
         bar.set_label(sweep.title(key) + "\n- reference", fontsize=7)
         bar.outline.set_visible(False)
-    return caption(fig, f"{keys[0].metric.replace('_', ' ').capitalize()} by {x.title} and {y.title}: difference of each cell to the reference cell. Hatched: inconclusive after the correction for all comparisons.")
+    return caption(
+        fig,
+        f"{keys[0].metric.replace('_', ' ').capitalize()} by {x.title} and {y.title}: difference of each cell to the reference cell. Hatched: inconclusive after the correction for all comparisons.",
+    )
 
 
 def figures_of(folder, metrics=None, axes=None):

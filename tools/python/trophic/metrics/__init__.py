@@ -23,17 +23,59 @@ from .tables import Agents, Results, Web
 if TYPE_CHECKING:
     from ..pool import PooledRun
 
-__all__ = ["Agents", "Measuring", "OwnColumn", "OwnMetric", "Results", "Web", "chosen", "lost_to_thinning", "measure_run", "metric", "names",
-           "shipped"]
+__all__ = [
+    "Agents",
+    "Measuring",
+    "OwnColumn",
+    "OwnMetric",
+    "Results",
+    "Web",
+    "chosen",
+    "lost_to_thinning",
+    "measure_run",
+    "metric",
+    "names",
+    "shipped",
+]
 
 EVENTS = ("time_s", "event", "id", "species", "body", "origin", "cause", "victim_id")
-AGENTS = ("time_s", "tick", "body", "id", "species", "origin", "active", "tag", "x_m", "y_m", "adversary_id", "hunger_ticks")
+AGENTS = (
+    "time_s",
+    "tick",
+    "body",
+    "id",
+    "species",
+    "origin",
+    "active",
+    "tag",
+    "x_m",
+    "y_m",
+    "adversary_id",
+    "hunger_ticks",
+)
 OPTIONAL = ("upright_speed", "overturned", "wall_contact", "velocity_upright", *living.OPTIONAL)
 """Left out if no run has a value, unless a choice names it."""
-READINGS = {**dict.fromkeys(("velocity_points", "velocity_stored", "velocity_simulated", "velocity_open", "velocity_upright"), "velocity"),
-            **{f"{metric}_not_locked": metric for metric in ("velocity", "wall_sticking", "wall_sticking_gap", "tag_symmetry", "attribution_caught",
-                                                             "attribution_catches")},
-            "search_rate_holling": "search_rate", "near_pairs": "locked", "near_longest": "locked", "upright_speed": "open_speed", "wall_contact": "wall_sticking"}
+READINGS = {
+    **dict.fromkeys(
+        ("velocity_points", "velocity_stored", "velocity_simulated", "velocity_open", "velocity_upright"), "velocity"
+    ),
+    **{
+        f"{metric}_not_locked": metric
+        for metric in (
+            "velocity",
+            "wall_sticking",
+            "wall_sticking_gap",
+            "tag_symmetry",
+            "attribution_caught",
+            "attribution_catches",
+        )
+    },
+    "search_rate_holling": "search_rate",
+    "near_pairs": "locked",
+    "near_longest": "locked",
+    "upright_speed": "open_speed",
+    "wall_contact": "wall_sticking",
+}
 """Metrics that are another reading of a metric, which is tested for them."""
 _INHERITED = ("modes_", "activity_", "body_", "brain_genes", "gait_genes")
 
@@ -73,8 +115,18 @@ class Measuring:
             raise RunError(f"--jobs {self.jobs}: must be >= 1")
 
 
-def shipped(web: Web, events: pandas.DataFrame, agents: pandas.DataFrame, *, until_s: float, floor: walls.Floor, every_ticks: int = 1,
-            tag_values: Sequence[int] = (-1, 1), simulated_s_per_s: float = 1.0, is_constant: bool = True) -> Results:
+def shipped(
+    web: Web,
+    events: pandas.DataFrame,
+    agents: pandas.DataFrame,
+    *,
+    until_s: float,
+    floor: walls.Floor,
+    every_ticks: int = 1,
+    tag_values: Sequence[int] = (-1, 1),
+    simulated_s_per_s: float = 1.0,
+    is_constant: bool = True,
+) -> Results:
     """All metrics of tables with the columns EVENTS and AGENTS, and what motion.with_contacts adds, for any number of species, in an order that
     depends only on the food web and the tags. A metric whose table has no row or lacks the ticks for it is there with the value nan.
 
@@ -88,8 +140,16 @@ def shipped(web: Web, events: pandas.DataFrame, agents: pandas.DataFrame, *, unt
     free = Agents(agents[is_free], web)
     attribution.measure(events, locked.events_of_free(events, robots, ~is_free) if locks else events[:0], web, results)
     demography.measure_deaths(events, web, until_s, results)
-    velocity.measure(robots, web, every_ticks, results, simulated_s_per_s=simulated_s_per_s, free=is_free,
-                     is_open=walls.to_wall_m(robots, floor) > walls.REACH_M, is_upright=motion.is_upright(robots))
+    velocity.measure(
+        robots,
+        web,
+        every_ticks,
+        results,
+        simulated_s_per_s=simulated_s_per_s,
+        free=is_free,
+        is_open=walls.to_wall_m(robots, floor) > walls.REACH_M,
+        is_upright=motion.is_upright(robots),
+    )
     for rows, suffix in ((robots, ""), (free, "_not_locked")):
         walls.measure(rows, web, floor, results, suffix)
         tags.measure(rows, web, tag_values, results, suffix)
@@ -107,18 +167,31 @@ def measure_run(run: PooledRun, how: Measuring) -> RunValues:
     verify(run.path)
     if how.lineages is not None:
         from . import lineages
+
         return lineages.measure_run(run, how)  # type: ignore[arg-type]  # known since the runs were pooled
     status = run.manifest["status"]
-    remarks = [] if status == "complete" else [f'{run.path}/manifest.json: status "{status}": the run did not reach its end']
+    remarks = (
+        [] if status == "complete" else [f'{run.path}/manifest.json: status "{status}": the run did not reach its end']
+    )
     events, agents = run.load("events.csv", EVENTS, remarks), run.load("agents.csv", AGENTS, remarks)
     agents = motion.with_contacts(agents, run, remarks)
     if how.bodies:
         from . import bodies
+
         results = bodies.measure_run(run, events, agents)
     else:
         is_constant = not living.changes_numbers(run)
-        results = shipped(run.web, events, agents, until_s=run.lived_s, floor=run.floor, every_ticks=run.every_ticks, tag_values=run.tags,
-                          simulated_s_per_s=run.manifest["clock"].get("simulated_s_per_clock_s", 1.0), is_constant=is_constant)
+        results = shipped(
+            run.web,
+            events,
+            agents,
+            until_s=run.lived_s,
+            floor=run.floor,
+            every_ticks=run.every_ticks,
+            tag_values=run.tags,
+            simulated_s_per_s=run.manifest["clock"].get("simulated_s_per_clock_s", 1.0),
+            is_constant=is_constant,
+        )
         if not is_constant:
             living.measure(run, events, results)
     results.remarks[:0] = remarks
@@ -135,7 +208,12 @@ def lost_to_thinning(every: int) -> str:
     if every == 1:
         return ""
     lost = "no velocity_stored, which needs every tick"
-    for name, apart in (("velocity", velocity.TICKS), ("velocity_points", velocity.TICKS), ("locked", locked.TICKS), ("stuck", stuck.TICKS)):
+    for name, apart in (
+        ("velocity", velocity.TICKS),
+        ("velocity_points", velocity.TICKS),
+        ("locked", locked.TICKS),
+        ("stuck", stuck.TICKS),
+    ):
         if apart % every != 0:
             lost += f", no {name}, which needs rows {apart} ticks apart"
     return f"agents.csv: has the ticks that are multiples of {every}: {lost}"
@@ -145,19 +223,26 @@ def names(run: PooledRun, how: Measuring | None = None) -> list[Metric]:
     """The shipped metrics that a run is measured by, in the order of all tables."""
     if how is not None and how.lineages is not None:
         from . import lineages  # type: ignore[attr-defined]
+
         return lineages.metric_names(run.web.species)
     if how is not None and how.bodies:
         from . import bodies
+
         return bodies.names(run.web)
     is_constant = not living.changes_numbers(run)
-    return names_of(run.web, run.tags, is_constant) + ([] if is_constant else living.names(run.web, living.has_energy(run)))
+    return names_of(run.web, run.tags, is_constant) + (
+        [] if is_constant else living.names(run.web, living.has_energy(run))
+    )
 
 
 def inherited(of: Iterable[Metric], how: Measuring) -> frozenset[str]:
     """The names of the metrics of genomes, bodies and brains, whose null is the neutral one, among the shipped ones `of` and own ones. All others
     are of behaviour and numbers, or of descent, which the neutral null repeats."""
-    return frozenset({name.metric for name in of if name.metric.startswith(_INHERITED)} | {one.name for one in how.functions if one.inherited}
-                     | {one.column for one in how.columns if one.file in own.INHERITED})  # type: ignore[union-attr]
+    return frozenset(
+        {name.metric for name in of if name.metric.startswith(_INHERITED)}
+        | {one.name for one in how.functions if one.inherited}
+        | {one.column for one in how.columns if one.file in own.INHERITED}
+    )  # type: ignore[union-attr]
 
 
 def names_of(web: Web, tag_values: Sequence[int] = (-1, 1), is_constant: bool = True) -> list[Metric]:
@@ -183,10 +268,13 @@ def chosen(of: Iterable[Metric], choices: Sequence[str]) -> list[Metric]:
 
     def chooses(choice: str, name: Metric) -> bool:
         parts = choice.split(":")
-        return tuple(parts) == name[:3][:len(parts)]
+        return tuple(parts) == name[:3][: len(parts)]
+
     for choice in choices:
         if not any(chooses(choice, name) for name in of):
-            words = dict.fromkeys(word for name in of for word in (name.metric, f"{name.metric}:{name.species}", str(name)))
+            words = dict.fromkeys(
+                word for name in of for word in (name.metric, f"{name.metric}:{name.species}", str(name))
+            )
             near = difflib.get_close_matches(choice, words, 1)
             known = ", ".join(dict.fromkeys(name.metric for name in of))
             hint = f"; did you mean {near[0]}?" if near else ""
@@ -199,8 +287,12 @@ def kept(has_value: Mapping[Metric, bool], choices: Sequence[str]) -> list[Metri
     OPTIONAL without a value, unless a choice names it."""
     asked = {choice.split(":")[0] for choice in choices}
     gone = {of.species for of, value in has_value.items() if of.metric == "extinct_at" and value}
-    return [of for of, value in has_value.items() if of.metric in asked
-            or (of.species in gone if of.metric in demography.EXTINCTION else value or of.metric not in OPTIONAL)]
+    return [
+        of
+        for of, value in has_value.items()
+        if of.metric in asked
+        or (of.species in gone if of.metric in demography.EXTINCTION else value or of.metric not in OPTIONAL)
+    ]
 
 
 def same_metrics(runs: Sequence[RunValues], choices: Sequence[str] = ()) -> None:
@@ -211,8 +303,10 @@ def same_metrics(runs: Sequence[RunValues], choices: Sequence[str] = ()) -> None
     stay = {of[:2] for of in kept(its, choices)}
     if leave := [of[:2] for of in its if of[:2] not in stay]:
         for run in runs:
-            run.values, run.curves = (frame[~pandas.MultiIndex.from_frame(frame[METRIC[:2]]).isin(leave)].reset_index(drop=True)
-                                      for frame in (run.values, run.curves))
+            run.values, run.curves = (
+                frame[~pandas.MultiIndex.from_frame(frame[METRIC[:2]]).isin(leave)].reset_index(drop=True)
+                for frame in (run.values, run.curves)
+            )
     keys = [*METRIC, "baseline", "role"]
     if all(run.values[keys].equals(runs[0].values[keys]) for run in runs):
         return

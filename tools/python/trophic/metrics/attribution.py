@@ -71,7 +71,9 @@ def _inherited(events: pandas.DataFrame) -> float:
     return float((events.origin == "inherited").mean()) if len(events) else float("nan")
 
 
-def _last_before(keys: numpy.ndarray, rows: numpy.ndarray, of_keys: numpy.ndarray, before: numpy.ndarray) -> numpy.ndarray:
+def _last_before(
+    keys: numpy.ndarray, rows: numpy.ndarray, of_keys: numpy.ndarray, before: numpy.ndarray
+) -> numpy.ndarray:
     """For each key and row the place of the last entry with that key in an earlier row; -1 if there is none."""
     if len(keys) == 0:
         return numpy.full(len(of_keys), -1)

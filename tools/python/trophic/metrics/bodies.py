@@ -23,25 +23,52 @@ if TYPE_CHECKING:
 
 _WINDOW_S = 200.0
 _WINDOWS_OF_A_SHORT_RUN = 20
-_SHAPES = {"size": "1", "proportion": "1", "coverage": "1", "branching": "1", "limbs": "1", "length_of_limbs": "1", "symmetry": "1", "joints": "1",
-           "modules": "1", "hinges": "1", "mass_kg": "kg"}
+_SHAPES = {
+    "size": "1",
+    "proportion": "1",
+    "coverage": "1",
+    "branching": "1",
+    "limbs": "1",
+    "length_of_limbs": "1",
+    "symmetry": "1",
+    "joints": "1",
+    "modules": "1",
+    "hinges": "1",
+    "mass_kg": "kg",
+}
 """Columns of bodies.csv that are measures, with their units: the descriptors of docs/bodies.md, modules, hinges and mass."""
-_MEASURES = {**{f"body_{column.removesuffix('_kg')}": unit for column, unit in _SHAPES.items()},
-             # different plans, their Shannon number, and the tree edit distance from the plan of the species' first individual
-             "body_plans": "1", "body_plans_shannon": "1", "body_change": "1",
-             "brain_genes": "1", "gait_genes": "1", "walked": "m/s", "open_speed": "m/s", "upright_speed": "m/s",
-             "overturned": "1", "wall_contact": "1"}
+_MEASURES = {
+    **{f"body_{column.removesuffix('_kg')}": unit for column, unit in _SHAPES.items()},
+    # different plans, their Shannon number, and the tree edit distance from the plan of the species' first individual
+    "body_plans": "1",
+    "body_plans_shannon": "1",
+    "body_change": "1",
+    "brain_genes": "1",
+    "gait_genes": "1",
+    "walked": "m/s",
+    "open_speed": "m/s",
+    "upright_speed": "m/s",
+    "overturned": "1",
+    "wall_contact": "1",
+}
 
 
 def check(run: Run) -> None:
     """Raises RunError, naming the folder, unless the run has bodies.csv or genes.csv: a run has them if bodies, gaits or brains differ."""
     if not any((run.path / file).exists() for file in ("bodies.csv", "genes.csv")):
-        raise RunError(f"{run.path}: has neither bodies.csv nor genes.csv: --bodies measures runs in which bodies, gaits or brains differ")
+        raise RunError(
+            f"{run.path}: has neither bodies.csv nor genes.csv: --bodies measures runs in which bodies, gaits or brains differ"
+        )
 
 
 def names(web: Web) -> list[Metric]:
     """The metrics, in the order of all tables."""
-    return [Metric(metric, species, group, unit) for species in web.species for metric, unit in _MEASURES.items() for group in ("early", "late")]
+    return [
+        Metric(metric, species, group, unit)
+        for species in web.species
+        for metric, unit in _MEASURES.items()
+        for group in ("early", "late")
+    ]
 
 
 def measure_run(run: PooledRun, events: pandas.DataFrame, agents: pandas.DataFrame) -> Results:
@@ -49,14 +76,20 @@ def measure_run(run: PooledRun, events: pandas.DataFrame, agents: pandas.DataFra
     check(run)
     end_s = run.lived_s
     window_s = min(_WINDOW_S, end_s / _WINDOWS_OF_A_SHORT_RUN)
-    times_s = numpy.minimum(numpy.arange(1, int(end_s / window_s * (1 + 1e-12)) + 1) * window_s if window_s > 0 else numpy.empty(0), end_s)
+    times_s = numpy.minimum(
+        numpy.arange(1, int(end_s / window_s * (1 + 1e-12)) + 1) * window_s if window_s > 0 else numpy.empty(0), end_s
+    )
     robots = Agents(agents, run.web)
     lives = _lives(events).join(_bodies(run)).join(_genes(run))
     results = Results()
     for species in run.web.species:
-        curves = {metric: (times_s, points) for metric, points in _alive(lives[lives.species == species], times_s).items()}
+        curves = {
+            metric: (times_s, points) for metric, points in _alive(lives[lives.species == species], times_s).items()
+        }
         if len(times_s):
-            curves.update({metric: of[2:] for metric, of in motion.curves(robots, species, run.floor, window_s).items()})
+            curves.update(
+                {metric: of[2:] for metric, of in motion.curves(robots, species, run.floor, window_s).items()}
+            )
         for metric, unit in _MEASURES.items():
             time_s, points = curves.get(metric, (times_s, times_s))
             is_early = 2.0 * time_s <= end_s
@@ -91,9 +124,16 @@ def _alive(lives: pandas.DataFrame, times_s: numpy.ndarray) -> dict[str, numpy.n
 
 def _lives(events: pandas.DataFrame) -> pandas.DataFrame:
     """Species, birth and death of each individual, by id."""
-    births, deaths = (events[events.event == kind].drop_duplicates("id", keep="last").set_index("id") for kind in ("birth", "death"))
-    return pandas.DataFrame({"species": births.species.astype(str), "birth_s": births.time_s.astype(float),
-                             "death_s": deaths.time_s.reindex(births.index).fillna(numpy.inf)})
+    births, deaths = (
+        events[events.event == kind].drop_duplicates("id", keep="last").set_index("id") for kind in ("birth", "death")
+    )
+    return pandas.DataFrame(
+        {
+            "species": births.species.astype(str),
+            "birth_s": births.time_s.astype(float),
+            "death_s": deaths.time_s.reindex(births.index).fillna(numpy.inf),
+        }
+    )
 
 
 def _bodies(run: PooledRun) -> pandas.DataFrame:
@@ -103,11 +143,15 @@ def _bodies(run: PooledRun) -> pandas.DataFrame:
     if not path.exists():
         return pandas.DataFrame(columns=[*columns, "plan", "body_change"], dtype=float)
     table = _whole(run, "bodies.csv", ["id", "species", "modules_text", *_SHAPES])
-    frame = pandas.DataFrame({name: numbers(path, table[column]) for name, column in zip(columns, _SHAPES)},
-                             index=numbers(path, table["id"]).astype(int))
+    frame = pandas.DataFrame(
+        {name: numbers(path, table[column]) for name, column in zip(columns, _SHAPES)},
+        index=numbers(path, table["id"]).astype(int),
+    )
     frame["plan"] = pandas.factorize(table["modules_text"])[0]
     try:
-        frame["body_change"] = distances_from_first(frame.index.tolist(), table["species"].tolist(), table["modules_text"].tolist())
+        frame["body_change"] = distances_from_first(
+            frame.index.tolist(), table["species"].tolist(), table["modules_text"].tolist()
+        )
     except ValueError as error:
         raise RunError(f"{path}: {error}") from None
     return frame
@@ -119,8 +163,12 @@ def _genes(run: PooledRun) -> pandas.DataFrame:
         return pandas.DataFrame(columns=["brain_genes", "gait_genes"], dtype=float)
     table = _whole(run, "genes.csv", ["id", "part"])
     ids = numbers(run.path / "genes.csv", table["id"]).astype(int)
-    return pandas.DataFrame({f"{part}_genes": pandas.Series((table["part"] == part).to_numpy(float)).groupby(ids).sum()
-                             for part in ("brain", "gait")})
+    return pandas.DataFrame(
+        {
+            f"{part}_genes": pandas.Series((table["part"] == part).to_numpy(float)).groupby(ids).sum()
+            for part in ("brain", "gait")
+        }
+    )
 
 
 def _whole(run: PooledRun, file: str, columns: Sequence[str]) -> pandas.DataFrame:

@@ -41,6 +41,7 @@ def thinned(series: numpy.ndarray) -> tuple[numpy.ndarray, int]:
 def autocorrelation(series: numpy.ndarray) -> numpy.ndarray:
     """Returns that of each series along the last axis, less its linear trend, up to a third of its length; long lags are damped."""
     from scipy import fft
+
     n = series.shape[-1]
     line = numpy.arange(n) - (n - 1) / 2
     rest = series - series.mean(axis=-1, keepdims=True)
@@ -53,7 +54,9 @@ def autocorrelation(series: numpy.ndarray) -> numpy.ndarray:
 def _rises(correlation: numpy.ndarray) -> numpy.ndarray:
     """By how much each autocorrelation exceeds the lowest value before it; 0 before its first zero."""
     after = numpy.logical_or.accumulate(correlation < 0.0, axis=-1)
-    return numpy.where(after, correlation - numpy.minimum.accumulate(numpy.where(after, correlation, 1.0), axis=-1), 0.0)
+    return numpy.where(
+        after, correlation - numpy.minimum.accumulate(numpy.where(after, correlation, 1.0), axis=-1), 0.0
+    )
 
 
 def _peak(correlation: numpy.ndarray) -> numpy.ndarray:
@@ -64,14 +67,16 @@ def _first(correlation: numpy.ndarray) -> int:
     """The lag of the first crest of an autocorrelation that rises half as high as the highest: a cycle is not twice its period."""
     rises = _rises(correlation)
     start = int((rises >= 0.5 * rises.max()).argmax())
-    return start + int(correlation[start: start + start // 2 + 1].argmax())
+    return start + int(correlation[start : start + start // 2 + 1].argmax())
 
 
 def _memory(correlation: numpy.ndarray) -> numpy.ndarray:
     """The lag at which each autocorrelation first falls below 1/e, interpolated."""
     below = correlation < numpy.exp(-1.0)
     lag = numpy.where(below.any(axis=-1), below.argmax(axis=-1), correlation.shape[-1] - 1)
-    before, at = (numpy.take_along_axis(correlation, numpy.maximum(lag - back, 0)[..., None], -1)[..., 0] for back in (1, 0))
+    before, at = (
+        numpy.take_along_axis(correlation, numpy.maximum(lag - back, 0)[..., None], -1)[..., 0] for back in (1, 0)
+    )
     return lag - numpy.where(before > at, (numpy.exp(-1.0) - at) / numpy.where(before > at, before - at, 1.0), 0.0)
 
 
@@ -87,7 +92,8 @@ def red_noise(memory: float, points: int, count: int, rng: numpy.random.Generato
 
 def cycle_of(series: numpy.ndarray, surrogates: int = SURROGATES, seed: int = 0) -> Cycle:
     """The cycle of a series of numbers: the greatest rise of its autocorrelation after the first zero, if at most 5 % of series of red noise
-    have as great a one. The noise has the memory that makes its estimated one, which is too short in short series, that of the series."""
+    have as great a one. The noise has the memory that makes its estimated one, which is too short in short series, that of the series.
+    """
     none = Cycle(numpy.nan, numpy.nan, numpy.nan)
     if len(series) < 8 * _LEAST_CYCLES or numpy.ptp(series) == 0.0:
         return none
@@ -98,13 +104,15 @@ def cycle_of(series: numpy.ndarray, surrogates: int = SURROGATES, seed: int = 0)
     for _ in range(3):
         asked *= memory / _memory(autocorrelation(red_noise(asked, len(series), 49, rng))).mean()
         asked = min(asked, float(len(series)))
-    p = (1.0 + (_peak(autocorrelation(red_noise(asked, len(series), surrogates, rng))) >= rise).sum()) / (surrogates + 1.0)
+    p = (1.0 + (_peak(autocorrelation(red_noise(asked, len(series), surrogates, rng))) >= rise).sum()) / (
+        surrogates + 1.0
+    )
     if not is_significant(p) or series.mean() <= 0.0:
         return none._replace(p=p)
     lag = _first(correlation)
     period = float(lag)
     if 0 < lag < len(correlation) - 1:
-        left, at, right = correlation[lag - 1: lag + 2]
+        left, at, right = correlation[lag - 1 : lag + 2]
         period += (left - right) / (2.0 * (left - 2.0 * at + right)) if left - 2.0 * at + right < 0.0 else 0.0
     swing = max(float(correlation[lag]), -float(correlation[: lag + 1].min())) * series.var()
     return Cycle(period, float(numpy.sqrt(2.0 * swing) / series.mean()), p)

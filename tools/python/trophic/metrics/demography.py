@@ -23,7 +23,9 @@ def population_size(agents: Agents, species: str, group: str = "all") -> Means:
 
 def hunger(agents: Agents, species: str) -> Means:
     """Ticks since birth or last catch, averaged over the members of a species; ticks without a member are left out."""
-    return means(agents.window, agents.mean(agents.of(species) & ~numpy.isnan(agents.hunger_ticks), agents.hunger_ticks))
+    return means(
+        agents.window, agents.mean(agents.of(species) & ~numpy.isnan(agents.hunger_ticks), agents.hunger_ticks)
+    )
 
 
 def ticks_at(agents: Agents, species: str, members: int) -> Means:
@@ -56,7 +58,9 @@ def measure_deaths(events: pandas.DataFrame, web: Web, until_s: float, results: 
             name = ("deaths", species, cause or "all", "1")
             time_s = deaths(events, species, cause)
             results.add(*name, float(len(time_s)) if len(events) else math.nan)
-            results.add_curve(*name, *(per_window(time_s, until_s) if len(events) else (numpy.empty(0), numpy.empty(0))))
+            results.add_curve(
+                *name, *(per_window(time_s, until_s) if len(events) else (numpy.empty(0), numpy.empty(0)))
+            )
 
 
 def measure_populations(agents: Agents, web: Web, results: Results) -> None:
@@ -76,6 +80,8 @@ def measure_extinction(agents: Agents, web: Web, results: Results) -> None:
         is_gone = numpy.where(agents.time_s >= time_s, 1.0, 0.0)
         last_of_window = numpy.flatnonzero(numpy.diff(agents.window, append=-1))
         ends = (agents.window[last_of_window] + 1) * WINDOW_S
-        results.add("extinct", species, "all", "1", math.nan if len(agents.ticks) == 0 else float(not math.isnan(time_s)))
+        results.add(
+            "extinct", species, "all", "1", math.nan if len(agents.ticks) == 0 else float(not math.isnan(time_s))
+        )
         results.add_curve("extinct", species, "all", "1", ends, is_gone[last_of_window])
         results.add("extinct_at", species, "all", "s", time_s)

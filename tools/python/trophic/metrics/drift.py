@@ -47,14 +47,20 @@ def stream(seed: int, individual: int) -> Callable[[], float]:
     """Uniform numbers of trophic's own stream for null models, bit by bit."""
     counter = ((individual << 64) - 1) % 2**256  # numpy counts up before it draws
     words = [counter >> shift & (2**64 - 1) for shift in (0, 64, 128, 192)]
-    return numpy.random.Generator(numpy.random.Philox(key=numpy.array([seed, _NULL_MODEL], dtype=numpy.uint64), counter=numpy.array(words, dtype=numpy.uint64))).random
+    return numpy.random.Generator(
+        numpy.random.Philox(
+            key=numpy.array([seed, _NULL_MODEL], dtype=numpy.uint64), counter=numpy.array(words, dtype=numpy.uint64)
+        )
+    ).random
 
 
 def check(run: PooledRun) -> None:
     """Raises RunError, naming the file, unless the manifest says that the run has what lineage measures need: it was written to its end, has
     phylogeny.csv and genomes.csv, and no genome changes after its individual's birth."""
     if run.reached_s is None:
-        raise RunError(f"{run.path / 'manifest.json'}: status \"{run.manifest['status']}\": phylogeny.csv has those alive only at a run's end; resume the run")
+        raise RunError(
+            f"{run.path / 'manifest.json'}: status \"{run.manifest['status']}\": phylogeny.csv has those alive only at a run's end; resume the run"
+        )
     for name in ("phylogeny.csv", "genomes.csv"):
         if not (run.path / name).exists():
             raise RunError(f"{run.path / name}: is missing: lineage measures need phylogeny and genomes")
@@ -64,18 +70,26 @@ def check(run: PooledRun) -> None:
 
 def _refuse_shared(run: PooledRun) -> None:
     heredity = run.manifest.get("rules", {}).get("heredity", "unknown")
-    raise RunError(f"{run.path / 'genomes.csv'}: rule heredity = {heredity}: must give each individual a genome of its own, as own_copy; a genome that several "
-                   "share changes after birth")
+    raise RunError(
+        f"{run.path / 'genomes.csv'}: rule heredity = {heredity}: must give each individual a genome of its own, as own_copy; a genome that several "
+        "share changes after birth"
+    )
 
 
 def read_descent(run: PooledRun) -> Descent:
     """Reads phylogeny.csv and genomes.csv. Raises RunError as `check`, and for a table that is cut, was changed since the run, or lacks a genome or a
     parent."""
     check(run)
-    table = _whole(run, "phylogeny.csv", ["id", "ancestor_list", "ancestor_id", "origin_time", "destruction_time", "species"])
+    table = _whole(
+        run, "phylogeny.csv", ["id", "ancestor_list", "ancestor_id", "origin_time", "destruction_time", "species"]
+    )
     path, end_s = run.path / "phylogeny.csv", run.reached_s or 0.0
     try:
-        table = table.assign(id=table["id"].astype("uint64"), origin_time=table.origin_time.astype(float), destruction_time=table.destruction_time.astype(float))
+        table = table.assign(
+            id=table["id"].astype("uint64"),
+            origin_time=table.origin_time.astype(float),
+            destruction_time=table.destruction_time.astype(float),
+        )
     except (ValueError, OverflowError) as error:
         raise RunError(f"{path}: {error}") from None
     table = table.sort_values("id", kind="stable")
@@ -84,11 +98,17 @@ def read_descent(run: PooledRun) -> Descent:
 
     def refuse(one: int, what: str) -> None:
         raise RunError(f"{path}: id {one}: {what}")
-    for place, (one, text, first, born_s, died_s, species) in enumerate(zip(*(table[name].tolist() for name in table.columns))):
+
+    for place, (one, text, first, born_s, died_s, species) in enumerate(
+        zip(*(table[name].tolist() for name in table.columns))
+    ):
         if not 0.0 <= born_s <= end_s + _ROUNDING_S:
             refuse(one, f"origin_time = {number_text(born_s)}: must be >= 0 and <= {number_text(end_s)}, the run's end")
         if not (died_s == numpy.inf or born_s <= died_s <= end_s + _ROUNDING_S):
-            refuse(one, f"destruction_time = {number_text(died_s)}: must be >= its origin_time, {number_text(born_s)}, and <= {number_text(end_s)}, the run's end")
+            refuse(
+                one,
+                f"destruction_time = {number_text(died_s)}: must be >= its origin_time, {number_text(born_s)}, and <= {number_text(end_s)}, the run's end",
+            )
         if species not in run.web.species:
             refuse(one, f'species = "{species}": must be a species of the run\'s manifest')
         begin = "[none" if first == str(one) else f"[{first}"
@@ -101,7 +121,14 @@ def read_descent(run: PooledRun) -> Descent:
             refuse(one, "has two rows")
         parents.append([places[other] for other in named])
     species = table.species.tolist()
-    return Descent([*places], table.origin_time.to_numpy(), table.destruction_time.to_numpy(), species, parents, *_weights(run, places, species))
+    return Descent(
+        [*places],
+        table.origin_time.to_numpy(),
+        table.destruction_time.to_numpy(),
+        species,
+        parents,
+        *_weights(run, places, species),
+    )
 
 
 def _weights(run: PooledRun, places: dict[int, int], species: Sequence[str]) -> tuple[numpy.ndarray, dict[str, int]]:
@@ -152,7 +179,9 @@ def drift_of(of: Descent, web: Sequence[str], draw: Callable[[], float]) -> Desc
     parents, weights = copy.deepcopy(of.parents), of.weights.copy()
     alike: dict[tuple[int, bool, bool], list[int]] = {}
     for place, its in enumerate(of.parents):
-        alike.setdefault((web.index(of.species[place]), bool(its), bool(of.birth_s[place] == of.birth_s[0])), []).append(place)
+        alike.setdefault(
+            (web.index(of.species[place]), bool(its), bool(of.birth_s[place] == of.birth_s[0])), []
+        ).append(place)
         _add_parents(weights, place, its, of.weights, -1.0)
     for _, places in sorted(alike.items()):
         order = list(range(len(places)))
@@ -184,7 +213,8 @@ def _add_parents(weights: numpy.ndarray, place: int, parents: Sequence[int], of:
 
 def met_inputs(runs: Sequence[PooledRun], most: int = MOST_INPUTS) -> list[list[list[float]]]:
     """For each species of the food web up to `most` different inputs that brains of the species had in these runs, drawn at random and always
-    alike. Raises RunError, naming the file, if a run has no senses.csv, or if it is cut or was changed since the run."""
+    alike. Raises RunError, naming the file, if a run has no senses.csv, or if it is cut or was changed since the run.
+    """
     drawn = []
     for number, species in enumerate(runs[0].web.species):
         met = [rows for run in runs for rows in _met(run, species)]
@@ -219,20 +249,31 @@ def _different(rows: numpy.ndarray) -> numpy.ndarray:
     return rows[numpy.concatenate([[True], (rows[1:] != rows[:-1]).any(axis=1)])]
 
 
-def ask(program: str, first: PooledRun, inputs: Sequence, descents: Sequence[Descent] = ()) -> list[tuple[numpy.ndarray, numpy.ndarray]]:
+def ask(
+    program: str, first: PooledRun, inputs: Sequence, descents: Sequence[Descent] = ()
+) -> list[tuple[numpy.ndarray, numpy.ndarray]]:
     """The types and the complexity of the genomes of these individuals, by the brain of the rule table that made the run `first`. Genomes of one
-    type decide alike on all inputs. Raises RunError with the program's sentence if it has not this table, or if its brain does not take them."""
+    type decide alike on all inputs. Raises RunError with the program's sentence if it has not this table, or if its brain does not take them.
+    """
     species = first.web.species
     manifest = first.manifest
-    head = {"rule_table": manifest["rule_table"], "engine": manifest["backend"].split(" ")[0], "fingerprint": manifest["fingerprint"],
-            "params": manifest["params"], "inputs": inputs, "species": [species.index(name) for of in descents for name in of.species],
-            "sizes": [descents[0].sizes.get(name, 0) if descents else 0 for name in species]}
+    head = {
+        "rule_table": manifest["rule_table"],
+        "engine": manifest["backend"].split(" ")[0],
+        "fingerprint": manifest["fingerprint"],
+        "params": manifest["params"],
+        "inputs": inputs,
+        "species": [species.index(name) for of in descents for name in of.species],
+        "sizes": [descents[0].sizes.get(name, 0) if descents else 0 for name in species],
+    }
     with tempfile.TemporaryDirectory(prefix="trophic-") as folder:
         path = os.path.join(folder, "genomes")
         with open(path, "wb") as file:
             file.write(json.dumps(head).encode() + b"\n")
             for of in descents:
-                file.writelines(row[: of.sizes[name]].tobytes() for name, row in zip(of.species, of.weights.astype("<f8")))
+                file.writelines(
+                    row[: of.sizes[name]].tobytes() for name, row in zip(of.species, of.weights.astype("<f8"))
+                )
         done = subprocess.run([program, "--signatures", path], capture_output=True, text=True)
     if done.returncode != 0:
         raise RunError(done.stderr.strip() or f"{program} --signatures: exit code {done.returncode}")
@@ -244,5 +285,12 @@ def ask(program: str, first: PooledRun, inputs: Sequence, descents: Sequence[Des
 def forest_of(of: Descent, types: numpy.ndarray, complexity: numpy.ndarray) -> Forest:
     """The individuals as the measures of forests take them."""
     first = numpy.array([its[0] if its else -1 for its in of.parents], dtype=int)
-    return Forest(first, of.birth_s, of.death_s, numpy.array(of.species, dtype=object), types, complexity,
-                  {place: its[1:] for place, its in enumerate(of.parents) if len(its) > 1})
+    return Forest(
+        first,
+        of.birth_s,
+        of.death_s,
+        numpy.array(of.species, dtype=object),
+        types,
+        complexity,
+        {place: its[1:] for place, its in enumerate(of.parents) if len(its) > 1},
+    )

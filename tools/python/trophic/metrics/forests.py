@@ -13,6 +13,7 @@ import numpy
 @dataclasses.dataclass(frozen=True)
 class Forest:
     """Individuals in the order of their births, so that each parent is before its offspring. All arrays have one element an individual."""
+
     parent: numpy.ndarray
     """the first parent's place in the forest; -1 for a root"""
     birth_s: numpy.ndarray
@@ -29,7 +30,10 @@ class Forest:
     @functools.cached_property
     def parents(self) -> list[tuple[int, ...]]:
         """The places of all parents of each individual; none of a root."""
-        return [(first, *self.others.get(place, ())) if first >= 0 else () for place, first in enumerate(self.parent.tolist())]
+        return [
+            (first, *self.others.get(place, ())) if first >= 0 else ()
+            for place, first in enumerate(self.parent.tolist())
+        ]
 
     @functools.cached_property
     def mean_depths(self) -> list[float]:
@@ -124,7 +128,8 @@ def descent(forest: Forest, species, time_s: float) -> numpy.ndarray:
     Forest.mean_depths and the greatest of Forest.greatest_depths; the share of pairs with a common ancestor; the mean age of their most recent one,
     s; the length of all branches that lead to the living, per living individual, s. nan: all without living members, pairs of one individual, ages
     without a related pair. An individual that lives is its own descendant: with its offspring it is a pair whose common ancestor is itself. A
-    branch is an individual's life from its birth to that of its last offspring with living descendants, or to `time_s` if it lives itself."""
+    branch is an individual's life from its birth to that of its last offspring with living descendants, or to `time_s` if it lives itself.
+    """
     living = numpy.flatnonzero(forest.living(time_s, species)).tolist()
     if not living:
         return numpy.full(7, numpy.nan)
@@ -157,5 +162,14 @@ def descent(forest: Forest, species, time_s: float) -> numpy.ndarray:
             roots += 1
             largest = max(largest, bin(members).count("1"))
     n = len(living)
-    return numpy.array([roots, largest / n, sum(forest.mean_depths[place] for place in living) / n, max(forest.greatest_depths[place] for place in living),
-                        related / (n * (n - 1) / 2) if n > 1 else numpy.nan, ages_s / related if related else numpy.nan, length_s / n])
+    return numpy.array(
+        [
+            roots,
+            largest / n,
+            sum(forest.mean_depths[place] for place in living) / n,
+            max(forest.greatest_depths[place] for place in living),
+            related / (n * (n - 1) / 2) if n > 1 else numpy.nan,
+            ages_s / related if related else numpy.nan,
+            length_s / n,
+        ]
+    )

@@ -26,11 +26,25 @@ if TYPE_CHECKING:
 DRIFT = "drift"
 """The baseline: the mean of a measure over the forests of drift."""
 _MODES = (("modes_change", "types"), ("modes_novelty", "types"), ("modes_ecology", "bits"), ("modes_complexity", "1"))
-_ACTIVITY = (("activity_diversity", "types"), ("activity_mean", "s"), ("activity_excess", "s"), ("activity_new", "types"))
-_DESCENT = (("descent_roots", "1"), ("descent_largest_clade", "1"), ("descent_mean_depth", "births"), ("descent_greatest_depth", "births"),
-            ("descent_related_pairs", "1"), ("descent_common_ancestor", "s"), ("descent_diversity", "s"))
+_ACTIVITY = (
+    ("activity_diversity", "types"),
+    ("activity_mean", "s"),
+    ("activity_excess", "s"),
+    ("activity_new", "types"),
+)
+_DESCENT = (
+    ("descent_roots", "1"),
+    ("descent_largest_clade", "1"),
+    ("descent_mean_depth", "births"),
+    ("descent_greatest_depth", "births"),
+    ("descent_related_pairs", "1"),
+    ("descent_common_ancestor", "s"),
+    ("descent_diversity", "s"),
+)
 _HALVES = ("early", "late")
-_NULLS_OF_ACTIVITY = 2  # the activity of the run and of the other forests of drift is compared with that in the first ones
+_NULLS_OF_ACTIVITY = (
+    2  # the activity of the run and of the other forests of drift is compared with that in the first ones
+)
 MOST_WINDOWS = 10_000
 _COUNTS = 10  # of presence in a window
 
@@ -40,21 +54,33 @@ def window_of(runs: Sequence[Run], asked_s: float | None = None) -> float:
     lengths_s = [run.manifest["result"]["reached_s"] for run in runs]
     window_s = min(500.0, 0.25 * lengths_s[0]) if asked_s is None else asked_s
     if not (window_s > 0.0 and 4.0 * window_s <= min(lengths_s)):
-        raise RunError(f"--window {number_text(window_s)}: must be > 0 and <= {number_text(0.25 * min(lengths_s))}, a quarter of the runs")
+        raise RunError(
+            f"--window {number_text(window_s)}: must be > 0 and <= {number_text(0.25 * min(lengths_s))}, a quarter of the runs"
+        )
     if window_s * MOST_WINDOWS < max(lengths_s):
-        raise RunError(f"--window {number_text(window_s)}: must be >= {number_text(max(lengths_s) / MOST_WINDOWS)}, for at most {MOST_WINDOWS} windows")
+        raise RunError(
+            f"--window {number_text(window_s)}: must be >= {number_text(max(lengths_s) / MOST_WINDOWS)}, for at most {MOST_WINDOWS} windows"
+        )
     return window_s
 
 
 def metric_names(species: Sequence[str]) -> list[Metric]:
     """The metrics of a run with these species, in the order of its values."""
-    return [Metric(name, one, group, unit) for one in species for names in (_MODES, _ACTIVITY, _DESCENT) for name, unit in names
-            for group in (("all",) if names is _DESCENT else _HALVES)]
+    return [
+        Metric(name, one, group, unit)
+        for one in species
+        for names in (_MODES, _ACTIVITY, _DESCENT)
+        for name, unit in names
+        for group in (("all",) if names is _DESCENT else _HALVES)
+    ]
 
 
-def prepared(runs: Sequence[PooledRun], shadow: Sequence[PooledRun], every: Sequence[PooledRun], how: Measuring) -> Measuring:
+def prepared(
+    runs: Sequence[PooledRun], shadow: Sequence[PooledRun], every: Sequence[PooledRun], how: Measuring
+) -> Measuring:
     """How these runs and their nulls are measured: with the windows, and with inputs that brains met in the first run and in the first one of the
-    shadow. Raises RunError if a run lacks what lineage measures need, or if the program has not the rule table that made the runs."""
+    shadow. Raises RunError if a run lacks what lineage measures need, or if the program has not the rule table that made the runs.
+    """
     for run in every:
         drift.check(run)
     window_s = window_of(every, how.window_s)
@@ -64,13 +90,18 @@ def prepared(runs: Sequence[PooledRun], shadow: Sequence[PooledRun], every: Sequ
 
 def measure_run(run: PooledRun, how: Measuring) -> RunValues:
     """Measures a run, in windows of `how.window_s` up to its end. Raises RunError if a table was changed or the program cannot ask its brains."""
-    return lineage_values(read_forests(run, how), run.manifest["species"], how.window_s, run.manifest["result"]["reached_s"])
+    return lineage_values(
+        read_forests(run, how), run.manifest["species"], how.window_s, run.manifest["result"]["reached_s"]
+    )
 
 
 def read_forests(run: PooledRun, how: Measuring) -> list[Forest]:
     """Returns the run's forest, and those of drift after it."""
     own = drift.read_descent(run)
-    every = [own, *(drift.drift_of(own, run.web.species, drift.stream(run.seed, number)) for number in range(drift.FORESTS))]
+    every = [
+        own,
+        *(drift.drift_of(own, run.web.species, drift.stream(run.seed, number)) for number in range(drift.FORESTS)),
+    ]
     found = drift.ask(str(how.lineages), how.first or run, how.inputs, every)
     return [drift.forest_of(of, *its) for of, its in zip(every, found)]
 
@@ -88,14 +119,23 @@ def lineage_values(forests: Sequence[Forest], species: Sequence, window_s: float
             means = [(_mean(own[within]), _mean(_mean(drifted[:, within], 1))) for _, within in groups]
             for i, (name, unit) in enumerate(names):
                 for (group, _), (ours, drift) in zip(groups, means):
-                    values += [(name, one, group, unit, "", "", ours[i]), (name, one, group, unit, DRIFT, "null", drift[i])]
+                    values += [
+                        (name, one, group, unit, "", "", ours[i]),
+                        (name, one, group, unit, DRIFT, "null", drift[i]),
+                    ]
             series = (("", own), (DRIFT, _mean(drifted)))
-            curves += [(name, one, "all", unit, baseline, *point) for i, (name, unit) in enumerate(names) for baseline, points in series
-                       for point in zip(ends_s, points[:, i])]
+            curves += [
+                (name, one, "all", unit, baseline, *point)
+                for i, (name, unit) in enumerate(names)
+                for baseline, points in series
+                for point in zip(ends_s, points[:, i])
+            ]
     return RunValues(pandas.DataFrame(values, columns=VALUE_COLUMNS), pandas.DataFrame(curves, columns=CURVE_COLUMNS))
 
 
-def _measured(forests: Sequence[Forest], species, window_s: float, times_s: numpy.ndarray) -> Iterator[tuple[tuple, numpy.ndarray, numpy.ndarray]]:
+def _measured(
+    forests: Sequence[Forest], species, window_s: float, times_s: numpy.ndarray
+) -> Iterator[tuple[tuple, numpy.ndarray, numpy.ndarray]]:
     """Yields the names of measures, their values in the run, shape (windows, measures), and in forests of drift, shape (forests, windows, measures)."""
     found = numpy.array([modes(forest, species, times_s) for forest in forests])
     yield _MODES, found[0], found[1:]

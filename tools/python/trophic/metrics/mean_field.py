@@ -31,7 +31,9 @@ def rates_of(census: Census) -> Rates:
         alive = census.numbers[i, :-1].astype(float)
         deaths[i] = linear(alive, (census.deaths - census.caught)[i, 1:], not census.web.hunts(species)) / census.tick_s
         if census.web.hunts(species):
-            births[i, 0] = census.births[i, 1:].sum() / max(1, census.catches[[hunter == i for hunter, _ in census.links]].sum())
+            births[i, 0] = census.births[i, 1:].sum() / max(
+                1, census.catches[[hunter == i for hunter, _ in census.links]].sum()
+            )
         else:
             births[i] = linear(alive, census.births[i, 1:]) / census.tick_s
     waits = numpy.full((len(census.links), 2), (numpy.inf, 0.0))
@@ -54,7 +56,9 @@ def linear(alive: numpy.ndarray, events: numpy.ndarray, is_dense: bool = True) -
     return numpy.linalg.lstsq(numpy.column_stack([alive**0.5, alive**1.5]), events / alive**0.5, rcond=None)[0]
 
 
-def simulate(rates: Rates, census: Census, most: int, runs: int, rng: numpy.random.Generator, until_s: float) -> tuple[numpy.ndarray, float]:
+def simulate(
+    rates: Rates, census: Census, most: int, runs: int, rng: numpy.random.Generator, until_s: float
+) -> tuple[numpy.ndarray, float]:
     """Numbers of each species in simulated runs that begin as the run and last until its planned end: shape (species, runs, steps), and the length
     of a step, s. A step is so short that few die or are born in it."""
     ticks = int(until_s / census.tick_s * (1.0 + 1e-12)) + 1
@@ -72,8 +76,11 @@ def simulate(rates: Rates, census: Census, most: int, runs: int, rng: numpy.rand
             gained[hunter] += caught
         for i, species in enumerate(census.web.species):
             died = numpy.maximum(rates.deaths[i, 0] + rates.deaths[i, 1] * numbers[i], 0.0) * step_s
-            born = gained[i] * rates.births[i, 0] if census.web.hunts(species) else numbers[i] * step_s * numpy.maximum(
-                rates.births[i, 0] + rates.births[i, 1] * numbers[i], 0.0)
+            born = (
+                gained[i] * rates.births[i, 0]
+                if census.web.hunts(species)
+                else numbers[i] * step_s * numpy.maximum(rates.births[i, 0] + rates.births[i, 1] * numbers[i], 0.0)
+            )
             after[i] += rng.poisson(born) - rng.binomial(after[i], 1.0 - numpy.exp(-died))
         over = after.sum(axis=0) > most
         after[:, over] = after[:, over] * most // after[:, over].sum(axis=0)
@@ -93,9 +100,11 @@ def means_of(census: Census, most: int, seed: int, until_s: float) -> dict[tuple
         each = [dynamics(one, seed + i, _SURROGATES) for i, one in enumerate(runs)]
         found["persists", species] = lives.mean()
         with numpy.errstate(all="ignore"):
-            for name, values in (("extinct_at", [gone * step_s for gone, _ in each if gone < numpy.inf]),
-                                 ("cycles", [cycle.is_there for _, cycle in each if cycle.p == cycle.p]),
-                                 ("period", [cycle.period * step_s for _, cycle in each if cycle.period == cycle.period]),
-                                 ("amplitude", [cycle.amplitude for _, cycle in each if cycle.amplitude == cycle.amplitude])):
+            for name, values in (
+                ("extinct_at", [gone * step_s for gone, _ in each if gone < numpy.inf]),
+                ("cycles", [cycle.is_there for _, cycle in each if cycle.p == cycle.p]),
+                ("period", [cycle.period * step_s for _, cycle in each if cycle.period == cycle.period]),
+                ("amplitude", [cycle.amplitude for _, cycle in each if cycle.amplitude == cycle.amplitude]),
+            ):
                 found[name, species] = float(numpy.mean(values)) if values else numpy.nan
     return found

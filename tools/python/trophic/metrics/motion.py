@@ -43,14 +43,20 @@ def curves(agents: Agents, species: str, floor: Floor, window_s: float = WINDOW_
     before = agents.find(agents.at - 1, agents.id)
     time_s = agents.time_s[agents.at]
     with numpy.errstate(divide="ignore", invalid="ignore"):
-        speed = numpy.hypot(agents.x_m - agents.x_m[before], agents.y_m - agents.y_m[before]) / (time_s - time_s[before])
+        speed = numpy.hypot(agents.x_m - agents.x_m[before], agents.y_m - agents.y_m[before]) / (
+            time_s - time_s[before]
+        )
 
     def both(rows: numpy.ndarray) -> numpy.ndarray:
         return rows & (before >= 0) & rows[before]
-    of = {"walked": (both(own), speed), "open_speed": (both(own & is_open), speed),
-          "upright_speed": (both(own & is_open & is_upright(agents)), speed),
-          "overturned": (own & ~numpy.isnan(agents.tilt_rad), (~is_upright(agents)).astype(float)),
-          "wall_contact": (own & ~numpy.isnan(agents.touches_wall), agents.touches_wall)}
+
+    of = {
+        "walked": (both(own), speed),
+        "open_speed": (both(own & is_open), speed),
+        "upright_speed": (both(own & is_open & is_upright(agents)), speed),
+        "overturned": (own & ~numpy.isnan(agents.tilt_rad), (~is_upright(agents)).astype(float)),
+        "wall_contact": (own & ~numpy.isnan(agents.touches_wall), agents.touches_wall),
+    }
     window = window_of(agents.time_s, window_s)
     return {name: means(window, agents.mean(*rows_and_values), window_s) for name, rows_and_values in of.items()}
 

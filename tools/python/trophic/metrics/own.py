@@ -59,16 +59,20 @@ class OwnMetric(NamedTuple):
     """whether it measures genomes, bodies or brains, so that its null is the neutral one"""
 
 
-def metric(function: Callable | None = None, *, name: str | None = None, unit: str = "1", inherited: bool = False) -> Callable:
+def metric(
+    function: Callable | None = None, *, name: str | None = None, unit: str = "1", inherited: bool = False
+) -> Callable:
     """Marks a function of a Run as a metric of `trophic analyze --metric-file`, or of `trophic.analyze(..., metrics=[...])`.
 
     The function returns a number, or a frame with a column that has the metric's name and optionally time_s (s), species and group: rows with
     one species and group are one metric, and rows with a time also make a curve. nan is a value that cannot be computed. The metric has the
     function's name unless `name` is given; its unit is 1 unless `unit` is given. Mark a measure of genomes, bodies or brains as `inherited`: it is
     compared with the neutral null, if there is one. With --until the tables of the run end at that time."""
+
     def mark(marked: Any) -> Any:
         marked.metric, marked.unit, marked.inherited = name or marked.__name__, unit, inherited
         return marked
+
     return mark if function is None else mark(function)
 
 
@@ -79,7 +83,9 @@ def own_metric(function: Callable[[Run], Any]) -> OwnMetric:
     if not callable(function):
         raise RunError(f"metric {function!r}: must be a function of a run")
     name = getattr(function, "metric", None) or getattr(function, "__name__", type(function).__name__)
-    return OwnMetric(str(name), str(getattr(function, "unit", "1")), function, bool(getattr(function, "inherited", False)))
+    return OwnMetric(
+        str(name), str(getattr(function, "unit", "1")), function, bool(getattr(function, "inherited", False))
+    )
 
 
 def read_metrics(path: str | pathlib.Path) -> list[OwnMetric]:
@@ -92,7 +98,9 @@ def read_metrics(path: str | pathlib.Path) -> list[OwnMetric]:
         values = runpy.run_path(str(path)).values()
     except Exception as error:
         raise RunError(f"--metric-file {path}: {type(error).__name__}: {error}") from error
-    found = [own_metric(value) for value in values if callable(value) and hasattr(value, "metric") and hasattr(value, "unit")]
+    found = [
+        own_metric(value) for value in values if callable(value) and hasattr(value, "metric") and hasattr(value, "unit")
+    ]
     if not found:
         raise RunError(f"--metric-file {path}: has no metric: mark a function of a run with @trophic.metric")
     return found
@@ -126,7 +134,9 @@ def measure_column(column: OwnColumn, run: PooledRun, results: Results) -> None:
     table = run.texts(column.file, [column.column], ["time_s", "species", "group"], results.remarks)
     frame = pandas.DataFrame(index=table.index)
     for name in table.columns.intersection(["time_s", column.column]):
-        frame["value" if name == column.column else name] = numbers(path, table[name], _NONE if name == column.column else ())
+        frame["value" if name == column.column else name] = numbers(
+            path, table[name], _NONE if name == column.column else ()
+        )
     if "time_s" in frame:
         frame = frame[frame.time_s <= run.until_s]
     for name in table.columns.intersection(["species", "group"]):
@@ -149,7 +159,9 @@ def measure_function(of: OwnMetric, run: PooledRun, results: Results) -> None:
         if not isinstance(found, pandas.DataFrame):
             found = pandas.DataFrame({of.name: [float(found)]})
         if of.name not in found:
-            raise RunError(f"the frame has no column {of.name}{_did_you_mean(of.name, [str(name) for name in found.columns])}")
+            raise RunError(
+                f"the frame has no column {of.name}{_did_you_mean(of.name, [str(name) for name in found.columns])}"
+            )
         frame = pandas.DataFrame({"value": found[of.name].to_numpy(float)})
         if "time_s" in found:
             frame["time_s"] = found.time_s.to_numpy(float)
@@ -167,11 +179,14 @@ def _check_samples(frame: pandas.DataFrame, run: PooledRun) -> None:
     def refuse_first(wrong: pandas.Series, name: str, must: str, quote: str = "") -> None:
         if wrong.any():
             raise RunError(f"{name} = {quote}{frame.loc[wrong.idxmax(), name]}{quote}: must be {must}")
+
     refuse_first(numpy.isinf(frame.value), "value", "finite, or nan if there is none")
     if "time_s" in frame:
         refuse_first(~frame.time_s.between(0.0, run.until_s), "time_s", f">= 0 and <= {number_text(run.until_s)}")
     if "species" in frame:
-        refuse_first(~frame.species.isin(["", *run.web.species]), "species", f"one of {', '.join(run.web.species)}", '"')
+        refuse_first(
+            ~frame.species.isin(["", *run.web.species]), "species", f"one of {', '.join(run.web.species)}", '"'
+        )
     if "group" in frame:
         refuse_first(~frame.group.str.fullmatch(r"[A-Za-z0-9_]+"), "group", "letters, digits and _", '"')
 
@@ -181,8 +196,15 @@ def _add(name: str, unit: str, frame: pandas.DataFrame, who: str, where: str, re
     if any(row[0] == name for row in results.rows):
         raise RunError(f"{who}: trophic has a metric of this name; choose another")
     has_times, is_one = "time_s" in frame, not {"species", "group"} & set(frame.columns)
-    samples = pandas.DataFrame({"species": frame.get("species", ""), "group": frame.get("group", "all"), "value": frame.value,
-                                "window": window_of(frame.time_s.to_numpy()) if has_times else 0}, index=frame.index)
+    samples = pandas.DataFrame(
+        {
+            "species": frame.get("species", ""),
+            "group": frame.get("group", "all"),
+            "value": frame.value,
+            "window": window_of(frame.time_s.to_numpy()) if has_times else 0,
+        },
+        index=frame.index,
+    )
     parts = list(samples.groupby(["species", "group"], sort=False))
     if len(parts) > _MOST_PARTS:
         raise RunError(f"{who}: must be of at most {_MOST_PARTS} species and groups")

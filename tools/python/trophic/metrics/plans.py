@@ -28,7 +28,9 @@ def read_plan(text: str) -> Plan:
     last, before = root, words[0] if words else ""
 
     def refuse(at: int, must: str) -> NoReturn:
-        raise ValueError(f'body plan "{text[:60]}{"..." if len(text) > 60 else ""}", character {len("".join(words[:at])) + 1}: must be {must}')
+        raise ValueError(
+            f'body plan "{text[:60]}{"..." if len(text) > 60 else ""}", character {len("".join(words[:at])) + 1}: must be {must}'
+        )
 
     if before != "core":
         refuse(0, "core")
@@ -57,14 +59,18 @@ def read_plan(text: str) -> Plan:
             leftmost.append(first)
             continue
         waiting.append(((label, children), len(labels)))
-        waiting += [(child, None) for child in sorted(children, key=lambda child: _FACES.index(child[0].split(":")[0]), reverse=True)]
+        waiting += [
+            (child, None)
+            for child in sorted(children, key=lambda child: _FACES.index(child[0].split(":")[0]), reverse=True)
+        ]
     last_of = {first: place for place, first in enumerate(leftmost)}
     return Plan(labels, leftmost, sorted(last_of.values()))
 
 
 def edit_distance(a: Plan, b: Plan) -> int:
     """The tree edit distance of two plans: the fewest modules that are inserted, deleted or changed to make one plan of the other, each at cost 1. A
-    deleted module's children become its parent's; a change replaces type, face and quarter turns at once. Trees are ordered by face [zhang1989]."""
+    deleted module's children become its parent's; a change replaces type, face and quarter turns at once. Trees are ordered by face [zhang1989].
+    """
     trees = [[0] * len(b.labels) for _ in a.labels]  # distance of the subtrees of i and j
     for root_a in a.keyroots:
         for root_b in b.keyroots:

@@ -90,14 +90,19 @@ class Agents:
     def __init__(self, frame: pandas.DataFrame, web: Web):
         def of(name: str, kind: type = int) -> numpy.ndarray:
             return frame[name].to_numpy(kind)
+
         self.species = pandas.Categorical(frame.species, categories=web.species).codes.astype(int)
         self.names = web.species
         self.inherited = (frame.origin == "inherited").to_numpy(bool)
         self.active = of("active") == 1
         self.id, self.body, self.tag = of("id"), of("body"), of("tag")
-        self.x_m, self.y_m, self.adversary_id, self.hunger_ticks = (of(name, float) for name in ("x_m", "y_m", "adversary_id", "hunger_ticks"))
-        self.tilt_rad, self.touches_wall = (frame[name].to_numpy(float) if name in frame else numpy.full(len(frame), numpy.nan)
-                                            for name in ("tilt_rad", "touches_wall"))
+        self.x_m, self.y_m, self.adversary_id, self.hunger_ticks = (
+            of(name, float) for name in ("x_m", "y_m", "adversary_id", "hunger_ticks")
+        )
+        self.tilt_rad, self.touches_wall = (
+            frame[name].to_numpy(float) if name in frame else numpy.full(len(frame), numpy.nan)
+            for name in ("tilt_rad", "touches_wall")
+        )
         tick = of("tick")
         starts = numpy.flatnonzero(numpy.diff(tick, prepend=-1))
         self.ticks = tick[starts]
@@ -173,10 +178,28 @@ class Results:
         name = (metric, species, group, unit)
         self.rows += [(*name, "", "", value), *((*name, *baseline) for baseline in baselines)]
 
-    def add_curve(self, metric: str, species: str, group: str, unit: str, time_s: numpy.ndarray, points: numpy.ndarray, baseline: str = "") -> None:
+    def add_curve(
+        self,
+        metric: str,
+        species: str,
+        group: str,
+        unit: str,
+        time_s: numpy.ndarray,
+        points: numpy.ndarray,
+        baseline: str = "",
+    ) -> None:
         self.curves.append(((metric, species, group, unit, baseline), time_s, points))
 
-    def add_means(self, metric: str, species: str, group: str, unit: str, of: Means, value: float | None = None, baselines: tuple = ()) -> None:
+    def add_means(
+        self,
+        metric: str,
+        species: str,
+        group: str,
+        unit: str,
+        of: Means,
+        value: float | None = None,
+        baselines: tuple = (),
+    ) -> None:
         """The mean of all values, unless another `value` is given, and the curve."""
         self.add(metric, species, group, unit, of.mean if value is None else value, baselines)
         self.add_curve(metric, species, group, unit, of.time_s, of.points)
@@ -186,5 +209,7 @@ class Results:
         names = pandas.DataFrame([name for name, _, _ in self.curves], columns=[*METRIC, "baseline"])
         curves = names.loc[names.index.repeat([len(time_s) for _, time_s, _ in self.curves])].reset_index(drop=True)
         for place, column in ((1, "time_s"), (2, "value")):
-            curves[column] = numpy.concatenate([curve[place] for curve in self.curves]) if self.curves else numpy.empty(0)
+            curves[column] = (
+                numpy.concatenate([curve[place] for curve in self.curves]) if self.curves else numpy.empty(0)
+            )
         return RunValues(values, curves, self.remarks)

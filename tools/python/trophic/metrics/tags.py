@@ -24,6 +24,7 @@ def bernoulli_symmetry(a: int, b: int) -> float:
     robot tosses a coin. Exact for up to 1000 coins in all. Beyond that the mean of the more is taken as normal, and of the fewer, too, from
     250 on: sqrt(2 (1/a + 1/b) / pi). The relative error is then below 1e-3. Both must be > 0."""
     import scipy.special
+
     few, many = sorted((a, b))
     is_large = few + many > 1000
     if is_large and few >= 250:
@@ -45,7 +46,9 @@ def permuted_symmetry(a, b, plus) -> numpy.ndarray:
     a, b, plus = (numpy.atleast_1d(numpy.asarray(of, int)) for of in (a, b, plus))
     a, b = numpy.minimum(a, b), numpy.maximum(a, b)  # the mean is the same
     at_once = max(1, _MOST_NUMBERS // (int(a.max(initial=0)) + 1))
-    pieces = [_permuted(a[i:i + at_once], b[i:i + at_once], plus[i:i + at_once]) for i in range(0, len(a), at_once)]
+    pieces = [
+        _permuted(a[i : i + at_once], b[i : i + at_once], plus[i : i + at_once]) for i in range(0, len(a), at_once)
+    ]
     return numpy.concatenate(pieces) if pieces else numpy.empty(0)
 
 
@@ -66,7 +69,11 @@ def tag_symmetry(agents: Agents, a: str, b: str, group: str = "inherited", plus_
     counts, place = numpy.unique(numpy.stack([in_a, in_b, plus_of[0] + plus_of[1]]), axis=1, return_inverse=True)
     pairs, place_of_pair = numpy.unique(counts[:2], axis=1, return_inverse=True)
     coins = numpy.array([bernoulli_symmetry(int(few), int(many)) for few, many in pairs.T])[place_of_pair.ravel()]
-    of = {"observed": observed, "permuted_tags": permuted_symmetry(*counts)[place.ravel()], "bernoulli_tags": coins[place.ravel()]}
+    of = {
+        "observed": observed,
+        "permuted_tags": permuted_symmetry(*counts)[place.ravel()],
+        "bernoulli_tags": coins[place.ravel()],
+    }
     return {name: means(agents.window[there], values) for name, values in of.items()}
 
 
@@ -78,8 +85,11 @@ def measure(agents: Agents, web: Web, tags: Sequence[int], results: Results, suf
         for group in ("inherited", "inherited_active"):
             name = (f"tag_symmetry{suffix}", f"{victim}+{hunter}", group, "1")
             of = tag_symmetry(agents, victim, hunter, group, max(tags))
-            nulls = (("permuted_tags", "null", of["permuted_tags"].mean), ("uniform_pairs", "paper", UNIFORM_PAIRS),
-                     ("bernoulli_tags", "reference", of["bernoulli_tags"].mean))
+            nulls = (
+                ("permuted_tags", "null", of["permuted_tags"].mean),
+                ("uniform_pairs", "paper", UNIFORM_PAIRS),
+                ("bernoulli_tags", "reference", of["bernoulli_tags"].mean),
+            )
             results.add_means(*name, of["observed"], baselines=nulls)
             for null in ("permuted_tags", "bernoulli_tags"):
                 results.add_curve(*name, of[null].time_s, of[null].points, null)
@@ -95,6 +105,7 @@ def _coins(coins: int) -> tuple[numpy.ndarray, numpy.ndarray]:
 
 def _log_factorials(most: int) -> numpy.ndarray:
     import scipy.special
+
     return scipy.special.gammaln(numpy.arange(most + 1) + 1.0)
 
 
@@ -107,5 +118,8 @@ def _permuted(a: numpy.ndarray, b: numpy.ndarray, plus: numpy.ndarray) -> numpy.
 
     def log_choose(n: numpy.ndarray, k: numpy.ndarray) -> numpy.ndarray:
         return log[n] - log[numpy.clip(k, 0, n)] - log[numpy.clip(n - k, 0, n)]
-    probability = numpy.exp(numpy.where(possible, log_choose(a, in_a) + log_choose(b, in_b) - log_choose(a + b, plus), -numpy.inf))
+
+    probability = numpy.exp(
+        numpy.where(possible, log_choose(a, in_a) + log_choose(b, in_b) - log_choose(a + b, plus), -numpy.inf)
+    )
     return (probability * numpy.abs(2.0 * in_a / a - 1.0 + 2.0 * in_b / b - 1.0)).sum(axis=1)

@@ -42,7 +42,8 @@ def stored_samples(agents: Agents, ticks: int = TICKS) -> Samples:
 
 def at_marks(of: Samples, agents: Agents, every_s: float = 200.0, ticks: int = TICKS) -> Samples:
     """The samples of the stretches that end at a mark: at the first tick at or after 200, 400, ... s at which a stretch ends. The paper's
-    "population averages measured every 200 seconds, resulting in 30 points" may be these instead of means over windows."""
+    "population averages measured every 200 seconds, resulting in 30 points" may be these instead of means over windows.
+    """
     later = agents.later(ticks)
     ends = later[later >= 0]
     mark = numpy.floor(agents.time_s[ends] / every_s)
@@ -62,15 +63,30 @@ def of_rows(of: Samples, rows: numpy.ndarray) -> Samples:
     return Samples(*(part[rows[of.row]] for part in of))
 
 
-def measure(agents: Agents, web: Web, every_ticks: int, results: Results, *, simulated_s_per_s: float, free: numpy.ndarray, is_open: numpy.ndarray,
-            is_upright: numpy.ndarray) -> None:
+def measure(
+    agents: Agents,
+    web: Web,
+    every_ticks: int,
+    results: Results,
+    *,
+    simulated_s_per_s: float,
+    free: numpy.ndarray,
+    is_open: numpy.ndarray,
+    is_upright: numpy.ndarray,
+) -> None:
     """`simulated_s_per_s`: simulated seconds in a second of the clock. The others: rows that are not locked, away from walls, and upright."""
     walks = samples(agents)
-    kinds = {"velocity": walks, "velocity_points": at_marks(walks, agents),
-             "velocity_stored": stored_samples(agents) if every_ticks == 1 else of_rows(walks, numpy.zeros(len(agents.at), bool)),
-             "velocity_simulated": walks._replace(velocity_m_s=walks.velocity_m_s / simulated_s_per_s),
-             "velocity_not_locked": of_rows(walks, free), "velocity_open": of_rows(walks, is_open),
-             "velocity_upright": of_rows(walks, is_open & is_upright)}
+    kinds = {
+        "velocity": walks,
+        "velocity_points": at_marks(walks, agents),
+        "velocity_stored": stored_samples(agents)
+        if every_ticks == 1
+        else of_rows(walks, numpy.zeros(len(agents.at), bool)),
+        "velocity_simulated": walks._replace(velocity_m_s=walks.velocity_m_s / simulated_s_per_s),
+        "velocity_not_locked": of_rows(walks, free),
+        "velocity_open": of_rows(walks, is_open),
+        "velocity_upright": of_rows(walks, is_open & is_upright),
+    }
     for metric, of in kinds.items():
         for species in web.species:
             for group in GROUPS:
@@ -86,5 +102,6 @@ def _towards(agents: Agents, adversary: numpy.ndarray, ticks: int) -> Samples:
 
     def distance(place: numpy.ndarray) -> numpy.ndarray:
         return numpy.hypot(agents.x_m[adversary] - agents.x_m[place], agents.y_m[adversary] - agents.y_m[place])
+
     duration_s = agents.time_s[agents.at[to]] - agents.time_s[agents.at[row]]
     return Samples(row, end[row], (distance(row) - distance(to)) / duration_s)

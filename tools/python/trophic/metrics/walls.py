@@ -16,6 +16,7 @@ REACH_M = 1.0
 @dataclasses.dataclass(frozen=True)
 class Floor:
     """The floor of an arena: a square, and what stands on it."""
+
     half_side_m: float
     obstacles: Sequence[tuple[float, ...]] = ()
     """of each, in m: x and y of the two ends of its axis, radius, height"""
@@ -25,15 +26,23 @@ class Floor:
         nearest = self.half_side_m - numpy.maximum(numpy.abs(x_m), numpy.abs(y_m))
         for x1, y1, x2, y2, radius, _ in self.obstacles:
             length2 = (x2 - x1) ** 2 + (y2 - y1) ** 2
-            part = numpy.clip(((x_m - x1) * (x2 - x1) + (y_m - y1) * (y2 - y1)) / length2, 0.0, 1.0) if length2 > 0 else numpy.zeros_like(x_m)
-            nearest = numpy.minimum(nearest, numpy.hypot(x_m - x1 - part * (x2 - x1), y_m - y1 - part * (y2 - y1)) - radius)
+            part = (
+                numpy.clip(((x_m - x1) * (x2 - x1) + (y_m - y1) * (y2 - y1)) / length2, 0.0, 1.0)
+                if length2 > 0
+                else numpy.zeros_like(x_m)
+            )
+            nearest = numpy.minimum(
+                nearest, numpy.hypot(x_m - x1 - part * (x2 - x1), y_m - y1 - part * (y2 - y1)) - radius
+            )
         return nearest
 
 
 def wall_sticking(agents: Agents, species: str, group: str, floor: Floor, reach_m: float = REACH_M) -> Means:
     """At each tick, members of the group within reach of a wall or an obstacle (or, in an arena without walls, of where its slopes begin, and
     beyond) over all its members; ticks without a member are left out."""
-    return means(agents.window, agents.mean(agents.of(species, group), (to_wall_m(agents, floor) <= reach_m).astype(float)))
+    return means(
+        agents.window, agents.mean(agents.of(species, group), (to_wall_m(agents, floor) <= reach_m).astype(float))
+    )
 
 
 def to_wall_m(agents: Agents, floor: Floor) -> numpy.ndarray:
@@ -62,4 +71,6 @@ def measure(agents: Agents, web: Web, floor: Floor, results: Results, suffix: st
     for hunter, victim in web.links:
         for group in ("all", "active"):
             gap = shares[victim, group] - shares[hunter, group]
-            results.add(f"wall_sticking_gap{suffix}", f"{victim}-{hunter}", group, "1", gap, (("zero", "reference", 0.0),))
+            results.add(
+                f"wall_sticking_gap{suffix}", f"{victim}-{hunter}", group, "1", gap, (("zero", "reference", 0.0),)
+            )

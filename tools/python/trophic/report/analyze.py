@@ -23,6 +23,7 @@ from . import tables, tex, text
 
 class Outcome(NamedTuple):
     """Measured sets and what the judge made of them."""
+
     sets: list[MeasuredSet]
     frames: list[pandas.DataFrame]
     """of judge.summarize, one a set"""
@@ -47,16 +48,22 @@ class Outcome(NamedTuple):
         return made
 
 
-def analyse(runs: Sequence[str | os.PathLike], compare: Sequence[str | os.PathLike] = (), shadow: str | os.PathLike | None = None,
-            how: Measuring | None = None) -> Outcome:
+def analyse(
+    runs: Sequence[str | os.PathLike],
+    compare: Sequence[str | os.PathLike] = (),
+    shadow: str | os.PathLike | None = None,
+    how: Measuring | None = None,
+) -> Outcome:
     """Measures the runs of some folders, or of two sets that are compared, and judges them. Raises RunError, naming what is wrong."""
     how = how or Measuring()
     groups = [[folder] for folder in compare] or [list(runs)]
     if compare:
         first, second = (pool.pooled_runs([pathlib.Path(folder)], how)[0][0] for folder in compare)
         if how.until_s is None and not pool.lasted_alike(first, second):
-            raise RunError(f"{second.path}: {pool.lasted_text(second)}, but {first.path} has {pool.lasted_text(first)}; runs of different length "
-                           "are not compared: use --until")
+            raise RunError(
+                f"{second.path}: {pool.lasted_text(second)}, but {first.path} has {pool.lasted_text(first)}; runs of different length "
+                "are not compared: use --until"
+            )
     sets = [pool.read_set(group, shadow, how) for group in groups]
     for of, label in zip(sets, distinct([describe(of).label for of in sets])):
         of.label = label
@@ -69,8 +76,17 @@ def analyse(runs: Sequence[str | os.PathLike], compare: Sequence[str | os.PathLi
 def measuring_of(request: Mapping[str, Any]) -> Measuring:
     """How the runs of a request are measured."""
     functions = [function for file in request.get("metric_file") or () for function in own.read_metrics(file)]
-    return Measuring(until_s=request.get("until"), accept_other_build=bool(request.get("accept_other_build")), columns=request.get("column") or (),
-                     functions=functions, bodies=bool(request.get("bodies")), lineages=_program_of(request), window_s=request.get("window"), jobs=request.get("jobs"), metrics=request.get("metric") or ())
+    return Measuring(
+        until_s=request.get("until"),
+        accept_other_build=bool(request.get("accept_other_build")),
+        columns=request.get("column") or (),
+        functions=functions,
+        bodies=bool(request.get("bodies")),
+        lineages=_program_of(request),
+        window_s=request.get("window"),
+        jobs=request.get("jobs"),
+        metrics=request.get("metric") or (),
+    )
 
 
 def _program_of(request: Mapping[str, Any]) -> str | None:
@@ -111,13 +127,16 @@ def run(request: Mapping[str, Any]) -> int:
     _check(request)
     if request.get("selection"):
         from .. import selection
+
         return selection.run(request)
     if request["runs"] and is_sweep(request["runs"][0]):
         from ..sweeps import report
+
         return report.run(request)
     how = measuring_of(request)
     if request.get("html"):
         from . import page
+
         if os.path.lexists(request["html"]):
             raise RunError(f"--html {request['html']}: exists already; nothing is overwritten")
         if not pathlib.Path(request["html"]).absolute().parent.is_dir():
@@ -137,7 +156,19 @@ def run(request: Mapping[str, Any]) -> int:
         if request.get("html"):
             frames = outcome.frames if outcome.compared is None else [outcome.compared]
             downloads = {"metrics.csv": tables.csv_text(tables.metrics(outcome.sets))}
-            print(page.write(request["html"], outcome.sets, frames, judge.findings(outcome.answer), request, text=whole, downloads=downloads, replays=replays), end="")
+            print(
+                page.write(
+                    request["html"],
+                    outcome.sets,
+                    frames,
+                    judge.findings(outcome.answer),
+                    request,
+                    text=whole,
+                    downloads=downloads,
+                    replays=replays,
+                ),
+                end="",
+            )
         sys.stdout.flush()
     return 0
 
@@ -157,10 +188,16 @@ def write_tables(folder: pathlib.Path, outcome: Outcome) -> list[str]:
     """Writes every table of an analysis into a folder. Returns the names of the files."""
     sets, compared = outcome.sets, outcome.compared
     made = outcome.analysis(folder)
-    files = {"metrics.csv": tables.csv_text(made.metrics), "means.csv": tables.csv_text(made.means),
-             "means.tex": "".join(tex.means(of, frame) for of, frame in zip(sets, outcome.frames))}
+    files = {
+        "metrics.csv": tables.csv_text(made.metrics),
+        "means.csv": tables.csv_text(made.means),
+        "means.tex": "".join(tex.means(of, frame) for of, frame in zip(sets, outcome.frames)),
+    }
     if compared is not None:
-        files |= {"differences.csv": tables.csv_text(made.differences), "differences.tex": tex.differences(sets[0], sets[1], compared)}
+        files |= {
+            "differences.csv": tables.csv_text(made.differences),
+            "differences.tex": tex.differences(sets[0], sets[1], compared),
+        }
     elif published.answers(sets[0], outcome.frames[0]):
         files["answers.tex"] = tex.answers(sets[0], outcome.frames[0])
     if len(survivals := pandas.concat([tables.survivals(of) for of in sets])):

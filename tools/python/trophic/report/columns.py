@@ -19,7 +19,9 @@ significant text: yes where p_holm <= 0.05, else no; empty without a p value
 # The content of each file, and a line for each column, "name cells unit: meaning"; cells are exact numbers or empty, and there is no unit, unless
 # the line says so. A ? stands for cells that may be empty; a name alone for a column of _SHARED.
 _TABLES = {
-    "metrics.csv": ("Results of the analysis: every value and every curve of every run, one value per row.", """
+    "metrics.csv": (
+        "Results of the analysis: every value and every curve of every run, one value per row.",
+        """
 set text: name of the rule table, with what differs from it
 run text: name of the run's folder
 seed whole: of the run
@@ -30,8 +32,11 @@ baseline text: empty: observed; shadow, neutral or clones: observed in that null
 time_s exact? s: of a curve the end of its window; empty: of the whole run
 value: in `unit`; empty: could not be computed
 unit text: of the value; 1 for shares and counts
-"""),
-    "means.csv": ("Each metric of a set next to each of its nulls, for tables of a paper.", """
+""",
+    ),
+    "means.csv": (
+        "Each metric of a set next to each of its nulls, for tables of a paper.",
+        """
 set text: name of the rule table, with what differs from it
 metric
 species
@@ -53,8 +58,11 @@ p
 p_holm: corrected for all comparisons of the set; at most 0.05: significant; empty next to clones, and to the shadow if the neutral null answers
 runs_needed whole?: if p_holm > 0.05: runs in each set that would find a difference of this size in 80 % of studies
 same_as text: an earlier metric that says the same (other reading, or the same in every run); then not compared again
-"""),
-    "survival.csv": ("Survival of species in worlds whose numbers change (Kaplan and Meier): a row for each time at which one dies out in a run.", """
+""",
+    ),
+    "survival.csv": (
+        "Survival of species in worlds whose numbers change (Kaplan and Meier): a row for each time at which one dies out in a run.",
+        """
 set text: name of the rule table, with what differs from it
 null text: empty: of the set; shadow, neutral or clones: of that null
 species text: that dies out
@@ -64,8 +72,11 @@ extinctions whole: runs in which it dies out then
 survival: the share of runs in which it lives on
 lower: of its 95 % interval, by Greenwood's error of log(-log); empty where the share is 0
 upper: of the same interval
-"""),
-    "differences.csv": ("Each metric of two sets that were compared.", """
+""",
+    ),
+    "differences.csv": (
+        "Each metric of two sets that were compared.",
+        """
 metric
 species
 group
@@ -82,8 +93,11 @@ p
 p_holm: corrected for all comparisons; at most 0.05: significant; raw differences next to answers over nulls are corrected apart
 runs_needed whole?: if p_holm > 0.05: runs in each set that would find a difference of this size in 80 % of studies
 same_as text: an earlier metric that says the same (other reading, or the same in every run); then not compared again
-"""),
-    "ablations.csv": ("The effects of rule swaps, one per row.", """
+""",
+    ),
+    "ablations.csv": (
+        "The effects of rule swaps, one per row.",
+        """
 swap text: the slot or group of slots that was swapped
 direction text: the set of swaps, or from which table to which
 metric
@@ -101,8 +115,11 @@ upper: of the difference's 95 % interval
 p
 p_holm: corrected for all swaps and metrics of the direction that repeat no other; raw differences next to an answer apart
 significant
-"""),
-    "cells.csv": ("The cells of a sweep. After these columns there is one for each setting that varies between cells, named by its path.", """
+""",
+    ),
+    "cells.csv": (
+        "The cells of a sweep. After these columns there is one for each setting that varies between cells, named by its path.",
+        """
 cell whole: its number
 rule_table text: of its runs
 engine text: of its runs
@@ -110,8 +127,11 @@ runs whole: that were measured
 runs_planned whole: that the plan has
 shadow_runs whole: of its neutral shadow that were measured
 until_s exact s: how much of each run was measured
-"""),
-    "runs.csv": ("Results of the analysis of a sweep: one value of one run per row.", """
+""",
+    ),
+    "runs.csv": (
+        "Results of the analysis of a sweep: one value of one run per row.",
+        """
 run whole: its index in the plan
 cell whole: the number of its cell
 replicate whole: its number in the cell
@@ -121,8 +141,11 @@ metric text: what was measured; what could not be has no row
 species
 group
 value exact: in the metric's unit, as in sweep_metrics.csv
-"""),
-    "sweep_metrics.csv": ("Each metric of each cell of a sweep, alone and over its shadow.", """
+""",
+    ),
+    "sweep_metrics.csv": (
+        "Each metric of each cell of a sweep, alone and over its shadow.",
+        """
 cell whole: the number of the cell
 metric
 species
@@ -139,8 +162,11 @@ pairs whole: runs and shadows of one seed that both have a value
 over_shadow: the mean over these pairs of run - shadow
 over_lower: of the 95 % interval of over_shadow; empty for fewer than 6 pairs
 over_upper: of the 95 % interval of over_shadow
-"""),
-    "sweep_differences.csv": ("Each metric of each cell of a sweep, compared with the reference cell.", """
+""",
+    ),
+    "sweep_differences.csv": (
+        "Each metric of each cell of a sweep, compared with the reference cell.",
+        """
 cell whole: the number of the cell
 reference whole: the number of the reference cell
 metric
@@ -164,8 +190,11 @@ significant
 hedges_g: the difference over the pooled standard deviation between runs of both cells, corrected for small numbers
 runs_needed whole?: runs in each cell that would show this difference with 80 % power at the corrected level, if it and the spread are what they seem
 smallest_detectable: the difference that the runs at hand would show with 80 % power at the corrected level
-"""),
-    "sweep_effects.csv": ("The effect of each value of an axis on each metric, averaged over the other axes.", """
+""",
+    ),
+    "sweep_effects.csv": (
+        "The effect of each value of an axis on each metric, averaged over the other axes.",
+        """
 axis text: what varies: a setting's path, rule_table or engine
 value text: its value here
 reference text: its value in the reference cell
@@ -184,8 +213,11 @@ upper: of this effect's own 95 % interval
 p: of this effect alone
 p_holm: corrected for all effects of the analysis; raw differences next to an answer apart
 significant
-"""),
-    "contests.csv": ("Results of `trophic contest`: one row per contest of two teams.", """
+""",
+    ),
+    "contests.csv": (
+        "Results of `trophic contest`: one row per contest of two teams.",
+        """
 shadow 0/1: whether both teams are from the neutral shadow
 against own,others,panel_victims,panel_hunters: own: both teams are from one run; others: from two replicates; panel_victims or panel_hunters: these are the panel's
 hunters_run text: folder of the run of the hunters
@@ -197,8 +229,11 @@ hunter_epoch_s exact s: time of the run at which the hunters lived
 victim_epoch_s exact s: time of the run at which the victims lived
 contact_s exact s: mean over victims of the time until a hunter is within reach, at most the contest's length
 contacted exact 1: share of the victims that a hunter reached
-"""),
-    "progress.csv": ("Progress that the contests show, and its test over the neutral shadow.", """
+""",
+    ),
+    "progress.csv": (
+        "Progress that the contests show, and its test over the neutral shadow.",
+        """
 against own,others: own: opponents from the same run (historical); others: of another replicate (global)
 species text: whose progress it is
 role text: hunter or victim
@@ -217,8 +252,11 @@ over_shadow_lower_s exact? s: 95 % interval of that difference, uncorrected
 over_shadow_upper_s exact? s: its other end
 p: of that difference, two-sided
 p_holm: corrected for both roles of a link, period and kind of opponents (Holm)
-"""),
-    "selection.csv": ("Results of `trophic analyze --selection`: the terms of Price's equation for a trait of individuals.", """
+""",
+    ),
+    "selection.csv": (
+        "Results of `trophic analyze --selection`: the terms of Price's equation for a trait of individuals.",
+        """
 trait text: as --selection names it
 species text: whose trait it is
 term text: start, end, change, survival, survival_CAUSE, parenthood, mutation, newcomers, lives, lives_length, lives_rate, offspring_on_parent or mutation_a_birth
@@ -243,8 +281,11 @@ difference_lower: of its own 95 % interval
 difference_upper: of its own 95 % interval
 p
 p_holm: corrected for survival, parenthood and mutation of every trait and species (Holm)
-"""),
-    "cross_check.csv": ("Results of `trophic cross-check`: two rows per metric, of the first set and of the second.", """
+""",
+    ),
+    "cross_check.csv": (
+        "Results of `trophic cross-check`: two rows per metric, of the first set and of the second.",
+        """
 engine text: name of the physics engine
 quantity text: the metric
 species text: as in metrics.csv
@@ -259,7 +300,8 @@ difference: the second set's less the first's
 difference_lower: of its 90 % interval
 difference_upper: of its 90 % interval
 conclusion text: equivalent, different, inconclusive or unknown
-"""),
+""",
+    ),
 }
 
 
@@ -278,13 +320,20 @@ def _read(text: str, shared: dict[str, Column]) -> Iterable[Column]:
         if not colon:
             yield shared[line]
             continue
-        name, kind, unit = (*head.split(), *("exact?", "")[head.count(" "):])[:3]
+        name, kind, unit = (*head.split(), *("exact?", "")[head.count(" ") :])[:3]
         cells = kind.rstrip("?")
-        yield Column(name, unit, _CELLS.get(cells, cells.replace(",", ", ")) + (", or empty" if kind.endswith("?") else ""), meaning)
+        yield Column(
+            name,
+            unit,
+            _CELLS.get(cells, cells.replace(",", ", ")) + (", or empty" if kind.endswith("?") else ""),
+            meaning,
+        )
 
 
 _shared = {column.name: column for column in _read(_SHARED, {})}
-TABLES: dict[str, tuple[str, list[Column]]] = {file: (what, list(_read(lines, _shared))) for file, (what, lines) in _TABLES.items()}
+TABLES: dict[str, tuple[str, list[Column]]] = {
+    file: (what, list(_read(lines, _shared))) for file, (what, lines) in _TABLES.items()
+}
 
 
 def names(file: str) -> list[str]:
@@ -297,7 +346,9 @@ def document() -> str:
     text = ""
     for file, (what, columns) in TABLES.items():
         text += f"\n## {file}\n\n{what}\n\n| column | unit | cells | meaning |\n|---|---|---|---|\n"
-        text += "".join(f"| {column.name} | {column.unit} | {column.cells} | {column.meaning} |\n" for column in columns)
+        text += "".join(
+            f"| {column.name} | {column.unit} | {column.cells} | {column.meaning} |\n" for column in columns
+        )
     return text
 
 

@@ -27,7 +27,10 @@ from .text import answers_of
 
 Replays = Tuple[str, List[Dict[str, str]]]
 """The viewer's page, with a place for runs, and the runs as parts of it with their labels."""
-_PART = re.compile(r'(.*?)(<script type="application/json" id="trophic-index">.*?</script>\n(?:<script type="text/plain" data-run="[^<]*</script>\n)*)(.*)', re.S)
+_PART = re.compile(
+    r'(.*?)(<script type="application/json" id="trophic-index">.*?</script>\n(?:<script type="text/plain" data-run="[^<]*</script>\n)*)(.*)',
+    re.S,
+)
 
 
 def read_figures(folder: str | os.PathLike) -> list[dict[str, Any]]:
@@ -54,8 +57,17 @@ def read_figures(folder: str | os.PathLike) -> list[dict[str, Any]]:
     return figures
 
 
-def write(path: str | os.PathLike, sets: Sequence[MeasuredSet], frames: Sequence[pandas.DataFrame], findings: Sequence[judge.Finding],
-          request: Mapping[str, Any], *, text: str = "", downloads: Mapping[str, str] | None = None, replays: Replays | None = None) -> str:
+def write(
+    path: str | os.PathLike,
+    sets: Sequence[MeasuredSet],
+    frames: Sequence[pandas.DataFrame],
+    findings: Sequence[judge.Finding],
+    request: Mapping[str, Any],
+    *,
+    text: str = "",
+    downloads: Mapping[str, str] | None = None,
+    replays: Replays | None = None,
+) -> str:
     """Writes the page into a new file and returns the line about it for the terminal.
 
     `frames`: of judge.summarize for each set, or of judge.compare; `findings`: what they found, in order. `text`: the table of the terminal.
@@ -66,12 +78,34 @@ def write(path: str | os.PathLike, sets: Sequence[MeasuredSet], frames: Sequence
     figures = read_figures(request["figures"]) if request.get("figures") else []
     viewer, parts = replays or ("", [])
     files = {"table.csv": _csv(tables), **(downloads or {})}
-    page = jinja2.Environment(loader=jinja2.FileSystemLoader(pathlib.Path(__file__).parent), autoescape=True, keep_trailing_newline=True).get_template("page.html.j2").render(
-        title=" and ".join(f"{one.label} on {its.engine}" for one, its in zip(sets, described)), question=_question(sets), sentences=_sentences(sets, frames, findings),
-        facts=_told(sets, [its.facts() for its in described]), replays=parts, viewer=_base64(viewer.encode()), tables=tables, text=text, figures=figures,
-        rules=_told(sets, [one.runs[0].manifest.get("rules", {}) for one in sets]),
-        commands=[*(one.runs[0].manifest[key] for one in sets for key in ("command_line",) if key in one.runs[0].manifest), command_of(request)],
-        downloads=[(name, _base64(content.encode())) for name, content in files.items()])
+    page = (
+        jinja2.Environment(
+            loader=jinja2.FileSystemLoader(pathlib.Path(__file__).parent), autoescape=True, keep_trailing_newline=True
+        )
+        .get_template("page.html.j2")
+        .render(
+            title=" and ".join(f"{one.label} on {its.engine}" for one, its in zip(sets, described)),
+            question=_question(sets),
+            sentences=_sentences(sets, frames, findings),
+            facts=_told(sets, [its.facts() for its in described]),
+            replays=parts,
+            viewer=_base64(viewer.encode()),
+            tables=tables,
+            text=text,
+            figures=figures,
+            rules=_told(sets, [one.runs[0].manifest.get("rules", {}) for one in sets]),
+            commands=[
+                *(
+                    one.runs[0].manifest[key]
+                    for one in sets
+                    for key in ("command_line",)
+                    if key in one.runs[0].manifest
+                ),
+                command_of(request),
+            ],
+            downloads=[(name, _base64(content.encode())) for name, content in files.items()],
+        )
+    )
     write_new(path, page)
     return f"page    {path}: {len(figures)} figures, {len(parts)} replays, {len(page.encode()) / 1e6:.1f} MB\n"
 
@@ -88,7 +122,11 @@ def command_of(request: Mapping[str, Any]) -> str:
         elif name == "compare":
             words += [option, *value]
         else:
-            words += [word for one in (value if isinstance(value, list) else [value]) for word in (option, f"{one:.15g}" if isinstance(one, float) else str(one))]
+            words += [
+                word
+                for one in (value if isinstance(value, list) else [value])
+                for word in (option, f"{one:.15g}" if isinstance(one, float) else str(one))
+            ]
     return " ".join(words)
 
 
@@ -97,7 +135,11 @@ def _told(sets: Sequence[MeasuredSet], facts: Sequence[Mapping[str, str]]) -> li
     told = []
     for name in dict.fromkeys(name for of in facts for name in of):
         of_each = [of.get(name, "none") for of in facts]
-        told += [(name, of_each[0])] if len(set(of_each)) == 1 else [(f"{name}, {one.label}", fact) for one, fact in zip(sets, of_each)]
+        told += (
+            [(name, of_each[0])]
+            if len(set(of_each)) == 1
+            else [(f"{name}, {one.label}", fact) for one, fact in zip(sets, of_each)]
+        )
     return told
 
 
@@ -105,20 +147,31 @@ def _question(sets: Sequence[MeasuredSet]) -> str:
     if len(sets) > 1:
         return f"In what do {' and '.join(one.label for one in sets)} differ?"
     if sets[0].neutral and sets[0].inherited:
-        return (f"What is selected under the rules of {sets[0].label}? Measures of genomes, bodies and brains are compared with the neutral null: the births, deaths "
-                "and parents of the runs, repeated with other genomes.")
+        return (
+            f"What is selected under the rules of {sets[0].label}? Measures of genomes, bodies and brains are compared with the neutral null: the births, deaths "
+            "and parents of the runs, repeated with other genomes."
+        )
     if sets[0].shadow:
-        return (f"Does inheritance matter under the rules of {sets[0].label}? Each metric is compared with the neutral shadow: the same rules and seeds, with nothing "
-                "inherited.")
+        return (
+            f"Does inheritance matter under the rules of {sets[0].label}? Each metric is compared with the neutral shadow: the same rules and seeds, with nothing "
+            "inherited."
+        )
     return f"Runs of {sets[0].label}. Without a neutral shadow no difference can be attributed to inheritance."
 
 
-def _sentences(sets: Sequence[MeasuredSet], frames: Sequence[pandas.DataFrame], findings: Sequence[judge.Finding]) -> list[str]:
+def _sentences(
+    sets: Sequence[MeasuredSet], frames: Sequence[pandas.DataFrame], findings: Sequence[judge.Finding]
+) -> list[str]:
     sentences = [f"{sentence[0].upper()}{sentence[1:]}." for one in sets for sentence in judge.too_few(one)]
     if len(sets) == 1:
-        sentences += [f"{question} {answer[0].upper()}{answer[1:]}: {effect} over the shadow." for question, answer, effect, _ in answers_of(sets[0], frames[0])]
+        sentences += [
+            f"{question} {answer[0].upper()}{answer[1:]}: {effect} over the shadow."
+            for question, answer, effect, _ in answers_of(sets[0], frames[0])
+        ]
     sentences += [f"{one.label}: {NO_NEUTRAL}." for one in sets if one.inherited and not one.neutral]
-    sentences += [(f"{one.set}: " if one.set and len(sets) > 1 else "") + one.sentence for one in findings[:judge.MOST_FINDINGS]]
+    sentences += [
+        (f"{one.set}: " if one.set and len(sets) > 1 else "") + one.sentence for one in findings[: judge.MOST_FINDINGS]
+    ]
     return [*sentences, *(judge.count(frame).sentence() for frame in frames)]
 
 
@@ -128,9 +181,11 @@ def replays_of(sets: Sequence[MeasuredSet], most: int | None, who: str) -> Repla
     viewer, parts = "", []
     with tempfile.TemporaryDirectory(prefix="trophic-") as folder:
         try:
-            for run, label in [(run, one.label) for one in sets for run in one.runs[:2 if most is None else most]]:
+            for run, label in [(run, one.label) for one in sets for run in one.runs[: 2 if most is None else most]]:
                 made = pathlib.Path(folder) / f"{len(parts)}.html"
-                for remark in call(find_program("trophic"), ["show", run.path, "-o", made], "trophic show").splitlines():
+                for remark in call(
+                    find_program("trophic"), ["show", run.path, "-o", made], "trophic show"
+                ).splitlines():
                     print(remark.replace("trophic show", who, 1), file=sys.stderr)
                 before, part, after = _PART.fullmatch(made.read_text()).groups()  # type: ignore[union-attr]
                 viewer, name = f"{before}<!--RUNS-->{after}", run.path.resolve().name
@@ -152,9 +207,27 @@ def _table(frame: pandas.DataFrame) -> dict[str, Any]:
     sets = set() if compares else set(frame["set"])
     if compares:
         first = frame.iloc[0] if len(frame) else {"set_a": "a", "set_b": "b"}
-        headings = ["metric", f"{first['set_a']} [95 %]", f"{first['set_b']} [95 %]", "compared", "difference [95 %]", "", "p", "conclusion"]
+        headings = [
+            "metric",
+            f"{first['set_a']} [95 %]",
+            f"{first['set_b']} [95 %]",
+            "compared",
+            "difference [95 %]",
+            "",
+            "p",
+            "conclusion",
+        ]
     else:
-        headings = [*(["set"] if len(sets) > 1 else []), "metric", "ours [95 %]", "null", "ours - null [95 %]", "", "p", "conclusion"]
+        headings = [
+            *(["set"] if len(sets) > 1 else []),
+            "metric",
+            "ours [95 %]",
+            "null",
+            "ours - null [95 %]",
+            "",
+            "p",
+            "conclusion",
+        ]
     rows = []
     for row in frame.itertuples(index=False):
         if not compares and row.metric == "deaths" and row.group != "all" and row.mean == 0.0:
@@ -163,15 +236,28 @@ def _table(frame: pandas.DataFrame) -> dict[str, Any]:
         reading = Reading(metric)
         lower, upper = (row.lower, row.upper) if compares else (row.difference_lower, row.difference_upper)
         if compares:
-            cells = [_cell(metric_title(metric)), _cell(reading.of(_estimate(row, "_a")), row.mean_a), _cell(reading.of(_estimate(row, "_b")), row.mean_b),
-                     _cell(over_text(row.compared))]
+            cells = [
+                _cell(metric_title(metric)),
+                _cell(reading.of(_estimate(row, "_a")), row.mean_a),
+                _cell(reading.of(_estimate(row, "_b")), row.mean_b),
+                _cell(over_text(row.compared)),
+            ]
         else:
-            cells = [*([_cell(row.set)] if len(sets) > 1 else []), _cell(metric_title(metric)), _cell(reading.of(_estimate(row)), row.mean),
-                     _cell(f"{NULLS.get(row.null, row.null)} {reading(row.null_mean)}" if row.null else "")]
-        cells += [_cell(reading.with_interval(row.difference, (lower, upper), True) if _is_known(row.difference) else "", row.difference),
-                  {"text": "", "key": None, "bar": _bar(row.difference, lower, upper)},
-                  _cell(p_text(row.p_holm), row.p_holm) if row.role == "null" else _cell(""),
-                  _cell(f"tested as {row.same_as}" if row.conclusion == "same" else row.conclusion)]
+            cells = [
+                *([_cell(row.set)] if len(sets) > 1 else []),
+                _cell(metric_title(metric)),
+                _cell(reading.of(_estimate(row)), row.mean),
+                _cell(f"{NULLS.get(row.null, row.null)} {reading(row.null_mean)}" if row.null else ""),
+            ]
+        cells += [
+            _cell(
+                reading.with_interval(row.difference, (lower, upper), True) if _is_known(row.difference) else "",
+                row.difference,
+            ),
+            {"text": "", "key": None, "bar": _bar(row.difference, lower, upper)},
+            _cell(p_text(row.p_holm), row.p_holm) if row.role == "null" else _cell(""),
+            _cell(f"tested as {row.same_as}" if row.conclusion == "same" else row.conclusion),
+        ]
         rows.append({"cells": cells, "side": row.conclusion if row.conclusion in ("above", "below") else "neither"})
     return {"headings": headings, "rows": rows}
 

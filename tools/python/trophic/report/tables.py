@@ -24,13 +24,17 @@ from .columns import names
 
 # Files
 
+
 @contextlib.contextmanager
 def result_folder(out: str | os.PathLike | None, keeps: str = "") -> Iterator[pathlib.Path]:
     """A folder OUT.part for results, which gets the name `out`, or "analysis", "analysis-1", ... when the work is done. It goes again if the work
-    fails; what a killed program left there is removed, but for a file called `keeps`. Raises RunError if the folder exists, or if another program works in OUT.part."""
+    fails; what a killed program left there is removed, but for a file called `keeps`. Raises RunError if the folder exists, or if another program works in OUT.part.
+    """
     path = pathlib.Path(out if out is not None else "analysis")
     if out is None and os.path.lexists(path):
-        path = next(free for free in (pathlib.Path(f"analysis-{i}") for i in range(1, 1_000_000)) if not os.path.lexists(free))
+        path = next(
+            free for free in (pathlib.Path(f"analysis-{i}") for i in range(1, 1_000_000)) if not os.path.lexists(free)
+        )
     check_new(path)
     part = path.with_name(path.name + ".part")
     try:
@@ -109,6 +113,7 @@ def csv_text(frame: pandas.DataFrame) -> str:
 
 # Tables
 
+
 def metrics(sets: Sequence[MeasuredSet]) -> pandas.DataFrame:
     """metrics.csv: every value and every curve of every run, one value a row. The nulls' own baselines are left out: they say nothing about the
     set."""
@@ -116,7 +121,9 @@ def metrics(sets: Sequence[MeasuredSet]) -> pandas.DataFrame:
     for one in sets:
         for of, null in ((one, ""), *((its, name) for name, its in one.nulls.items())):
             for run, measured in zip(of.runs, of.values):
-                rows = pandas.concat([part for part in (measured.values, measured.curves) if len(part)]).reset_index(drop=True)
+                rows = pandas.concat([part for part in (measured.values, measured.curves) if len(part)]).reset_index(
+                    drop=True
+                )
                 if null:
                     rows = rows[rows["baseline"] == ""].assign(baseline=null)
                 rows = rows.assign(set=one.label, run=run.path.resolve().name.replace(",", "_"), seed=run.seed)
@@ -142,22 +149,34 @@ def survivals(of: MeasuredSet) -> pandas.DataFrame:
     rows: list[tuple] = []
     for null, one in (("", of), *of.nulls.items()):
         for (metric, baseline), values in one.table.items():
-            if (metric.metric, baseline) == ("extinct_at", "") and (metric._replace(metric="persists", unit="1"), "") in one.table:
+            if (metric.metric, baseline) == ("extinct_at", "") and (
+                metric._replace(metric="persists", unit="1"),
+                "",
+            ) in one.table:
                 ends = [getattr(run, "lived_s", one.until_s) for run in one.runs]
                 died = ~numpy.isnan(values)
-                rows += [(of.label, null, metric.species, *row) for row in survival(numpy.where(died, values, ends), died)]
+                rows += [
+                    (of.label, null, metric.species, *row) for row in survival(numpy.where(died, values, ends), died)
+                ]
     return pandas.DataFrame(rows, columns=names("survival.csv"))
 
 
 # summary.json
 
-def summary(sets: Sequence[MeasuredSet], frames: Sequence[pandas.DataFrame], compared: pandas.DataFrame | None = None) -> dict[str, Any]:
+
+def summary(
+    sets: Sequence[MeasuredSet], frames: Sequence[pandas.DataFrame], compared: pandas.DataFrame | None = None
+) -> dict[str, Any]:
     """summary.json: each set with its runs, means, every baseline, the size of its family and its findings; of two sets their differences. The
     top's `family` and `findings` answer what was asked: of one set its own, of two sets those of their differences. null is what could not be
     computed."""
     answer = frames[0] if compared is None else compared
-    content: dict[str, Any] = {"trophic": __version__, "family": _family(answer), "findings": _findings(answer),
-                               "sets": [_set(of, frame) for of, frame in zip(sets, frames)]}
+    content: dict[str, Any] = {
+        "trophic": __version__,
+        "family": _family(answer),
+        "findings": _findings(answer),
+        "sets": [_set(of, frame) for of, frame in zip(sets, frames)],
+    }
     if compared is not None:
         content["differences"] = [_difference(rows) for _, rows in compared.groupby(METRIC, sort=False)]
     return _without_nan(content)
@@ -174,8 +193,15 @@ def _family(frame: pandas.DataFrame) -> dict[str, Any]:
 
 def finding(one: judge.Finding) -> dict[str, Any]:
     """As summary.json has it."""
-    return {"sentence": one.sentence, **one.metric._asdict(), "baseline": one.baseline, "effect": one.effect, "lower": one.interval[0],
-            "upper": one.interval[1], "p_holm": one.p_holm}
+    return {
+        "sentence": one.sentence,
+        **one.metric._asdict(),
+        "baseline": one.baseline,
+        "effect": one.effect,
+        "lower": one.interval[0],
+        "upper": one.interval[1],
+        "p_holm": one.p_holm,
+    }
 
 
 def _findings(frame: pandas.DataFrame) -> list[dict[str, Any]]:
@@ -184,68 +210,179 @@ def _findings(frame: pandas.DataFrame) -> list[dict[str, Any]]:
 
 def _set(of: MeasuredSet, frame: pandas.DataFrame) -> dict[str, Any]:
     from ..description import describe
+
     said = describe(of)
-    return {"set": of.label, "description": said.sentence(), "backend": said.engine, "fingerprint": of.runs[0].fingerprint, "identity": said.identity,
-            "min_runs_for_test": MIN_RUNS_FOR_TEST, "family": _family(frame), "findings": _findings(frame), "runs": _runs(of),
-            **{f"{name}_runs": _runs(of.nulls[name]) if name in of.nulls else [] for name in (SHADOW, NEUTRAL, *({CLONES} & {*of.nulls}))},
-            "metrics": [_metric(rows) for _, rows in frame.groupby(METRIC, sort=False)],
-            "answers": [_answer(one) for one in published.answers(of, frame)], "claims": _claims(of) if published.applies_to(of) else [],
-            **({"living": sentences} if (sentences := judge.living_sentences(of)) else {}),
-            "remarks": [remark for one in (of, *of.nulls.values()) for remark in one.remarks]}
+    return {
+        "set": of.label,
+        "description": said.sentence(),
+        "backend": said.engine,
+        "fingerprint": of.runs[0].fingerprint,
+        "identity": said.identity,
+        "min_runs_for_test": MIN_RUNS_FOR_TEST,
+        "family": _family(frame),
+        "findings": _findings(frame),
+        "runs": _runs(of),
+        **{
+            f"{name}_runs": _runs(of.nulls[name]) if name in of.nulls else []
+            for name in (SHADOW, NEUTRAL, *({CLONES} & {*of.nulls}))
+        },
+        "metrics": [_metric(rows) for _, rows in frame.groupby(METRIC, sort=False)],
+        "answers": [_answer(one) for one in published.answers(of, frame)],
+        "claims": _claims(of) if published.applies_to(of) else [],
+        **({"living": sentences} if (sentences := judge.living_sentences(of)) else {}),
+        "remarks": [remark for one in (of, *of.nulls.values()) for remark in one.remarks],
+    }
 
 
 def _runs(of: MeasuredSet) -> list[dict[str, Any]]:
-    return [{"folder": os.path.abspath(run.path), "seed": run.seed, "status": run.manifest["status"], "builds": run.builds,
-             "half_side_m": run.manifest.get("arena", {}).get("half_side_m"), "until_s": of.until_s} for run in of.runs]
+    return [
+        {
+            "folder": os.path.abspath(run.path),
+            "seed": run.seed,
+            "status": run.manifest["status"],
+            "builds": run.builds,
+            "half_side_m": run.manifest.get("arena", {}).get("half_side_m"),
+            "until_s": of.until_s,
+        }
+        for run in of.runs
+    ]
 
 
 def _test(row: Any) -> dict[str, Any]:
     tested = row.p_holm == row.p_holm and row.role == "null"
-    return {"p": row.p, "p_adjusted": row.p_holm, "differs": is_significant(row.p_holm) if tested else None,
-            "runs_needed": None if row.runs_needed != row.runs_needed else int(row.runs_needed)}
+    return {
+        "p": row.p,
+        "p_adjusted": row.p_holm,
+        "differs": is_significant(row.p_holm) if tested else None,
+        "runs_needed": None if row.runs_needed != row.runs_needed else int(row.runs_needed),
+    }
 
 
 def _metric(rows: pandas.DataFrame) -> dict[str, Any]:
     first = next(rows.itertuples(index=False))
-    baselines = [{"name": row.null, "role": row.role, "value": row.null_mean, "runs": row.null_n, "difference": row.difference,
-                  "lower": row.difference_lower, "upper": row.difference_upper, **_test(row),
-                  "conclusion": row.conclusion if row.role == "null" else None} for row in rows.itertuples(index=False) if row.null]
-    return {**{name: getattr(first, name) for name in METRIC}, "runs": first.n, "mean": first.mean, "deviation": first.deviation,
-            "lower": first.lower, "upper": first.upper, "same_as": first.same_as or None, "published": first.published, "baselines": baselines}
+    baselines = [
+        {
+            "name": row.null,
+            "role": row.role,
+            "value": row.null_mean,
+            "runs": row.null_n,
+            "difference": row.difference,
+            "lower": row.difference_lower,
+            "upper": row.difference_upper,
+            **_test(row),
+            "conclusion": row.conclusion if row.role == "null" else None,
+        }
+        for row in rows.itertuples(index=False)
+        if row.null
+    ]
+    return {
+        **{name: getattr(first, name) for name in METRIC},
+        "runs": first.n,
+        "mean": first.mean,
+        "deviation": first.deviation,
+        "lower": first.lower,
+        "upper": first.upper,
+        "same_as": first.same_as or None,
+        "published": first.published,
+        "baselines": baselines,
+    }
 
 
 def _difference(rows: pandas.DataFrame) -> dict[str, Any]:
     parts = {row.compared: row for row in rows.itertuples(index=False)}
     raw = parts["raw"]
-    nothing = {"value": None, "lower": None, "upper": None, "p": None, "p_adjusted": None, "differs": None, "runs_needed": None, "conclusion": None}
-    return {**{name: getattr(raw, name) for name in METRIC}, "same_as": raw.same_as or None,
-            **{side: {"runs": getattr(raw, f"n_{side}"), **{name: getattr(raw, f"{name}_{side}") for name in ("mean", "deviation", "lower", "upper")}}
-               for side in "ab"},
-            **{kind: {"value": row.difference, "lower": row.lower, "upper": row.upper, **_test(row), "conclusion": row.conclusion}
-               if (row := parts.get(kind)) else nothing for kind in ("raw", f"over_{SHADOW}", f"over_{NEUTRAL}")}}
+    nothing = {
+        "value": None,
+        "lower": None,
+        "upper": None,
+        "p": None,
+        "p_adjusted": None,
+        "differs": None,
+        "runs_needed": None,
+        "conclusion": None,
+    }
+    return {
+        **{name: getattr(raw, name) for name in METRIC},
+        "same_as": raw.same_as or None,
+        **{
+            side: {
+                "runs": getattr(raw, f"n_{side}"),
+                **{name: getattr(raw, f"{name}_{side}") for name in ("mean", "deviation", "lower", "upper")},
+            }
+            for side in "ab"
+        },
+        **{
+            kind: {
+                "value": row.difference,
+                "lower": row.lower,
+                "upper": row.upper,
+                **_test(row),
+                "conclusion": row.conclusion,
+            }
+            if (row := parts.get(kind))
+            else nothing
+            for kind in ("raw", f"over_{SHADOW}", f"over_{NEUTRAL}")
+        },
+    }
 
 
 def _answer(one: published.Answer) -> dict[str, Any]:
-    effects = [{**each.reading.metric._asdict(), "members": each.reading.members, "counting": each.reading.counting, "difference": each.difference.value,
-                **(each.difference.interval._asdict() if each.difference.interval else {}), "p": each.difference.p, "p_adjusted": each.difference.adjusted,
-                "runs_needed": each.difference.runs_needed(), "conclusion": each.conclusion} for each in one.effects]
-    return {"question": one.question.text, "answer": str(one), "runs_needed": one.runs_needed, "shown": one.effects.index(one.shown), "readings": effects}
+    effects = [
+        {
+            **each.reading.metric._asdict(),
+            "members": each.reading.members,
+            "counting": each.reading.counting,
+            "difference": each.difference.value,
+            **(each.difference.interval._asdict() if each.difference.interval else {}),
+            "p": each.difference.p,
+            "p_adjusted": each.difference.adjusted,
+            "runs_needed": each.difference.runs_needed(),
+            "conclusion": each.conclusion,
+        }
+        for each in one.effects
+    ]
+    return {
+        "question": one.question.text,
+        "answer": str(one),
+        "runs_needed": one.runs_needed,
+        "shown": one.effects.index(one.shown),
+        "readings": effects,
+    }
 
 
 def _claims(of: MeasuredSet) -> list[dict[str, Any]]:
-    return [{"claim": claim.claim.title, "summary": published.summary_of(claim), "readings": [_reading(each) for each in claim.readings]}
-            for claim in published.judge_claims(of)]
+    return [
+        {
+            "claim": claim.claim.title,
+            "summary": published.summary_of(claim),
+            "readings": [_reading(each) for each in claim.readings],
+        }
+        for claim in published.judge_claims(of)
+    ]
 
 
 def _reading(each: published.ReadingConclusion) -> dict[str, Any]:
     lower, upper = each.interval or (None, None)
     ours = each.ours.interval or (None, None)
-    return {**each.reading.metric._asdict(), "members": each.reading.members, "counting": each.reading.counting, "published": each.reading.value,
-            "source": each.reading.source, "margin": published.margin_of(each.reading),
-            "margin_from": each.reading.spread and each.reading.spread.origin,
-            "runs": each.ours.runs, "mean": each.ours.mean, "deviation": each.ours.deviation, "lower": ours[0], "upper": ours[1],
-            "difference": each.difference, "difference_lower": lower, "difference_upper": upper, "conclusion": each.conclusion,
-            "runs_needed": each.runs_needed}
+    return {
+        **each.reading.metric._asdict(),
+        "members": each.reading.members,
+        "counting": each.reading.counting,
+        "published": each.reading.value,
+        "source": each.reading.source,
+        "margin": published.margin_of(each.reading),
+        "margin_from": each.reading.spread and each.reading.spread.origin,
+        "runs": each.ours.runs,
+        "mean": each.ours.mean,
+        "deviation": each.ours.deviation,
+        "lower": ours[0],
+        "upper": ours[1],
+        "difference": each.difference,
+        "difference_lower": lower,
+        "difference_upper": upper,
+        "conclusion": each.conclusion,
+        "runs_needed": each.runs_needed,
+    }
 
 
 def _without_nan(value: Any) -> Any:

@@ -14,13 +14,17 @@ from ..values import MeasuredSet, Metric
 from ..words import NULLS, Reading, columns, metric_title, number_text, over_nulls, p_text, runs_text
 
 MOST_INCONCLUSIVE = 3
-_NEEDED = "runs needed: in each set, to find a difference of this size in 80 % of studies. Inconclusive does not mean equal\n"
+_NEEDED = (
+    "runs needed: in each set, to find a difference of this size in 80 % of studies. Inconclusive does not mean equal\n"
+)
 _UNATTRIBUTED = "without a shadow of each set no difference can be attributed to inheritance\n"
 
 
 def estimate_of(row: Any, side: str = "") -> Estimate:
     """The mean of a row of a judge's frame; side: "", "_a" or "_b"."""
-    n, mean, deviation, lower, upper = (getattr(row, name + side) for name in ("n", "mean", "deviation", "lower", "upper"))
+    n, mean, deviation, lower, upper = (
+        getattr(row, name + side) for name in ("n", "mean", "deviation", "lower", "upper")
+    )
     return Estimate(n, mean, deviation, Interval(lower, upper) if lower == lower else None)
 
 
@@ -29,7 +33,7 @@ def _metric(row: Any) -> Metric:
 
 
 def described(of: MeasuredSet) -> str:
-    """ "LABEL on ENGINE, N runs of T s". """
+    """ "LABEL on ENGINE, N runs of T s"."""
     said = describe(of)
     length = said.length()
     return f"{of.label} on {said.engine}, {length[0].lower()}{length[1:]}"
@@ -47,7 +51,9 @@ def _heading(of: MeasuredSet) -> str:
         text += f"locked: {locked:.3f} of robots are within 0.3 m of another for 12 s or longer; --all has the metrics without them\n"
     text += "".join(f"{NULLS[name]}: {described(null)}\n" for name, null in of.nulls.items())
     text += "".join(f"{sentence}\n" for sentence in judge.living_sentences(of))
-    return text + ("" if of.shadow else "no shadow: attribution and velocity have no null (--replicates with --shadow makes one)\n")
+    return text + (
+        "" if of.shadow else "no shadow: attribution and velocity have no null (--replicates with --shadow makes one)\n"
+    )
 
 
 def _too_few(*sets: MeasuredSet) -> str:
@@ -55,7 +61,7 @@ def _too_few(*sets: MeasuredSet) -> str:
 
 
 def _conclusion(row: Any) -> str:
-    """"above", "below", or "inconclusive, 34 runs needed"."""
+    """ "above", "below", or "inconclusive, 34 runs needed"."""
     if row.conclusion == "inconclusive":
         return f"inconclusive, {runs_text(row.runs_needed)} runs needed"
     return row.conclusion if row.conclusion in ("above", "below") else ""
@@ -65,7 +71,9 @@ def findings_text(frame: pandas.DataFrame, most: int | None = None) -> str:
     """How many comparisons are significant, and each finding in a sentence; at most the first `most`."""
     found = judge.findings(frame)
     text = judge.count(frame).sentence() + "\n" + "".join(f"  {finding.sentence}\n" for finding in found[:most])
-    return text + (f"  and {len(found) - most} more findings (--all)\n" if most is not None and len(found) > most else "")
+    return text + (
+        f"  and {len(found) - most} more findings (--all)\n" if most is not None and len(found) > most else ""
+    )
 
 
 def answers_of(of: MeasuredSet, frame: pandas.DataFrame) -> list[list[str]]:
@@ -73,14 +81,21 @@ def answers_of(of: MeasuredSet, frame: pandas.DataFrame) -> list[list[str]]:
     rows = []
     for one in published.answers(of, frame):
         reading, difference = Reading(one.shown.reading.metric), one.shown.difference
-        effect = reading.with_interval(difference.value, difference.interval, True) + f" {reading.unit}" * bool(reading.unit)
+        effect = reading.with_interval(difference.value, difference.interval, True) + f" {reading.unit}" * bool(
+            reading.unit
+        )
         rows.append([one.question.text, str(one), effect, f"{len(one.effects)} reading{'s' * (len(one.effects) > 1)}"])
     return rows
 
 
 def _answers(of: MeasuredSet, frame: pandas.DataFrame) -> str:
     rows = answers_of(of, frame)
-    return "The paper's questions; an answer stands under every reading of the text (undecided: under none):\n" + columns(rows, "  ") if rows else ""
+    return (
+        "The paper's questions; an answer stands under every reading of the text (undecided: under none):\n"
+        + columns(rows, "  ")
+        if rows
+        else ""
+    )
 
 
 def _inconclusive(frame: pandas.DataFrame, head: Sequence[str], cells: Any) -> str:
@@ -89,7 +104,10 @@ def _inconclusive(frame: pandas.DataFrame, head: Sequence[str], cells: Any) -> s
     if not rows:
         return ""
     lines = [["inconclusive", *head, "p", "runs needed"]]
-    lines += [[metric_title(_metric(row)), *cells(row), p_text(row.p_holm), runs_text(row.runs_needed)] for row in rows[:MOST_INCONCLUSIVE]]
+    lines += [
+        [metric_title(_metric(row)), *cells(row), p_text(row.p_holm), runs_text(row.runs_needed)]
+        for row in rows[:MOST_INCONCLUSIVE]
+    ]
     more = f"  and {len(rows) - MOST_INCONCLUSIVE} more (--all)\n" if len(rows) > MOST_INCONCLUSIVE else ""
     return columns(lines, "  ") + more + _NEEDED
 
@@ -102,11 +120,22 @@ def findings(of: MeasuredSet, frame: pandas.DataFrame) -> str:
 
     def cells(row: Any) -> list[str]:
         reading = Reading(_metric(row))
-        return [reading.of(estimate_of(row)), NULLS.get(row.null, row.null), reading(row.null_mean), judge.runs_of(row),
-                reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True)]
+        return [
+            reading.of(estimate_of(row)),
+            NULLS.get(row.null, row.null),
+            reading(row.null_mean),
+            judge.runs_of(row),
+            reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True),
+        ]
 
     head = ["ours [95 %]", "null", "its mean", "runs", "ours - null [95 %]"]
-    return _heading(of) + _answers(of, frame) + findings_text(frame, judge.MOST_FINDINGS) + _inconclusive(frame, head, cells) + _too_few(of)
+    return (
+        _heading(of)
+        + _answers(of, frame)
+        + findings_text(frame, judge.MOST_FINDINGS)
+        + _inconclusive(frame, head, cells)
+        + _too_few(of)
+    )
 
 
 def table(of: MeasuredSet, frame: pandas.DataFrame) -> str:
@@ -114,7 +143,9 @@ def table(of: MeasuredSet, frame: pandas.DataFrame) -> str:
     Below it one line for each null with the difference and its test, and one for each reference without; causes from which no individual died
     are left out. The findings stand behind it."""
     has_published = bool(frame["published"].notna().any())
-    lines = [["metric", "ours [95 %]", *(["published"] if has_published else []), "ours - null [95 %]", "p", "conclusion"]]
+    lines = [
+        ["metric", "ours [95 %]", *(["published"] if has_published else []), "ours - null [95 %]", "p", "conclusion"]
+    ]
     gap = [""] * has_published
     last = None
     for row in frame.itertuples(index=False):
@@ -130,16 +161,28 @@ def table(of: MeasuredSet, frame: pandas.DataFrame) -> str:
         last = metric
         if not row.null:
             continue
-        line = [f"    {'*' if row.role == 'paper' else '=' if row.role == 'null' else ' '} {NULLS.get(row.null, row.null)}", reading(row.null_mean)]
+        line = [
+            f"    {'*' if row.role == 'paper' else '=' if row.role == 'null' else ' '} {NULLS.get(row.null, row.null)}",
+            reading(row.null_mean),
+        ]
         if row.role == "null" or row.null in NULLS:
-            line += [*gap, reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True), p_text(row.p_holm),
-                     _conclusion(row)]
+            line += [
+                *gap,
+                reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True),
+                p_text(row.p_holm),
+                _conclusion(row),
+            ]
         lines.append(line)
     size = judge.count(frame)
-    return (_heading(of) + columns(lines)
-            + "= a null: what the rules give without the effect   * the paper's own baseline, for reference: not tested against\n"
-            f"p: corrected for {size.comparisons} comparisons (Holm); intervals are those of single comparisons\n"
-            + _answers(of, frame) + (findings_text(frame) if size.comparisons else "") + _too_few(of))
+    return _heading(of) + columns(
+        lines
+    ) + "= a null: what the rules give without the effect   * the paper's own baseline, for reference: not tested against\n" f"p: corrected for {size.comparisons} comparisons (Holm); intervals are those of single comparisons\n" + _answers(
+        of, frame
+    ) + (
+        findings_text(frame) if size.comparisons else ""
+    ) + _too_few(
+        of
+    )
 
 
 def _title_of(frame: pandas.DataFrame, choice: str) -> str:
@@ -149,8 +192,10 @@ def _title_of(frame: pandas.DataFrame, choice: str) -> str:
 
 
 def _sets(a: MeasuredSet, b: MeasuredSet) -> str:
-    return "".join(f"{letter}: {described(of)}{''.join(f'; {NULLS[name]}: {len(null.runs)} runs' for name, null in of.nulls.items())}\n{_rules(of)}"
-                   for letter, of in (("a", a), ("b", b)))
+    return "".join(
+        f"{letter}: {described(of)}{''.join(f'; {NULLS[name]}: {len(null.runs)} runs' for name, null in of.nulls.items())}\n{_rules(of)}"
+        for letter, of in (("a", a), ("b", b))
+    )
 
 
 def difference_findings(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:
@@ -159,12 +204,26 @@ def difference_findings(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame)
 
     def cells(row: Any) -> list[str]:
         reading = Reading(_metric(row))
-        return [reading(row.mean_a), reading(row.mean_b), judge.runs_of(row), reading.with_interval(row.difference, (row.lower, row.upper), True)]
+        return [
+            reading(row.mean_a),
+            reading(row.mean_b),
+            judge.runs_of(row),
+            reading.with_interval(row.difference, (row.lower, row.upper), True),
+        ]
 
-    about = (f"the answer is the difference {over}: {shown}. Raw differences, which the rules alone can make, are in --all\n" if over
-             else f"the differences are raw: {_UNATTRIBUTED}")
+    about = (
+        f"the answer is the difference {over}: {shown}. Raw differences, which the rules alone can make, are in --all\n"
+        if over
+        else f"the differences are raw: {_UNATTRIBUTED}"
+    )
     head = ["a", "b", "runs", (short or "b - a") + " [95 %]"]
-    return _sets(a, b) + about + findings_text(frame, judge.MOST_FINDINGS) + _inconclusive(frame, head, cells) + _too_few(a, b)
+    return (
+        _sets(a, b)
+        + about
+        + findings_text(frame, judge.MOST_FINDINGS)
+        + _inconclusive(frame, head, cells)
+        + _too_few(a, b)
+    )
 
 
 def difference_table(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:
@@ -181,32 +240,57 @@ def difference_table(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) ->
         line = [metric_title(_metric(row)), reading(row.mean_a), reading(row.mean_b)]
         line.append(reading.with_interval(row.difference, (row.lower, row.upper), True))
         if over:
-            line.append(reading.with_interval(answer.difference, (answer.lower, answer.upper), True) if answer else "missing")
+            line.append(
+                reading.with_interval(answer.difference, (answer.lower, answer.upper), True) if answer else "missing"
+            )
         note = f"tested as {_title_of(frame, row.same_as)}" if row.same_as else ""
         if answer and not note:
-            note = f"{runs_text(answer.runs_needed)} runs" if answer.conclusion == "inconclusive" else "*" if _conclusion(answer) else ""
+            note = (
+                f"{runs_text(answer.runs_needed)} runs"
+                if answer.conclusion == "inconclusive"
+                else "*"
+                if _conclusion(answer)
+                else ""
+            )
         lines.append([*line, p_text(answer.p_holm) if answer else "", note])
     about = f"those {short} are the answer: {shown}\n" if over else _UNATTRIBUTED
-    return (_sets(a, b) + columns(lines) + f"p: corrected for {judge.count(frame).comparisons} comparisons (Holm); * significant, p <= 0.05, "
-            "else the runs in each set that would find a difference of this size in 80 % of studies; intervals are those of single comparisons\n"
-            f"raw differences also show how the populations are composed; {about}" + findings_text(frame) + _too_few(a, b))
+    return (
+        _sets(a, b)
+        + columns(lines)
+        + f"p: corrected for {judge.count(frame).comparisons} comparisons (Holm); * significant, p <= 0.05, "
+        "else the runs in each set that would find a difference of this size in 80 % of studies; intervals are those of single comparisons\n"
+        f"raw differences also show how the populations are composed; {about}" + findings_text(frame) + _too_few(a, b)
+    )
 
 
 def claims(of: MeasuredSet) -> str:
     """For each published claim one line that says under which readings it is reproduced, then one line for each reading: the published value, the
     margin and its origin, ours and the difference with 95 % intervals, the conclusion."""
-    lines = [["claim and its readings", "published", "", "margin", "margin from", "ours [95 %]", "ours - published [95 %]", "conclusion"]]
+    lines = [
+        [
+            "claim and its readings",
+            "published",
+            "",
+            "margin",
+            "margin from",
+            "ours [95 %]",
+            "ours - published [95 %]",
+            "conclusion",
+        ]
+    ]
     for claim in published.judge_claims(of):
         lines.append([f"{claim.claim.title}: {published.summary_of(claim)}"])
         lines += [_claim_line(each) for each in claim.readings]
     said = describe(of)
     text = f"{described(of)}, fingerprint {said.identity}\n{_what_was_published(of)}\n{columns(lines)}"
-    text += ("reproduced: two one-sided tests at 5 % place ours within the margin of the published system\n"
-             "not reproduced: they do not, and ours - published is not 0 at 5 %   inconclusive: neither\n"
-             "margin: one standard deviation between runs. The published mean is one of ten runs; its error is in the interval\n"
-             "published: text: in the paper; logs: counted in the event logs of its ten runs\n"
-             "The paper does not say whether inactive prey count. Leaving them out (active) is an inference: the authors' log marks them.\n"
-             "Each reading is tested alone: a claim with more readings is more easily reproduced under one of them.\n")
+    text += (
+        "reproduced: two one-sided tests at 5 % place ours within the margin of the published system\n"
+        "not reproduced: they do not, and ours - published is not 0 at 5 %   inconclusive: neither\n"
+        "margin: one standard deviation between runs. The published mean is one of ten runs; its error is in the interval\n"
+        "published: text: in the paper; logs: counted in the event logs of its ten runs\n"
+        "The paper does not say whether inactive prey count. Leaving them out (active) is an inference: the authors' log marks them.\n"
+        "Each reading is tested alone: a claim with more readings is more easily reproduced under one of them.\n"
+    )
     if of.until_s != published.DURATION_S:
         text += f"the claims are about runs of {number_text(published.DURATION_S)} s: counts of deaths in other times do not compare (--until)\n"
     return text + _too_few(of)
@@ -216,10 +300,19 @@ def _claim_line(each: published.ReadingConclusion) -> list[str]:
     reading, margin = Reading(each.reading.metric), published.margin_of(each.reading)
     conclusion = each.conclusion
     if each.conclusion == "inconclusive":
-        conclusion += f" (about {each.runs_needed} runs would decide)" if each.runs_needed else " (1000 runs would not decide)"
-    return [f"  {metric_title(each.reading.metric)}", reading(each.reading.value), each.reading.source, "-" if margin is None else reading(margin),
-            each.reading.spread.origin if each.reading.spread else "unknown", reading.of(each.ours),
-            reading.with_interval(each.difference, each.interval, True), conclusion]
+        conclusion += (
+            f" (about {each.runs_needed} runs would decide)" if each.runs_needed else " (1000 runs would not decide)"
+        )
+    return [
+        f"  {metric_title(each.reading.metric)}",
+        reading(each.reading.value),
+        each.reading.source,
+        "-" if margin is None else reading(margin),
+        each.reading.spread.origin if each.reading.spread else "unknown",
+        reading.of(each.ours),
+        reading.with_interval(each.difference, each.interval, True),
+        conclusion,
+    ]
 
 
 def _what_was_published(of: MeasuredSet) -> str:
@@ -230,4 +323,8 @@ def _what_was_published(of: MeasuredSet) -> str:
         text += "; these are points without bodies, so velocities and walls compare the rules only"
     if said.label == "released" and said.engine.startswith("mujoco"):
         return text + ", as here"
-    return text if said.engine.startswith("kinematic") and published.applies_to(of) else f"{text}; here: {said.label} on {said.engine}"
+    return (
+        text
+        if said.engine.startswith("kinematic") and published.applies_to(of)
+        else f"{text}; here: {said.label} on {said.engine}"
+    )

@@ -15,6 +15,7 @@ Array = Any  # of floats
 
 class Moments(NamedTuple):
     """Numbers, means and variances of the columns of a matrix of values, one row a run; nan is left out."""
+
     runs: Array
     mean: Array
     variance: Array
@@ -59,7 +60,9 @@ def contrast(*terms: tuple[float, Moments]) -> Contrast:
         value, variance = sum(weight * of.mean for weight, of in terms), sum(parts)
         squares = sum(part * part / (of.runs - 1.0) for part, (_, of) in zip(parts, terms))
         is_point = is_rounding(numpy.sqrt(variance), value)
-        error, freedom = numpy.where(is_point, 0.0, numpy.sqrt(variance)), numpy.where(is_point, 1.0, variance * variance / squares)
+        error, freedom = numpy.where(is_point, 0.0, numpy.sqrt(variance)), numpy.where(
+            is_point, 1.0, variance * variance / squares
+        )
     enough = numpy.all([of.runs >= MIN_RUNS_FOR_TEST for _, of in terms], axis=0)
     return Contrast(*(numpy.where(enough, each, numpy.nan) for each in (value, error, freedom)))
 
@@ -68,8 +71,11 @@ def t_quantile(probability: float, freedom: Array) -> Array:
     """As statistics.t_quantile."""
     t = special.stdtrit(freedom, probability)  # exact to 1e-9; a step of Newton's gives the rest
     with numpy.errstate(all="ignore"):
-        density = numpy.exp(special.gammaln((freedom + 1.0) / 2.0) - special.gammaln(freedom / 2.0) - (freedom + 1.0) / 2.0 * numpy.log1p(t * t / freedom)) / (
-            numpy.sqrt(numpy.pi * freedom))
+        density = numpy.exp(
+            special.gammaln((freedom + 1.0) / 2.0)
+            - special.gammaln(freedom / 2.0)
+            - (freedom + 1.0) / 2.0 * numpy.log1p(t * t / freedom)
+        ) / (numpy.sqrt(numpy.pi * freedom))
         return t - (special.stdtr(freedom, t) - probability) / density
 
 
@@ -90,7 +96,9 @@ def scatter_of(*sets: Moments) -> Scatter:
     """As statistics.scatter_of."""
     total, squares = sum(of.variance for of in sets), sum(of.variance**2 for of in sets)
     with numpy.errstate(all="ignore"):
-        return Scatter(total, numpy.where(squares > 0.0, total * total / squares, numpy.where(numpy.isnan(total), numpy.nan, 1.0)))
+        return Scatter(
+            total, numpy.where(squares > 0.0, total * total / squares, numpy.where(numpy.isnan(total), numpy.nan, 1.0))
+        )
 
 
 def hedges_g(a: Moments, b: Moments) -> Array:
@@ -98,7 +106,9 @@ def hedges_g(a: Moments, b: Moments) -> Array:
     with numpy.errstate(all="ignore"):
         freedom = a.runs + b.runs - 2.0
         spread = numpy.sqrt(((a.runs - 1) * a.variance + (b.runs - 1) * b.variance) / freedom)
-        correction = numpy.exp(special.gammaln(freedom / 2.0) - special.gammaln((freedom - 1.0) / 2.0)) / numpy.sqrt(freedom / 2.0)
+        correction = numpy.exp(special.gammaln(freedom / 2.0) - special.gammaln((freedom - 1.0) / 2.0)) / numpy.sqrt(
+            freedom / 2.0
+        )
         g = correction * (b.mean - a.mean) / spread
     return numpy.where(is_rounding(spread, b.mean - a.mean), numpy.nan, g)
 
@@ -109,13 +119,17 @@ def power_of_t(errors: Array, freedom: Array, level: float) -> Array:
     with numpy.errstate(all="ignore"):
         far = special.chdtr(freedom, numpy.minimum(freedom * (errors / critical) ** 2, 1e300))
     near = numpy.minimum(errors, 200.0)
-    return numpy.where(errors > 200.0, far, 1.0 - special.nctdtr(freedom, near, critical) + special.nctdtr(freedom, near, -critical))
+    return numpy.where(
+        errors > 200.0, far, 1.0 - special.nctdtr(freedom, near, critical) + special.nctdtr(freedom, near, -critical)
+    )
 
 
 def detectable_difference(of: Contrast, level: float, power: float = USUAL_POWER) -> Array:
     """As statistics.detectable_difference."""
     freedoms, places = numpy.unique(of.freedom, return_inverse=True)  # a paired sweep has few
-    low, high = numpy.zeros_like(freedoms), special.stdtrit(freedoms, 1.0 - level / 2.0) + numpy.maximum(0.0, special.stdtrit(freedoms, power))
+    low, high = numpy.zeros_like(freedoms), special.stdtrit(freedoms, 1.0 - level / 2.0) + numpy.maximum(
+        0.0, special.stdtrit(freedoms, power)
+    )
     while (short := power_of_t(high, freedoms, level) < power).any():
         low, high = numpy.where(short, high, low), numpy.where(short, 2.0 * high, high)
     for _ in range(36):
@@ -130,12 +144,15 @@ def runs_for_power(difference: Array, scatter: Scatter, level: float, power: flo
     with numpy.errstate(all="ignore"):
         spreads = numpy.abs(difference) / numpy.sqrt(scatter.variance)
         fewest = (max(float(special.ndtri(1.0 - level / 2.0) + special.ndtri(power)), 0.0) / spreads) ** 2
-    runs = numpy.where(is_rounding(numpy.sqrt(scatter.variance), difference) & (difference != 0.0), float(MIN_RUNS_FOR_TEST), numpy.nan)
+    runs = numpy.where(
+        is_rounding(numpy.sqrt(scatter.variance), difference) & (difference != 0.0), float(MIN_RUNS_FOR_TEST), numpy.nan
+    )
     asked = numpy.flatnonzero(numpy.isnan(runs) & (difference != 0.0) & (fewest <= MOST_RUNS))
 
     def suffices(which: Array, runs: Array) -> Array:
         at = asked[which]
         return power_of_t(spreads[at] * numpy.sqrt(runs), scatter.freedom[at] * (runs - 1.0), level) >= power
+
     enough = numpy.maximum(MIN_RUNS_FOR_TEST, numpy.floor(fewest[asked]))
     few = enough - 1.0
     short, step = numpy.arange(len(asked)), 1
@@ -147,7 +164,9 @@ def runs_for_power(difference: Array, scatter: Scatter, level: float, power: flo
     while len(is_open):
         middle = numpy.floor((few[is_open] + enough[is_open]) / 2.0)
         found = suffices(is_open, middle)
-        enough[is_open], few[is_open] = numpy.where(found, middle, enough[is_open]), numpy.where(found, few[is_open], middle)
+        enough[is_open], few[is_open] = numpy.where(found, middle, enough[is_open]), numpy.where(
+            found, few[is_open], middle
+        )
         is_open = is_open[enough[is_open] - few[is_open] > 1.0]
     runs[asked] = numpy.where(enough <= MOST_RUNS, enough, numpy.nan)
     return runs

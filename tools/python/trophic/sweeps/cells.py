@@ -24,6 +24,7 @@ _STATISTICS = ("value", "error", "freedom", "variance", "scatter_freedom")
 @dataclasses.dataclass
 class SweepValues:
     """The observed values of each run of a sweep."""
+
     metrics: list[Metric]
     runs: Array
     """(planned runs, metrics); nan in a run that is missing, and where there is no value"""
@@ -33,7 +34,9 @@ class SweepValues:
     def of(self, cell: Cell) -> tuple[Array, Array]:
         """Values of a cell's runs and of their shadows: (replicates in the order of their seeds, metrics) each."""
         nothing = numpy.full(len(self.metrics), numpy.nan)
-        rows = [[nothing if place is None else self.runs[place] for place in (one.run, one.shadow)] for one in by_seed(cell)]
+        rows = [
+            [nothing if place is None else self.runs[place] for place in (one.run, one.shadow)] for one in by_seed(cell)
+        ]
         both = numpy.array(rows).reshape(len(rows), 2, len(self.metrics))
         return both[:, 0], both[:, 1]
 
@@ -48,12 +51,16 @@ class SweepValues:
 
     def have_shadows(self, grid: Grid) -> bool:
         """Whether every cell has a run and its shadow, so that the difference over the shadows is the answer."""
+
         def is_there(place: int | None) -> bool:
             return place is not None and self.is_there[place]
+
         return all(any(is_there(one.run) and is_there(one.shadow) for one in cell.replicates) for cell in grid.cells)
 
     def only(self, metrics: Sequence[Metric]) -> "SweepValues":
-        return SweepValues(list(metrics), self.runs[:, [self.metrics.index(metric) for metric in metrics]], self.is_there)
+        return SweepValues(
+            list(metrics), self.runs[:, [self.metrics.index(metric) for metric in metrics]], self.is_there
+        )
 
 
 def by_seed(cell: Cell) -> list:
@@ -75,7 +82,11 @@ def compare_cells(grid: Grid, values: SweepValues, reference: int) -> pandas.Dat
     parts = []
     for family in families:
         of_base = values.compared(base, family == ANSWER)
-        blocks = [_compared(base, of_base, cell, values.compared(cell, family == ANSWER), values.metrics) for cell in grid.cells if cell is not base]
+        blocks = [
+            _compared(base, of_base, cell, values.compared(cell, family == ANSWER), values.metrics)
+            for cell in grid.cells
+            if cell is not base
+        ]
         if not blocks:
             continue
         frame = pandas.concat(blocks, ignore_index=True)
@@ -97,13 +108,21 @@ def as_family(frame: pandas.DataFrame, family: str, families: Sequence[str]) -> 
     return frame if family == families[0] else frame[~is_share]
 
 
-def exact(frame: pandas.DataFrame, names: Sequence[str] = ("lower", "upper", "p"), level: float = 0.95) -> pandas.DataFrame:
+def exact(
+    frame: pandas.DataFrame, names: Sequence[str] = ("lower", "upper", "p"), level: float = 0.95
+) -> pandas.DataFrame:
     """The frame with exact intervals and p values of the differences of shares of runs, by share_difference."""
     frame = frame.copy()
     for row in frame[frame["metric"].isin(SHARES)].itertuples():
-        its, others = (numpy.arange(n) < numpy.rint(n * mean) for n, mean in ((row.runs, row.mean), (row.runs_reference, row.mean_reference)))
+        its, others = (
+            numpy.arange(n) < numpy.rint(n * mean)
+            for n, mean in ((row.runs, row.mean), (row.runs_reference, row.mean_reference))
+        )
         of = share_difference(its, others, level)
-        frame.loc[row.Index, list(names)] = [*(of.interval or (numpy.nan, numpy.nan)), numpy.nan if of.p is None else of.p][:len(names)]
+        frame.loc[row.Index, list(names)] = [
+            *(of.interval or (numpy.nan, numpy.nan)),
+            numpy.nan if of.p is None else of.p,
+        ][: len(names)]
     return frame
 
 
@@ -113,7 +132,9 @@ def _compared(base: Cell, of_base: Array, cell: Cell, of_cell: Array, metrics: S
     if paired:
         places = [{one.seed: place for place, one in enumerate(by_seed(each))} for each in (base, cell)]
         seeds = [seed for seed in places[0] if seed in places[1]]
-        of_base, of_cell = (values[[place[seed] for seed in seeds]] for values, place in zip((of_base, of_cell), places))
+        of_base, of_cell = (
+            values[[place[seed] for seed in seeds]] for values, place in zip((of_base, of_cell), places)
+        )
         missing = numpy.isnan(of_base) | numpy.isnan(of_cell)
         of_base, of_cell = numpy.where(missing, numpy.nan, of_base), numpy.where(missing, numpy.nan, of_cell)
     a, b = arrays.moments(of_base), arrays.moments(of_cell)
@@ -123,13 +144,27 @@ def _compared(base: Cell, of_base: Array, cell: Cell, of_cell: Array, metrics: S
     else:
         of, scatter = arrays.contrast((-1.0, a), (1.0, b)), arrays.scatter_of(a, b)
     difference = b.mean - a.mean
-    varies = ~arrays.is_rounding(numpy.sqrt(scatter.variance), b.mean) | ~arrays.is_rounding(numpy.abs(difference), b.mean)
+    varies = ~arrays.is_rounding(numpy.sqrt(scatter.variance), b.mean) | ~arrays.is_rounding(
+        numpy.abs(difference), b.mean
+    )
     is_comparison = varies & ~numpy.isnan(scatter.variance) & ~numpy.isnan(difference)
     interval = arrays.interval_of(of)
-    columns = {"cell": cell.number, **dict(zip(METRIC, zip(*metrics))), "design": "paired" if paired else "independent", "runs": b.runs,
-               "runs_reference": a.runs, "mean": b.mean, "mean_reference": a.mean, "difference": difference, "lower": interval.lower,
-               "upper": interval.upper, "p": numpy.where(is_comparison, arrays.p_value(of), numpy.nan), "hedges_g": arrays.hedges_g(a, b),
-               "is_comparison": is_comparison, "scatter": numpy.sqrt(scatter.variance)}
+    columns = {
+        "cell": cell.number,
+        **dict(zip(METRIC, zip(*metrics))),
+        "design": "paired" if paired else "independent",
+        "runs": b.runs,
+        "runs_reference": a.runs,
+        "mean": b.mean,
+        "mean_reference": a.mean,
+        "difference": difference,
+        "lower": interval.lower,
+        "upper": interval.upper,
+        "p": numpy.where(is_comparison, arrays.p_value(of), numpy.nan),
+        "hedges_g": arrays.hedges_g(a, b),
+        "is_comparison": is_comparison,
+        "scatter": numpy.sqrt(scatter.variance),
+    }
     frame = pandas.DataFrame({**columns, **dict(zip(_STATISTICS, (*of, *scatter)))}, index=range(len(metrics)))
     return exact(frame.assign(design=frame["design"].where(~frame["metric"].isin(SHARES), "exact")))
 
@@ -141,10 +176,17 @@ def judged(frame: pandas.DataFrame) -> pandas.DataFrame:
     frame = corrected(frame)
     tested = frame[frame["is_comparison"]]
     level = level_of(frame)
-    of, scatter = (kind(*(tested[column].to_numpy() for column in columns)) for kind, columns in ((Contrast, _STATISTICS[:3]), (Scatter, _STATISTICS[3:])))
+    of, scatter = (
+        kind(*(tested[column].to_numpy() for column in columns))
+        for kind, columns in ((Contrast, _STATISTICS[:3]), (Scatter, _STATISTICS[3:]))
+    )
     interval = arrays.interval_of(of, 1.0 - level)
-    new = {"lower_corrected": interval.lower, "upper_corrected": interval.upper, "runs_needed": arrays.runs_for_power(tested["difference"].to_numpy(), scatter, level),
-           "smallest_detectable": arrays.detectable_difference(of, level)}
+    new = {
+        "lower_corrected": interval.lower,
+        "upper_corrected": interval.upper,
+        "runs_needed": arrays.runs_for_power(tested["difference"].to_numpy(), scatter, level),
+        "smallest_detectable": arrays.detectable_difference(of, level),
+    }
     frame = frame.assign(**{column: pandas.Series(values, tested.index) for column, values in new.items()})
     return exact(frame, ("lower_corrected", "upper_corrected"), 1.0 - level)
 
@@ -155,9 +197,14 @@ def corrected(frame: pandas.DataFrame) -> pandas.DataFrame:
     p_holm = numpy.full(len(frame), numpy.nan)
     p_holm[is_comparison] = holm(numpy.where(numpy.isnan(p), 1.0, p)[is_comparison])
     p_holm[numpy.isnan(p)] = numpy.nan
-    conclusion = numpy.where(~is_comparison | (frame["role"] != "null"), "not compared", numpy.where(
-        numpy.isnan(p), "too few runs", conclusions(p_holm, frame["difference"])))
-    return frame.assign(p_holm=p_holm, level=numpy.where(is_comparison, level_of(frame), numpy.nan), conclusion=conclusion)
+    conclusion = numpy.where(
+        ~is_comparison | (frame["role"] != "null"),
+        "not compared",
+        numpy.where(numpy.isnan(p), "too few runs", conclusions(p_holm, frame["difference"])),
+    )
+    return frame.assign(
+        p_holm=p_holm, level=numpy.where(is_comparison, level_of(frame), numpy.nan), conclusion=conclusion
+    )
 
 
 def level_of(frame: pandas.DataFrame) -> float:
@@ -197,7 +244,11 @@ def runs_for_difference(frame: pandas.DataFrame, difference: float) -> pandas.Da
         if len(known):
             order = known["variance"].to_numpy().argsort(kind="stable")
             each = [known[column].to_numpy()[[order[0], order[-1]]] for column in _STATISTICS[3:]]
-            scatter = Scatter(*(numpy.append(known[column].mean(), values) for column, values in zip(_STATISTICS[3:], each)))
-            row.update(zip(("runs", "fewest", "most"), arrays.runs_for_power(numpy.full(3, difference), scatter, level_of(of))))
+            scatter = Scatter(
+                *(numpy.append(known[column].mean(), values) for column, values in zip(_STATISTICS[3:], each))
+            )
+            row.update(
+                zip(("runs", "fewest", "most"), arrays.runs_for_power(numpy.full(3, difference), scatter, level_of(of)))
+            )
         rows.append({"runs": numpy.nan, "fewest": numpy.nan, "most": numpy.nan, **row})
     return pandas.DataFrame(rows, columns=[*METRIC, "compared", "difference", "runs", "fewest", "most", "cells"])

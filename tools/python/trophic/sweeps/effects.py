@@ -17,7 +17,21 @@ def axis_effects(grid: Grid, values: SweepValues, reference: int) -> pandas.Data
     The mean over all settings of the other axes at which both values were run, one number a seed, and Student's t over seeds; of shares of runs
     Fisher's exact test over settings and seeds. Over the shadows and raw, two families, as compare_cells. Columns: sweep_effects.csv's, `role`,
     `level` and `conclusion`. Empty if the cells do not share their seeds, as then no seed is in all of them."""
-    columns = ["axis", "value", "reference", *METRIC, "compared", "settings", "seeds", "mean", "mean_reference", "difference", "lower", "upper", "p"]
+    columns = [
+        "axis",
+        "value",
+        "reference",
+        *METRIC,
+        "compared",
+        "settings",
+        "seeds",
+        "mean",
+        "mean_reference",
+        "difference",
+        "lower",
+        "upper",
+        "p",
+    ]
     place = grid.place(reference)
     families = [ANSWER, RAW] if values.have_shadows(grid) else [RAW]
     parts = []
@@ -52,9 +66,28 @@ def _effects(grid: Grid, values: SweepValues, place: int, over_shadow: bool) -> 
             contrast = arrays.contrast((1.0, of))
             interval = arrays.interval_of(contrast)
             means = [arrays.moments(numpy.where(missing, numpy.nan, each)).mean for each in (after, before)]
-            blocks.append(pandas.DataFrame({"axis": axis.name, "value": value, "reference": reference, **dict(zip(METRIC, zip(*values.metrics))), "compared": "",
-                                            "settings": len(pairs), "seeds": of.runs, "runs": len(pairs) * of.runs, "runs_reference": len(pairs) * of.runs, "mean": means[0], "mean_reference": means[1], "difference": of.mean,
-                                            "lower": interval.lower, "upper": interval.upper, "p": arrays.p_value(contrast)}, index=range(len(values.metrics))))
+            blocks.append(
+                pandas.DataFrame(
+                    {
+                        "axis": axis.name,
+                        "value": value,
+                        "reference": reference,
+                        **dict(zip(METRIC, zip(*values.metrics))),
+                        "compared": "",
+                        "settings": len(pairs),
+                        "seeds": of.runs,
+                        "runs": len(pairs) * of.runs,
+                        "runs_reference": len(pairs) * of.runs,
+                        "mean": means[0],
+                        "mean_reference": means[1],
+                        "difference": of.mean,
+                        "lower": interval.lower,
+                        "upper": interval.upper,
+                        "p": arrays.p_value(contrast),
+                    },
+                    index=range(len(values.metrics)),
+                )
+            )
     return blocks
 
 
@@ -63,4 +96,8 @@ def _pairs_along(grid: Grid, axis: Axis, reference: str, value: str) -> list[tup
     others = [other.values for other in grid.axes if other is not axis]
     rest = [tuple(values[cell] for values in others) for cell in range(len(grid.cells))]
     at_reference = {rest[cell]: cell for cell in range(len(grid.cells)) if axis.values[cell] == reference}
-    return [(at_reference[rest[cell]], cell) for cell in range(len(grid.cells)) if axis.values[cell] == value and rest[cell] in at_reference]
+    return [
+        (at_reference[rest[cell]], cell)
+        for cell in range(len(grid.cells))
+        if axis.values[cell] == value and rest[cell] in at_reference
+    ]

@@ -18,6 +18,7 @@ PLAN = "plan.jsonl"
 @dataclasses.dataclass(frozen=True)
 class PlannedRun:
     """A line of plan.jsonl: a run with its place in the grid."""
+
     index: int
     """its place in the plan, from 0"""
     cell: int
@@ -47,6 +48,7 @@ class PlannedRun:
 @dataclasses.dataclass
 class Replicate:
     """Places in the plan of a run and of its shadow."""
+
     seed: int
     run: int | None = None
     shadow: int | None = None
@@ -55,6 +57,7 @@ class Replicate:
 @dataclasses.dataclass
 class Cell:
     """A point of the grid."""
+
     number: int
     first: PlannedRun
     """one of its runs: all have one rule table, engine and settings"""
@@ -64,6 +67,7 @@ class Cell:
 @dataclasses.dataclass
 class Axis:
     """A setting that varies between cells."""
+
     name: str
     """its path, rule_table or engine"""
     values: list[str]
@@ -89,12 +93,12 @@ class Grid:
         return axis.name if tails.count(tail) > 1 else tail
 
     def cell_title(self, number: int) -> str:
-        """ "reach_m 0.5, sd 0.05"; empty without an axis. """
+        """ "reach_m 0.5, sd 0.05"; empty without an axis."""
         place = self.place(number)
         return ", ".join(f"{self.axis_title(axis)} {axis.values[place] or 'unset'}" for axis in self.axes)
 
     def cell_name(self, number: int) -> str:
-        """ "cell 1 (reach_m 0.5, sd 0.05)". """
+        """ "cell 1 (reach_m 0.5, sd 0.05)"."""
         return f"cell {number}" + (f" ({self.cell_title(number)})" if self.axes else "")
 
 
@@ -109,11 +113,15 @@ def grid_of(plan: Sequence[PlannedRun]) -> Grid:
         replicate = replicates.setdefault((run.cell, run.replicate), Replicate(run.seed))
         setattr(replicate, "shadow" if run.shadow else "run", run.index)
         names.update(dict.fromkeys(run.settings))
-    cells = [Cell(number, first[number], [replicates[place] for place in sorted(replicates) if place[0] == number]) for number in sorted(first)]
+    cells = [
+        Cell(number, first[number], [replicates[place] for place in sorted(replicates) if place[0] == number])
+        for number in sorted(first)
+    ]
 
     def value_on(run: PlannedRun, name: str) -> str:
         value = getattr(run, name) if name in ("rule_table", "engine") else run.settings.get(name, "")
         return value if isinstance(value, str) else _json(value)
+
     axes = [Axis(name, [value_on(cell.first, name) for cell in cells]) for name in names]
     return Grid(cells, [axis for axis in axes if len(set(axis.values)) > 1])
 
@@ -125,11 +133,14 @@ def is_paired(a: Cell, b: Cell) -> bool:
     common = sum(replicate.seed in seeds for replicate in b.replicates)
     fewer = min(len(a.replicates), len(b.replicates))
     if common not in (0, fewer):
-        raise RunError(f"cell {b.number} has {common} of {fewer} seeds in common with cell {a.number}: must be all, to be compared seed by seed, or none")
+        raise RunError(
+            f"cell {b.number} has {common} of {fewer} seeds in common with cell {a.number}: must be all, to be compared seed by seed, or none"
+        )
     return common != 0
 
 
 # plan.jsonl
+
 
 def read_plan(path: pathlib.Path) -> list[PlannedRun]:
     """Reads the runs of a plan. Raises RunError, naming line and field, for anything that trophic does not write."""
@@ -164,8 +175,10 @@ def _conflicts(runs: Sequence[PlannedRun], so_far: dict[Any, Any]):
     """(field, what it must be) for each conflict of the last run with those before it, of which `so_far` keeps what is compared."""
     run = runs[-1]
     cell = f"cell {run.cell}"
+
     def is_new(*key: Any) -> bool:
         return so_far.setdefault(key, run.index) == run.index
+
     if not is_new("folder", run.folder):
         yield "folder", "another for each run"
     if not is_new(run.cell, run.shadow, "replicate", run.replicate):
@@ -175,8 +188,10 @@ def _conflicts(runs: Sequence[PlannedRun], so_far: dict[Any, Any]):
     beside = so_far.get((run.cell, not run.shadow, "replicate", run.replicate))
     if beside is not None and runs[beside].seed != run.seed:
         yield "seed", f"{runs[beside].seed}, as a replicate and its shadow have one"
-    for key, fields in (((run.cell,), ("rule_table", "engine", "settings", "until_s", "replay_hz", "agents_every", "senses", "states")),
-                        ((run.cell, run.shadow), ("fingerprint",))):
+    for key, fields in (
+        ((run.cell,), ("rule_table", "engine", "settings", "until_s", "replay_hz", "agents_every", "senses", "states")),
+        ((run.cell, run.shadow), ("fingerprint",)),
+    ):
         first = runs[so_far.setdefault(key, run.index)]
         for field in fields:
             if getattr(run, field) != getattr(first, field):
@@ -196,25 +211,42 @@ def _is_number(value: Any, lowest: float = 0.0, largest: float = math.inf) -> bo
 
 
 def _is_text(value: Any) -> bool:
-    return isinstance(value, str) and value != "" and not any(ord(letter) < 32 or 127 <= ord(letter) < 160 for letter in value)
+    return (
+        isinstance(value, str)
+        and value != ""
+        and not any(ord(letter) < 32 or 127 <= ord(letter) < 160 for letter in value)
+    )
 
 
 def _are_settings(value: Any) -> bool:
-    return isinstance(value, dict) and all(path and (isinstance(one, (str, bool)) or _is_number(one, -math.inf)) for path, one in value.items())
+    return isinstance(value, dict) and all(
+        path and (isinstance(one, (str, bool)) or _is_number(one, -math.inf)) for path, one in value.items()
+    )
 
 
 def _is_folder(value: Any) -> bool:
-    return _is_text(value) and not value.startswith("/") and all(part not in ("", ".", "..") for part in value.split("/"))
+    return (
+        _is_text(value) and not value.startswith("/") and all(part not in ("", ".", "..") for part in value.split("/"))
+    )
 
 
 _WHOLE = _is_whole, "be a whole number >= 0"
 _SWITCH = (lambda value: isinstance(value, bool)), "be true or false"
 _TEXT = _is_text, "be a text that is not empty, without control characters"
 _FIELDS: dict[str, tuple[Callable[[Any], bool], str]] = {
-    "cell": _WHOLE, "replicate": _WHOLE, "null": ((lambda value: value in ("none", "shadow")), "be none or shadow"), "rule_table": _TEXT, "engine": _TEXT,
-    "settings": (_are_settings, "be an object of settings by their paths: numbers, texts, true or false"), "seed": _WHOLE,
+    "cell": _WHOLE,
+    "replicate": _WHOLE,
+    "null": ((lambda value: value in ("none", "shadow")), "be none or shadow"),
+    "rule_table": _TEXT,
+    "engine": _TEXT,
+    "settings": (_are_settings, "be an object of settings by their paths: numbers, texts, true or false"),
+    "seed": _WHOLE,
     "until_s": (lambda value: _is_number(value, largest=MOST_TIME_S) and value > 0, f"be > 0 and <= {MOST_TIME_S:.0f}"),
     "replay_hz": (lambda value: _is_number(value, largest=1000.0), "be >= 0 and <= 1000"),
-    "agents_every": (lambda value: _is_whole(value) and 1 <= value < 2**63, f"be >= 1 and <= {2**63 - 1}"), "senses": _SWITCH,
-    "states": _SWITCH, "work": (_is_number, "be >= 0"), "folder": (_is_folder, "be a folder within that of the plan, without . and .."),
-    "fingerprint": _TEXT}
+    "agents_every": (lambda value: _is_whole(value) and 1 <= value < 2**63, f"be >= 1 and <= {2**63 - 1}"),
+    "senses": _SWITCH,
+    "states": _SWITCH,
+    "work": (_is_number, "be >= 0"),
+    "folder": (_is_folder, "be a folder within that of the plan, without . and .."),
+    "fingerprint": _TEXT,
+}

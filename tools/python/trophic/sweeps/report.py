@@ -26,7 +26,17 @@ from ..statistics import MIN_RUNS_FOR_TEST, USUAL_POWER, is_significant
 from ..values import METRIC, Metric
 from ..words import Reading, columns, metric_title, number_text, p_text, runs_text
 from . import arrays
-from .cells import ANSWER, SweepValues, answers, compare_cells, count, level_of, metric_of, metrics_in, runs_for_difference
+from .cells import (
+    ANSWER,
+    SweepValues,
+    answers,
+    compare_cells,
+    count,
+    level_of,
+    metric_of,
+    metrics_in,
+    runs_for_difference,
+)
 from .effects import axis_effects
 from .grid import Axis, Grid
 from .runs import Sweep, check_sweep, measure_sweep, read_sweep
@@ -38,6 +48,7 @@ SHOWN = 20
 @dataclasses.dataclass
 class SweepAnalysis:
     """A measured sweep and what its cells differ in."""
+
     sweep: Sweep
     label: str
     """rules and engine of the reference cell's runs"""
@@ -63,14 +74,24 @@ class SweepAnalysis:
         found = of[of["conclusion"].isin(("above", "below"))]
         largest = [rows.loc[rows["difference"].abs().idxmax()] for metric, rows in metrics_in(found) if metric in plain]
         by_metric = {metric_of(row): row for row in largest}
-        return [(finding, by_metric[finding.metric]) for finding in judge.findings(pandas.DataFrame(largest, columns=of.columns))]
+        return [
+            (finding, by_metric[finding.metric])
+            for finding in judge.findings(pandas.DataFrame(largest, columns=of.columns))
+        ]
 
 
-def analyze_sweep(folder: str | os.PathLike, *, reference: int | None = None, difference: float | None = None, allow_missing: bool = False,
-                  how: Measuring | None = None) -> SweepAnalysis:
+def analyze_sweep(
+    folder: str | os.PathLike,
+    *,
+    reference: int | None = None,
+    difference: float | None = None,
+    allow_missing: bool = False,
+    how: Measuring | None = None,
+) -> SweepAnalysis:
     """Measures a sweep and compares its cells with one of them, the first if `reference` is None. `difference`: how many replicates one of this
     size, in the unit of the metrics that `how` names, would need. `allow_missing` leaves out runs that are missing or incomplete. Raises
-    RunError before anything is measured for a sweep that is not as its plan says, and for options that do not fit it."""
+    RunError before anything is measured for a sweep that is not as its plan says, and for options that do not fit it.
+    """
     how = how or Measuring()
     if difference is not None and not (math.isfinite(difference) and difference > 0.0):
         raise RunError(f"--difference {number_text(difference)}: must be > 0")
@@ -83,33 +104,58 @@ def analyze_sweep(folder: str | os.PathLike, *, reference: int | None = None, di
     if how.metrics:
         names = metrics.chosen(values.metrics, how.metrics)
     else:
-        repeats = judge.repeated_values({metric: values.runs[:, number] for number, metric in enumerate(values.metrics)})
+        repeats = judge.repeated_values(
+            {metric: values.runs[:, number] for number, metric in enumerate(values.metrics)}
+        )
         names = [metric for metric in values.metrics if metric not in repeats]
     if len(sweep.builds) > 1:
-        remarks.insert(0, f"{len(sweep.builds)} builds of a program made these runs: {pool.builds_text(sweep.builds)}; their rules may be other code under the same "
-                       "names")
+        remarks.insert(
+            0,
+            f"{len(sweep.builds)} builds of a program made these runs: {pool.builds_text(sweep.builds)}; their rules may be other code under the same "
+            "names",
+        )
     if sweep.missing:
         remarks.insert(0, f"{sweep.missing_line()}; left out")
     lost = dict.fromkeys(metrics.lost_to_thinning(run.agents_every) for run in sweep.plan)
     compared = values.only(names)
     differences = compare_cells(sweep.grid, compared, reference)
     asked = runs_for_difference(differences, difference) if difference is not None else pandas.DataFrame()
-    return SweepAnalysis(sweep, _label_of(sweep, reference), values, reference, sweep.plan[0].until_s if how.until_s is None else how.until_s, bool(how.metrics), differences,
-                         axis_effects(sweep.grid, compared, reference), asked, [*filter(None, lost), *remarks])
+    return SweepAnalysis(
+        sweep,
+        _label_of(sweep, reference),
+        values,
+        reference,
+        sweep.plan[0].until_s if how.until_s is None else how.until_s,
+        bool(how.metrics),
+        differences,
+        axis_effects(sweep.grid, compared, reference),
+        asked,
+        [*filter(None, lost), *remarks],
+    )
 
 
 def _label_of(sweep: Sweep, reference: int) -> str:
     cell = sweep.grid.cells[sweep.grid.place(reference)]
-    folder = sweep.folder_of(next(one.run for one in cell.replicates if one.run is not None and sweep.is_there[one.run]))
+    folder = sweep.folder_of(
+        next(one.run for one in cell.replicates if one.run is not None and sweep.is_there[one.run])
+    )
     return describe(Runs(folder.parent, [read_run(folder)])).title()
 
 
 def run(request: dict) -> int:
     """The command, from its options by name."""
     with tables.result_folder(request.get("out")) as out:
-        analysis = analyze_sweep(request["runs"][0], reference=request.get("reference"), difference=request.get("difference"),
-                                 allow_missing=bool(request.get("allow_missing")), how=measuring_of(request))
-        for remark in [*analysis.remarks[:5], *([f"and {len(analysis.remarks) - 5} more"] if len(analysis.remarks) > 5 else [])]:
+        analysis = analyze_sweep(
+            request["runs"][0],
+            reference=request.get("reference"),
+            difference=request.get("difference"),
+            allow_missing=bool(request.get("allow_missing")),
+            how=measuring_of(request),
+        )
+        for remark in [
+            *analysis.remarks[:5],
+            *([f"and {len(analysis.remarks) - 5} more"] if len(analysis.remarks) > 5 else []),
+        ]:
             print(f"{request['who']}: {remark}", file=sys.stderr)
         print(text_of(analysis), end="")
         files = write(analysis, out)
@@ -119,14 +165,22 @@ def run(request: dict) -> int:
 
 # Tables
 
+
 def write(analysis: SweepAnalysis, out: pathlib.Path) -> list[str]:
     """Writes the tables and summary.json into a folder; returns their names. Nothing is overwritten."""
-    content = {"cells.csv": cells_table(analysis), "runs.csv": runs_table(analysis.sweep, analysis.values),
-               "sweep_metrics.csv": metrics_table(analysis.sweep.grid, analysis.values), "sweep_differences.csv": with_significance(analysis.differences),
-               "sweep_effects.csv": with_significance(analysis.effects)}
+    content = {
+        "cells.csv": cells_table(analysis),
+        "runs.csv": runs_table(analysis.sweep, analysis.values),
+        "sweep_metrics.csv": metrics_table(analysis.sweep.grid, analysis.values),
+        "sweep_differences.csv": with_significance(analysis.differences),
+        "sweep_effects.csv": with_significance(analysis.effects),
+    }
     settings = [axis.name for axis in _settings(analysis.sweep.grid)]
     for name, frame in content.items():
-        tables.write_new(out / name, tables.csv_text(frame.reindex(columns=[*column_names(name), *(settings if name == "cells.csv" else [])])))
+        tables.write_new(
+            out / name,
+            tables.csv_text(frame.reindex(columns=[*column_names(name), *(settings if name == "cells.csv" else [])])),
+        )
     tables.write_new(out / "summary.json", tables.json_text(summary_of(analysis)))
     return [*content, "summary.json"]
 
@@ -143,19 +197,32 @@ def with_significance(frame: pandas.DataFrame) -> pandas.DataFrame:
 def cells_table(analysis: SweepAnalysis) -> pandas.DataFrame:
     sweep, rows = analysis.sweep, []
     for place, cell in enumerate(sweep.grid.cells):
-        rows.append({"cell": cell.number, "rule_table": cell.first.rule_table, "engine": cell.first.engine, "runs": sweep.count("run", place),
-                     "runs_planned": sum(one.run is not None for one in cell.replicates), "shadow_runs": sweep.count("shadow", place), "until_s": analysis.until_s,
-                     **{axis.name: axis.values[place] for axis in _settings(sweep.grid)}})
+        rows.append(
+            {
+                "cell": cell.number,
+                "rule_table": cell.first.rule_table,
+                "engine": cell.first.engine,
+                "runs": sweep.count("run", place),
+                "runs_planned": sum(one.run is not None for one in cell.replicates),
+                "shadow_runs": sweep.count("shadow", place),
+                "until_s": analysis.until_s,
+                **{axis.name: axis.values[place] for axis in _settings(sweep.grid)},
+            }
+        )
     return pandas.DataFrame(rows)
 
 
 def runs_table(sweep: Sweep, values: SweepValues) -> pandas.DataFrame:
     """One row a value of a run, none for what could not be computed."""
     places, numbers = numpy.nonzero(~numpy.isnan(values.runs))
-    planned = pandas.DataFrame({"run": run.index, "cell": run.cell, "replicate": run.replicate, "shadow": int(run.shadow), "seed": run.seed} for run in sweep.plan)
+    planned = pandas.DataFrame(
+        {"run": run.index, "cell": run.cell, "replicate": run.replicate, "shadow": int(run.shadow), "seed": run.seed}
+        for run in sweep.plan
+    )
     named = pandas.DataFrame(values.metrics, columns=METRIC)
-    return pandas.concat([planned.iloc[places].reset_index(drop=True), named.iloc[numbers].reset_index(drop=True)], axis=1).assign(
-        value=values.runs[places, numbers])
+    return pandas.concat(
+        [planned.iloc[places].reset_index(drop=True), named.iloc[numbers].reset_index(drop=True)], axis=1
+    ).assign(value=values.runs[places, numbers])
 
 
 def metrics_table(grid: Grid, values: SweepValues) -> pandas.DataFrame:
@@ -165,10 +232,26 @@ def metrics_table(grid: Grid, values: SweepValues) -> pandas.DataFrame:
         raw, shadow = values.of(cell)
         alone, its_shadow, over = (arrays.moments(each) for each in (raw, shadow, raw - shadow))
         intervals = [arrays.interval_of(arrays.contrast((1.0, of))) for of in (alone, over)]
-        frames.append(pandas.DataFrame({
-            "cell": cell.number, **dict(zip(METRIC, zip(*values.metrics))), "runs": alone.runs, "mean": alone.mean, "deviation": numpy.sqrt(alone.variance),
-            "lower": intervals[0].lower, "upper": intervals[0].upper, "shadow_runs": its_shadow.runs, "shadow": its_shadow.mean, "pairs": over.runs,
-            "over_shadow": over.mean, "over_lower": intervals[1].lower, "over_upper": intervals[1].upper}, index=range(len(values.metrics))))
+        frames.append(
+            pandas.DataFrame(
+                {
+                    "cell": cell.number,
+                    **dict(zip(METRIC, zip(*values.metrics))),
+                    "runs": alone.runs,
+                    "mean": alone.mean,
+                    "deviation": numpy.sqrt(alone.variance),
+                    "lower": intervals[0].lower,
+                    "upper": intervals[0].upper,
+                    "shadow_runs": its_shadow.runs,
+                    "shadow": its_shadow.mean,
+                    "pairs": over.runs,
+                    "over_shadow": over.mean,
+                    "over_lower": intervals[1].lower,
+                    "over_upper": intervals[1].upper,
+                },
+                index=range(len(values.metrics)),
+            )
+        )
     return pandas.concat(frames, ignore_index=True)
 
 
@@ -179,19 +262,57 @@ def summary_of(analysis: SweepAnalysis) -> dict[str, Any]:
 
     def named(row: Any) -> dict[str, Any]:
         return {**metric_of(row)._asdict(), "over_shadow": row.compared == ANSWER}
-    significant = [{"cell": row.cell, **named(row), "value": row.difference, "lower": row.lower, "upper": row.upper, "p": row.p, "p_adjusted": row.p_holm,
-                    "differs": True, "hedges_g": row.hedges_g} for row in of[of["conclusion"].isin(("above", "below"))].itertuples(index=False)]
-    asked = [{**named(row), "difference": row.difference, **{name: None if math.isnan(runs) else int(runs) for name, runs in zip(("runs", "fewest", "most"), row[-4:])}}
-             for row in analysis.asked.itertuples(index=False)]
-    content = {"label": analysis.label, "cells": len(sweep.grid.cells), "runs_planned": len(sweep.plan), "missing": sweep.missing, "builds": sweep.builds,
-               "axes": [{"name": axis.name, "values": axis.values} for axis in sweep.grid.axes], "reference": analysis.reference,
-               "min_runs_for_test": MIN_RUNS_FOR_TEST, "comparisons": size.comparisons, "level": level_of(of), "power": USUAL_POWER, "significant": significant,
-               "asked": asked}
-    return {"trophic": __version__, "family": {**size._asdict(), "sentence": size.sentence()},
-            "findings": [{**tables.finding(one), "cell": int(row.cell)} for one, row in analysis.findings()], "sweep": content}
+
+    significant = [
+        {
+            "cell": row.cell,
+            **named(row),
+            "value": row.difference,
+            "lower": row.lower,
+            "upper": row.upper,
+            "p": row.p,
+            "p_adjusted": row.p_holm,
+            "differs": True,
+            "hedges_g": row.hedges_g,
+        }
+        for row in of[of["conclusion"].isin(("above", "below"))].itertuples(index=False)
+    ]
+    asked = [
+        {
+            **named(row),
+            "difference": row.difference,
+            **{
+                name: None if math.isnan(runs) else int(runs)
+                for name, runs in zip(("runs", "fewest", "most"), row[-4:])
+            },
+        }
+        for row in analysis.asked.itertuples(index=False)
+    ]
+    content = {
+        "label": analysis.label,
+        "cells": len(sweep.grid.cells),
+        "runs_planned": len(sweep.plan),
+        "missing": sweep.missing,
+        "builds": sweep.builds,
+        "axes": [{"name": axis.name, "values": axis.values} for axis in sweep.grid.axes],
+        "reference": analysis.reference,
+        "min_runs_for_test": MIN_RUNS_FOR_TEST,
+        "comparisons": size.comparisons,
+        "level": level_of(of),
+        "power": USUAL_POWER,
+        "significant": significant,
+        "asked": asked,
+    }
+    return {
+        "trophic": __version__,
+        "family": {**size._asdict(), "sentence": size.sentence()},
+        "findings": [{**tables.finding(one), "cell": int(row.cell)} for one, row in analysis.findings()],
+        "sweep": content,
+    }
 
 
 # The terminal
+
 
 def text_of(analysis: SweepAnalysis) -> str:
     """The text of the terminal: the grid, what is significant and what is not, named metrics, effects of axes and the answer to --difference."""
@@ -215,19 +336,30 @@ def header_text(analysis: SweepAnalysis) -> str:
     """The grid, the reference cell, how many comparisons there are and how they were made."""
     sweep, differences = analysis.sweep, analysis.differences
     grid = sweep.grid
-    lines = [f"sweep of {counted(len(grid.cells), 'cell')}, {counted(sum(sweep.is_there), 'run')} of {number_text(analysis.until_s)} s"]
+    lines = [
+        f"sweep of {counted(len(grid.cells), 'cell')}, {counted(sum(sweep.is_there), 'run')} of {number_text(analysis.until_s)} s"
+    ]
     lines += [f"axis {axis.name}: {values_text(axis)}" for axis in grid.axes]
     lines.append(f"reference: {grid.cell_name(analysis.reference)}, {analysis.label}")
     if not len(differences):
         return "\n".join([*lines, "one cell alone: there is nothing to compare\n"])
     designs = set(differences["design"]) - {"exact"}
-    design = ("seed by seed where cells share seeds, else as independent sets" if len(designs) > 1 else "seed by seed" if designs == {"paired"}
-              else "as independent sets (other seeds in each cell)")
+    design = (
+        "seed by seed where cells share seeds, else as independent sets"
+        if len(designs) > 1
+        else "seed by seed"
+        if designs == {"paired"}
+        else "as independent sets (other seeds in each cell)"
+    )
     over = ", each run over its shadow" if (differences["compared"] == ANSWER).any() else ""
-    lines.append(f"{counted(count(differences).comparisons, 'comparison')} with it, {design}{over}; p corrected for all of them (Holm)")
+    lines.append(
+        f"{counted(count(differences).comparisons, 'comparison')} with it, {design}{over}; p corrected for all of them (Holm)"
+    )
     names, every = len(differences[METRIC].drop_duplicates()), len(analysis.values.metrics)
     if not analysis.is_chosen and every > names:
-        lines.append(f"metrics {names}; {every - names} more repeat one of them, and are compared if --metric names them")
+        lines.append(
+            f"metrics {names}; {every - names} more repeat one of them, and are compared if --metric names them"
+        )
     return "\n".join(lines) + "\n"
 
 
@@ -252,9 +384,21 @@ def differences_text(analysis: SweepAnalysis) -> str:
     significant = of[of["conclusion"].isin(("above", "below"))]
     if found:
         cells = significant.groupby(METRIC).size()
-        text += columns([("significant metric", "cells", "largest difference [95 %]", "g", "in cell"),
-                         *((compared_title(row), f"{cells[finding.metric]}/{len(grid.cells) - 1}", _with_interval(row), _effect_size(row),
-                            f"{row.cell} ({grid.cell_title(row.cell)})") for finding, row in found[:SHOWN])])
+        text += columns(
+            [
+                ("significant metric", "cells", "largest difference [95 %]", "g", "in cell"),
+                *(
+                    (
+                        compared_title(row),
+                        f"{cells[finding.metric]}/{len(grid.cells) - 1}",
+                        _with_interval(row),
+                        _effect_size(row),
+                        f"{row.cell} ({grid.cell_title(row.cell)})",
+                    )
+                    for finding, row in found[:SHOWN]
+                ),
+            ]
+        )
         more = len(cells) - len(found[:SHOWN])
         if more > 0:
             text += f"and {counted(more, 'metric')} more, such as other groups and readings of these: significant in sweep_differences.csv\n"
@@ -269,8 +413,10 @@ def differences_text(analysis: SweepAnalysis) -> str:
     if too_few := int((of["conclusion"] == "too few runs").sum()):
         text += f"too few runs for a test in {too_few} of them: {MIN_RUNS_FOR_TEST} in each cell are needed\n"
     if inconclusive > 0:
-        text += ("runs_needed and smallest_detectable in sweep_differences.csv say what more runs would show; fewer metrics (--metric), chosen before looking, "
-                 "need fewer runs\n")
+        text += (
+            "runs_needed and smallest_detectable in sweep_differences.csv say what more runs would show; fewer metrics (--metric), chosen before looking, "
+            "need fewer runs\n"
+        )
     return text
 
 
@@ -278,7 +424,18 @@ def named_text(analysis: SweepAnalysis) -> str:
     """One line for each metric of each cell: means, difference, p and the runs that would be needed. For few metrics."""
     differences = analysis.differences
     raw = differences[differences["role"] != "null"].set_index(["cell", *METRIC])["difference"]
-    head = ["metric", "cell", "mean", "reference", "difference [95 %]", *(["raw"] if len(raw) else []), "p", "g", "runs", "runs needed"]
+    head = [
+        "metric",
+        "cell",
+        "mean",
+        "reference",
+        "difference [95 %]",
+        *(["raw"] if len(raw) else []),
+        "p",
+        "g",
+        "runs",
+        "runs needed",
+    ]
     rows, constant = [], []
     of = answers(differences)
     varies = set(map(metric_of, of[of["is_comparison"]].itertuples(index=False)))
@@ -288,12 +445,29 @@ def named_text(analysis: SweepAnalysis) -> str:
             constant.append(metric_title(metric))
             continue
         reading = Reading(metric)
-        rows.append((compared_title(row), f"{row.cell} ({analysis.sweep.grid.cell_title(row.cell)})", reading(row.mean), reading(row.mean_reference), _with_interval(row),
-                     *([reading(raw.get((row.cell, *metric), row.difference), True)] if len(raw) else []), p_text(row.p_holm), _effect_size(row), f"{row.runs}+{row.runs_reference}",
-                     runs_text(row.runs_needed) if row.conclusion in ("inconclusive", "too few runs") else ""))
+        rows.append(
+            (
+                compared_title(row),
+                f"{row.cell} ({analysis.sweep.grid.cell_title(row.cell)})",
+                reading(row.mean),
+                reading(row.mean_reference),
+                _with_interval(row),
+                *([reading(raw.get((row.cell, *metric), row.difference), True)] if len(raw) else []),
+                p_text(row.p_holm),
+                _effect_size(row),
+                f"{row.runs}+{row.runs_reference}",
+                runs_text(row.runs_needed) if row.conclusion in ("inconclusive", "too few runs") else "",
+            )
+        )
     lines = [f"the same in all runs, or without a value: {title}\n" for title in dict.fromkeys(constant)]
-    return columns([head, *rows]) + "".join(lines) + ("p: corrected for all comparisons (Holm); runs needed: in each cell, to find a difference of this size in "
-                                                      "80 % of studies\n")
+    return (
+        columns([head, *rows])
+        + "".join(lines)
+        + (
+            "p: corrected for all comparisons (Holm); runs needed: in each cell, to find a difference of this size in "
+            "80 % of studies\n"
+        )
+    )
 
 
 def effects_text(effects: pandas.DataFrame) -> str:
@@ -306,9 +480,20 @@ def effects_text(effects: pandas.DataFrame) -> str:
     if not len(significant):
         return text + "\n"
     plain = {metric_of(row) for row in judge.facts(significant, ("above", "below"))}
-    largest = [rows.loc[rows["difference"].abs().idxmax()] for (*name, _), rows in significant.groupby([*METRIC, "axis"], sort=False) if Metric(*name) in plain]
-    text += "; the largest of each:\n" + columns([("effect of an axis", "difference [95 %]", "axis", "values"), *(
-        (compared_title(row), _with_interval(row), row.axis, f"{row.reference} -> {row.value}") for row in largest[:SHOWN])])
+    largest = [
+        rows.loc[rows["difference"].abs().idxmax()]
+        for (*name, _), rows in significant.groupby([*METRIC, "axis"], sort=False)
+        if Metric(*name) in plain
+    ]
+    text += "; the largest of each:\n" + columns(
+        [
+            ("effect of an axis", "difference [95 %]", "axis", "values"),
+            *(
+                (compared_title(row), _with_interval(row), row.axis, f"{row.reference} -> {row.value}")
+                for row in largest[:SHOWN]
+            ),
+        ]
+    )
     more = len(significant.groupby([*METRIC, "axis"])) - len(largest[:SHOWN])
     return text + (f"and {more} more: significant in sweep_effects.csv\n" if more > 0 else "")
 
@@ -320,9 +505,12 @@ def asked_text(analysis: SweepAnalysis) -> str:
         reading = Reading(metric_of(row))
         over = ", over shadow" if row.compared == ANSWER else ""
         text += f"a difference of {reading(row.difference)} in {metric_title(metric_of(row))}{over} needs "
-        text += ("an unknown number of replicates: fewer than two were compared\n" if row.cells == 0 else
-                 f"{runs_text(row.runs)} replicates a cell ({runs_text(row.fewest)} to {runs_text(row.most)}, cell by cell) for 80 % power\n")
+        text += (
+            "an unknown number of replicates: fewer than two were compared\n"
+            if row.cells == 0
+            else f"{runs_text(row.runs)} replicates a cell ({runs_text(row.fewest)} to {runs_text(row.most)}, cell by cell) for 80 % power\n"
+        )
     if text:
         of = answers(analysis.differences)
-        text += (f"at the level of one of {counted(count(of).comparisons, 'comparison')}, {number_text(level_of(of))}; by the spread of the runs at hand\n")
+        text += f"at the level of one of {counted(count(of).comparisons, 'comparison')}, {number_text(level_of(of))}; by the spread of the runs at hand\n"
     return text

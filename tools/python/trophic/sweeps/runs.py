@@ -24,6 +24,7 @@ MOST_NAMED = 10
 @dataclasses.dataclass
 class Sweep:
     """A sweep on the disk. It keeps the manifests of few runs: there may be tens of thousands."""
+
     folder: pathlib.Path
     plan: list[PlannedRun]
     grid: Grid
@@ -50,7 +51,9 @@ class Sweep:
     def missing_line(self) -> str:
         """The missing runs in one line; of many the first few."""
         more = len(self.missing) - MOST_NAMED
-        return f"{len(self.missing)} of {len(self.plan)} runs missing: {'; '.join(self.missing[:MOST_NAMED])}" + (f"; and {more} more" if more > 0 else "")
+        return f"{len(self.missing)} of {len(self.plan)} runs missing: {'; '.join(self.missing[:MOST_NAMED])}" + (
+            f"; and {more} more" if more > 0 else ""
+        )
 
 
 def is_sweep(folder: pathlib.Path) -> bool:
@@ -78,14 +81,23 @@ def read_sweep(folder: pathlib.Path, accept_other_build: bool = False) -> Sweep:
             sweep.first_of_web.append(run)
     sweep.builds = sorted(builds)
     if len(builds) > 1 and not accept_other_build:
-        raise RunError(f"{folder}: its runs were made by {pool.builds_text(sweep.builds)}; builds of a program may have other rules under the same names: "
-                       "--accept-other-build pools them")
+        raise RunError(
+            f"{folder}: its runs were made by {pool.builds_text(sweep.builds)}; builds of a program may have other rules under the same names: "
+            "--accept-other-build pools them"
+        )
     if not webs:
         raise RunError(f"{folder}: has no complete run; {sweep.missing[0]}")
     for cell in sweep.grid.cells:  # the first shadow of each
         for one in cell.replicates:
-            if one.run is not None and one.shadow is not None and sweep.is_there[one.run] and sweep.is_there[one.shadow]:
-                pool.check_shadow(pool.read_pooled(sweep.folder_of(one.run)), pool.read_pooled(sweep.folder_of(one.shadow)))
+            if (
+                one.run is not None
+                and one.shadow is not None
+                and sweep.is_there[one.run]
+                and sweep.is_there[one.shadow]
+            ):
+                pool.check_shadow(
+                    pool.read_pooled(sweep.folder_of(one.run)), pool.read_pooled(sweep.folder_of(one.shadow))
+                )
                 break
     return sweep
 
@@ -101,10 +113,15 @@ def _run_of(sweep: Sweep, planned: PlannedRun) -> tuple[PooledRun | None, str]:
         run = pool.read_pooled(folder)
     except RunError as error:
         return None, str(error)
-    for field, there, wanted in (("fingerprint", run.fingerprint, planned.fingerprint), ("seed", str(run.seed), str(planned.seed)),
-                                 ("until_s", number_text(run.until_s), number_text(planned.until_s))):
+    for field, there, wanted in (
+        ("fingerprint", run.fingerprint, planned.fingerprint),
+        ("seed", str(run.seed), str(planned.seed)),
+        ("until_s", number_text(run.until_s), number_text(planned.until_s)),
+    ):
         if there != wanted:
-            raise RunError(f"{folder}/manifest.json: {field} = {there}: must be {wanted}, as the plan has it for run {planned.index}")
+            raise RunError(
+                f"{folder}/manifest.json: {field} = {there}: must be {wanted}, as the plan has it for run {planned.index}"
+            )
     return run, "" if run.complete else f'status "{run.manifest["status"]}", must be "complete"'
 
 
@@ -119,7 +136,9 @@ def check_sweep(sweep: Sweep, reference: int, allow_missing: bool, how: Measurin
         if how.until_s is not None and run.until_s < how.until_s:
             raise RunError(f"{here}: must be >= {number_text(how.until_s)} s, as --until asks")
         if how.until_s is None and run.until_s != first_s:
-            raise RunError(f"{here}, but {sweep.folder_of(0)} has {number_text(first_s)} s; runs of different length are not compared: use --until")
+            raise RunError(
+                f"{here}, but {sweep.folder_of(0)} has {number_text(first_s)} s; runs of different length are not compared: use --until"
+            )
     if sweep.missing and not allow_missing:
         raise RunError(f"{sweep.folder}: {sweep.missing_line()} (--allow-missing leaves them out)")
     for run in _Runs(sweep, how) if how.columns else ():
@@ -161,14 +180,21 @@ def measure_sweep(sweep: Sweep, how: Measuring) -> tuple[SweepValues, list[str]]
             if str(error).startswith(f"{sweep.folder_of(place)}/"):
                 raise RunError(f"run {place}: {error}") from None
         raise
-    names = {name: number for number, name in enumerate(dict.fromkeys([*_shipped(sweep, how), *(name for values, _ in found for name in values)]))}
+    names = {
+        name: number
+        for number, name in enumerate(
+            dict.fromkeys([*_shipped(sweep, how), *(name for values, _ in found for name in values)])
+        )
+    }
     values = numpy.full((len(sweep.plan), len(names)), numpy.nan)
     remarks = []
     for place, (of_run, its) in zip(runs.places, found):
         values[place, [names[name] for name in of_run]] = list(of_run.values())
         remarks += its
     has_value = {name: not numpy.isnan(values[:, number]).all() for name, number in names.items()}
-    return SweepValues(list(names), values, sweep.is_there).only(kept(has_value, how.metrics)), list(dict.fromkeys(remarks))
+    return SweepValues(list(names), values, sweep.is_there).only(kept(has_value, how.metrics)), list(
+        dict.fromkeys(remarks)
+    )
 
 
 def _observed(run: RunValues) -> tuple[dict[Metric, float], list[str]]:
