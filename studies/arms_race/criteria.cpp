@@ -4,10 +4,11 @@
 
 using namespace trophic::arms_race;
 
-template class trophic::Ecology<PaperLastEscapee>;
-template class trophic::Ecology<PaperMostEscapes>;
-template class trophic::Ecology<PaperFastestEscape>;
-template class trophic::Ecology<PaperAgeing>;
-template class trophic::Ecology<PaperLastEscapeeAgeing>;
-template class trophic::Ecology<PaperMostEscapesAgeing>;
-template class trophic::Ecology<PaperFastestEscapeAgeing>;
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperLastEscapee>(const trophic::BackendChoice&);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperMostEscapes>(const trophic::BackendChoice&);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperFastestEscape>(const trophic::BackendChoice&);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperAgeing>(const trophic::BackendChoice&);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperLastEscapeeAgeing>(const trophic::BackendChoice&);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperMostEscapesAgeing>(const trophic::BackendChoice&);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperFastestEscapeAgeing>(
+    const trophic::BackendChoice&);

@@ -1,34 +1,34 @@
 // SPDX-License-Identifier: MIT
-// The ecologies of the study, each compiled in one of three files.
+// The experiments of the study, each compiled in one of three files.
 #pragma once
 
-#include <trophic/ecology/shipped.hpp>
+#include <trophic/experiment/table_experiment.hpp>
 
 #include "tables.hpp"
 
 namespace trophic {
 
 // In criteria.cpp.
-extern template class Ecology<arms_race::PaperLastEscapee>;
-extern template class Ecology<arms_race::PaperMostEscapes>;
-extern template class Ecology<arms_race::PaperFastestEscape>;
-extern template class Ecology<arms_race::PaperAgeing>;
-extern template class Ecology<arms_race::PaperLastEscapeeAgeing>;
-extern template class Ecology<arms_race::PaperMostEscapesAgeing>;
-extern template class Ecology<arms_race::PaperFastestEscapeAgeing>;
+extern template std::unique_ptr<AnyExperiment> make_experiment<arms_race::PaperLastEscapee>(const BackendChoice&);
+extern template std::unique_ptr<AnyExperiment> make_experiment<arms_race::PaperMostEscapes>(const BackendChoice&);
+extern template std::unique_ptr<AnyExperiment> make_experiment<arms_race::PaperFastestEscape>(const BackendChoice&);
+extern template std::unique_ptr<AnyExperiment> make_experiment<arms_race::PaperAgeing>(const BackendChoice&);
+extern template std::unique_ptr<AnyExperiment> make_experiment<arms_race::PaperLastEscapeeAgeing>(const BackendChoice&);
+extern template std::unique_ptr<AnyExperiment> make_experiment<arms_race::PaperMostEscapesAgeing>(const BackendChoice&);
+extern template std::unique_ptr<AnyExperiment> make_experiment<arms_race::PaperFastestEscapeAgeing>(const BackendChoice&);
 
 // In others.cpp.
-extern template class Ecology<arms_race::PaperAfterEscapes>;
-extern template class Ecology<arms_race::ReleasedMostEscapes>;
-extern template class Ecology<arms_race::ReleasedAgeing>;
-extern template class Ecology<arms_race::ReleasedMostEscapesAgeing>;
-extern template class Ecology<arms_race::PaperRoom>;
-extern template class Ecology<arms_race::PaperMostEscapesRoom>;
+extern template std::unique_ptr<AnyExperiment> make_experiment<arms_race::PaperAfterEscapes>(const BackendChoice&);
+extern template std::unique_ptr<AnyExperiment> make_experiment<arms_race::ReleasedMostEscapes>(const BackendChoice&);
+extern template std::unique_ptr<AnyExperiment> make_experiment<arms_race::ReleasedAgeing>(const BackendChoice&);
+extern template std::unique_ptr<AnyExperiment> make_experiment<arms_race::ReleasedMostEscapesAgeing>(const BackendChoice&);
+extern template std::unique_ptr<AnyExperiment> make_experiment<arms_race::PaperRoom>(const BackendChoice&);
+extern template std::unique_ptr<AnyExperiment> make_experiment<arms_race::PaperMostEscapesRoom>(const BackendChoice&);
 
 // In sides.cpp.
-extern template class Ecology<arms_race::PaperBySide>;
-extern template class Ecology<arms_race::ReleasedBySide>;
-extern template class Ecology<arms_race::PondBySide>;
-extern template class Ecology<arms_race::GrowingBySide>;
+extern template std::unique_ptr<AnyExperiment> make_experiment<arms_race::PaperBySide>(const BackendChoice&);
+extern template std::unique_ptr<AnyExperiment> make_experiment<arms_race::ReleasedBySide>(const BackendChoice&);
+extern template std::unique_ptr<AnyExperiment> make_experiment<arms_race::PondBySide>(const BackendChoice&);
+extern template std::unique_ptr<AnyExperiment> make_experiment<arms_race::GrowingBySide>(const BackendChoice&);
 
 }  // namespace trophic

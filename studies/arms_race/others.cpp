@@ -4,9 +4,10 @@
 
 using namespace trophic::arms_race;
 
-template class trophic::Ecology<PaperAfterEscapes>;
-template class trophic::Ecology<ReleasedMostEscapes>;
-template class trophic::Ecology<ReleasedAgeing>;
-template class trophic::Ecology<ReleasedMostEscapesAgeing>;
-template class trophic::Ecology<PaperRoom>;
-template class trophic::Ecology<PaperMostEscapesRoom>;
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperAfterEscapes>(const trophic::BackendChoice&);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<ReleasedMostEscapes>(const trophic::BackendChoice&);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<ReleasedAgeing>(const trophic::BackendChoice&);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<ReleasedMostEscapesAgeing>(
+    const trophic::BackendChoice&);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperRoom>(const trophic::BackendChoice&);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperMostEscapesRoom>(const trophic::BackendChoice&);

@@ -4,7 +4,7 @@
 
 using namespace trophic::arms_race;
 
-template class trophic::Ecology<PaperBySide>;
-template class trophic::Ecology<ReleasedBySide>;
-template class trophic::Ecology<PondBySide>;
-template class trophic::Ecology<GrowingBySide>;
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperBySide>(const trophic::BackendChoice&);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<ReleasedBySide>(const trophic::BackendChoice&);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PondBySide>(const trophic::BackendChoice&);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<GrowingBySide>(const trophic::BackendChoice&);

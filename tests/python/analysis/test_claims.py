@@ -17,6 +17,7 @@ from sets import around, metric, set_of
 from trophic import cite, judge
 from trophic.published import QUESTIONS, answers
 from trophic.report import analyze, page, tables, tex, text
+from trophic.report.measuring import measuring_of
 from trophic.runs import read_analysis
 from trophic.sweeps import report as sweep_report
 from trophic.values import Metric
@@ -315,7 +316,7 @@ def crowding(run):
 )
 def test_sets_of_runs(folder, name, options, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(folder)
-    how = analyze.measuring_of({**options, "jobs": 1})
+    how = measuring_of({**options, "jobs": 1})
     how.functions = [analyze.own.own_metric(one) for one in options.get("functions", ())]
     compares = isinstance(name, tuple)
     outcome = analyze.analyse([] if compares else [name], name if compares else (), None, how)
@@ -345,7 +346,7 @@ def test_sweep_says_the_same_everywhere_and_as_a_comparison(folder, tmp_path, mo
         "rules.capture.reach_m = [1.0, 3.0]\n"
     )
     subprocess.run(planned(PROGRAM, "sweep.toml", "sweep", folder), check=True, capture_output=True)
-    sweep = sweep_report.analyze_sweep("sweep", how=analyze.measuring_of({"jobs": 1}))
+    sweep = sweep_report.analyze_sweep("sweep", how=measuring_of({"jobs": 1}))
     shown, summary = sweep_report.text_of(sweep), sweep_report.summary_of(sweep)
     rows = sweep_report.with_significance(sweep.differences)
     answers = rows[rows["compared"] == "over_shadow"]
@@ -361,7 +362,7 @@ def test_sweep_says_the_same_everywhere_and_as_a_comparison(folder, tmp_path, mo
             )
         ]
         assert (of["significant"] == "yes").any() and finding["effect"] in set(of["difference"])
-    compared = analyze.analyse([], ["sweep/cell-000", "sweep/cell-001"], None, analyze.measuring_of({"jobs": 1}))
+    compared = analyze.analyse([], ["sweep/cell-000", "sweep/cell-001"], None, measuring_of({"jobs": 1}))
     check(compared, tmp_path)
     both = compared.compared[compared.compared["compared"] == "over_shadow"].merge(
         answers, on=["metric", "species", "group"], suffixes=("", "_of_sweep")

@@ -4,7 +4,7 @@
 #include <tools/changes/changing_simulation.hpp>
 #include <tools/command/read_parameters.hpp>
 #include <trophic/backend/kinematic.hpp>
-#include <trophic/ecology/shipped.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/rules/paper.hpp>
 
 namespace {

@@ -4,6 +4,7 @@
 #include <support/temporary_folder.hpp>
 #include <tools/reading/read_history.hpp>
 #include <trophic/backend/kinematic.hpp>
+#include <trophic/io/run_folder.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/run.hpp>
 

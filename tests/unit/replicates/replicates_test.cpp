@@ -10,6 +10,7 @@
 #include <tools/replicates/parallel.hpp>
 #include <tools/replicates/run.hpp>
 #include <trophic/backend/kinematic.hpp>
+#include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/run/checkpoint/resume.hpp>

@@ -17,7 +17,7 @@ from .report import tables
 from .report.columns import names as column_names
 from .sweeps.cells import answers, corrected, count, metric_of
 from .sweeps.report import compared_title, with_significance
-from .values import METRIC, MeasuredSet, Metric
+from .values import MeasuredSet, Metric
 from .words import Reading, markdown_text, p_text
 
 PREFIX, BASE = "from_", "base"

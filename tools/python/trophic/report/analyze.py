@@ -14,11 +14,11 @@ import pandas
 from .. import judge, pool, published
 from ..description import describe, distinct
 from ..errors import RunError
-from ..metrics import Measuring, own
-from ..programs import find_program
+from ..metrics import Measuring
 from ..runs import Analysis
 from ..values import MeasuredSet
 from . import tables, tex, text
+from .measuring import measuring_of
 
 
 class Outcome(NamedTuple):
@@ -71,30 +71,6 @@ def analyse(
             null.label = describe(null).label
     frames = [judge.summarize(of, how.metrics) for of in sets]
     return Outcome(sets, frames, judge.compare(sets[0], sets[1], how.metrics) if compare else None)
-
-
-def measuring_of(request: Mapping[str, Any]) -> Measuring:
-    """How the runs of a request are measured."""
-    functions = [function for file in request.get("metric_file") or () for function in own.read_metrics(file)]
-    return Measuring(
-        until_s=request.get("until"),
-        accept_other_build=bool(request.get("accept_other_build")),
-        columns=request.get("column") or (),
-        functions=functions,
-        bodies=bool(request.get("bodies")),
-        lineages=_program_of(request),
-        window_s=request.get("window"),
-        jobs=request.get("jobs"),
-        metrics=request.get("metric") or (),
-    )
-
-
-def _program_of(request: Mapping[str, Any]) -> str | None:
-    """The program that --lineages asks: a path, or one of trophic's by its name."""
-    if not request.get("lineages"):
-        return None
-    named = request.get("program") or "trophic-predator-prey"
-    return os.path.abspath(named) if os.sep in named else find_program(named)
 
 
 def is_sweep(folder: str | os.PathLike) -> bool:

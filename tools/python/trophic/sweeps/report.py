@@ -7,7 +7,6 @@ import math
 import os
 import pathlib
 import sys
-from collections.abc import Sequence
 from typing import Any
 
 import numpy
@@ -19,8 +18,8 @@ from ..errors import RunError
 from ..judge import Finding
 from ..metrics import Measuring
 from ..report import tables
-from ..report.analyze import measuring_of
 from ..report.columns import names as column_names
+from ..report.measuring import measuring_of
 from ..runs import Runs, read_run
 from ..statistics import MIN_RUNS_FOR_TEST, USUAL_POWER, is_significant
 from ..values import METRIC, Metric
