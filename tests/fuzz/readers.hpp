@@ -13,6 +13,7 @@
 #include <tools/contest/contest_plan.hpp>
 #include <tools/live/wishes.hpp>
 #include <tools/plan/plan_file.hpp>
+#include <tools/reading/checked_rows.hpp>
 #include <tools/reading/lineages.hpp>
 #include <tools/reading/table_reader.hpp>
 #include <tools/recording/read_recording.hpp>

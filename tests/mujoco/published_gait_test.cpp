@@ -13,7 +13,7 @@ namespace gait_evolution = trophic::gait_evolution;
 
 namespace {
 
-const gait_evolution::Params released = gait_evolution::params_of(gait_evolution::Table::released);
+const gait_evolution::Params released_search = gait_evolution::params_of(gait_evolution::Table::released);
 
 /// Mean fitness, m, of starts up to 1 mm above the floor: the height at which the released code begins is not recorded, and
 /// contacts make walking chaotic (standard deviation 13 mm).
@@ -25,9 +25,9 @@ double mean_fitness(const std::string& robot_name, double exponent, int starts) 
   double sum_m = 0.0;
   for (int start = 0; start < starts; ++start) {
     robot.rest_height_m = rest_height_m + 0.001 * start / starts;
-    sum_m += released.fitness.score([&](const gait_evolution::Pilot& pilot, double start_turn_rad) {
-      return gait_evolution::try_out(robot, gait, steering, released.trial, released.physics, trophic::backend::Mujoco::Params{},
-                                     pilot, start_turn_rad);
+    sum_m += released_search.fitness.score([&](const gait_evolution::Pilot& pilot, double start_turn_rad) {
+      return gait_evolution::try_out(robot, gait, steering, released_search.trial, released_search.physics,
+                                     trophic::backend::Mujoco::Params{}, pilot, start_turn_rad);
     });
   }
   const double mean_m = sum_m / starts;
@@ -39,7 +39,7 @@ double mean_fitness(const std::string& robot_name, double exponent, int starts) 
 
 /// Replays of the released code give 0.745 to 0.754 m.
 TEST_CASE("published gait: walk -> recorded distance within one percent") {
-  const double mean_m = mean_fitness("spider_released", released.steering.exponent, 40);
+  const double mean_m = mean_fitness("spider_released", released_search.steering.exponent, 40);
   CHECK(mean_m > 0.745);
   CHECK(mean_m < 0.758);
 }
