@@ -15,7 +15,7 @@ using MadeDynamics = std::unique_ptr<TableSimulation<Rules>>;
   static_assert(detail::has_no_fault<Rules>());                                                          \
   template MadeDynamics<Rules> make_dynamics<Rules>(Experiment<Rules>, BackendChoice, std::string_view); \
   template MadeDynamics<Rules> make_dynamics_in<Rules>(Habitat, Experiment<Rules>, BackendChoice);       \
-  template std::unique_ptr<AnyExperiment> make_experiment<Rules>(const BackendChoice&);
+  template std::unique_ptr<AnyExperiment> make_experiment<Rules>(const BackendChoice&, std::string_view);
 TROPHIC_COMPILE(rules::Paper)
 TROPHIC_COMPILE(rules::Released)
 #undef TROPHIC_COMPILE

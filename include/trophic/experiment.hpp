@@ -29,7 +29,8 @@ template <class... Rules>
 [[nodiscard]] int experiment(int argc, const char* const* argv, Offer offer = {}) {
   static_assert(sizeof...(Rules) > 0, "trophic::experiment needs at least one rule table");
   return command::experiment_program(argc, argv, [&offer] {
-    offer.rule_tables = {{table_name<Rules>(), make_experiment<Rules>}...};
+    offer.rule_tables = {{table_name<Rules>(),
+                          [](const BackendChoice& backend) { return make_experiment<Rules>(backend, TROPHIC_MODEL_DIR); }}...};
     return std::move(offer);
   });
 }

@@ -4,11 +4,17 @@
 
 using namespace trophic::arms_race;
 
-template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperLastEscapee>(const trophic::BackendChoice&);
-template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperMostEscapes>(const trophic::BackendChoice&);
-template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperFastestEscape>(const trophic::BackendChoice&);
-template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperAgeing>(const trophic::BackendChoice&);
-template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperLastEscapeeAgeing>(const trophic::BackendChoice&);
-template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperMostEscapesAgeing>(const trophic::BackendChoice&);
-template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperFastestEscapeAgeing>(
-    const trophic::BackendChoice&);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperLastEscapee>(const trophic::BackendChoice&,
+                                                                                            std::string_view);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperMostEscapes>(const trophic::BackendChoice&,
+                                                                                            std::string_view);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperFastestEscape>(const trophic::BackendChoice&,
+                                                                                              std::string_view);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperAgeing>(const trophic::BackendChoice&,
+                                                                                       std::string_view);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperLastEscapeeAgeing>(const trophic::BackendChoice&,
+                                                                                                  std::string_view);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperMostEscapesAgeing>(const trophic::BackendChoice&,
+                                                                                                  std::string_view);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperFastestEscapeAgeing>(const trophic::BackendChoice&,
+                                                                                                    std::string_view);

@@ -4,10 +4,15 @@
 
 using namespace trophic::arms_race;
 
-template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperAfterEscapes>(const trophic::BackendChoice&);
-template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<ReleasedMostEscapes>(const trophic::BackendChoice&);
-template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<ReleasedAgeing>(const trophic::BackendChoice&);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperAfterEscapes>(const trophic::BackendChoice&,
+                                                                                             std::string_view);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<ReleasedMostEscapes>(const trophic::BackendChoice&,
+                                                                                               std::string_view);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<ReleasedAgeing>(const trophic::BackendChoice&,
+                                                                                          std::string_view);
 template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<ReleasedMostEscapesAgeing>(
-    const trophic::BackendChoice&);
-template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperRoom>(const trophic::BackendChoice&);
-template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperMostEscapesRoom>(const trophic::BackendChoice&);
+    const trophic::BackendChoice&, std::string_view);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperRoom>(const trophic::BackendChoice&,
+                                                                                     std::string_view);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperMostEscapesRoom>(const trophic::BackendChoice&,
+                                                                                                std::string_view);

@@ -4,7 +4,11 @@
 
 using namespace trophic::arms_race;
 
-template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperBySide>(const trophic::BackendChoice&);
-template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<ReleasedBySide>(const trophic::BackendChoice&);
-template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PondBySide>(const trophic::BackendChoice&);
-template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<GrowingBySide>(const trophic::BackendChoice&);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PaperBySide>(const trophic::BackendChoice&,
+                                                                                       std::string_view);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<ReleasedBySide>(const trophic::BackendChoice&,
+                                                                                          std::string_view);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<PondBySide>(const trophic::BackendChoice&,
+                                                                                      std::string_view);
+template std::unique_ptr<trophic::AnyExperiment> trophic::make_experiment<GrowingBySide>(const trophic::BackendChoice&,
+                                                                                         std::string_view);

@@ -121,8 +121,8 @@ class Tool(InFolder):
 
     def test_refusals(self):
         for arguments, sentence in (
-            ([], r"trophic: needs a command: contest, show, .*analyze, .*\n"),
-            (["analyse"], r"trophic: analyse: must be contest, .*analyze, .*; did you mean analyze\?\n"),
+            ([], r"trophic: needs a command: show, .*analyze, .*\n"),
+            (["analyse"], r"trophic: analyse: must be show, .*analyze, .*; did you mean analyze\?\n"),
             (
                 ["analyze", "--publish"],
                 r"trophic analyze: --publish: unknown option; did you mean --published\? \(--help lists all\)\n",

@@ -57,14 +57,9 @@ class Population {
 
   /// Writes all individuals and states to an archive, or reads them from it (trophic/params/archive.hpp). Throws
   /// std::invalid_argument for bytes that are not a population of these rules, and is then in an undefined state.
-  template <class Archive>
   void persist(Archive& archive) {
     const std::size_t bodies = census_.bodies();
-    std::string keepers;  // states can only be read by the rules that wrote them
-    for_each_state(rules_, states_, [&](const auto& policy, auto&) { keepers.append(policy.name).push_back(' '); });
-    std::string there = keepers;
-    archive(there);
-    Archive::require(there == keepers, "rules with other states");
+    persist_keepers(archive, rules_, states_);
     archive(next_id_, genomes_.next_id(), census_.saved());
     for_each_state(rules_, states_, [&](const auto&, auto& states) { archive(states); });
     genomes_.persist(archive, web_.size());
@@ -140,7 +135,7 @@ class Population {
     check_finite("sensors", "inputs", inputs);
     const Individual& self = census_[body];
     const control::Decision decision = control::ask::decide<Acts>(
-        for_species(rules_.brain, self.species), states_.brain[body], inputs, weights(body),
+        for_species(rules_.brain, self.species), states_.brain[body], inputs, self.genome->weights,
         std::span<double, Acts::outputs>{outputs}, {.target_angle_rad = self.target_angle_rad, .tag = self.tag});
     check_tag(tags_, decision.tag, "brain");
     check_finite("brain", "a target angle", {&decision.target_angle_rad, 1});
@@ -198,7 +193,11 @@ class Population {
       born.genome = genomes_.draw(born, body);
       if (parentage.descent == reproduction::Descent::of_parent_in_name) born.origin = Origin::inherited;
     }
-    endow(born, parentage.endowment_J, living);
+    if (parentage.endowment_J == 0.0 || living.empty()) {
+      economy_.endow_from_outside(born);
+    } else {
+      economy_.endow(born, parentage.endowment_J, census_.change_all(), living);
+    }
     census_.replace(body, std::move(born));
     acts_.rest(body);
     for (const BodyIndex parent : living) {
@@ -223,13 +222,6 @@ class Population {
     census_.add(std::move(born));
   }
 
-  void endow(Individual& born, double endowment_J, std::span<const BodyIndex> living) {
-    if (endowment_J == 0.0 || living.empty()) return economy_.endow_from_outside(born);
-    economy_.endow(born, endowment_J, census_.change_all(), living);
-  }
-
-  [[nodiscard]] std::span<const double> weights(BodyIndex body) const { return census_[body].genome->weights; }
-
   /// Creates the states of a newborn.
   void create_states(const Individual& born, BodyIndex body, std::optional<BodyIndex> parent) {
     for_each_state(rules_, states_, [&](const auto& policy, auto& states) {
@@ -240,12 +232,7 @@ class Population {
 
   /// A newborn without its genome. `previous` is the body's last occupant, none for a founder.
   [[nodiscard]] Individual newborn(Species species, double time_s, std::int64_t tick, const Individual* previous) {
-    Individual born;
-    born.id = next_id_++;
-    born.species = species;
-    born.active = !web_.is_hunted(species);
-    born.born_s = born.age_from_s = born.tag_since_s = time_s;
-    born.fed_tick = tick;
+    Individual born = newborn_at(next_id_++, species, !web_.is_hunted(species), time_s, tick);
     Rng rng{seed_, Stream::newborn_tag, born.id};
     born.tag = rules_.newborn_tag.tag(previous != nullptr ? std::optional{previous->tag} : std::nullopt, tags_, rng);
     check_tag(tags_, born.tag, "newborn_tag");

@@ -11,15 +11,16 @@
 namespace trophic {
 
 /// Makes ecologies of these parameters that differ only in their seed and, for a neutral null, in the history that they repeat.
-/// The result throws as the ecology's constructor and `history` do.
+/// `installed`: the folder of installed models, which outlives the result. The result throws as the ecology's constructor and
+/// `history` do.
 template <class Rules>
 [[nodiscard]] MakeSimulation simulations_of(const Experiment<Rules>& experiment, const BackendChoice& backend,
-                                            const HistoryOf& history = {}) {
-  return [experiment, backend, history](std::uint64_t seed) {
+                                            const HistoryOf& history = {}, std::string_view installed = TROPHIC_MODEL_DIR) {
+  return [experiment, backend, history, installed](std::uint64_t seed) {
     Experiment<Rules> own = experiment;
     own.seed = seed;
     if (history) own.history = history(seed);
-    return make_dynamics<Rules>(std::move(own), backend, TROPHIC_MODEL_DIR);
+    return make_dynamics<Rules>(std::move(own), backend, installed);
   };
 }
 

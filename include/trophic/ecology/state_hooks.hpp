@@ -2,6 +2,7 @@
 // Notifies the policies that have a State of what happened to its individuals.
 #pragma once
 
+#include <trophic/params/archive.hpp>
 #include <trophic/population/state.hpp>
 #include <trophic/rules/rule_states.hpp>
 #include <trophic/rules/table.hpp>
@@ -46,6 +47,16 @@ void for_each_with_hook(const Policies<Rules>& rules, RuleStates<Rules>& all, co
 }
 
 }  // namespace detail
+
+/// Writes the names of the rules that keep states, or compares them: states can only be read by the rules that wrote them.
+template <class Rules>
+void persist_keepers(Archive& archive, const Policies<Rules>& rules, RuleStates<Rules>& all) {
+  std::string keepers;
+  for_each_state(rules, all, [&](const auto& policy, auto&) { keepers.append(policy.name).push_back(' '); });
+  std::string there = keepers;
+  archive(there);
+  Archive::require(there == keepers, "rules with other states");
+}
 
 /// All bodies have moved, from `before`.
 template <class Rules>

@@ -18,11 +18,13 @@ namespace trophic {
 template <class Rules>
 class TableExperiment final : public AnyExperiment {
  public:
-  explicit TableExperiment(const BackendChoice& backend) : default_backend_{backend}, backend_{backend} {}
+  /// `installed`: the folder of installed models, which outlives the experiment.
+  explicit TableExperiment(const BackendChoice& backend, std::string_view installed = TROPHIC_MODEL_DIR)
+      : default_backend_{backend}, installed_{installed}, backend_{backend} {}
 
   [[nodiscard]] std::string rule_table() const override { return table_name<Rules>(); }
   [[nodiscard]] std::unique_ptr<AnyExperiment> fresh() const override {
-    return std::make_unique<TableExperiment>(default_backend_);
+    return std::make_unique<TableExperiment>(default_backend_, installed_);
   }
   [[nodiscard]] ParamRefs params() override {
     ParamRefs all = param_refs(experiment_);
@@ -35,11 +37,11 @@ class TableExperiment final : public AnyExperiment {
   [[nodiscard]] BackendChoice& backend() override { return backend_; }
   [[nodiscard]] std::vector<rules::SlotRule> slot_rules() const override { return rules::slot_rules<Rules>(); }
   [[nodiscard]] MakeSimulation simulations(Null null, const HistoryOf& history) const override {
-    return simulations_of(under(null, experiment_), backend_, history);
+    return simulations_of(under(null, experiment_), backend_, history, installed_);
   }
   /// The arena is loaded once. Throws as the ecology's constructor does.
   [[nodiscard]] MakeContest contests() const override {
-    return [loaded = load_checked(experiment_, backend_, TROPHIC_MODEL_DIR)](std::uint64_t places, Lineup lineup) {
+    return [loaded = load_checked(experiment_, backend_, installed_)](std::uint64_t places, Lineup lineup) {
       Experiment<Rules> own = loaded.params;
       own.seed = places;
       own.ecology.robots = lineup.size();
@@ -82,18 +84,19 @@ class TableExperiment final : public AnyExperiment {
 
  private:
   BackendChoice default_backend_;
+  std::string_view installed_;
   Experiment<Rules> experiment_;
   BackendChoice backend_;
 };
 
 /// Makes the experiment of a table on a backend.
 template <class Rules>
-[[nodiscard]] std::unique_ptr<AnyExperiment> make_experiment(const BackendChoice& backend) {
-  return std::make_unique<TableExperiment<Rules>>(backend);
+[[nodiscard]] std::unique_ptr<AnyExperiment> make_experiment(const BackendChoice& backend, std::string_view installed) {
+  return std::make_unique<TableExperiment<Rules>>(backend, installed);
 }
 #if !TROPHIC_HEADER_ONLY
-extern template std::unique_ptr<AnyExperiment> make_experiment<rules::Paper>(const BackendChoice&);
-extern template std::unique_ptr<AnyExperiment> make_experiment<rules::Released>(const BackendChoice&);
+extern template std::unique_ptr<AnyExperiment> make_experiment<rules::Paper>(const BackendChoice&, std::string_view);
+extern template std::unique_ptr<AnyExperiment> make_experiment<rules::Released>(const BackendChoice&, std::string_view);
 #endif
 
 }  // namespace trophic

@@ -101,6 +101,17 @@ struct Individual {
   }
 };
 
+/// A newborn without genome and tag.
+[[nodiscard]] inline Individual newborn_at(IndividualId id, Species species, bool active, double time_s, std::int64_t tick) {
+  return {.id = id,
+          .species = species,
+          .active = active,
+          .born_s = time_s,
+          .age_from_s = time_s,
+          .fed_tick = tick,
+          .tag_since_s = time_s};
+}
+
 /// A body without an individual, with the tag and the target angle of its last one.
 [[nodiscard]] inline Individual spare_body(int tag, double target_angle_rad) {
   return {.id = no_individual, .species = no_species, .tag = tag, .active = false, .target_angle_rad = target_angle_rad};

@@ -134,15 +134,28 @@ constexpr void for_each_slot(const Visit& visit) {
   (std::make_index_sequence<rules::slot_names.size()>{});
 }
 
+namespace detail {
+
+/// The member of a slot, found without a search through all slots.
+template <RuleSlot slot>
+struct SlotMember;
+#define TROPHIC_MEMBER(Slot, member, ...)     \
+  template <>                                 \
+  struct SlotMember<RuleSlot::member> {       \
+    template <class OneEach>                  \
+    static constexpr auto& in(OneEach& all) { \
+      return all.member;                      \
+    }                                         \
+  };
+TROPHIC_RULE_SLOTS(TROPHIC_MEMBER)
+#undef TROPHIC_MEMBER
+
+}  // namespace detail
+
 /// The member of a slot in a struct that has one for each: TableParams, RuleParams, Policies, RuleStates.
 template <RuleSlot slot, class OneEach>
 [[nodiscard]] constexpr auto& of_slot(OneEach& all) {
-#define TROPHIC_MEMBER(Slot, member, ...)   \
-  if constexpr (slot == RuleSlot::member) { \
-    return all.member;                      \
-  } else
-  TROPHIC_RULE_SLOTS(TROPHIC_MEMBER) {}
-#undef TROPHIC_MEMBER
+  return detail::SlotMember<slot>::in(all);
 }
 
 }  // namespace trophic
