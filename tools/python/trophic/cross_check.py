@@ -37,6 +37,8 @@ _TABLE = "cross_check.csv"
 
 def run(request: dict) -> int:
     """Compares the two sets of `runs`, writes cross_check.csv into the new folder `out` and prints it."""
+    if len(request["runs"]) != 2:
+        raise RunError("runs: needs 2 values")
     with result_folder(request["out"]) as folder:
         sets = [pool.read_set([path]) for path in request["runs"]]
         check(*sets)

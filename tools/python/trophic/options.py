@@ -357,7 +357,7 @@ def _contest(parser: argparse.ArgumentParser) -> None:
 
 
 def _cross_check(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("runs", nargs=2, type=_text, help="two folders of replicates, each on one engine")
+    parser.add_argument("runs", nargs="+", type=_text, help="two folders of replicates, each on one engine")
     parser.add_argument("--out", **_TEXT, default="cross-check", help="new folder for cross_check.csv (cross-check)")
 
 
