@@ -662,7 +662,9 @@ class Refusals(Sweeps):
         self.assertEqual(list(self.folder.glob("trophic-probe-*")), [])
 
     def test_the_example(self):
-        self.assertIn("1200 runs planned", self.plan(file=OPTIONS.sweeps / "inheritance.toml").stdout)
+        self.assertIn(
+            "1200 runs planned", self.plan(file=OPTIONS.sweeps.parents[1] / "studies/sweeps/inheritance.toml").stdout
+        )
 
 
 if __name__ == "__main__":
