@@ -27,11 +27,14 @@ int main(int argc, char** argv) {
   using namespace trophic::command;
   return guarded(argv[0], [&] {
     Command command = program();
-    const auto found = found_programs();
-    for (const auto& [name, _] : found) command.elsewhere.push_back(name);
     const std::string asked = argc > 1 ? argv[1] : "";
-    if (std::ranges::find(command.subcommands, asked, &Command::name) == command.subcommands.end() && found.contains(asked)) {
-      become(found.at(asked), argv);
+    const bool is_own = std::ranges::find(command.subcommands, asked, &Command::name) != command.subcommands.end();
+    const bool is_name = !asked.empty() && asked.find('/') == std::string::npos && !asked.starts_with('-');
+    if (!is_own && is_name) {
+      if (const auto other = found_program(asked); !other.empty()) become(other, argv);
+    }
+    if (!is_own) {
+      for (const auto& [name, _] : found_programs()) command.elsewhere.push_back(name);
     }
     return run_command(argc, argv, command);
   });

@@ -135,7 +135,7 @@ TEST_CASE("genome: new links -> every pair that closes no cycle, then disabled o
   CHECK(genome.links[4].enabled);
 }
 
-TEST_CASE("genome: mutation with all probabilities 0 -> nothing changes; any weight -> within its limit") {
+TEST_CASE("genome: mutation with all probabilities 0 -> nothing changes, any weight -> within its limit") {
   Innovations innovations;
   Rng rng{6, Stream::gait_variation};
   gait_evolution::Variation variation{.weight_mutation_probability = 0,
@@ -182,8 +182,7 @@ TEST_CASE("activations at points computed by hand") {
   CHECK(activate(Activation::linear, -1e300) == -1e6);
 }
 
-TEST_CASE(
-    "network: any ids -> nodes computed before those that they feed; disabled links -> without effect; a cycle -> refused") {
+TEST_CASE("network: any ids -> nodes computed before those that they feed, disabled links without effect, a cycle refused") {
   // x1 -> 9 (abs) -> 8 (linear) -> 7
   Genome genome{.nodes = {{7, Activation::sine}, {8, Activation::linear}, {9, Activation::abs}},
                 .links = {{0, 8, 7, 0.05, true}, {1, 9, 8, 3.0, true}, {2, 1, 9, 2.0, true}}};

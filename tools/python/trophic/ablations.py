@@ -36,58 +36,28 @@ class Direction:
     """as `effects_of` returns it"""
 
 
-def effects_of(
-    base: MeasuredSet, swapped: dict[str, MeasuredSet], direction: str
-) -> pandas.DataFrame:
+def effects_of(base: MeasuredSet, swapped: dict[str, MeasuredSet], direction: str) -> pandas.DataFrame:
     """The effect of each swap on each metric, by swaps, one row each, with a raw one behind it if sets have shadows.
 
     Columns: those of ablations.csv (docs/tables.md), and as in judge.compare `role` ("null" of an answer), `same_as`, `level`, `conclusion`. Holm's
     correction is over all swaps and metrics that repeat no other in all sets together; raw differences behind answers are a family of their own.
     """
-    every = [
-        one for each in (base, *swapped.values()) for one in (each, each.shadow) if one
-    ]
+    every = [one for each in (base, *swapped.values()) for one in (each, each.shadow) if one]
     repeats = judge.repeated(
-        [
-            metric
-            for metric in base.metrics()
-            if all((metric, "") in one.table for one in every)
-        ],
-        every,
+        [metric for metric in base.metrics() if all((metric, "") in one.table for one in every)], every
     )
-    frames = [
-        judge.compare(base, one).assign(swap=swap, direction=direction)
-        for swap, one in swapped.items()
-    ]
+    frames = [judge.compare(base, one).assign(swap=swap, direction=direction) for swap, one in swapped.items()]
     if not frames:
         return pandas.DataFrame(
-            columns=[
-                *column_names("ablations.csv"),
-                "role",
-                "conclusion",
-                "same_as",
-                "is_comparison",
-            ]
+            columns=[*column_names("ablations.csv"), "role", "conclusion", "same_as", "is_comparison"]
         )
     frame = pandas.concat(frames, ignore_index=True)
-    frame["same_as"] = [
-        str(repeats.get(metric_of(row), "")) for row in frame.itertuples(index=False)
-    ]
+    frame["same_as"] = [str(repeats.get(metric_of(row), "")) for row in frame.itertuples(index=False)]
     frame["is_comparison"] = frame["p"].notna() & (frame["same_as"] == "")
-    parts = [
-        corrected(frame[is_answer])
-        for is_answer in (frame["role"] == "null", frame["role"] != "null")
-    ]
+    parts = [corrected(frame[is_answer]) for is_answer in (frame["role"] == "null", frame["role"] != "null")]
     frame = pandas.concat(parts).sort_index()
     frame.loc[frame["same_as"] != "", ["p_holm", "conclusion"]] = float("nan"), "same"
-    return frame.rename(
-        columns={
-            "n_a": "runs_base",
-            "n_b": "runs_swapped",
-            "mean_a": "base",
-            "mean_b": "swapped",
-        }
-    )
+    return frame.rename(columns={"n_a": "runs_base", "n_b": "runs_swapped", "mean_a": "base", "mean_b": "swapped"})
 
 
 def read_study(folder: str | os.PathLike, jobs: int | None = None) -> list[Direction]:
@@ -95,19 +65,13 @@ def read_study(folder: str | os.PathLike, jobs: int | None = None) -> list[Direc
     base, of more than two tables, and for sets that are incomplete or cannot be compared.
     """
     folder = pathlib.Path(folder)
-    tables_ = sorted(
-        path for path in folder.glob(f"{PREFIX}*") if (path / BASE).is_dir()
-    )
+    tables_ = sorted(path for path in folder.glob(f"{PREFIX}*") if (path / BASE).is_dir())
     if not tables_:
         raise RunError(f"{folder}: has no folder from_TABLE with a base")
     if len(tables_) > 2:
         raise RunError(f"{folder}: has more than two folders from_TABLE")
     names = {
-        table: sorted(
-            path.parent.name
-            for path in table.glob("*/replicates.json")
-            if path.parent.name != BASE
-        )
+        table: sorted(path.parent.name for path in table.glob("*/replicates.json") if path.parent.name != BASE)
         for table in tables_
     }
     first = None
@@ -120,9 +84,7 @@ def read_study(folder: str | os.PathLike, jobs: int | None = None) -> list[Direc
                 swapped, its_shadow = _complete_runs(table / name)
                 check_comparable(base, swapped)
                 if (shadow is None) != (its_shadow is None):
-                    raise RunError(
-                        f"{table / name}: one of it and its base has a shadow, the other has none"
-                    )
+                    raise RunError(f"{table / name}: one of it and its base has a shadow, the other has none")
             except RunError as error:
                 raise RunError(f"{name}: {error}") from None
     return [_measure(table, names[table], Measuring(jobs=jobs)) for table in tables_]
@@ -135,9 +97,7 @@ def _complete_runs(path: pathlib.Path) -> tuple[pool.PooledRun, pool.PooledRun |
         found, remarks = pool.pooled_runs([folder], Measuring())
         for run in found:
             if not run.complete:
-                raise RunError(
-                    f'{run.path}: status "{run.manifest["status"]}": must be complete'
-                )
+                raise RunError(f'{run.path}: status "{run.manifest["status"]}": must be complete')
         if remarks:
             raise RunError(remarks[0])
         firsts.append(found[0])
@@ -161,11 +121,7 @@ def _measure(folder: pathlib.Path, names: Sequence[str], how: Measuring) -> Dire
         return of
 
     base = read(BASE)
-    return Direction(
-        folder.name,
-        base,
-        effects_of(base, {name: read(name) for name in names}, folder.name),
-    )
+    return Direction(folder.name, base, effects_of(base, {name: read(name) for name in names}, folder.name))
 
 
 def whole_difference(first: Direction, second: Direction) -> pandas.DataFrame:
@@ -175,27 +131,18 @@ def whole_difference(first: Direction, second: Direction) -> pandas.DataFrame:
 
 
 def ablation_table(
-    runs: str | os.PathLike,
-    out: str | os.PathLike | None = None,
-    *,
-    jobs: int | None = None,
+    runs: str | os.PathLike, out: str | os.PathLike | None = None, *, jobs: int | None = None
 ) -> pandas.DataFrame:
     """Compares each swap of an ablation study with its base: the rows of ablations.csv (docs/tables.md) as a frame, with `role` and `conclusion`. `out`: a new
     folder for ablations.csv and ablations.md. Raises RunError for a study that is incomplete or cannot be compared, and if the folder exists.
     """
     directions = read_study(runs, jobs)
     whole = whole_difference(*directions) if len(directions) == 2 else None
-    frame = pandas.concat(
-        [one.effects for one in directions] + ([] if whole is None else [whole]),
-        ignore_index=True,
-    )
+    frame = pandas.concat([one.effects for one in directions] + ([] if whole is None else [whole]), ignore_index=True)
     frame = with_significance(frame)
     if out is not None:
         with tables.result_folder(out) as folder:
-            tables.write_new(
-                folder / "ablations.csv",
-                tables.csv_text(frame[column_names("ablations.csv")]),
-            )
+            tables.write_new(folder / "ablations.csv", tables.csv_text(frame[column_names("ablations.csv")]))
             tables.write_new(folder / "ablations.md", markdown(directions, whole))
     return frame
 
@@ -216,7 +163,9 @@ def markdown(directions: Sequence[Direction], whole: pandas.DataFrame | None) ->
     text = ""
     for one in directions:
         text += f"## {markdown_text(one.name)}\n\n{count(one.effects).sentence()}\n\n{significant_table(one.effects)}"
-        text += "\np: corrected for all swaps and metrics of this direction; intervals are those of single comparisons.\n\n"
+        text += (
+            "\np: corrected for all swaps and metrics of this direction; intervals are those of single comparisons.\n\n"
+        )
     if whole is not None:
         first, second = (one.name.removeprefix(PREFIX) for one in directions)
         text += f"## Together\n\nFirst: {markdown_text(first)}. Second: {markdown_text(second)}. Each group of rules alone put into the first, and taken out of the second.\n\n"
@@ -246,9 +195,7 @@ def significant_table(effects: pandas.DataFrame) -> str:
                 p_text(row.p_holm),
             )
         )
-    return _table(
-        ("swap", "metric", "base", "swapped", "difference [95 %]", "p (Holm)"), rows
-    )
+    return _table(("swap", "metric", "base", "swapped", "difference [95 %]", "p (Holm)"), rows)
 
 
 def _significant(effects: pandas.DataFrame) -> list:
@@ -257,10 +204,7 @@ def _significant(effects: pandas.DataFrame) -> list:
 
 
 def shares_table(
-    whole: pandas.DataFrame,
-    forward: pandas.DataFrame,
-    backward: pandas.DataFrame,
-    names: Sequence[str] = GROUPS,
+    whole: pandas.DataFrame, forward: pandas.DataFrame, backward: pandas.DataFrame, names: Sequence[str] = GROUPS
 ) -> str:
     """How much of the difference between two tables the swaps of some names make: one line per metric, each swap's effect. `forward`: swaps from the
     first table towards the second. `backward`: from the second towards the first, whose effects have the sign turned, so that both say what the
@@ -278,12 +222,7 @@ def shares_table(
                 sums[side] += value
                 cells.append(
                     reading(value, True)
-                    + (
-                        "*"
-                        if effect is not None
-                        and effect.conclusion in ("above", "below")
-                        else ""
-                    )
+                    + ("*" if effect is not None and effect.conclusion in ("above", "below") else "")
                 )
         rows.append(
             (
@@ -295,25 +234,11 @@ def shares_table(
                 *(reading(value, True) for value in sums),
             )
         )
-    head = [
-        f"{name} {way}" for name in names for way in ("into first", "out of second")
-    ]
+    head = [f"{name} {way}" for name in names for way in ("into first", "out of second")]
     return _table(
-        (
-            "metric",
-            "first",
-            "second",
-            "whole difference [95 %]",
-            *head,
-            "sum into first",
-            "sum out of second",
-        ),
-        rows,
+        ("metric", "first", "second", "whole difference [95 %]", *head, "sum into first", "sum out of second"), rows
     )
 
 
 def _by_swap(effects: pandas.DataFrame) -> dict[tuple[str, Metric], Any]:
-    return {
-        (row.swap, metric_of(row)): row
-        for row in answers(effects).itertuples(index=False)
-    }
+    return {(row.swap, metric_of(row)): row for row in answers(effects).itertuples(index=False)}

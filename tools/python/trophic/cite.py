@@ -35,11 +35,7 @@ def run(request: dict) -> int:
     folders = run_folders(folder, [])
     if not folders:
         raise RunError(f"{folder}: no run is there")
-    runs = [
-        read_pooled(one)
-        for one in folders
-        if one == folder or (one / "manifest.json").exists()
-    ]
+    runs = [read_pooled(one) for one in folders if one == folder or (one / "manifest.json").exists()]
     if not runs:
         raise RunError(f"{folder}: no run is there")
     for cited in runs:
@@ -51,20 +47,14 @@ def run(request: dict) -> int:
         )
     first = runs[0].manifest
     versions, revisions = (
-        sorted({one.manifest.get(key, "unknown") for one in runs})
-        for key in ("trophic", "source_revision")
+        sorted({one.manifest.get(key, "unknown") for one in runs}) for key in ("trophic", "source_revision")
     )
-    seed = (
-        f"master seed {first['master_seed']}"
-        if "master_seed" in first
-        else f"seed {first['seed']}"
-    )
+    seed = f"master seed {first['master_seed']}" if "master_seed" in first else f"seed {first['seed']}"
     one = description.describe(Runs(folder, list(runs)))
     made = f"in trophic {_all(versions)} (revision {_all(revisions)}, fingerprint {one.identity}, {seed})"
     also = "" if "description" in first else " The parameters are in manifest.json."
     print(
-        f"{one.sentence(made)}{also}\n\n{ENTRIES % (latex_text(_all(versions)), latex_text(_all(revisions)))}",
-        end="",
+        f"{one.sentence(made)}{also}\n\n{ENTRIES % (latex_text(_all(versions)), latex_text(_all(revisions)))}", end=""
     )
     return 0
 

@@ -32,10 +32,7 @@ def run(module: str, request: dict) -> int:
             "python3-pandas python3-scipy, or let TROPHIC_PYTHON name a Python that has it"
         )
     except OSError as error:
-        code, why = (
-            1,
-            f"{error.filename or 'cannot write to standard output'}: {error.strerror}",
-        )
+        code, why = (1, f"{error.filename or 'cannot write to standard output'}: {error.strerror}")
     except MemoryError:
         code, why = 1, "there is not enough memory"
     except KeyboardInterrupt:
@@ -49,9 +46,7 @@ def run(module: str, request: dict) -> int:
 def one_line(text: str) -> str:
     """Writes control characters, which the name of a file may have, as \\x0a."""
     return re.sub(
-        r"[\x00-\x1f\x7f-\x9f\u2028\u2029]",
-        lambda found: "".join(f"\\x{byte:02x}" for byte in found[0].encode()),
-        text,
+        r"[\x00-\x1f\x7f-\x9f\u2028\u2029]", lambda found: "".join(f"\\x{byte:02x}" for byte in found[0].encode()), text
     )
 
 
@@ -87,11 +82,7 @@ def script() -> NoReturn:
 
 def _end(work) -> NoReturn:
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)
-    signal.signal(
-        signal.SIGTERM, lambda *_: sys.exit(STOPPED)
-    )  # an exit, which removes temporary folders
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(STOPPED))  # an exit, which removes temporary folders
     code = work()
     sys.stderr.flush()
-    os._exit(
-        code
-    )  # standard output was flushed; a second failure to write it would be reported again
+    os._exit(code)  # standard output was flushed; a second failure to write it would be reported again

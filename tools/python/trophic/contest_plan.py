@@ -28,6 +28,7 @@ from .metrics import Measuring
 from .pool import MOST_TIME_S, PooledRun
 from .programs import chosen_program
 from .report.tables import csv_text, result_folder, write_new
+from .runs import verify
 from .sweeps.runs import is_sweep
 from .words import number_text
 
@@ -70,9 +71,7 @@ def members(seed: int, team: Sequence[int], living: int, size: int) -> list[int]
     """`size` of `living` individuals, all of them before any twice. `team`: replicate, 1 for the shadow, epoch, species and number."""
     stream = _stream(seed, _TEAM, *team)
     return list(
-        itertools.chain.from_iterable(
-            stream.permutation(living).tolist() for _ in range(math.ceil(size / living))
-        )
+        itertools.chain.from_iterable(stream.permutation(living).tolist() for _ in range(math.ceil(size / living)))
     )[:size]
 
 
@@ -85,9 +84,7 @@ def partner(seed: int, replicates: int, replicate: int, team: int) -> int:
 
 def places(seed: int, replicate: int, team: int) -> int:
     """The seed of an arena's places."""
-    return int(
-        _stream(seed, _PLACES, replicate, team).randint(0, 2**48, dtype=numpy.int64)
-    )
+    return int(_stream(seed, _PLACES, replicate, team).randint(0, 2**48, dtype=numpy.int64))
 
 
 # The teams
@@ -106,9 +103,7 @@ def check_epoch(run: PooledRun, epoch_s: float) -> None:
         )
 
 
-def living_genomes(
-    run: PooledRun, epochs_s: Sequence[float]
-) -> list[dict[str, list[list[list[float]]]]]:
+def living_genomes(run: PooledRun, epochs_s: Sequence[float]) -> list[dict[str, list[list[list[float]]]]]:
     """The genomes, [weights, genes of gait, of body, traits], of the individuals that were alive after the rules of each epoch's tick: for each epoch
     by species, in the order of their ids. A genome that several share changes at later births: the last one up to the epoch counts.
     """
@@ -116,44 +111,24 @@ def living_genomes(
         check_epoch(run, epoch_s)
     born, genomes = run.table("phylogeny"), run.table("genomes")
     genes = (
-        run.table("genes")
-        if (run.path / "genes.csv").exists()
-        else pandas.DataFrame(columns=["id", "part", "value"])
+        run.table("genes") if (run.path / "genes.csv").exists() else pandas.DataFrame(columns=["id", "part", "value"])
     )
-    parts = {
-        key: of.tolist()
-        for key, of in genes.groupby(["id", "part"], sort=False)["value"]
-    }
+    parts = {key: of.tolist() for key, of in genes.groupby(["id", "part"], sort=False)["value"]}
     weights = [name for name in genomes if name[0] == "w" and name[1:].isdigit()]
-    traits = [
-        name for name in genomes if name not in ("id", "genome_id", "time_s", *weights)
-    ]
+    traits = [name for name in genomes if name not in ("id", "genome_id", "time_s", *weights)]
     living = []
     for epoch_s in epochs_s:
         gone_s = pandas.to_numeric(born["destruction_time"]).fillna(math.inf)
-        alive = born[(born["origin_time"] <= epoch_s) & (gone_s > epoch_s)].sort_values(
-            "id"
-        )
-        last = (
-            genomes[genomes["time_s"] <= epoch_s]
-            .drop_duplicates("genome_id", keep="last")
-            .set_index("genome_id")
-        )
+        alive = born[(born["origin_time"] <= epoch_s) & (gone_s > epoch_s)].sort_values("id")
+        last = genomes[genomes["time_s"] <= epoch_s].drop_duplicates("genome_id", keep="last").set_index("genome_id")
         by_species: dict[str, list] = {}
         for one in alive.itertuples(index=False):
             if one.genome_id not in last.index:
-                raise RunError(
-                    f"{run.path / 'genomes.csv'}: has no genome of individual {one.id}"
-                )
+                raise RunError(f"{run.path / 'genomes.csv'}: has no genome of individual {one.id}")
             row = last.loc[one.genome_id]
             own = row[weights].dropna().tolist()
-            brain, gait, body = (
-                parts.get((int(row["id"]), part), [])
-                for part in ("brain", "gait", "body")
-            )
-            by_species.setdefault(one.species, []).append(
-                [brain or own, gait, body, row[traits].dropna().tolist()]
-            )
+            brain, gait, body = (parts.get((int(row["id"]), part), []) for part in ("brain", "gait", "body"))
+            by_species.setdefault(one.species, []).append([brain or own, gait, body, row[traits].dropna().tolist()])
         living.append(by_species)
     return living
 
@@ -161,15 +136,8 @@ def living_genomes(
 class _Teams:
     """Teams of one set of runs, each drawn when first asked for."""
 
-    def __init__(
-        self, runs: Sequence[PooledRun], size: Size, is_shadow: bool, planned: Planned
-    ):
-        self.runs, self.size, self.is_shadow, self.planned = (
-            runs,
-            size,
-            is_shadow,
-            planned,
-        )
+    def __init__(self, runs: Sequence[PooledRun], size: Size, is_shadow: bool, planned: Planned):
+        self.runs, self.size, self.is_shadow, self.planned = (runs, size, is_shadow, planned)
         self.species = list(runs[0].manifest["species"])
         self.living = [living_genomes(run, size.epochs_s) for run in runs]
         self.numbers: dict[tuple, int] = {}
@@ -185,15 +153,10 @@ class _Teams:
                 )
             number = self.species.index(species)
             drawn = members(
-                self.size.seed,
-                (replicate, int(self.is_shadow), epoch, number, team),
-                len(living),
-                self.size.team_size,
+                self.size.seed, (replicate, int(self.is_shadow), epoch, number, team), len(living), self.size.team_size
             )
             self.numbers[key] = len(self.planned.teams)
-            self.planned.teams.append(
-                {"species": number, "genomes": [living[one] for one in drawn]}
-            )
+            self.planned.teams.append({"species": number, "genomes": [living[one] for one in drawn]})
         return self.numbers[key]
 
 
@@ -201,28 +164,15 @@ class _Teams:
 
 
 def add_matches(
-    planned: Planned,
-    runs: Sequence[PooledRun],
-    size: Size,
-    is_shadow: bool,
-    panel: Sequence[PooledRun],
+    planned: Planned, runs: Sequence[PooledRun], size: Size, is_shadow: bool, panel: Sequence[PooledRun]
 ) -> None:
     """Adds the contests of a set of runs: every epoch with every other or, with a panel, with the last living of one of its runs, the same in all
     epochs, sets and studies."""
     teams = _Teams(runs, size, is_shadow, planned)
     epochs = range(len(size.epochs_s))
 
-    def add(
-        against: str,
-        link: tuple[str, str],
-        team: int,
-        replicate: int,
-        hunters: tuple,
-        victims: tuple,
-    ) -> None:
-        planned.matches.append(
-            [hunters[0], victims[0], places(size.seed, replicate, team)]
-        )
+    def add(against: str, link: tuple[str, str], team: int, replicate: int, hunters: tuple, victims: tuple) -> None:
+        planned.matches.append([hunters[0], victims[0], places(size.seed, replicate, team)])
         planned.rows.append(
             {
                 "shadow": int(is_shadow),
@@ -242,24 +192,14 @@ def add_matches(
         opponents = _Teams(panel, last, False, planned)
     for hunter, victim in runs[0].web.links:
         for against in size.against:
-            for replicate, team, p, q in itertools.product(
-                range(len(runs)), range(size.teams), epochs, epochs
-            ):
-                other = (
-                    replicate
-                    if against == "own"
-                    else partner(size.seed, len(runs), replicate, team)
-                )
+            for replicate, team, p, q in itertools.product(range(len(runs)), range(size.teams), epochs, epochs):
+                other = replicate if against == "own" else partner(size.seed, len(runs), replicate, team)
                 add(
                     against,
                     (hunter, victim),
                     team,
                     replicate,
-                    (
-                        teams(replicate, p, hunter, team),
-                        runs[replicate].path,
-                        size.epochs_s[p],
-                    ),
+                    (teams(replicate, p, hunter, team), runs[replicate].path, size.epochs_s[p]),
                     (teams(other, q, victim, team), runs[other].path, size.epochs_s[q]),
                 )
         if panel:
@@ -272,11 +212,7 @@ def add_matches(
                     runs[replicate].path,
                     size.epochs_s[epoch],
                 )
-                theirs = (
-                    opponents(other, 0, victim if hunts else hunter, team),
-                    panel[other].path,
-                    last.epochs_s[0],
-                )
+                theirs = (opponents(other, 0, victim if hunts else hunter, team), panel[other].path, last.epochs_s[0])
                 add(
                     "panel_victims" if hunts else "panel_hunters",
                     (hunter, victim),
@@ -294,12 +230,16 @@ def _table_of(run: PooledRun) -> str:
 
 def _kind_of(run: PooledRun) -> str:
     """The table, and whether the runs were only screened."""
-    is_screened = (
-        run.manifest["params"].get("backend", {}).get("stepping") == "screening"
-    )
-    return _table_of(run) + (
-        " with backend.stepping = screening" if is_screened else ""
-    )
+    is_screened = run.manifest["params"].get("backend", {}).get("stepping") == "screening"
+    return _table_of(run) + (" with backend.stepping = screening" if is_screened else "")
+
+
+def _whole_runs(paths: Sequence[pathlib.Path], how: Measuring) -> tuple[list[PooledRun], list[str]]:
+    """The runs of a set, with remarks. Raises RunError for one with a file that is not what the run wrote."""
+    runs, remarks = pool.pooled_runs(paths, how)
+    for run in runs:
+        verify(run.path)
+    return runs, remarks
 
 
 def plan_of(request: dict) -> tuple[dict, list[dict[str, Any]], list[str]]:
@@ -309,53 +249,35 @@ def plan_of(request: dict) -> tuple[dict, list[dict[str, Any]], list[str]]:
     for path in paths:
         if is_sweep(path):
             raise RunError(f"{path}: is a sweep: name one of its cells")
-    runs, remarks = pool.pooled_runs(paths, how)
+    runs, remarks = _whole_runs(paths, how)
     first = runs[0]
     if not first.web.links:
-        raise RunError(
-            f"{first.path}: no species of this food web hunts: a contest needs hunters and victims"
-        )
+        raise RunError(f"{first.path}: no species of this food web hunts: a contest needs hunters and victims")
     shadow: list[PooledRun] = []
-    if (
-        of_shadow := [pathlib.Path(request["shadow"])]
-        if request["shadow"]
-        else pool.null_folders(paths)
-    ):
-        shadow = pool.pooled_runs(of_shadow, how)[0]
+    if of_shadow := [pathlib.Path(request["shadow"])] if request["shadow"] else pool.null_folders(paths):
+        shadow = _whole_runs(of_shadow, how)[0]
         pool.check_shadow(first, shadow[0], True)
     panel: list[PooledRun] = []
     if request["panel"]:
-        panel = pool.pooled_runs([pathlib.Path(request["panel"])], how)[0]
+        panel = _whole_runs([pathlib.Path(request["panel"])], how)[0]
         if (kind := _kind_of(panel[0])) != _kind_of(first):
-            raise RunError(
-                f"--panel {request['panel']}: has runs of {kind}: must be of {_kind_of(first)}"
-            )
+            raise RunError(f"--panel {request['panel']}: has runs of {kind}: must be of {_kind_of(first)}")
         for run in panel:
             check_epoch(run, panel[0].reached_s or 0.0)
     for run in runs:
         check_epoch(run, 0.0)
-    against = (
-        ()
-        if panel
-        else ("own", "others")
-        if request["against"] == "both"
-        else (request["against"],)
-    )
+    against = () if panel else ("own", "others") if request["against"] == "both" else (request["against"],)
     if len(runs) < 2 and "others" in against:
-        raise RunError(
-            f"--against others: needs at least two replicates; {first.path} is one"
-        )
+        raise RunError(f"--against others: needs at least two replicates; {first.path} is one")
     epochs_s = _epochs_of(request["epochs"] or "") or [
-        (first.reached_s or 0.0) * i / (_DEFAULT_EPOCHS - 1)
-        for i in range(_DEFAULT_EPOCHS)
+        (first.reached_s or 0.0) * i / (_DEFAULT_EPOCHS - 1) for i in range(_DEFAULT_EPOCHS)
     ]
     _check_epochs(epochs_s, request["split"])
     size = Size(
         epochs_s,
         against,
         request["teams"],
-        request["team_size"]
-        or max(1, first.manifest["params"]["ecology"]["robots"] // 2),
+        request["team_size"] or max(1, first.manifest["params"]["ecology"]["robots"] // 2),
         request["seed"],
     )
     planned = Planned()
@@ -378,9 +300,7 @@ def plan_of(request: dict) -> tuple[dict, list[dict[str, Any]], list[str]]:
         plan |= {
             "engine": request["backend"],
             "fingerprint": "",
-            "params": {
-                key: of for key, of in plan["params"].items() if key != "backend"
-            },
+            "params": {key: of for key, of in plan["params"].items() if key != "backend"},
         }
     return plan, planned.rows, remarks
 
@@ -391,9 +311,7 @@ def _epochs_of(text: str) -> list[float]:
     except ValueError:
         epochs_s = [math.nan]
     if not all(map(math.isfinite, epochs_s)):
-        raise RunError(
-            f"--epochs {text}: must be times in seconds with commas between, as 0,2000,6000"
-        )
+        raise RunError(f"--epochs {text}: must be times in seconds with commas between, as 0,2000,6000")
     return epochs_s
 
 
@@ -404,9 +322,7 @@ def _check_epochs(epochs_s: Sequence[float], split_s: float | None) -> None:
         if epoch_s < 0.0:
             raise RunError(f"--epochs {number_text(epoch_s)}: must be >= 0")
         if before_s is not None and epoch_s <= before_s:
-            raise RunError(
-                f"--epochs {number_text(epoch_s)}: must be > {number_text(before_s)}, the epoch before it"
-            )
+            raise RunError(f"--epochs {number_text(epoch_s)}: must be > {number_text(before_s)}, the epoch before it")
     if split_s is not None and split_s not in epochs_s:
         raise RunError(
             f"--split {number_text(split_s)}: must be one of the epochs, {', '.join(map(number_text, epochs_s))} s"
@@ -427,28 +343,18 @@ def _played(path: pathlib.Path, head: str) -> dict[int, list[float]]:
             found[match] = outcome
     path.unlink(missing_ok=True)
     if found:
-        path.write_text(
-            head
-            + "".join(
-                json.dumps([match, *outcome]) + "\n" for match, outcome in found.items()
-            )
-        )
+        path.write_text(head + "".join(json.dumps([match, *outcome]) + "\n" for match, outcome in found.items()))
     return found
 
 
-def play(
-    plan: dict, program: str, jobs: int, folder: pathlib.Path
-) -> list[list[float]]:
+def play(plan: dict, program: str, jobs: int, folder: pathlib.Path) -> list[list[float]]:
     """Lets a program play the matches of a plan and returns their outcomes. It is called for some of them at a time, whose outcomes are kept in the
     folder. Raises RunError with the program's sentence if it refuses."""
     head = json.dumps([zlib.crc32(json.dumps(plan).encode())]) + "\n"
     known = _played(folder / PLAYED, head)
     left = [match for match in range(len(plan["matches"])) if match not in known]
     if known:
-        print(
-            f"{len(known)} of {len(plan['matches'])} contests were played already",
-            flush=True,
-        )
+        print(f"{len(known)} of {len(plan['matches'])} contests were played already", flush=True)
     size = 4 * jobs
     while left:
         batch, left = left[:size], left[size:]
@@ -457,17 +363,12 @@ def play(
         with (folder / PLAYED).open("a") as file:  # made when there is an outcome
             file.write(
                 ("" if known else head)
-                + "".join(
-                    json.dumps([match, *outcome]) + "\n"
-                    for match, outcome in found.items()
-                )
+                + "".join(json.dumps([match, *outcome]) + "\n" for match, outcome in found.items())
             )
             file.flush()
             os.fsync(file.fileno())
         known |= found
-        size = max(
-            jobs, int(size * min(4.0, _BATCH_S / (time.monotonic() - began + 1e-3)))
-        )
+        size = max(jobs, int(size * min(4.0, _BATCH_S / (time.monotonic() - began + 1e-3))))
     return [known[match] for match in range(len(plan["matches"]))]
 
 
@@ -475,12 +376,7 @@ def _play_some(
     plan: dict, matches: Sequence[int], program: str, jobs: int, folder: pathlib.Path
 ) -> Iterator[list[float]]:
     chosen = [plan["matches"][match] for match in matches]
-    teams = {
-        team: number
-        for number, team in enumerate(
-            dict.fromkeys(team for match in chosen for team in match[:2])
-        )
-    }
+    teams = {team: number for number, team in enumerate(dict.fromkeys(team for match in chosen for team in match[:2]))}
     path = folder / "plan.json"
     outcomes = path.with_name("plan.json.outcomes")
     outcomes.unlink(missing_ok=True)
@@ -489,20 +385,14 @@ def _play_some(
             {
                 **plan,
                 "teams": [plan["teams"][team] for team in teams],
-                "matches": [
-                    [teams[hunters], teams[victims], at]
-                    for hunters, victims, at in chosen
-                ],
+                "matches": [[teams[hunters], teams[victims], at] for hunters, victims, at in chosen],
             }
         )
         + "\n"
     )
     try:
         process = subprocess.Popen(
-            [program, "--play", path, "--jobs", str(jobs)],
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.PIPE,
-            text=True,
+            [program, "--play", path, "--jobs", str(jobs)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
         )
     except OSError as error:
         raise RunError(f"--program {program}: {error.strerror}") from None
@@ -515,10 +405,7 @@ def _play_some(
     if process.returncode == 3:
         raise KeyboardInterrupt
     if process.returncode != 0 or not outcomes.exists():
-        raise RunError(
-            said
-            or f"--program {program}: did not play the contests: exit code {process.returncode}"
-        )
+        raise RunError(said or f"--program {program}: did not play the contests: exit code {process.returncode}")
     found = json.loads(outcomes.read_text())
     for each in (path, outcomes):
         each.unlink()
@@ -533,9 +420,7 @@ def run(request: dict) -> int:
     program), jobs, accept_other_build and out."""
     for name in ("duration", "reach"):
         if not 0.0 < request[name] <= MOST_TIME_S:
-            raise RunError(
-                f"--{name} {number_text(request[name])}: must be > 0 and <= {number_text(MOST_TIME_S)}"
-            )
+            raise RunError(f"--{name} {number_text(request[name])}: must be > 0 and <= {number_text(MOST_TIME_S)}")
     if not 2 <= request["teams"] <= 1000:
         raise RunError(
             f"--teams {request['teams']}: must be >= 2 and <= 1000; what a single team does is not what its epoch does"
@@ -550,17 +435,13 @@ def run(request: dict) -> int:
     program = chosen_program(request)
     out = request["out"] or next(
         free
-        for free in itertools.chain(
-            ["contests"], (f"contests-{i}" for i in itertools.count(1))
-        )
+        for free in itertools.chain(["contests"], (f"contests-{i}" for i in itertools.count(1)))
         if not os.path.lexists(free)
     )
     try:
         with result_folder(out, keeps=PLAYED) as folder:
             began = time.monotonic()
-            outcomes = play(
-                plan, program, request["jobs"] or os.cpu_count() or 1, folder
-            )
+            outcomes = play(plan, program, request["jobs"] or os.cpu_count() or 1, folder)
             table = pandas.DataFrame(
                 [
                     {**row, "contact_s": contact_s, "contacted": contacted}

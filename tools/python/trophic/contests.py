@@ -11,15 +11,7 @@ import pandas
 
 from .errors import RunError
 from .report.tables import csv_text, write_new
-from .statistics import (
-    MIN_RUNS_FOR_TEST,
-    Difference,
-    Estimate,
-    adjust_together,
-    contrast,
-    difference_of,
-    estimate,
-)
+from .statistics import MIN_RUNS_FOR_TEST, Difference, Estimate, adjust_together, contrast, difference_of, estimate
 from .values import Metric
 from .words import Reading, columns, number_text, p_text
 
@@ -56,9 +48,7 @@ class Progress:
             return "not tested"
         if not self.over_shadow.differs():
             return "no significant difference"
-        return (
-            "above the shadow" if self.over_shadow.value > 0.0 else "below the shadow"
-        )
+        return "above the shadow" if self.over_shadow.value > 0.0 else "below the shadow"
 
 
 def epochs_of(contests: pandas.DataFrame) -> list[float]:
@@ -71,9 +61,7 @@ def epochs_of(contests: pandas.DataFrame) -> list[float]:
     )
 
 
-def progress_of(
-    contests: pandas.DataFrame, split_s: float | None = None
-) -> list[Progress]:
+def progress_of(contests: pandas.DataFrame, split_s: float | None = None) -> list[Progress]:
     """The progress that the rows of contests.csv show: early from the first epoch to `split_s`, late from there to the last. The split is one of
     the epochs, by default that in the middle, of an even number the earlier one; a split at an end leaves one period. Raises RunError for another
     split and for fewer than two epochs."""
@@ -88,30 +76,20 @@ def progress_of(
     periods = [("early", epochs[0], split_s), ("late", split_s, epochs[-1])]
     found = []
     for against in AGAINST:
-        for (hunter, victim), link in contests[
-            contests["against"].str.split("_").str[0] == against
-        ].groupby(["hunter", "victim"]):
+        for (hunter, victim), link in contests[contests["against"].str.split("_").str[0] == against].groupby(
+            ["hunter", "victim"]
+        ):
             sets = [link[link["shadow"] == of_shadow] for of_shadow in (0, 1)]
             for period, from_s, to_s in periods:
                 if from_s == to_s:
                     continue
                 both = []
-                for role, names in (
-                    ("hunter", (hunter, victim)),
-                    ("victim", (victim, hunter)),
-                ):
+                for role, names in (("hunter", (hunter, victim)), ("victim", (victim, hunter))):
                     own = [
                         of[of["against"] != f"panel_{role}s"] for of in sets
                     ]  # where the role is the panel's, the other one is ours
-                    ours, shadow = (
-                        progress_of_runs(of_set, role, epochs, from_s, to_s)
-                        for of_set in own
-                    )
-                    value = (
-                        ours.mean() - shadow.mean()
-                        if len(ours) and len(shadow)
-                        else None
-                    )
+                    ours, shadow = (progress_of_runs(of_set, role, epochs, from_s, to_s) for of_set in own)
+                    value = ours.mean() - shadow.mean() if len(ours) and len(shadow) else None
                     over = difference_of(value, contrast((1.0, ours), (-1.0, shadow)))
                     both.append(
                         Progress(
@@ -133,41 +111,28 @@ def progress_of(
 
 
 def progress_of_runs(
-    contests: pandas.DataFrame,
-    role: str,
-    epochs: Sequence[float],
-    from_s: float,
-    to_s: float,
+    contests: pandas.DataFrame, role: str, epochs: Sequence[float], from_s: float, to_s: float
 ) -> numpy.ndarray:
     """For each run of the species in a role, the mean over opponents of all epochs of how much sooner (hunter) or later (victim) contact is at `to_s`
     than at `from_s`, s. The contact time of a pair of epochs is the mean over teams. A run that lacks a contest is left out.
     """
     runs, names = pandas.factorize(contests[f"{role}s_run"], sort=True)
     own = numpy.searchsorted(epochs, contests[f"{role}_epoch_s"])
-    other, others = pandas.factorize(
-        contests["victim_epoch_s" if role == "hunter" else "hunter_epoch_s"]
-    )
+    other, others = pandas.factorize(contests["victim_epoch_s" if role == "hunter" else "hunter_epoch_s"])
     shape = (len(names), len(epochs), max(1, len(others)))
     cells = numpy.ravel_multi_index((runs, own, other), shape)
     number, sum_s = (
-        numpy.bincount(cells, weights, numpy.prod(shape)).reshape(shape)
-        for weights in (None, contests["contact_s"])
+        numpy.bincount(cells, weights, numpy.prod(shape)).reshape(shape) for weights in (None, contests["contact_s"])
     )
     with numpy.errstate(invalid="ignore"):
         contact_s = sum_s / number
-    later_s = (
-        contact_s[:, list(epochs).index(to_s)]
-        - contact_s[:, list(epochs).index(from_s)]
-    ).mean(axis=1)
+    later_s = (contact_s[:, list(epochs).index(to_s)] - contact_s[:, list(epochs).index(from_s)]).mean(axis=1)
     return (-later_s if role == "hunter" else later_s)[~numpy.isnan(later_s)]
 
 
 def table(progress: Sequence[Progress]) -> pandas.DataFrame:
     """progress.csv: one row per species, role, kind of opponents and period."""
-    lower, upper = (
-        lambda interval, place=place: None if interval is None else interval[place]
-        for place in (0, 1)
-    )
+    lower, upper = (lambda interval, place=place: None if interval is None else interval[place] for place in (0, 1))
     return pandas.DataFrame(
         [
             {
@@ -225,11 +190,7 @@ def text(progress: Sequence[Progress]) -> str:
             )
         )
     fewest = min(
-        (
-            runs
-            for one in progress
-            for runs in (one.ours.runs, one.shadow.runs or one.ours.runs)
-        ),
+        (runs for one in progress for runs in (one.ours.runs, one.shadow.runs or one.ours.runs)),
         default=MIN_RUNS_FOR_TEST,
     )
     few = (
@@ -244,9 +205,7 @@ def report(folder: pathlib.Path, out: str, request: dict, taken_s: float) -> int
     """Reads FOLDER/contests.csv, writes FOLDER/progress.csv and prints the progress. `taken_s`: the time that playing took."""
     contests = pandas.read_csv(
         folder / "contests.csv",
-        dtype={
-            name: str for name in ("hunters_run", "victims_run", "hunter", "victim")
-        },
+        dtype={name: str for name in ("hunters_run", "victims_run", "hunter", "victim")},
         float_precision="round_trip",
         keep_default_na=False,
     )

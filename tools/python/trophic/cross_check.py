@@ -44,12 +44,7 @@ def run(request: dict) -> int:
         check(*sets)
         found = list(metrics(*sets))
         write_new(
-            folder / _TABLE,
-            csv_text(
-                pandas.DataFrame(
-                    [row for pair in found for row in pair], columns=names(_TABLE)
-                )
-            ),
+            folder / _TABLE, csv_text(pandas.DataFrame([row for pair in found for row in pair], columns=names(_TABLE)))
         )
     print(metrics_text(sets, found) + f"files   {request['out']}")
     return 0
@@ -87,9 +82,7 @@ def _row(
     return row
 
 
-def metrics(
-    first: MeasuredSet, second: MeasuredSet
-) -> Iterator[tuple[dict[str, Any], dict[str, Any]]]:
+def metrics(first: MeasuredSet, second: MeasuredSet) -> Iterator[tuple[dict[str, Any], dict[str, Any]]]:
     """Yields the rows of each metric with a margin, of the first set and of the second."""
     for metric in first.metrics():
         margin = MARGINS.get((metric.metric, metric.group))
@@ -119,22 +112,10 @@ def check(first: MeasuredSet, second: MeasuredSet) -> None:
     a, b = (of.runs[0] for of in (first, second))
 
     def ecology(manifest: dict) -> dict:
-        params = {
-            key: value
-            for key, value in manifest["params"].items()
-            if key not in ("seed", "physics", "backend")
-        }
+        params = {key: value for key, value in manifest["params"].items() if key not in ("seed", "physics", "backend")}
         if "ecology" in params:
-            params["ecology"] = {
-                key: value
-                for key, value in params["ecology"].items()
-                if key != "duration_s"
-            }
-        return {
-            "rule_table": manifest["rule_table"],
-            "rules": manifest["rules"],
-            "params": params,
-        }
+            params["ecology"] = {key: value for key, value in params["ecology"].items() if key != "duration_s"}
+        return {"rule_table": manifest["rule_table"], "rules": manifest["rules"], "params": params}
 
     if why := pool.first_difference(ecology(a.manifest), ecology(b.manifest)):
         raise RunError(f"{b.path}: {why} as in {a.path}")
@@ -142,24 +123,12 @@ def check(first: MeasuredSet, second: MeasuredSet) -> None:
         raise RunError(f"{b.path}: {pool.lasted_text(b)}: must be as {pool.lasted_text(a)}, as in {a.path}")  # type: ignore[arg-type]
 
 
-def metrics_text(
-    sets: Sequence[MeasuredSet], found: Sequence[tuple[dict[str, Any], dict[str, Any]]]
-) -> str:
+def metrics_text(sets: Sequence[MeasuredSet], found: Sequence[tuple[dict[str, Any], dict[str, Any]]]) -> str:
     """A line for each metric."""
     lines: list[tuple[str, ...]] = [
-        (
-            "metric",
-            "first [95 %]",
-            "second [95 %]",
-            "margin",
-            "difference [90 %]",
-            "conclusion",
-        )
+        ("metric", "first [95 %]", "second [95 %]", "margin", "difference [90 %]", "conclusion")
     ]
-    by_title = {
-        (metric.metric, metric.species, metric.group): metric
-        for metric in sets[0].metrics()
-    }
+    by_title = {(metric.metric, metric.species, metric.group): metric for metric in sets[0].metrics()}
     for one, other in found:
         metric = by_title[one["quantity"], one["species"], one["group"]]
         reading = Reading(metric)
@@ -167,10 +136,7 @@ def metrics_text(
             (
                 metric_title(metric),
                 *(
-                    reading.with_interval(
-                        row["mean"],
-                        None if row["lower"] is None else (row["lower"], row["upper"]),
-                    )
+                    reading.with_interval(row["mean"], None if row["lower"] is None else (row["lower"], row["upper"]))
                     for row in (one, other)
                 ),
                 reading(other["margin"]),

@@ -27,18 +27,13 @@ def run(request: Mapping[str, Any]) -> int:
         slots = slots_in(headers)
         if topic in ("slots", *slots):
             print(
-                "".join(
-                    slot_text(headers, slot, slots[slot])
-                    for slot in ([topic] if topic in slots else slots)
-                ),
+                "".join(slot_text(headers, slot, slots[slot]) for slot in ([topic] if topic in slots else slots)),
                 end="",
             )
         elif text := card(topic, headers):
             print(text, end="")
         elif mistaken := did_you_mean(topic, ["slots", "metrics", *slots]):
-            raise RunError(
-                f"{topic}: must be a command, a slot, a policy, slots or metrics{mistaken}"
-            )
+            raise RunError(f"{topic}: must be a command, a slot, a policy, slots or metrics{mistaken}")
         else:
             _help_of_trophic(topic)
     return 0
@@ -60,30 +55,18 @@ def include_folder() -> pathlib.Path:
 
 def slots_in(headers: pathlib.Path) -> dict[str, str]:
     """The slots of a rule table, in its order, with the folders of their kinds."""
-    return dict(
-        re.findall(
-            r"^  SLOT\(\w+, (\w+), (\w+),",
-            (headers / "trophic/rules/slots.hpp").read_text(),
-            re.M,
-        )
-    )
+    return dict(re.findall(r"^  SLOT\(\w+, (\w+), (\w+),", (headers / "trophic/rules/slots.hpp").read_text(), re.M))
 
 
 def slot_text(headers: pathlib.Path, slot: str, kind: str) -> str:
     """The decision of a slot, its policies, and how one is swapped."""
     folder = headers / "trophic" / kind / slot
-    about = re.search(
-        r"^// The contract of a slot: (.*)$",
-        (folder / "contract.hpp").read_text(),
-        re.M,
-    )
+    about = re.search(r"^// The contract of a slot: (.*)$", (folder / "contract.hpp").read_text(), re.M)
     is_list = (folder / "list.hpp").exists()
     parts = [
         f"{'' if path.parent == folder else f'{path.parent.relative_to(folder)}: '}"
         f"{' '.join(sorted(other.stem for other in path.parent.glob('*.hpp') if other.stem not in ('contract', 'list')[:1 + is_list]))}"
-        for path in sorted(
-            folder.rglob("contract.hpp"), key=lambda path: (path.parent != folder, path)
-        )
+        for path in sorted(folder.rglob("contract.hpp"), key=lambda path: (path.parent != folder, path))
     ]
     return (
         f"{slot} ({kind})\n  {about[1] if about else ''}\n  policies: {'list of: ' * is_list}{'; '.join(parts)}\n"
@@ -95,21 +78,15 @@ def card(policy: str, headers: pathlib.Path) -> str:
     """The docstring in the header of a policy, by the name that tables have; empty if no policy with a header of its own has it."""
     for path in sorted(headers.rglob("*.hpp")):
         text = path.read_text()
-        named = re.search(
-            rf'static constexpr std::string_view name = "{re.escape(policy)}"', text
-        )
+        named = re.search(rf'static constexpr std::string_view name = "{re.escape(policy)}"', text)
         documented = [
             found
-            for found in re.finditer(
-                r"((?:^///.*\n)+)(?:template.*\n)?(?:class|struct) (\w+)", text, re.M
-            )
+            for found in re.finditer(r"((?:^///.*\n)+)(?:template.*\n)?(?:class|struct) (\w+)", text, re.M)
             if named and found.start() < named.start()
         ]
         if documented:
             lines, name = documented[-1].groups()
-            return f"{policy} ({name}, {path.relative_to(headers)})\n" + re.sub(
-                r"^/// ?", "", lines, flags=re.M
-            )
+            return f"{policy} ({name}, {path.relative_to(headers)})\n" + re.sub(r"^/// ?", "", lines, flags=re.M)
     return ""
 
 
@@ -120,15 +97,8 @@ def _metrics() -> str:
     rows: dict[tuple[str, str], list[str]] = {}
     web = Web(["prey", "predator"], [("predator", "prey")])
     for name in [*names_of(web), *living.names(web, True)]:
-        rows.setdefault((name.metric, name.unit), []).append(
-            f"{name.species}:{name.group}"
-        )
+        rows.setdefault((name.metric, name.unit), []).append(f"{name.species}:{name.group}")
     return (
         "METRIC:SPECIES:GROUP as --metric takes them, in a food web of prey and predators; docs/GLOSSARY.md defines them\n"
-        + columns(
-            [
-                ("metric", "unit", "of"),
-                *((*of, " ".join(groups)) for of, groups in rows.items()),
-            ]
-        )
+        + columns([("metric", "unit", "of"), *((*of, " ".join(groups)) for of, groups in rows.items())])
     )

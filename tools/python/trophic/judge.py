@@ -71,9 +71,7 @@ class Finding(NamedTuple):
 # Comparisons
 
 
-def repeated(
-    metrics: Sequence[Metric], sets: Sequence[MeasuredSet]
-) -> dict[Metric, Metric]:
+def repeated(metrics: Sequence[Metric], sets: Sequence[MeasuredSet]) -> dict[Metric, Metric]:
     """The first earlier metric that a metric repeats, for each that repeats one.
 
     READINGS repeat the metric that they read. Otherwise, in every run of every set both have a value, or neither, and
@@ -83,8 +81,7 @@ def repeated(
     return repeated_values(
         {
             metric: numpy.concatenate(
-                [one.table.get((metric, ""), lack) for one, lack in zip(sets, missing)]
-                or [numpy.empty(0)]
+                [one.table.get((metric, ""), lack) for one, lack in zip(sets, missing)] or [numpy.empty(0)]
             )
             for metric in metrics
         }
@@ -103,16 +100,10 @@ def repeated_values(values: dict[Metric, numpy.ndarray]) -> dict[Metric, Metric]
         if there.sum() < MIN_RUNS_FOR_TEST or numpy.ptp(of_later[there]) == 0.0:
             continue
         for earlier, of_earlier in list(values.items())[:place]:
-            if (
-                earlier in repeats
-                or earlier.unit != later.unit
-                or (there != ~numpy.isnan(of_earlier)).any()
-            ):
+            if earlier in repeats or earlier.unit != later.unit or (there != ~numpy.isnan(of_earlier)).any():
                 continue
             a, b = of_earlier[there], of_later[there]
-            if min(numpy.ptp(b - a), numpy.ptp(b + a)) <= 1e-12 * max(
-                numpy.abs(a).max(), numpy.abs(b).max()
-            ):
+            if min(numpy.ptp(b - a), numpy.ptp(b + a)) <= 1e-12 * max(numpy.abs(a).max(), numpy.abs(b).max()):
                 repeats[later] = earlier
                 break
     return repeats
@@ -137,9 +128,7 @@ def summarize(of: MeasuredSet, choices: Sequence[str] = ()) -> pandas.DataFrame:
     left out of its mean. Raises RunError for a choice that names no metric, and for a null of other metrics.
     """
     if any(null.metrics() != of.metrics() for null in of.nulls.values()):
-        raise RunError(
-            f"{of.label}: runs with different food webs cannot be pooled or compared with a null"
-        )
+        raise RunError(f"{of.label}: runs with different food webs cannot be pooled or compared with a null")
     wanted = chosen(of.metrics(), choices)
     repeats = repeated(wanted, [of, *of.nulls.values()])
     has_published = published.applies_to(of)
@@ -155,53 +144,21 @@ def summarize(of: MeasuredSet, choices: Sequence[str] = ()) -> pandas.DataFrame:
             "same_as": str(repeats.get(metric, "")),
         }
         baselines: list[tuple[str, str, numpy.ndarray, Difference | None]] = []
-        for name in (
-            name
-            for name in of.nulls
-            if name != NEUTRAL or metric.metric in of.inherited
-        ):
+        for name in (name for name in of.nulls if name != NEUTRAL or metric.metric in of.inherited):
             role = "null" if name == of.null_of(metric) else "reference"
-            baselines.append(
-                (
-                    name,
-                    role,
-                    of.null_values(metric, name),
-                    _difference(metric, _over(of, metric, name)),
-                )
-            )
+            baselines.append((name, role, of.null_values(metric, name), _difference(metric, _over(of, metric, name))))
         for (other, name), role in of.roles.items():
             if other == metric:
                 paired = values - of.table[metric, name]
-                own = difference_of(
-                    mean_of(paired), contrast((1.0, paired)), scatter_of(paired)
-                )
-                baselines.append(
-                    (
-                        name,
-                        role,
-                        of.table[metric, name],
-                        own if role == "null" else None,
-                    )
-                )
-        for name, role, null, difference in baselines or [
-            ("", "", numpy.empty(0), None)
-        ]:
-            rows.append(
-                {
-                    **row,
-                    "null": name,
-                    "null_n": len(known(null)),
-                    "null_mean": mean_of(null),
-                    "role": role,
-                }
-            )
+                own = difference_of(mean_of(paired), contrast((1.0, paired)), scatter_of(paired))
+                baselines.append((name, role, of.table[metric, name], own if role == "null" else None))
+        for name, role, null, difference in baselines or [("", "", numpy.empty(0), None)]:
+            rows.append({**row, "null": name, "null_n": len(known(null)), "null_mean": mean_of(null), "role": role})
             differences.append(difference)
     return _judged(rows, differences, "difference_lower", "difference_upper")
 
 
-def compare(
-    a: MeasuredSet, b: MeasuredSet, choices: Sequence[str] = ()
-) -> pandas.DataFrame:
+def compare(a: MeasuredSet, b: MeasuredSet, choices: Sequence[str] = ()) -> pandas.DataFrame:
     """The difference b - a of every metric that both sets have, in the order of `a`.
 
     Columns: those of differences.csv (docs/tables.md), `set_a`, `set_b`, the deviations and intervals of both means, and as in `summarize` role,
@@ -226,20 +183,10 @@ def compare(
             **_estimated(metric, of_b, "_b"),
             "same_as": str(repeats.get(metric, "")),
         }
-        null = (
-            a.null_of(metric)
-            if a.null_of(metric) == b.null_of(metric)
-            else SHADOW
-            if a.shadow and b.shadow
-            else ""
-        )
-        null = (
-            "" if metric.metric in living.SHARES else null
-        )  # no exact test compares two differences
+        null = a.null_of(metric) if a.null_of(metric) == b.null_of(metric) else SHADOW if a.shadow and b.shadow else ""
+        null = "" if metric.metric in living.SHARES else null  # no exact test compares two differences
         if null:
-            over = _difference(
-                metric, [*_over(a, metric, null, -1.0), *_over(b, metric, null)]
-            )
+            over = _difference(metric, [*_over(a, metric, null, -1.0), *_over(b, metric, null)])
             if over.value is not None:
                 rows.append({**row, "compared": f"over_{null}", "role": "null"})
                 differences.append(over)
@@ -248,9 +195,7 @@ def compare(
     return _judged(rows, differences, "lower", "upper")
 
 
-def _estimated(
-    metric: Metric, values: numpy.ndarray, suffix: str = ""
-) -> dict[str, Any]:
+def _estimated(metric: Metric, values: numpy.ndarray, suffix: str = "") -> dict[str, Any]:
     n, mean, deviation, interval = estimate(values)
     interval = share_interval(values) if metric.metric in living.SHARES else interval
     named = {
@@ -263,9 +208,7 @@ def _estimated(
     return {name + suffix: value for name, value in named.items()}
 
 
-def _over(
-    of: MeasuredSet, metric: Metric, null: str, sign: float = 1.0
-) -> list[tuple[float, numpy.ndarray]]:
+def _over(of: MeasuredSet, metric: Metric, null: str, sign: float = 1.0) -> list[tuple[float, numpy.ndarray]]:
     """The difference of a set and a null, as weighted values of independent sets of runs."""
     values, its = of.baseline(metric, ""), of.null_values(metric, null)
     return [(sign, values - its)] if null == NEUTRAL else [(sign, values), (-sign, its)]
@@ -274,9 +217,7 @@ def _over(
 def _difference(metric: Metric, terms: list[tuple[float, numpy.ndarray]]) -> Difference:
     if metric.metric in living.SHARES and [sign for sign, _ in terms] == [1.0, -1.0]:
         return share_difference(terms[0][1], terms[1][1])
-    return difference_of(
-        _sum(*terms), contrast(*terms), scatter_of(*(values for _, values in terms))
-    )
+    return difference_of(_sum(*terms), contrast(*terms), scatter_of(*(values for _, values in terms)))
 
 
 def _sum(*terms: tuple[float, numpy.ndarray]) -> float | None:
@@ -291,17 +232,12 @@ def _sum(*terms: tuple[float, numpy.ndarray]) -> float | None:
 
 
 def _judged(
-    rows: list[dict[str, Any]],
-    differences: Sequence[Difference | None],
-    lower: str,
-    upper: str,
+    rows: list[dict[str, Any]], differences: Sequence[Difference | None], lower: str, upper: str
 ) -> pandas.DataFrame:
     """The rows with their differences: corrects those with the role of a null that repeat no other, and concludes. Raw ones are a family apart."""
     for role in ("null", ""):
         adjust_together(
-            one
-            for row, one in zip(rows, differences)
-            if one and row["role"] == role and not row["same_as"]
+            one for row, one in zip(rows, differences) if one and row["role"] == role and not row["same_as"]
         )
     for row, one in zip(rows, differences):
         one = one or Difference()
@@ -334,9 +270,7 @@ def _judged(
         "n_b",
         "null_n",
     }
-    return frame.astype(
-        {column: float for column in frame.columns if column not in texts}
-    )
+    return frame.astype({column: float for column in frame.columns if column not in texts})
 
 
 def _conclusion(row: dict[str, Any], difference: Difference) -> str:
@@ -362,18 +296,10 @@ def with_nulls(frame: pandas.DataFrame) -> pandas.DataFrame:
     """The rows of a frame of `summarize` next to a null, also one that is a reference; the first row of a metric without any, without its baseline."""
     key = ["set", *METRIC]
     is_null = (frame["role"] == "null") | frame["null"].isin(NULLS)
-    has_null = (
-        frame.assign(is_null=is_null)
-        .groupby(key, sort=False)["is_null"]
-        .transform("any")
-    )
+    has_null = frame.assign(is_null=is_null).groupby(key, sort=False)["is_null"].transform("any")
     table = frame[is_null | (~has_null & ~frame.duplicated(key))].copy()
     alone = ~is_null[table.index]
-    (
-        table.loc[alone, "null"],
-        table.loc[alone, "null_n"],
-        table.loc[alone, "null_mean"],
-    ) = ("", 0, NAN)
+    (table.loc[alone, "null"], table.loc[alone, "null_n"], table.loc[alone, "null_mean"]) = ("", 0, NAN)
     return table
 
 
@@ -389,11 +315,7 @@ def runs_of(row: Any) -> str:
     """The runs of a comparison: "10+10" of two sets, "10" if each run has a null of its own."""
     if hasattr(row, "compared"):
         return f"{row.n_a}+{row.n_b}"
-    return (
-        f"{row.n}+{row.null_n}"
-        if row.null in NULLS and row.null != NEUTRAL
-        else str(min(row.n, row.null_n))
-    )
+    return f"{row.n}+{row.null_n}" if row.null in NULLS and row.null != NEUTRAL else str(min(row.n, row.null_n))
 
 
 def too_few(of: MeasuredSet) -> list[str]:
@@ -413,9 +335,7 @@ def living_sentences(of: MeasuredSet) -> list[str]:
     sentences = []
     for metric in of.metrics():
         values = known(of.table[metric, ""])
-        nulls = {
-            name: known(null.baseline(metric, "")) for name, null in of.nulls.items()
-        }
+        nulls = {name: known(null.baseline(metric, "")) for name, null in of.nulls.items()}
         is_asked = (
             metric.metric == "cycles"
             or metric.species == "all"
@@ -423,24 +343,14 @@ def living_sentences(of: MeasuredSet) -> list[str]:
         )
         if metric.metric not in living.SHARES or len(values) == 0 or not is_asked:
             continue
-        who = (
-            "All species"
-            if metric.species == "all"
-            else _who(metric.species).capitalize()
-        )
+        who = "All species" if metric.species == "all" else _who(metric.species).capitalize()
         many, count = int(values.sum()), len(values)
-        beside = [
-            f"{NULLS[name]} {int(its.sum())} of {len(its)}"
-            for name, its in nulls.items()
-            if len(its)
-        ]
+        beside = [f"{NULLS[name]} {int(its.sum())} of {len(its)}" for name, its in nulls.items() if len(its)]
         field = mean_of(of.baseline(metric, living.MEAN_FIELD))
         beside += [] if field is None else [f"mean field {field:.2f}"]
         interval = share_interval(values)
         share = f"{many} of {count} runs" + (
-            f", a share of [{interval.lower:.3f}, {interval.upper:.3f}]"
-            if interval
-            else ""
+            f", a share of [{interval.lower:.3f}, {interval.upper:.3f}]" if interval else ""
         )
         if metric.metric == "persists":
             text = f"{who} live to the end of {share}"
@@ -457,11 +367,7 @@ def living_sentences(of: MeasuredSet) -> list[str]:
 
 
 def _plain(of: Any, digits: int, unit: str = "") -> str:
-    bounds = (
-        f" [{of.interval[0]:.{digits}f}, {of.interval[1]:.{digits}f}]"
-        if of.interval
-        else ""
-    )
+    bounds = f" [{of.interval[0]:.{digits}f}, {of.interval[1]:.{digits}f}]" if of.interval else ""
     return f"{of.mean:.{digits}f}{unit}{bounds}"
 
 
@@ -491,11 +397,7 @@ def _fact(row: Any) -> tuple[str, str]:
 
 def _plainness(row: Any) -> tuple:
     group = _GROUPS.index(row.group) if row.group in _GROUPS else len(_GROUPS)
-    return (
-        _MEASURES.get(row.metric, (9, "", 0))[2],
-        group,
-        getattr(row, "null", SHADOW) not in NULLS,
-    )
+    return (_MEASURES.get(row.metric, (9, "", 0))[2], group, getattr(row, "null", SHADOW) not in NULLS)
 
 
 def facts(frame: pandas.DataFrame, conclusions: Sequence[str]) -> list[Any]:
@@ -507,11 +409,7 @@ def facts(frame: pandas.DataFrame, conclusions: Sequence[str]) -> list[Any]:
         if fact not in plainest or _plainness(row) < _plainness(plainest[fact]):
             plainest[fact] = row
     measures = {measure for measure, species in plainest if species != "all"}
-    return [
-        row
-        for (measure, species), row in plainest.items()
-        if species != "all" or measure not in measures
-    ]
+    return [row for (measure, species), row in plainest.items() if species != "all" or measure not in measures]
 
 
 def findings(frame: pandas.DataFrame) -> list[Finding]:
@@ -534,9 +432,7 @@ def inconclusive(frame: pandas.DataFrame) -> list[Any]:
     seen = {_fact(row) for row in facts(frame, ("above", "below"))}
     rows = []
     for row in (
-        frame[frame["conclusion"] == "inconclusive"]
-        .sort_values("runs_needed", kind="stable")
-        .itertuples(index=False)
+        frame[frame["conclusion"] == "inconclusive"].sort_values("runs_needed", kind="stable").itertuples(index=False)
     ):
         if _fact(row) not in seen:
             seen.add(_fact(row))
@@ -549,9 +445,7 @@ def _finding(row: Any) -> Finding:
     if hasattr(row, "compared"):
         interval = (row.lower, row.upper)
         sentence = _difference_sentence(metric, row)
-        return Finding(
-            sentence, metric, row.compared, row.difference, interval, row.p_holm, ""
-        )
+        return Finding(sentence, metric, row.compared, row.difference, interval, row.p_holm, "")
     return Finding(
         _sentence(metric, row),
         metric,
@@ -625,9 +519,7 @@ _CAUSES = {
 
 def _who(species: str) -> str:
     """The members of a species: "predators", "wolf individuals"."""
-    return _WHO.get(
-        species, species if species.endswith("s") else f"{species} individuals"
-    )
+    return _WHO.get(species, species if species.endswith("s") else f"{species} individuals")
 
 
 def noun_of(metric: Metric) -> str:
@@ -642,19 +534,13 @@ def noun_of(metric: Metric) -> str:
         if name == "deaths" and group != "all":
             return f"the number of {who} that {_CAUSES.get(group, f'die ({group})')} in a run"
         return noun + (
-            f" ({group})"
-            if group in ("early", "late")
-            or name == "wall_sticking_gap"
-            and group != "all"
-            else ""
+            f" ({group})" if group in ("early", "late") or name == "wall_sticking_gap" and group != "all" else ""
         )
     noun = name.replace("_", " ") + (f" of {who}" if who else "")
     return noun + (f" ({group})" if group not in _GROUPS else "")
 
 
-def _magnitude(
-    metric: Metric, effect: float, lower: float, upper: float
-) -> tuple[str, str]:
+def _magnitude(metric: Metric, effect: float, lower: float, upper: float) -> tuple[str, str]:
     """An effect and its interval without their sign: "0.45 cm/s", "[0.30, 0.60]"."""
     reading = Reading(metric)
     low, high = (lower, upper) if effect >= 0.0 else (-upper, -lower)
@@ -663,15 +549,11 @@ def _magnitude(
 
 def _amount(metric: Metric, value: float) -> str:
     reading = Reading(metric)
-    return f"{reading(value)}{' ' * bool(reading.unit)}{reading.unit}" + (
-        " ticks" if metric.unit == "ticks" else ""
-    )
+    return f"{reading(value)}{' ' * bool(reading.unit)}{reading.unit}" + (" ticks" if metric.unit == "ticks" else "")
 
 
 def _sentence(metric: Metric, row: Any) -> str:
-    size, interval = _magnitude(
-        metric, row.difference, row.difference_lower, row.difference_upper
-    )
+    size, interval = _magnitude(metric, row.difference, row.difference_lower, row.difference_upper)
     test = f"{interval} (p {p_text(row.p_holm)}, {runs_of(row)} runs)."
     null = _NULLS.get(row.null, f"in its null, {row.null.replace('_', ' ')},")
     if metric.metric.startswith("velocity") and metric.species in ("prey", "predator"):
@@ -690,11 +572,7 @@ def _sentence(metric: Metric, row: Any) -> str:
 def _difference_sentence(metric: Metric, row: Any) -> str:
     size, interval = _magnitude(metric, row.difference, row.lower, row.upper)
     noun = noun_of(metric)
-    over = (
-        ""
-        if row.compared == "raw"
-        else f", each {over_text(row.compared).replace('the', 'its')}"
-    )
+    over = "" if row.compared == "raw" else f", each {over_text(row.compared).replace('the', 'its')}"
     side = "higher" if row.difference > 0.0 else "lower"
     return (
         f"{noun[0].upper()}{noun[1:]} is {size} {side} in runs of {row.set_b} than in runs of {row.set_a}{over} {interval} "

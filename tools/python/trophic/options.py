@@ -13,7 +13,9 @@ from typing import Any, NoReturn
 
 from .errors import RunError
 
-_EXIT_CODES = "Exit codes: 0 done; 1 a run or a computation failed; 2 wrong arguments, nothing was started; 3 stopped by a signal"
+_EXIT_CODES = (
+    "Exit codes: 0 done; 1 a run or a computation failed; 2 wrong arguments, nothing was started; 3 stopped by a signal"
+)
 _MOST = 2**64 - 1
 _WIDTH = 100
 
@@ -35,12 +37,8 @@ class Verb:
 class _Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         message = re.sub(r"^argument (\S+): expected .*", r"\1: needs a value", message)
-        message = re.sub(r"^argument (\S+): (?!must)", r"\1 ", message).removeprefix(
-            "argument "
-        )
-        missing = re.fullmatch(
-            r"the following arguments are required: (\w+).*", message
-        )
+        message = re.sub(r"^argument (\S+): (?!must)", r"\1 ", message).removeprefix("argument ")
+        missing = re.fullmatch(r"the following arguments are required: (\w+).*", message)
         raise RunError(f"{missing[1]} is required" if missing else message)
 
 
@@ -53,12 +51,8 @@ def parsed(name: str, words: Sequence[str]) -> dict[str, Any]:
     parser = _Parser(
         who,
         description=textwrap.fill(verb.about, _WIDTH),
-        epilog="\n".join(
-            [_EXIT_CODES, "", "Examples:", *(f"  {one}" for one in verb.examples)]
-        ),
-        formatter_class=lambda prog: argparse.RawDescriptionHelpFormatter(
-            prog, max_help_position=26, width=_WIDTH
-        ),
+        epilog="\n".join([_EXIT_CODES, "", "Examples:", *(f"  {one}" for one in verb.examples)]),
+        formatter_class=lambda prog: argparse.RawDescriptionHelpFormatter(prog, max_help_position=26, width=_WIDTH),
         add_help=False,
         allow_abbrev=False,
     )
@@ -66,11 +60,7 @@ def parsed(name: str, words: Sequence[str]) -> dict[str, Any]:
     parser.add_argument("-h", "--help", action="help", help="print this help and exit")
     options, extras = parser.parse_known_intermixed_args(words)
     if extras:
-        raise RunError(
-            _about_extra(
-                next((one for one in extras if one.startswith("-")), extras[0]), parser
-            )
-        )
+        raise RunError(_about_extra(next((one for one in extras if one.startswith("-")), extras[0]), parser))
     request = vars(options)
     given = {
         action.option_strings[-1]: request.get(action.dest) not in (None, False, [])
@@ -117,9 +107,7 @@ def _whole(text: str, least: int = 0, most: int = _MOST) -> int:
     if re.fullmatch(r"-[0-9]+", text):
         raise argparse.ArgumentTypeError(f"{text}: must be >= {least}")
     if not re.fullmatch(r"0|[1-9][0-9]*", text):
-        raise argparse.ArgumentTypeError(
-            f"{text}: must be a whole number in decimal digits"
-        )
+        raise argparse.ArgumentTypeError(f"{text}: must be a whole number in decimal digits")
     for is_wrong, bound in (
         (len(text) > 20 or int(text) > most, f"<= {most}"),
         (len(text) <= 20 and int(text) < least, f">= {least}"),
@@ -134,10 +122,7 @@ def _within(least: int, most: int = _MOST) -> Callable[[str], int]:
 
 
 def _number(text: str) -> float:
-    if (
-        not re.fullmatch(r"-?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?", text)
-        or len(text) > 1000
-    ):
+    if not re.fullmatch(r"-?([0-9]+(\.[0-9]*)?|\.[0-9]+)([eE][+-]?[0-9]+)?", text) or len(text) > 1000:
         raise argparse.ArgumentTypeError(f"{text}: must be a number in decimal digits")
     return float(text)
 
@@ -151,9 +136,7 @@ def _positive(text: str) -> float:
 def _word(*words: str) -> Callable[[str], str]:
     def checked(text: str) -> str:
         if text not in words:
-            raise argparse.ArgumentTypeError(
-                f"{text}: must be {one_of(words)}{did_you_mean(text, words)}"
-            )
+            raise argparse.ArgumentTypeError(f"{text}: must be {one_of(words)}{did_you_mean(text, words)}")
         return text
 
     return checked
@@ -188,17 +171,8 @@ def _analyze(parser: argparse.ArgumentParser) -> None:
         metavar="TEXT",
         help="two such folders: the difference of every metric, raw and over their nulls",
     )
-    add(
-        "--shadow",
-        **_TEXT,
-        help="the runs' neutral shadow, if it is not in RUNS/shadow",
-    )
-    add(
-        "--until",
-        type=_positive,
-        metavar="X",
-        help="measure only the first seconds of every run",
-    )
+    add("--shadow", **_TEXT, help="the runs' neutral shadow, if it is not in RUNS/shadow")
+    add("--until", type=_positive, metavar="X", help="measure only the first seconds of every run")
     add(
         "--metric",
         **_TEXTS,
@@ -255,33 +229,21 @@ def _analyze(parser: argparse.ArgumentParser) -> None:
         help="a conclusion on every published claim, under each reading that the paper allows: reproduced, not reproduced or inconclusive",
     )
     add("--all", **_FLAG, help="print every metric, not only the clearest findings")
-    add(
-        "--reference",
-        **_N,
-        help="for a sweep: the cell that all others are compared with (the first)",
-    )
+    add("--reference", **_N, help="for a sweep: the cell that all others are compared with (the first)")
     add(
         "--difference",
         type=_number,
         metavar="X",
         help="for a sweep: how many replicates a difference of this size in --metric, in the tables' unit, would need",
     )
-    add(
-        "--allow-missing",
-        **_FLAG,
-        help="for a sweep: leave out runs that are missing or incomplete",
-    )
+    add("--allow-missing", **_FLAG, help="for a sweep: leave out runs that are missing or incomplete")
     add("--jobs", **_JOBS)
     add(
         "--out",
         **_TEXT,
         help="new folder for the tables and summary.json (analysis, or the next free analysis-1, -2, ...; with --html alone there are none)",
     )
-    add(
-        "--html",
-        **_TEXT,
-        help="new page with the table, figures and replays, which opens from disk",
-    )
+    add("--html", **_TEXT, help="new page with the table, figures and replays, which opens from disk")
     add(
         "--figures",
         **_TEXT,
@@ -314,21 +276,9 @@ def _plot(parser: argparse.ArgumentParser) -> None:
         help="width of a figure in columns of the page, 1 or 2 (1)",
     )
     add("--with-captions", **_FLAG, help="draw the captions into the figures, too")
-    add(
-        "--run",
-        **_N,
-        help="whose phylogeny, paths and catch are drawn: the N-th run of a set, from 0 (0)",
-    )
-    add(
-        "--metric",
-        **_TEXTS,
-        help="for a sweep: draw only these; METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP",
-    )
-    add(
-        "--axes",
-        **_TEXTS,
-        help="for a sweep: what to draw along x, as lines and as panels",
-    )
+    add("--run", **_N, help="whose phylogeny, paths and catch are drawn: the N-th run of a set, from 0 (0)")
+    add("--metric", **_TEXTS, help="for a sweep: draw only these; METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP")
+    add("--axes", **_TEXTS, help="for a sweep: what to draw along x, as lines and as panels")
 
 
 def _cite(parser: argparse.ArgumentParser) -> None:
@@ -336,13 +286,9 @@ def _cite(parser: argparse.ArgumentParser) -> None:
 
 
 def _ablation_table(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "runs", type=_text, help="the study's output folder (its --out)"
-    )
+    parser.add_argument("runs", type=_text, help="the study's output folder (its --out)")
     parser.add_argument("--jobs", **_JOBS)
-    parser.add_argument(
-        "--out", **_TEXT, default="swaps", help="new folder for the tables (swaps)"
-    )
+    parser.add_argument("--out", **_TEXT, default="swaps", help="new folder for the tables (swaps)")
 
 
 def _plan(parser: argparse.ArgumentParser) -> None:
@@ -355,32 +301,16 @@ def _plan(parser: argparse.ArgumentParser) -> None:
         default="trophic-predator-prey",
         help="the experiment program that makes the runs (trophic-predator-prey)",
     )
-    add(
-        "--out",
-        **_TEXT,
-        help="folder for the plan and its runs; one that has a plan gets more runs",
-    )
-    add(
-        "--dry-run",
-        **_FLAG,
-        help="print the cells and how long they take by short runs; write nothing",
-    )
-    add(
-        "--sbatch",
-        **_N,
-        help="print a Slurm script with N array tasks: time by short runs, memory, output, signal",
-    )
+    add("--out", **_TEXT, help="folder for the plan and its runs; one that has a plan gets more runs")
+    add("--dry-run", **_FLAG, help="print the cells and how long they take by short runs; write nothing")
+    add("--sbatch", **_N, help="print a Slurm script with N array tasks: time by short runs, memory, output, signal")
 
 
 def _contest(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("runs", nargs="+", type=_text, help="folders of runs, or of replicates")
     add("--shadow", **_TEXT, help="folder of the shadow (RUNS/shadow, if there is one)")
-    add(
-        "--epochs",
-        **_TEXT,
-        help="comma-separated times, e.g. 0,2000,6000 (default: four, evenly spaced)",
-    )
+    add("--epochs", **_TEXT, help="comma-separated times, e.g. 0,2000,6000 (default: four, evenly spaced)")
     add(
         "--against",
         type=_word("others", "own", "both"),
@@ -388,24 +318,9 @@ def _contest(parser: argparse.ArgumentParser) -> None:
         metavar="TEXT",
         help="opponents: others, of another replicate; own; or both (others)",
     )
-    add(
-        "--panel",
-        **_TEXT,
-        help="folder of runs whose last living are the opponents of all, instead of --against",
-    )
-    add(
-        "--split",
-        type=_number,
-        metavar="X",
-        help="the epoch at which the late period begins (that in the middle)",
-    )
-    add(
-        "--teams",
-        type=_whole,
-        default=6,
-        metavar="N",
-        help="teams drawn for each epoch and species, at least 2 (6)",
-    )
+    add("--panel", **_TEXT, help="folder of runs whose last living are the opponents of all, instead of --against")
+    add("--split", type=_number, metavar="X", help="the epoch at which the late period begins (that in the middle)")
+    add("--teams", type=_whole, default=6, metavar="N", help="teams drawn for each epoch and species, at least 2 (6)")
     add("--team-size", **_N, help="robots in a team (half of the runs' robots)")
     add(
         "--duration",
@@ -421,18 +336,8 @@ def _contest(parser: argparse.ArgumentParser) -> None:
         metavar="X",
         help="distance in metres at which a hunter reaches a victim (1)",
     )
-    add(
-        "--seed",
-        type=_whole,
-        default=1,
-        metavar="N",
-        help="of teams, partners and places (1)",
-    )
-    add(
-        "--backend",
-        **_TEXT,
-        help="play on this backend, with its default parameters (the runs')",
-    )
+    add("--seed", type=_whole, default=1, metavar="N", help="of teams, partners and places (1)")
+    add("--backend", **_TEXT, help="play on this backend, with its default parameters (the runs')")
     add(
         "--program",
         **_TEXT,
@@ -440,46 +345,18 @@ def _contest(parser: argparse.ArgumentParser) -> None:
         default="trophic-predator-prey",
         help="the program that made the runs (trophic-predator-prey)",
     )
-    add(
-        "--jobs",
-        type=_whole,
-        metavar="N",
-        help="contests at a time (one per core); results do not depend on it",
-    )
-    add(
-        "--accept-other-build",
-        **_FLAG,
-        help="take runs that several builds of a program made",
-    )
-    add(
-        "--out",
-        **_TEXT,
-        help="new folder for contests.csv and progress.csv (the next free contests, contests-1, ...)",
-    )
+    add("--jobs", type=_whole, metavar="N", help="contests at a time (one per core); results do not depend on it")
+    add("--accept-other-build", **_FLAG, help="take runs that several builds of a program made")
+    add("--out", **_TEXT, help="new folder for contests.csv and progress.csv (the next free contests, contests-1, ...)")
 
 
 def _cross_check(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "runs",
-        nargs="+",
-        type=_text,
-        help="two folders of replicates, each on one engine",
-    )
-    parser.add_argument(
-        "--out",
-        **_TEXT,
-        default="cross-check",
-        help="new folder for cross_check.csv (cross-check)",
-    )
+    parser.add_argument("runs", nargs="+", type=_text, help="two folders of replicates, each on one engine")
+    parser.add_argument("--out", **_TEXT, default="cross-check", help="new folder for cross_check.csv (cross-check)")
 
 
 def _help(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument(
-        "topic",
-        nargs="?",
-        type=_text,
-        help="a command, slots, a slot, a policy or metrics",
-    )
+    parser.add_argument("topic", nargs="?", type=_text, help="a command, slots, a slot, a policy or metrics")
 
 
 VERBS = {
@@ -497,13 +374,7 @@ VERBS = {
         ],
         {
             "--compare": ["--shadow", "--published"],
-            "--lineages": [
-                "--published",
-                "--until",
-                "--compare",
-                "--column",
-                "--metric-file",
-            ],
+            "--lineages": ["--published", "--until", "--compare", "--column", "--metric-file"],
             "--bodies": ["--published", "--lineages"],
             "--published": ["--metric"],
             "--selection": [
@@ -517,12 +388,7 @@ VERBS = {
                 "--html",
             ],
         },
-        {
-            "--window": "--lineages",
-            "--program": "--lineages",
-            "--figures": "--html",
-            "--replays": "--html",
-        },
+        {"--window": "--lineages", "--program": "--lineages", "--figures": "--html", "--replays": "--html"},
     ),
     "plot": Verb(
         "plot",
@@ -554,10 +420,7 @@ VERBS = {
         "Writes the list of runs that a sweep file describes: settings by [grid], [zip] and [[runs]], with replicates and shadows. PROGRAM --plan "
         "FOLDER/plan.jsonl makes the runs. Needs Python with numpy and pandas.",
         _plan,
-        [
-            "trophic plan sweep.toml --out runs/sweep",
-            "trophic plan sweep.toml --dry-run",
-        ],
+        ["trophic plan sweep.toml --out runs/sweep", "trophic plan sweep.toml --dry-run"],
     ),
     "contest": Verb(
         "contest_plan",
@@ -577,19 +440,12 @@ VERBS = {
         "Compares two engines, or two settings of one: the metrics of two sets of runs of the same rules, as two cells of a sweep over "
         "engines, with two one-sided tests of equivalence each. Needs Python with pandas and scipy.",
         _cross_check,
-        [
-            "trophic cross-check runs/engines/cell-000 runs/engines/cell-001 --out engines"
-        ],
+        ["trophic cross-check runs/engines/cell-000 runs/engines/cell-001 --out engines"],
     ),
     "help": Verb(
         "help",
         "Prints the help of a command, or `slots`: what each slot of a rule table decides, a slot or a policy by its name, or `metrics`.",
         _help,
-        [
-            "trophic help analyze",
-            "trophic help slots",
-            "trophic help mutation",
-            "trophic help normal_mutation",
-        ],
+        ["trophic help analyze", "trophic help slots", "trophic help mutation", "trophic help normal_mutation"],
     ),
 }

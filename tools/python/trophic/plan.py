@@ -117,9 +117,7 @@ def _axes(table: dict[str, Any], section: str) -> dict[str, list]:
     for path, values in _leaves(table):
         where = f"[{section}] {path}"
         if not isinstance(values, list):
-            raise RunError(
-                f"{where} = {values}: must be a list of values; what is the same in all runs is in [set]"
-            )
+            raise RunError(f"{where} = {values}: must be a list of values; what is the same in all runs is in [set]")
         if not values:
             raise RunError(f"{where} = []: must have a value")
         axes[path] = [_value(value, where) for value in values]
@@ -129,9 +127,7 @@ def _axes(table: dict[str, Any], section: str) -> dict[str, list]:
 
 
 def _whole(least: int, most: int):
-    return (
-        lambda value: type(value) is int and least <= value <= most
-    ), f"a whole number >= {least} and <= {most}"
+    return (lambda value: type(value) is int and least <= value <= most), f"a whole number >= {least} and <= {most}"
 
 
 _SWITCH = (lambda value: isinstance(value, bool)), "true or false"
@@ -140,10 +136,7 @@ _KEYS = {
     "seed": _whole(0, 2**53),
     "paired": _SWITCH,
     "shadow": _SWITCH,
-    "replay_hz": (
-        (lambda value: type(value) in (int, float) and value in (0, 5, 10, 30)),
-        "0, 5, 10 or 30",
-    ),
+    "replay_hz": ((lambda value: type(value) in (int, float) and value in (0, 5, 10, 30)), "0, 5, 10 or 30"),
     "agents_every": _whole(1, 1_000_000),
     "senses": _SWITCH,
     "states": _SWITCH,
@@ -176,9 +169,7 @@ def _sweep(path: pathlib.Path, text: str, table: dict[str, Any]) -> Sweep:
             raise RunError(f"{section}: must be a section, [{section}]")
     listed = table.pop("runs", None)
     if listed is not None and not (
-        isinstance(listed, list)
-        and listed
-        and all(isinstance(one, dict) for one in listed)
+        isinstance(listed, list) and listed and all(isinstance(one, dict) for one in listed)
     ):
         raise RunError("runs: must be sections, [[runs]]")
     sweep.set = _settings(table.pop("set", {}))
@@ -186,9 +177,7 @@ def _sweep(path: pathlib.Path, text: str, table: dict[str, Any]) -> Sweep:
     sweep.zip = _axes(table.pop("zip"), "zip") if "zip" in table else {}
     sweep.runs = [_settings(one) for one in listed or []]
     if "neutral" in table:
-        raise RunError(
-            "neutral: a sweep makes no neutral nulls; run a cell's settings with --replicates and --neutral"
-        )
+        raise RunError("neutral: a sweep makes no neutral nulls; run a cell's settings with --replicates and --neutral")
     for key, value in table.items():
         if key in _CHOICES:
             if not isinstance(value, str):
@@ -206,11 +195,7 @@ def _sweep(path: pathlib.Path, text: str, table: dict[str, Any]) -> Sweep:
             near = difflib.get_close_matches(key, known, 1)
             raise RunError(
                 f"{f'[{key}]' if isinstance(value, dict) else key}: unknown key"
-                + (
-                    f"; did you mean {near[0]}?"
-                    if near
-                    else f"; known here: {', '.join(known)}"
-                )
+                + (f"; did you mean {near[0]}?" if near else f"; known here: {', '.join(known)}")
             )
     _check(sweep)
     return sweep
@@ -235,9 +220,7 @@ def _check(sweep: Sweep) -> None:
     for key, values in sweep.zip.items():
         first, of_first = next(iter(sweep.zip.items()))
         if len(values) != len(of_first):
-            raise RunError(
-                f"[zip] {key}: has {len(values)} values: must have {len(of_first)}, as {first}"
-            )
+            raise RunError(f"[zip] {key}: has {len(values)} values: must have {len(of_first)}, as {first}")
     rows = len(next(iter(sweep.zip.values()), [0]))
     if (
         sweep.replicates
@@ -247,21 +230,15 @@ def _check(sweep: Sweep) -> None:
         * math.prod(map(len, sweep.grid.values()))
         > MOST_RUNS
     ):
-        raise RunError(
-            f"makes more than {MOST_RUNS} runs (cells x replicates): must be fewer"
-        )
+        raise RunError(f"makes more than {MOST_RUNS} runs (cells x replicates): must be fewer")
 
 
 def cells_of(sweep: Sweep) -> list[Settings]:
     """The settings of each cell: [[runs]] x [zip] x [grid], the last key of [grid] fastest, each with those of [set]."""
     rows = [dict(zip(sweep.zip, values)) for values in zip(*sweep.zip.values())] or [{}]
-    points = [
-        dict(zip(sweep.grid, values))
-        for values in itertools.product(*sweep.grid.values())
-    ]
+    points = [dict(zip(sweep.grid, values)) for values in itertools.product(*sweep.grid.values())]
     return [
-        {**sweep.set, **run, **row, **point}
-        for run, row, point in itertools.product(sweep.runs or [{}], rows, points)
+        {**sweep.set, **run, **row, **point} for run, row, point in itertools.product(sweep.runs or [{}], rows, points)
     ]
 
 
@@ -283,14 +260,7 @@ Line = dict[str, Any]
 def seed_of(master_seed: int, replicate: int) -> int:
     """The seed of a replicate, as `--replicates` has it: 53 bits of the stream (master seed, replicate), whatever the number of replicates."""
     counter = ((replicate << 64) - 1) % 2**256  # numpy counts before it draws
-    return (
-        int(
-            numpy.random.Philox(
-                key=master_seed + (_STREAM_OF_REPLICATES << 64), counter=counter
-            ).random_raw()
-        )
-        >> 11
-    )
+    return int(numpy.random.Philox(key=master_seed + (_STREAM_OF_REPLICATES << 64), counter=counter).random_raw()) >> 11
 
 
 def cell_name(cell: int) -> str:
@@ -304,10 +274,7 @@ def described(program: str, drafts: Sequence[Line]) -> list[Line]:
         path.write_text("".join(_json(draft) + "\n" for draft in drafts))
         try:
             done = subprocess.run(
-                [program, "--plan", path, "--describe"],
-                stdout=subprocess.PIPE,
-                stderr=subprocess.PIPE,
-                text=True,
+                [program, "--plan", path, "--describe"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
             )
         except OSError as error:
             raise RunError(f"--program {program}: {error.strerror}") from None
@@ -334,9 +301,7 @@ def plan_of(sweep: Sweep, program: str, there: Sequence[Line] = ()) -> list[Line
 
     def refuse(cell: int, why: str) -> None:
         text = text_of(cells[cell], sweep)
-        raise RunError(
-            f"{sweep.path}: cell {cell}{f' ({text})' if text else ''}: {why}"
-        )
+        raise RunError(f"{sweep.path}: cell {cell}{f' ({text})' if text else ''}: {why}")
 
     drafts = []
     for number, (cell, null) in enumerate(itertools.product(cells, nulls)):
@@ -413,17 +378,9 @@ class _CellNumbers:
     @staticmethod
     def _key(line: Line, with_duration: bool) -> str:
         settings = sorted(
-            (path, value)
-            for path, value in line["settings"].items()
-            if with_duration or path != DURATION
+            (path, value) for path, value in line["settings"].items() if with_duration or path != DURATION
         )
-        return _json(
-            [
-                line["rule_table"],
-                line["engine"],
-                [[path, _json(value)] for path, value in settings],
-            ]
-        )
+        return _json([line["rule_table"], line["engine"], [[path, _json(value)] for path, value in settings]])
 
 
 def _differences(there: Line, here: Line) -> list[str]:
@@ -441,23 +398,12 @@ def _differences(there: Line, here: Line) -> list[str]:
             compare(path, there["settings"].get(path), here["settings"].get(path))
     if there["until_s"] > here["until_s"]:
         compare("until_s", there["until_s"], here["until_s"])
-    for name in (
-        "replicate",
-        "null",
-        "seed",
-        "replay_hz",
-        "agents_every",
-        "senses",
-        "states",
-        "fingerprint",
-    ):
+    for name in ("replicate", "null", "seed", "replay_hz", "agents_every", "senses", "states", "fingerprint"):
         compare(name, there[name], here[name])
     return found
 
 
-def check_grown(
-    path: pathlib.Path, there: Sequence[Line], plan: Sequence[Line]
-) -> None:
+def check_grown(path: pathlib.Path, there: Sequence[Line], plan: Sequence[Line]) -> None:
     """Raises RunError unless a plan has every run of a folder's, to the same end or a later one."""
     same = {line["folder"]: line for line in plan}
     for number, line in enumerate(there, 1):
@@ -474,10 +420,7 @@ def check_grown(
 def _list_text(sweep: Sweep, line: Line) -> str:
     """replicates.json of a cell, by which its runs are found and analysed alone."""
     master_seed = sweep.seed if sweep.paired else seed_of(sweep.seed, line["cell"])
-    runs = [
-        {"folder": f"replicate-{k:02}", "seed": seed_of(master_seed, k)}
-        for k in range(sweep.replicates)
-    ]
+    runs = [{"folder": f"replicate-{k:02}", "seed": seed_of(master_seed, k)} for k in range(sweep.replicates)]
     content = {
         "format": 2,
         "rule_table": line["rule_table"],
@@ -508,9 +451,7 @@ def make_plan(sweep: Sweep, program: str, out: pathlib.Path) -> list[Line]:
     """
     path = out / PLAN
     if os.path.lexists(out) and not path.is_file():
-        raise RunError(
-            f"{out}: exists already and does not have {PLAN}; runs are never overwritten"
-        )
+        raise RunError(f"{out}: exists already and does not have {PLAN}; runs are never overwritten")
     there: list[Line] = []
     if path.exists():
         read_plan(path)
@@ -521,17 +462,12 @@ def make_plan(sweep: Sweep, program: str, out: pathlib.Path) -> list[Line]:
         place = out
         if not there:
             out.parent.mkdir(parents=True, exist_ok=True)
-            place = pathlib.Path(
-                tempfile.mkdtemp(prefix=f".{out.name}.making-", dir=out.parent)
-            )
+            place = pathlib.Path(tempfile.mkdtemp(prefix=f".{out.name}.making-", dir=out.parent))
             place.chmod(0o777 & ~_umask())
             stack.callback(shutil.rmtree, place, ignore_errors=True)
         for line in plan:
             if line["replicate"] == 0:
-                _replace(
-                    place / pathlib.Path(line["folder"]).parent / "replicates.json",
-                    _list_text(sweep, line),
-                )
+                _replace(place / pathlib.Path(line["folder"]).parent / "replicates.json", _list_text(sweep, line))
         _replace(place / "sweep.toml", sweep.text)
         _replace(place / PLAN, "".join(_json(line) + "\n" for line in plan))
         if place != out:
@@ -557,10 +493,7 @@ class Estimate:
     probes: int
 
     def core_s(self, lines: Iterable[Line]) -> float:
-        return sum(
-            line["work"] * self.rates[line["rule_table"], line["engine"]]
-            for line in lines
-        )
+        return sum(line["work"] * self.rates[line["rule_table"], line["engine"]] for line in lines)
 
     def text(self, plan: Sequence[Line]) -> str:
         core_s = self.core_s(plan)
@@ -586,10 +519,7 @@ def estimate(program: str, plan: Sequence[Line]) -> Estimate:
     found = Estimate({}, 0)
     for kind, lines in kinds.items():
         count = min(3, len(lines))
-        probes = [
-            _probe(program, lines[i * (len(lines) - 1) // max(1, count - 1)])
-            for i in range(count)
-        ]
+        probes = [_probe(program, lines[i * (len(lines) - 1) // max(1, count - 1)]) for i in range(count)]
         found.rates[kind] = sum(probes) / count
         found.probes += count
     return found
@@ -626,9 +556,7 @@ def _probe(program: str, line: Line) -> float:
             if done.returncode == STOPPED:
                 raise KeyboardInterrupt
             if done.returncode != 0:
-                raise RunError(
-                    f"a short run of {line['folder']}: {done.stderr.strip()}"
-                )
+                raise RunError(f"a short run of {line['folder']}: {done.stderr.strip()}")
             wall_s = float(json.loads((run / "manifest.json").read_text())["wall_s"])
         if wall_s > 0.5 or until_s >= line["until_s"]:
             return wall_s / (line["work"] * until_s / line["until_s"])
@@ -648,19 +576,13 @@ def dry_run(sweep: Sweep, program: str) -> str:
     return text + estimate(program, plan).text(plan) + "\n"
 
 
-def job_script(
-    program: str, out: pathlib.Path, plan: Sequence[Line], tasks: int
-) -> str:
+def job_script(program: str, out: pathlib.Path, plan: Sequence[Line], tasks: int) -> str:
     """A job script for Slurm, each of whose N array tasks makes every N-th run. Any N indices in a row will do."""
     found = estimate(program, plan)
     tasks = min(tasks, len(plan))
     longest_s = max(found.core_s(plan[task::tasks]) for task in range(tasks))
-    minutes = math.ceil(
-        (1.5 * longest_s + 600.0) / 60.0
-    )  # nodes differ, and checkpoints and start take time
-    megabytes = max(
-        512, 2 * resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss // 1024
-    )
+    minutes = math.ceil((1.5 * longest_s + 600.0) / 60.0)  # nodes differ, and checkpoints and start take time
+    megabytes = max(512, 2 * resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss // 1024)
     path = shlex.quote(str(out / PLAN))
     return f"""#!/bin/bash
 # {found.text(plan)}. The time limit is 1.5 times the longest task's, plus ten minutes.
@@ -681,17 +603,9 @@ def run(request: dict) -> int:
     """`trophic plan`. `request`: `sweep`, `experiment`, the program that makes the runs, `out`, `dry_run` and `sbatch`."""
     out, sbatch = request["out"], request["sbatch"]
     if (out is None) != request["dry_run"]:
-        raise RunError(
-            "--out: not with --dry-run"
-            if out is not None
-            else "needs --out or --dry-run"
-        )
+        raise RunError("--out: not with --dry-run" if out is not None else "needs --out or --dry-run")
     if sbatch is not None and (out is None or sbatch < 1):
-        raise RunError(
-            "--sbatch: not with --dry-run"
-            if out is None
-            else f"--sbatch {sbatch}: must be >= 1"
-        )
+        raise RunError("--sbatch: not with --dry-run" if out is None else f"--sbatch {sbatch}: must be >= 1")
     sweep = read_sweep(request["sweep"])
     named, program = request["experiment"], chosen_program(request)
     if out is None:

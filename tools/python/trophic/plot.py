@@ -17,21 +17,13 @@ def run(request: dict) -> int:
 
     folder = pathlib.Path(request["analysis"])
     if not folder.is_dir():
-        raise RunError(
-            f"{folder}: {'is not a folder' if folder.exists() else 'does not exist'}"
-        )
+        raise RunError(f"{folder}: {'is not a folder' if folder.exists() else 'does not exist'}")
     out = pathlib.Path(request["out"] or folder / "figures")
-    which, metrics, axes = (
-        request["run"] or 0,
-        request["metric"] or [],
-        request["axes"] or [],
-    )
+    which, metrics, axes = (request["run"] or 0, request["metric"] or [], request["axes"] or [])
     check_new(out)
     is_sweep = (folder / "sweep_metrics.csv").exists()
     if not is_sweep and (metrics or axes):
-        raise RunError(
-            "--metric and --axes: only of an analysed sweep, a folder with sweep_metrics.csv"
-        )
+        raise RunError("--metric and --axes: only of an analysed sweep, a folder with sweep_metrics.csv")
     style.use(request["style"], request["columns"])
     try:
         if is_sweep:
@@ -51,14 +43,10 @@ def run(request: dict) -> int:
     except KeyError as error:
         option = str(error.args[0])
         raise RunError(
-            option
-            if option.startswith("--")
-            else f"{folder}: no {error}: is it what trophic analyze wrote?"
+            option if option.startswith("--") else f"{folder}: no {error}: is it what trophic analyze wrote?"
         ) from None
     except (OSError, ValueError, AttributeError) as error:
-        raise RunError(
-            f"{folder}: is not what trophic analyze writes: {error}"
-        ) from None
+        raise RunError(f"{folder}: is not what trophic analyze writes: {error}") from None
     with result_folder(out) as part:
         drawn = style.save_all(figures, part, request["with_captions"])
         if not drawn:

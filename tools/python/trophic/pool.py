@@ -27,16 +27,11 @@ from .runs import Run
 from .values import CLONES, NEUTRAL, SHADOW, MeasuredSet, RunValues
 from .words import NO_NEUTRAL, NULLS, excerpt, number_text
 
-SHADOW_SLOT, POLICIES = "heredity", {
-    SHADOW: "nothing_inherited",
-    CLONES: "one_genome_for_all",
-}
+SHADOW_SLOT, POLICIES = "heredity", {SHADOW: "nothing_inherited", CLONES: "one_genome_for_all"}
 """The slot in which a table and its nulls differ, and the policies there; of the neutral null neutral_HEREDITY."""
 MOST_TIME_S = 1e8
 """The longest run that is made and analysed: three years of its clock."""
-_LONGEST_TICK_S = (
-    3600.0  # a run's last tick may end after its duration, by less than this
-)
+_LONGEST_TICK_S = 3600.0  # a run's last tick may end after its duration, by less than this
 _MOST_SPECIES = 1000
 # The cells of events.csv and agents.csv.
 _NAMES = {
@@ -61,17 +56,11 @@ class PooledRun(Run):
 
     @property
     def web(self) -> Web:
-        return Web(
-            self.manifest["species"],
-            [(link["hunter"], link["victim"]) for link in self.manifest["food_web"]],
-        )
+        return Web(self.manifest["species"], [(link["hunter"], link["victim"]) for link in self.manifest["food_web"]])
 
     @property
     def floor(self) -> walls.Floor:
-        return walls.Floor(
-            float(self.manifest["arena"]["half_side_m"]),
-            self.manifest["arena"].get("obstacles", ()),
-        )
+        return walls.Floor(float(self.manifest["arena"]["half_side_m"]), self.manifest["arena"].get("obstacles", ()))
 
     @property
     def every_ticks(self) -> int:
@@ -104,22 +93,14 @@ class PooledRun(Run):
     def begins(self) -> str:
         """ "at 700 s of runs/a (seed 7)" for a run that begins at a moment of another one, else empty."""
         origin = self.manifest.get("origin")
-        return (
-            ""
-            if origin is None
-            else f"at {origin['at_s']} s of {origin['run']} (seed {origin['seed']})"
-        )
+        return "" if origin is None else f"at {origin['at_s']} s of {origin['run']} (seed {origin['seed']})"
 
-    def table(
-        self, name: str, columns: list[str] | None = None, *, categories: bool = False
-    ) -> pandas.DataFrame:
+    def table(self, name: str, columns: list[str] | None = None, *, categories: bool = False) -> pandas.DataFrame:
         """As Run.table, without the rows after `until_s`, if the table has times."""
         table = super().table(name, columns, categories=categories)
         return table[table.time_s <= self.until_s] if "time_s" in table else table
 
-    def load(
-        self, file: str, columns: Sequence[str], remarks: list[str]
-    ) -> pandas.DataFrame:
+    def load(self, file: str, columns: Sequence[str], remarks: list[str]) -> pandas.DataFrame:
         """Reads columns of events.csv or agents.csv up to `until_s`; the incomplete end that a killed program left goes, with a remark. A table
         whose checksum is in the manifest is what the program wrote; the cells of any other are checked. Raises RunError, naming file, line and
         column, for a cell that cannot be."""
@@ -136,53 +117,25 @@ class PooledRun(Run):
                 float_precision="high",
                 na_values={name: [""] for name in columns if types[name] == "float64"},
             )
-            frame["time_s"] = (
-                frame.time_s.astype("category")
-                .cat.rename_categories(float)
-                .astype(float)
-            )
+            frame["time_s"] = frame.time_s.astype("category").cat.rename_categories(float).astype(float)
         else:
             frame = _checked(
-                self,
-                file,
-                _parsed(
-                    self.path / file,
-                    content,
-                    usecols=list({*columns, "tick"}),
-                    dtype=str,
-                ),
+                self, file, _parsed(self.path / file, content, usecols=list({*columns, "tick"}), dtype=str)
             )
             if file == "agents.csv" and not is_whole and len(frame):
                 frame = frame[frame.tick != frame.tick.iloc[-1]]
-        return (
-            frame[frame.time_s <= self.until_s]
-            if len(frame) and frame.time_s.iloc[-1] > self.until_s
-            else frame
-        )
+        return frame[frame.time_s <= self.until_s] if len(frame) and frame.time_s.iloc[-1] > self.until_s else frame
 
-    def texts(
-        self,
-        file: str,
-        columns: Sequence[str],
-        optional: Sequence[str],
-        remarks: list[str],
-    ) -> pandas.DataFrame:
+    def texts(self, file: str, columns: Sequence[str], optional: Sequence[str], remarks: list[str]) -> pandas.DataFrame:
         """The cells of any table in the folder as texts: `columns`, and those of `optional` that it has."""
         content, _ = self._lines(file, remarks)
         header = _header(self.path / file, content, columns)
-        return _parsed(
-            self.path / file,
-            content,
-            usecols=[*columns, *(set(optional) & set(header))],
-            dtype=str,
-        )
+        return _parsed(self.path / file, content, usecols=[*columns, *(set(optional) & set(header))], dtype=str)
 
     def _lines(self, file: str, remarks: list[str]) -> tuple[bytes, bool]:
         path = self.path / file
         whole = runs.content(path)
-        content = runs.whole_lines(
-            path, self.manifest.get("tables", {}).get(file), whole
-        )
+        content = runs.whole_lines(path, self.manifest.get("tables", {}).get(file), whole)
         if len(content) < len(whole):
             remarks.append(
                 f"{path}:{content.count(10) + 1}: truncated in the middle of a line (killed run?); everything before it is used"
@@ -191,9 +144,7 @@ class PooledRun(Run):
 
 
 def read_set(
-    paths: Iterable[str | os.PathLike],
-    shadow: str | os.PathLike | None = None,
-    how: Measuring | None = None,
+    paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | None = None, how: Measuring | None = None
 ) -> MeasuredSet:
     """Reads and measures runs that may be pooled, and their nulls: the shadow named, or else what is in the folders PATH/shadow, the neutral
     null in PATH/neutral and the clones in PATH/clones.
@@ -208,11 +159,7 @@ def read_set(
     inherited = metrics.inherited(shipped, how)
     if inherited and NEUTRAL not in nulls:
         remarks.append(f"{pooled[0].path}: {NO_NEUTRAL}")
-    if (
-        not how.bodies
-        and how.lineages is None
-        and (lost := metrics.lost_to_thinning(pooled[0].every_ticks))
-    ):
+    if not how.bodies and how.lineages is None and (lost := metrics.lost_to_thinning(pooled[0].every_ticks)):
         remarks.append(lost)
     for run in every:
         for column in how.columns:
@@ -231,12 +178,7 @@ def read_set(
     def measured(these: list[PooledRun], remarks: list[str]) -> MeasuredSet:
         its = [next(rest) for _ in these]
         return MeasuredSet(
-            "",
-            list(these),
-            its,
-            None,
-            these[0].until_s,
-            [*remarks, *(remark for run in its for remark in run.remarks)],
+            "", list(these), its, None, these[0].until_s, [*remarks, *(remark for run in its for remark in run.remarks)]
         )
 
     found = measured(pooled, remarks)
@@ -250,18 +192,12 @@ def read_set(
 
 def pooled_sets(
     paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | None, how: Measuring
-) -> tuple[
-    tuple[list[PooledRun], list[str]], dict[str, tuple[list[PooledRun], list[str]]]
-]:
+) -> tuple[tuple[list[PooledRun], list[str]], dict[str, tuple[list[PooledRun], list[str]]]]:
     """The runs of some folders, and those of their nulls by name, each with remarks. Raises RunError as `read_set`."""
     folders = [pathlib.Path(path) for path in paths]
     pooled, nulls = pooled_runs(folders, how), {}
     for name in NULLS if not how.bodies and how.lineages is None else (SHADOW, NEUTRAL):
-        its_folders = (
-            [pathlib.Path(shadow)]
-            if name == SHADOW and shadow is not None
-            else null_folders(folders, name)
-        )
+        its_folders = [pathlib.Path(shadow)] if name == SHADOW and shadow is not None else null_folders(folders, name)
         if its_folders:
             nulls[name] = pooled_runs(its_folders, how)
             _check_null(pooled[0], nulls[name][0], name, how)
@@ -269,9 +205,7 @@ def pooled_sets(
 
 
 def measure(
-    of: Sequence[PooledRun],
-    how: Measuring,
-    keep: Callable[[RunValues], Any] = lambda values: values,
+    of: Sequence[PooledRun], how: Measuring, keep: Callable[[RunValues], Any] = lambda values: values
 ) -> list[Any]:
     """Measures runs, several at a time in processes, with a line of progress on a terminal. Returns what `keep` keeps of each, all of it by
     default. Raises the RunError of the first run, in their order, that cannot be measured, and gives up the others.
@@ -292,11 +226,7 @@ def measure(
                 )
         return values
 
-    cores = (
-        len(os.sched_getaffinity(0))
-        if hasattr(os, "sched_getaffinity")
-        else os.cpu_count() or 1
-    )
+    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
     jobs = min(how.jobs or cores, len(of))
     if jobs <= 1:
         return counted(keep(metrics.measure_run(run, how)) for run in of)
@@ -316,9 +246,7 @@ _shared: tuple[Sequence[PooledRun], Measuring, Callable[[RunValues], Any]]
 def _share(*what: Any) -> None:
     global _shared
     _shared = what  # type: ignore[assignment]
-    signal.signal(
-        signal.SIGINT, signal.SIG_IGN
-    )  # the process that waits for them ends them
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the process that waits for them ends them
     threading.Thread(target=lambda: (multiprocessing.parent_process().join(), os._exit(1)), daemon=True).start()  # type: ignore[union-attr]
 
 
@@ -327,9 +255,7 @@ def _measure_shared(place: int) -> Any:
     return keep(metrics.measure_run(of[place], how))
 
 
-def pooled_runs(
-    paths: Iterable[pathlib.Path], how: Measuring
-) -> tuple[list[PooledRun], list[str]]:
+def pooled_runs(paths: Iterable[pathlib.Path], how: Measuring) -> tuple[list[PooledRun], list[str]]:
     """The runs of some folders, which may be pooled, and remarks. Raises RunError if they differ in fingerprint, build, beginning, changes,
     status, duration or the ticks in agents.csv, if one is there twice, if a manifest cannot be read, or if there is no run.
     """
@@ -338,9 +264,7 @@ def pooled_runs(
     for folder in [folder for path in paths for folder in run_folders(path, remarks)]:
         run = read_pooled(folder)
         for other in found:
-            if why := why_not_pooled(
-                run, other, how.until_s is not None, how.accept_other_build
-            ):
+            if why := why_not_pooled(run, other, how.until_s is not None, how.accept_other_build):
                 raise RunError(why)
         found.append(run)
     if not found:
@@ -356,14 +280,8 @@ def pooled_runs(
             f"all runs begin {found[0].begins}: they share that past, so that intervals are over its futures, not over runs"
         )
     found = [run if how.until_s is None else _cut(run, how.until_s) for run in found]
-    if early := sorted(
-        run.lived_s
-        for run in found
-        if run.lived_s < run.until_s and "ended" in run.manifest["result"]
-    ):
-        between = number_text(early[0]) + (
-            f" to {number_text(early[-1])}" if early[-1] > early[0] else ""
-        )
+    if early := sorted(run.lived_s for run in found if run.lived_s < run.until_s and "ended" in run.manifest["result"]):
+        between = number_text(early[0]) + (f" to {number_text(early[-1])}" if early[-1] > early[0] else "")
         remarks.append(
             f"{len(early)} of {len(found)} runs ended early, by ecology.ends_when, after {between} s: metrics, their windows and "
             "halves are of the time that each lived; persists leaves out the species that it left alive"
@@ -376,34 +294,20 @@ def run_folders(path: pathlib.Path, remarks: list[str]) -> list[pathlib.Path]:
     is missing gets a remark. Raises RunError for a path that is not a folder or a broken list.
     """
     if not path.is_dir():
-        raise RunError(
-            f"{path}: {'is not a folder' if path.exists() else 'does not exist'}"
-        )
+        raise RunError(f"{path}: {'is not a folder' if path.exists() else 'does not exist'}")
     listing = path / "replicates.json"
     if not listing.exists():
         return [path]
     try:
-        names = [
-            replicate["folder"] for replicate in runs.sealed(listing)["replicates"]
-        ]
+        names = [replicate["folder"] for replicate in runs.sealed(listing)["replicates"]]
     except (TypeError, KeyError):
-        raise RunError(
-            f"{listing}: replicates: must be a list of folders, as trophic writes it"
-        ) from None
+        raise RunError(f"{listing}: replicates: must be a list of folders, as trophic writes it") from None
     for name in names:
         if not isinstance(name, str) or not _is_plain(name):
-            raise RunError(
-                f"{listing}: folder = {json.dumps(name)}: must be text without control characters"
-            )
+            raise RunError(f"{listing}: folder = {json.dumps(name)}: must be text without control characters")
         if pathlib.PurePath(name).name != name or name in ("", ".."):
-            raise RunError(
-                f"{listing}: folder = {name}: must be the name of a folder next to it"
-            )
-    remarks += [
-        f"{path / name}: missing, the replicate was not run"
-        for name in names
-        if not (path / name).is_dir()
-    ]
+            raise RunError(f"{listing}: folder = {name}: must be the name of a folder next to it")
+    remarks += [f"{path / name}: missing, the replicate was not run" for name in names if not (path / name).is_dir()]
     return [path / name for name in names if (path / name).is_dir()]
 
 
@@ -411,9 +315,7 @@ def read_pooled(folder: pathlib.Path) -> PooledRun:
     """Reads a run's manifest. Raises RunError "FILE: FIELD ..." for one that is not of a run that can be analysed."""
     path = folder / "manifest.json"
     if not path.exists():
-        raise RunError(
-            f"{path}: cannot be read: No such file or directory; is {folder} a run's folder?"
-        )
+        raise RunError(f"{path}: cannot be read: No such file or directory; is {folder} a run's folder?")
     run = runs.read_run(folder)
     manifest = run.manifest
 
@@ -422,9 +324,7 @@ def read_pooled(folder: pathlib.Path) -> PooledRun:
 
     def whole(value: Any, name: str, least: int, most: int) -> None:
         if type(value) is not int or not least <= value <= most:
-            refuse(
-                f"{name} = {json.dumps(value)}: must be a whole number from {least} to {most}"
-            )
+            refuse(f"{name} = {json.dumps(value)}: must be a whole number from {least} to {most}")
 
     def number(section: str, name: str, least: float, most: float) -> None:
         value = manifest[section][name]
@@ -438,13 +338,7 @@ def read_pooled(folder: pathlib.Path) -> PooledRun:
             if type(value) is not str:
                 refuse(f"{key} = {json.dumps(value)}: must be text")
 
-    if text := _not_plain(
-        {
-            key: value
-            for key, value in manifest.items()
-            if key not in ("command_line", "error")
-        }
-    ):
+    if text := _not_plain({key: value for key, value in manifest.items() if key not in ("command_line", "error")}):
         refuse(f"{json.dumps(text)}: must be text without control characters")
     try:
         whole(manifest["seed"], "seed", 0, 2**64 - 1)
@@ -455,17 +349,12 @@ def read_pooled(folder: pathlib.Path) -> PooledRun:
             if not (
                 isinstance(one, list)
                 and len(one) == 6
-                and all(
-                    isinstance(value, (int, float)) and math.isfinite(value)
-                    for value in one
-                )
+                and all(isinstance(value, (int, float)) and math.isfinite(value) for value in one)
             ):
                 refuse(f"arena.obstacles: {json.dumps(one)}: must be six numbers")
         if "result" in manifest:
             number("result", "reached_s", 0.0, MOST_TIME_S + _LONGEST_TICK_S)
-        whole(
-            manifest.get("agents_every_ticks", 1), "agents_every_ticks", 1, 2**63 - 1
-        )
+        whole(manifest.get("agents_every_ticks", 1), "agents_every_ticks", 1, 2**63 - 1)
         species = manifest["species"]
         if (
             not isinstance(species, list)
@@ -476,9 +365,7 @@ def read_pooled(folder: pathlib.Path) -> PooledRun:
         for link in manifest["food_web"]:
             for end in ("hunter", "victim"):
                 if link[end] not in species:
-                    refuse(
-                        f"food_web: {end} = {json.dumps(link[end])}: must be one of {', '.join(species)}"
-                    )
+                    refuse(f"food_web: {end} = {json.dumps(link[end])}: must be one of {', '.join(species)}")
         for tag in manifest.get("tags", []):
             whole(tag, "tags", -(2**31), 2**31 - 1)
         for file, expected in manifest.get("tables", {}).items():
@@ -501,9 +388,7 @@ def read_pooled(folder: pathlib.Path) -> PooledRun:
     return PooledRun(folder, manifest, manifest["clock"]["until_s"])
 
 
-def why_not_pooled(
-    run: PooledRun, other: PooledRun, is_cut: bool, any_build: bool = False
-) -> str:
+def why_not_pooled(run: PooledRun, other: PooledRun, is_cut: bool, any_build: bool = False) -> str:
     """Why two runs are not pooled, a sentence that names both; empty if they may be. `is_cut`: all will be cut to one duration. `any_build`:
     also runs that different builds of a program made."""
     here, there = f"{run.path}: ", other.path
@@ -521,9 +406,7 @@ def why_not_pooled(
     if run.seed == other.seed:
         return f"{here}seed {run.seed} as in {there}; the same run twice is not a second replicate"
     if run.begins != other.begins:
-        begins, others = (
-            f"begins {of.begins or 'at its beginning'}" for of in (run, other)
-        )
+        begins, others = (f"begins {of.begins or 'at its beginning'}" for of in (run, other))
         return f"{here}{begins}, but {there} {others}; futures of one moment are not pooled with other runs"
     if run.identity != other.identity:
         return (
@@ -535,10 +418,7 @@ def why_not_pooled(
             f"{here}agents_every_ticks {run.every_ticks}, but {there} has {other.every_ticks}; runs that say more and less of their robots are "
             "not pooled"
         )
-    if not is_cut and (
-        run.manifest["status"] != other.manifest["status"]
-        or not lasted_alike(run, other)
-    ):
+    if not is_cut and (run.manifest["status"] != other.manifest["status"] or not lasted_alike(run, other)):
         return (
             f"{here}{lasted_text(run)}, but {there} has {lasted_text(other)}; runs of different length are not pooled: leave some out, or "
             "cut all with --until"
@@ -555,48 +435,31 @@ def lasted_text(run: PooledRun) -> str:
 def lasted_alike(a: PooledRun, b: PooledRun) -> bool:
     """Whether two runs are known to have lasted equally long, of the same time. A complete one may have ended early, by ecology.ends_when."""
     complete = a.manifest["status"] == b.manifest["status"] == "complete"
-    return (
-        a.until_s == b.until_s
-        and a.end_s is not None
-        and (complete or a.end_s == b.end_s)
-    )
+    return a.until_s == b.until_s and a.end_s is not None and (complete or a.end_s == b.end_s)
 
 
 def builds_text(builds: Sequence[str]) -> str:
     """ "0aaa, 0bbb and 0ccc"; "an unknown build" if there is none."""
-    return (
-        " and ".join(filter(None, [", ".join(builds[:-1]), *builds[-1:]]))
-        or "an unknown build"
-    )
+    return " and ".join(filter(None, [", ".join(builds[:-1]), *builds[-1:]])) or "an unknown build"
 
 
-def null_folders(
-    paths: Iterable[pathlib.Path], name: str = SHADOW
-) -> list[pathlib.Path]:
+def null_folders(paths: Iterable[pathlib.Path], name: str = SHADOW) -> list[pathlib.Path]:
     """The folders PATH/shadow, PATH/neutral or PATH/clones that exist, into which --shadow, --neutral and --clones put the nulls of these runs."""
     return [path / name for path in paths if (path / name).is_dir()]
 
 
-def _check_null(
-    runs: Sequence[PooledRun], null: Sequence[PooledRun], name: str, how: Measuring
-) -> None:
+def _check_null(runs: Sequence[PooledRun], null: Sequence[PooledRun], name: str, how: Measuring) -> None:
     check_shadow(runs[0], null[0], name=name)
     if runs[0].builds != null[0].builds and not how.accept_other_build:
         raise RunError(
             f"{null[0].path}: made by {builds_text(null[0].builds)}: must be made by {builds_text(runs[0].builds)}, as "
             f"{runs[0].path} (--accept-other-build takes it)"
         )
-    if name == NEUTRAL and (
-        others := [run for run in null if run.seed not in {run.seed for run in runs}]
-    ):
-        raise RunError(
-            f"{others[0].path}: seed {others[0].seed}: must be that of a run that it repeats"
-        )
+    if name == NEUTRAL and (others := [run for run in null if run.seed not in {run.seed for run in runs}]):
+        raise RunError(f"{others[0].path}: seed {others[0].seed}: must be that of a run that it repeats")
 
 
-def check_shadow(
-    run: PooledRun, shadow: PooledRun, any_parent: bool = False, name: str = SHADOW
-) -> None:
+def check_shadow(run: PooledRun, shadow: PooledRun, any_parent: bool = False, name: str = SHADOW) -> None:
     """Raises RunError, naming both runs and what differs, unless `shadow` is a run of the same rules, parameters, engine and duration with
     nothing inherited or, with the name of the neutral null, with its heredity. Seeds may differ. With `any_parent` the rule in slot parent may
     differ too: if nothing is inherited, it changes parents and labels, and no genome and no motion.
@@ -607,34 +470,19 @@ def check_shadow(
             f"{shadow.path}: is not a {'set of' if name == CLONES else 'neutral'} {name.replace(NEUTRAL, 'null')} of {run.path}: {why}"
         )
 
-    policy, own_policy = (
-        one.manifest.get("rules", {}).get(SHADOW_SLOT, "unknown")
-        for one in (shadow, run)
-    )
+    policy, own_policy = (one.manifest.get("rules", {}).get(SHADOW_SLOT, "unknown") for one in (shadow, run))
     if policy != (wanted := POLICIES.get(name, f"{NEUTRAL}_{own_policy}")):
         refuse(f"its rule in slot {SHADOW_SLOT} is {policy}: must be {wanted}")
     free = {SHADOW_SLOT, "parent"} if any_parent else {SHADOW_SLOT}
 
     def rest(of: PooledRun) -> dict:
-        params = {
-            key: value
-            for key, value in of.manifest.get("params", {}).items()
-            if key != "seed"
-        }
+        params = {key: value for key, value in of.manifest.get("params", {}).items() if key != "seed"}
         if "rules" in params:
-            params["rules"] = {
-                slot: value
-                for slot, value in params["rules"].items()
-                if slot not in free
-            }
+            params["rules"] = {slot: value for slot, value in params["rules"].items() if slot not in free}
         return {
             "backend": of.manifest["backend"],
             "params": params,
-            "rules": {
-                slot: rule
-                for slot, rule in of.manifest.get("rules", {}).items()
-                if slot not in free
-            },
+            "rules": {slot: rule for slot, rule in of.manifest.get("rules", {}).items() if slot not in free},
         }
 
     if why := first_difference(rest(run), rest(shadow)):
@@ -656,9 +504,7 @@ def first_difference(a: dict, b: dict) -> str:
 
 
 def _cut(run: PooledRun, until_s: float) -> PooledRun:
-    reached_s = (
-        run.until_s if "ended" in run.manifest.get("result", {}) else run.reached_s
-    )
+    reached_s = run.until_s if "ended" in run.manifest.get("result", {}) else run.reached_s
     if reached_s is None:
         times = run.load("agents.csv", metrics.AGENTS, [])["time_s"]
         reached_s = float(times.iloc[-1]) if len(times) else 0.0
@@ -675,9 +521,7 @@ def _flat(of: Any, at: str = "") -> dict[str, str]:
         return {at: json.dumps(of)}
     items = of.items() if isinstance(of, dict) else enumerate(of)
     return {
-        key: value
-        for name, part in items
-        for key, value in _flat(part, f"{at}/{name}" if at else str(name)).items()
+        key: value for name, part in items for key, value in _flat(part, f"{at}/{name}" if at else str(name)).items()
     }
 
 
@@ -696,15 +540,11 @@ def _not_plain(value: Any) -> str | None:
         if isinstance(value, list)
         else []
     )
-    return next(
-        (found for part in parts if (found := _not_plain(part)) is not None), None
-    )
+    return next((found for part in parts if (found := _not_plain(part)) is not None), None)
 
 
 def _header(path: pathlib.Path, content: bytes, columns: Sequence[str]) -> list[str]:
-    header = (
-        content[: content.index(b"\n")].decode(errors="replace").rstrip("\r").split(",")
-    )
+    header = content[: content.index(b"\n")].decode(errors="replace").rstrip("\r").split(",")
     for name in columns:
         if name not in header:
             raise RunError(f'{path}:1: no column "{name}"; another kind of file?')
@@ -732,47 +572,26 @@ def _checked(run: PooledRun, file: str, texts: pandas.DataFrame) -> pandas.DataF
     for name in texts:
         cells = texts[name]
         if name == "species":
-            refuse_first(
-                ~cells.isin(run.web.species), "a species of the run's manifest"
-            )
+            refuse_first(~cells.isin(run.web.species), "a species of the run's manifest")
         elif name in _NAMES:
-            refuse_first(
-                ~cells.isin(_NAMES[name]), "one of the names that the program writes"
-            )
+            refuse_first(~cells.isin(_NAMES[name]), "one of the names that the program writes")
         elif name == "active":
             refuse_first(~cells.isin(["0", "1"]), "0 or 1")
         elif name in _NUMBERS:
             numbers = pandas.to_numeric(cells, errors="coerce")
             refuse_first(
-                cells.str.lower().isin(["nan", "-nan", "inf", "-inf"])
-                | (numbers.abs() == float("inf")),
-                "finite",
+                cells.str.lower().isin(["nan", "-nan", "inf", "-inf"]) | (numbers.abs() == float("inf")), "finite"
             )
             refuse_first(numbers.isna(), "a number")
         else:
-            is_whole = cells.str.fullmatch(
-                r"-?\d{1,18}" if name == "tag" else r"\d{1,18}"
-            )
-            refuse_first(
-                ~(is_whole | ((cells == "") & (name in _OPTIONAL))),
-                "a whole number in range",
-            )
+            is_whole = cells.str.fullmatch(r"-?\d{1,18}" if name == "tag" else r"\d{1,18}")
+            refuse_first(~(is_whole | ((cells == "") & (name in _OPTIONAL))), "a whole number in range")
         is_text = name == "species" or name in _NAMES
         frame[name] = (
-            cells
-            if is_text
-            else cells.replace("", "nan").astype(
-                float if name in _NUMBERS + _OPTIONAL else "int64"
-            )
+            cells if is_text else cells.replace("", "nan").astype(float if name in _NUMBERS + _OPTIONAL else "int64")
         )
-    refuse_first(
-        ~frame.time_s.between(0.0, MOST_TIME_S + _LONGEST_TICK_S),
-        f">= 0 and <= {number_text(MOST_TIME_S)}",
-    )
+    refuse_first(~frame.time_s.between(0.0, MOST_TIME_S + _LONGEST_TICK_S), f">= 0 and <= {number_text(MOST_TIME_S)}")
     if file == "agents.csv":
-        refuse_first(
-            frame.tick % run.every_ticks != 0,
-            f"a multiple of {run.every_ticks}, as its manifest says",
-        )
+        refuse_first(frame.tick % run.every_ticks != 0, f"a multiple of {run.every_ticks}, as its manifest says")
     refuse_first(frame.tick.diff() < 0, ">= that of the row before")
     return frame

@@ -12,43 +12,31 @@ from .errors import ProgramError
 
 def find_program(name: str) -> str:
     """The path of one of trophic's programs: in $TROPHIC_BIN, next to an installed copy of this module, or on the PATH."""
-    places = [
-        os.environ.get("TROPHIC_BIN"),
-        str(pathlib.Path(__file__).resolve().parents[4] / "bin"),
-    ]
+    places = [os.environ.get("TROPHIC_BIN"), str(pathlib.Path(__file__).resolve().parents[4] / "bin")]
     for place in filter(None, places):
         if (found := shutil.which(name, path=place)) is not None:
             return found
     if (found := shutil.which(name)) is not None:
         return found
-    raise ProgramError(
-        f"{name}: is not on the PATH; install trophic, or set TROPHIC_BIN to the folder of its programs"
-    )
+    raise ProgramError(f"{name}: is not on the PATH; install trophic, or set TROPHIC_BIN to the folder of its programs")
 
 
 def chosen_program(request: dict) -> str:
     """The experiment program of a command: `experiment` is its path or its name."""
     named = request["experiment"]
-    return (
-        str(pathlib.Path(named).absolute()) if os.sep in named else find_program(named)
-    )
+    return str(pathlib.Path(named).absolute()) if os.sep in named else find_program(named)
 
 
 def call(program: str, arguments: list, what: str) -> str:
     """Calls a program and returns what it remarks on standard error. Raises ProgramError with its sentence, or with `what` and the exit code, if it fails."""
     try:
         done = subprocess.run(
-            [program, *map(str, arguments)],
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.PIPE,
-            text=True,
+            [program, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
         )
     except OSError as error:
         raise ProgramError(f"{program}: {error.strerror}") from None
     if done.returncode != 0:
-        raise ProgramError(
-            done.stderr.strip() or f"{what}: exit code {done.returncode}"
-        )
+        raise ProgramError(done.stderr.strip() or f"{what}: exit code {done.returncode}")
     return done.stderr
 
 

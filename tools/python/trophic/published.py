@@ -147,9 +147,7 @@ class Answer(NamedTuple):
     def runs_needed(self) -> int | None:
         """The runs in each set that would find every effect that is not significant, if all stay as they are; None if 1000 would not."""
         needed = [
-            each.difference.runs_needed() or MOST_RUNS + 1
-            for each in self.effects
-            if each.conclusion == "inconclusive"
+            each.difference.runs_needed() or MOST_RUNS + 1 for each in self.effects if each.conclusion == "inconclusive"
         ]
         return max(needed) if needed and max(needed) <= MOST_RUNS else None
 
@@ -161,19 +159,11 @@ class Answer(NamedTuple):
             return f"undecided ({self.runs_needed or f'more than {MOST_RUNS}'} runs would decide)"
         if len(found) == 1:
             return words[found.pop()]
-        choices = [
-            (words[side], *_condition_for(self.effects, side))
-            for side in words
-            if side in found
-        ]
+        choices = [(words[side], *_condition_for(self.effects, side)) for side in words if side in found]
         text = f"depends on {choices[0][1]}: " + "; ".join(
             f"{answer} if {condition}" for answer, _, condition in choices
         )
-        return text + (
-            f" ({self.runs_needed} runs would decide the rest)"
-            if self.runs_needed
-            else ""
-        )
+        return text + (f" ({self.runs_needed} runs would decide the rest)" if self.runs_needed else "")
 
 
 def _logs(deviation: float) -> Spread:
@@ -194,15 +184,9 @@ def _instead(spread: Spread) -> Spread:
     return Spread(spread.deviation, "our runs, another reading")
 
 
-_EVERY, _ACTIVE, _INHERITED = (
-    "every member counts",
-    "the inactive are left out",
-    "only the inherited count",
-)
+_EVERY, _ACTIVE, _INHERITED = ("every member counts", "the inactive are left out", "only the inherited count")
 _CAUGHT = _logs(0.037)
-_TAGS = Spread(
-    0.065, "published range"
-)  # the range of ten runs, 0.33 to 0.53, over 3.08 [tippett1925]
+_TAGS = Spread(0.065, "published range")  # the range of ten runs, 0.33 to 0.53, over 3.08 [tippett1925]
 
 
 def _velocities(
@@ -215,14 +199,7 @@ def _velocities(
         ("velocity_points", "velocity is measured only every 200 s"),
     )
     return tuple(
-        ClaimReading(
-            Metric(metric, species, group, "m/s"),
-            value,
-            spread,
-            "text",
-            members,
-            counting,
-        )
+        ClaimReading(Metric(metric, species, group, "m/s"), value, spread, "text", members, counting)
         for group, members, stored, current in parts
         for (metric, counting), spread in zip(ways, (stored, current, _instead(stored)))
     )
@@ -238,9 +215,7 @@ def _share(
     members: str = "",
     counting: str = "",
 ) -> ClaimReading:
-    return ClaimReading(
-        Metric(metric, species, group, "1"), value, spread, source, members, counting
-    )
+    return ClaimReading(Metric(metric, species, group, "1"), value, spread, source, members, counting)
 
 
 CLAIMS = (
@@ -257,16 +232,7 @@ CLAIMS = (
                 "",
                 "prey deaths are credited to the last killer",
             ),
-            _share(
-                "attribution_catches",
-                "predator",
-                "all",
-                0.743,
-                _logs(0.034),
-                "logs",
-                "",
-                "catches count",
-            ),
+            _share("attribution_catches", "predator", "all", 0.743, _logs(0.034), "logs", "", "catches count"),
             _share(
                 "attribution_catchers",
                 "predator",
@@ -282,36 +248,9 @@ CLAIMS = (
     Claim(
         "attribution of prey",
         (
-            _share(
-                "attribution_caught",
-                "prey",
-                "all",
-                0.65,
-                _CAUGHT,
-                "text",
-                "",
-                "the caught count as in the text",
-            ),
-            _share(
-                "attribution_caught",
-                "prey",
-                "all",
-                0.614,
-                _CAUGHT,
-                "logs",
-                "",
-                "the caught count as in the logs",
-            ),
-            _share(
-                "attribution_died",
-                "prey",
-                "all",
-                0.620,
-                _logs(0.028),
-                "logs",
-                "",
-                "all dead count as in the logs",
-            ),
+            _share("attribution_caught", "prey", "all", 0.65, _CAUGHT, "text", "", "the caught count as in the text"),
+            _share("attribution_caught", "prey", "all", 0.614, _CAUGHT, "logs", "", "the caught count as in the logs"),
+            _share("attribution_died", "prey", "all", 0.620, _logs(0.028), "logs", "", "all dead count as in the logs"),
         ),
     ),
     Claim(
@@ -340,97 +279,37 @@ CLAIMS = (
         "prey at walls",
         (
             _share("wall_sticking", "prey", "all", 0.60, _ours(0.051), "text", _EVERY),
-            _share(
-                "wall_sticking", "prey", "active", 0.60, _ours(0.053), "text", _ACTIVE
-            ),
+            _share("wall_sticking", "prey", "active", 0.60, _ours(0.053), "text", _ACTIVE),
         ),
     ),
-    Claim(
-        "predators at walls",
-        (_share("wall_sticking", "predator", "all", 0.39, _ours(0.0356)),),
-    ),
+    Claim("predators at walls", (_share("wall_sticking", "predator", "all", 0.39, _ours(0.0356)),)),
     Claim(
         "prey at walls more than predators",
         (
-            _share(
-                "wall_sticking_gap",
-                "prey-predator",
-                "all",
-                0.21,
-                _ours(0.031),
-                "text",
-                _EVERY,
-            ),
-            _share(
-                "wall_sticking_gap",
-                "prey-predator",
-                "active",
-                0.21,
-                _ours(0.058),
-                "text",
-                _ACTIVE,
-            ),
+            _share("wall_sticking_gap", "prey-predator", "all", 0.21, _ours(0.031), "text", _EVERY),
+            _share("wall_sticking_gap", "prey-predator", "active", 0.21, _ours(0.058), "text", _ACTIVE),
         ),
     ),
     Claim(
         "tag symmetry",
         (
-            _share(
-                "tag_symmetry",
-                "prey+predator",
-                "inherited",
-                0.43,
-                _TAGS,
-                "text",
-                "every inherited member counts",
-            ),
-            _share(
-                "tag_symmetry",
-                "prey+predator",
-                "inherited_active",
-                0.43,
-                _TAGS,
-                "text",
-                _ACTIVE,
-            ),
+            _share("tag_symmetry", "prey+predator", "inherited", 0.43, _TAGS, "text", "every inherited member counts"),
+            _share("tag_symmetry", "prey+predator", "inherited_active", 0.43, _TAGS, "text", _ACTIVE),
         ),
     ),
-    Claim(
-        "time with 8 predators",
-        (_share("ticks_at", "predator", "8", 0.305, _logs(0.030), "logs"),),
-    ),
-    Claim(
-        "prey caught in a run",
-        (_share("deaths", "prey", "caught", 164.3, _logs(7.9), "logs"),),
-    ),
-    Claim(
-        "prey sacrificed in a run",
-        (_share("deaths", "prey", "sacrificed", 33.6, _logs(4.9), "logs"),),
-    ),
-    Claim(
-        "predators dead in a run",
-        (_share("deaths", "predator", "all", 202.1, _logs(3.9), "logs"),),
-    ),
+    Claim("time with 8 predators", (_share("ticks_at", "predator", "8", 0.305, _logs(0.030), "logs"),)),
+    Claim("prey caught in a run", (_share("deaths", "prey", "caught", 164.3, _logs(7.9), "logs"),)),
+    Claim("prey sacrificed in a run", (_share("deaths", "prey", "sacrificed", 33.6, _logs(4.9), "logs"),)),
+    Claim("predators dead in a run", (_share("deaths", "predator", "all", 202.1, _logs(3.9), "logs"),)),
 )
 
 
 def _question(
-    text: str,
-    above: str,
-    below: str,
-    shown: tuple[str, str, str],
-    claim: str,
-    more: tuple[ClaimReading, ...] = (),
+    text: str, above: str, below: str, shown: tuple[str, str, str], claim: str, more: tuple[ClaimReading, ...] = ()
 ) -> Question:
     """A question under the readings of a claim, and under more."""
     readings = next(one.readings for one in CLAIMS if one.title == claim) + more
-    return Question(
-        text,
-        above,
-        below,
-        next(one.metric for one in readings if one.metric[:3] == shown),
-        readings,
-    )
+    return Question(text, above, below, next(one.metric for one in readings if one.metric[:3] == shown), readings)
 
 
 QUESTIONS = (
@@ -447,9 +326,7 @@ QUESTIONS = (
         "yes, they move away faster",
         ("velocity", "prey", "inherited"),
         "velocity of prey",
-        _velocities(
-            "prey", -0.0067, (("inherited", _INHERITED, _ours(0.0013), _ours(0.0013)),)
-        ),
+        _velocities("prey", -0.0067, (("inherited", _INHERITED, _ours(0.0013), _ours(0.0013)),)),
     ),
     _question(
         "Do inherited predators make more of the catches?",
@@ -487,9 +364,7 @@ def value_of(metric: Metric) -> float | None:
     count."""
     for claim in CLAIMS:
         for reading in claim.readings:
-            if reading.metric == metric and not (
-                reading.source == "logs" and claim.readings[0].source == "text"
-            ):
+            if reading.metric == metric and not (reading.source == "logs" and claim.readings[0].source == "text"):
                 return reading.value
     return None
 
@@ -515,11 +390,7 @@ def less_published(ours: Contrast, reading: ClaimReading) -> Contrast:
         return ours._replace(value=ours.value - reading.value)
     theirs, own = reading.spread.deviation**2 / RUNS, ours.error**2
     squares = theirs * theirs / (RUNS - 1) + own * own / ours.freedom
-    return Contrast(
-        ours.value - reading.value,
-        math.sqrt(own + theirs),
-        (own + theirs) ** 2 / squares,
-    )
+    return Contrast(ours.value - reading.value, math.sqrt(own + theirs), (own + theirs) ** 2 / squares)
 
 
 def conclusion_on(difference: Contrast, margin: float | None) -> str:
@@ -553,19 +424,13 @@ def runs_to_decide(reading: ClaimReading, mean: float, deviation: float) -> int 
         return None
     runs = numpy.arange(MIN_RUNS_FOR_TEST, MOST_RUNS + 1)
     own, theirs = deviation**2 / runs, margin**2 / RUNS
-    error, freedom = numpy.sqrt(own + theirs), (own + theirs) ** 2 / (
-        theirs**2 / (RUNS - 1) + own**2 / (runs - 1)
-    )
+    error, freedom = numpy.sqrt(own + theirs), (own + theirs) ** 2 / (theirs**2 / (RUNS - 1) + own**2 / (runs - 1))
     off = abs(mean - reading.value)
-    decides = (off + error * special.stdtrit(freedom, 0.95) < margin) | (
-        off > error * special.stdtrit(freedom, 0.975)
-    )
+    decides = (off + error * special.stdtrit(freedom, 0.95) < margin) | (off > error * special.stdtrit(freedom, 0.975))
     return int(runs[decides.argmax()]) if decides.any() else None
 
 
-def judge(
-    reading: ClaimReading, values: Sequence[float] | numpy.ndarray
-) -> ReadingConclusion:
+def judge(reading: ClaimReading, values: Sequence[float] | numpy.ndarray) -> ReadingConclusion:
     """Compares values, one a run, with a reading of a claim."""
     ours, mean = estimate(values), contrast((1.0, values))
     off = None if ours.mean is None else ours.mean - reading.value
@@ -573,19 +438,11 @@ def judge(
         return ReadingConclusion(reading, ours, off)
     difference = less_published(mean, reading)
     conclusion = conclusion_on(difference, margin_of(reading))
-    needed = (
-        runs_to_decide(reading, mean.value, ours.deviation or 0.0)
-        if conclusion == "inconclusive"
-        else None
-    )
-    return ReadingConclusion(
-        reading, ours, off, interval_of(difference), conclusion, needed
-    )
+    needed = runs_to_decide(reading, mean.value, ours.deviation or 0.0) if conclusion == "inconclusive" else None
+    return ReadingConclusion(reading, ours, off, interval_of(difference), conclusion, needed)
 
 
-def _distinct(
-    readings: Sequence[ClaimReading], *sets: MeasuredSet
-) -> list[ClaimReading]:
+def _distinct(readings: Sequence[ClaimReading], *sets: MeasuredSet) -> list[ClaimReading]:
     """The readings that the sets measured, each number once: of readings with one published value whose values differ in no run by more than a
     hundredth of the spread between runs, the first, in the words of all."""
     kept: list[ClaimReading] = []
@@ -593,20 +450,13 @@ def _distinct(
         if any((reading.metric, "") not in of.table for of in sets):
             continue
         place = next(
-            (
-                i
-                for i, one in enumerate(kept)
-                if all(_is_one_number(one, reading, of) for of in sets)
-            ),
-            len(kept),
+            (i for i, one in enumerate(kept) if all(_is_one_number(one, reading, of) for of in sets)), len(kept)
         )
         members, counting = (
             one if other in one else f"{one} or {other}"
             for one, other in zip((kept + [reading])[place][-2:], reading[-2:])
         )
-        kept[place : place + 1] = [
-            (kept + [reading])[place]._replace(members=members, counting=counting)
-        ]
+        kept[place : place + 1] = [(kept + [reading])[place]._replace(members=members, counting=counting)]
     return kept
 
 
@@ -621,11 +471,7 @@ def judge_claims(of: MeasuredSet) -> list[ClaimConclusion]:
     """Every claim about metrics that the runs have, under each of its readings."""
     judged = [
         ClaimConclusion(
-            claim,
-            tuple(
-                judge(reading, of.table[reading.metric, ""])
-                for reading in _distinct(claim.readings, of)
-            ),
+            claim, tuple(judge(reading, of.table[reading.metric, ""]) for reading in _distinct(claim.readings, of))
         )
         for claim in CLAIMS
     ]
@@ -636,28 +482,16 @@ def answers(of: MeasuredSet, frame: pandas.DataFrame) -> list[Answer]:
     """The answer to every question whose readings all stand in `frame`, of judge.summarize. None without a shadow, and with too few runs."""
     tested = frame[(frame["role"] == "null") & frame["p_holm"].notna()]
     names = frame["metric"] + ":" + frame["species"] + ":" + frame["group"]
-    shadowed = dict(
-        zip(
-            names[frame["null"] == SHADOW],
-            frame.loc[frame["null"] == SHADOW, "same_as"],
-        )
-    )
+    shadowed = dict(zip(names[frame["null"] == SHADOW], frame.loc[frame["null"] == SHADOW, "same_as"]))
     found = []
     for question in QUESTIONS:
-        if of.shadow is None or not all(
-            str(reading.metric) in shadowed for reading in question.readings
-        ):
+        if of.shadow is None or not all(str(reading.metric) in shadowed for reading in question.readings):
             continue
         effects = []
         for reading in _distinct(question.readings, of, of.shadow):
-            ours, null = (
-                of.table[reading.metric, ""],
-                of.shadow.table[reading.metric, ""],
-            )
+            ours, null = (of.table[reading.metric, ""], of.shadow.table[reading.metric, ""])
             against = contrast((1.0, ours), (-1.0, null))
-            difference = difference_of(
-                against and against.value, against, scatter_of(null, ours)
-            )
+            difference = difference_of(against and against.value, against, scatter_of(null, ours))
             place = shadowed[str(reading.metric)] or str(reading.metric)
             others = tested[(names[tested.index] != place) | (tested["null"] != SHADOW)]
             adjust_together([difference, *(Difference(p=p) for p in others["p"])])
@@ -679,9 +513,7 @@ def summary_of(claim: ClaimConclusion) -> str:
             "not reproduced": "not reproduced under any reading",
         }.get(conclusions[0], f"{conclusions[0]} under every reading")
     if "reproduced" in conclusions:
-        return "depends on {}: reproduced if {}".format(
-            *_condition_for(claim.readings, "reproduced")
-        )
+        return "depends on {}: reproduced if {}".format(*_condition_for(claim.readings, "reproduced"))
     open_if = (
         ", inconclusive if " + _condition_for(claim.readings, "inconclusive")[1]
         if "inconclusive" in conclusions
@@ -690,19 +522,14 @@ def summary_of(claim: ClaimConclusion) -> str:
     return f"reproduced under no reading{open_if}"
 
 
-def _condition_for(
-    readings: Sequence[ReadingConclusion | Effect], conclusion: str
-) -> tuple[str, str]:
+def _condition_for(readings: Sequence[ReadingConclusion | Effect], conclusion: str) -> tuple[str, str]:
     """The choice by which the readings of this conclusion differ from all others, and how they have it: "who counts", "the inactive are left out".
     Without such a choice, the conditions of each of them."""
     of_it = [each.reading for each in readings if each.conclusion == conclusion]
     for part, choice in (("members", "who counts"), ("counting", "how it is counted")):
         ways = list(dict.fromkeys(getattr(each, part) for each in of_it))
         if all(ways) and all(
-            (each.conclusion == conclusion) == (getattr(each.reading, part) in ways)
-            for each in readings
+            (each.conclusion == conclusion) == (getattr(each.reading, part) in ways) for each in readings
         ):
             return choice, " or ".join(ways)
-    return "the reading", ", or ".join(
-        " and ".join(filter(None, (each.members, each.counting))) for each in of_it
-    )
+    return "the reading", ", or ".join(" and ".join(filter(None, (each.members, each.counting))) for each in of_it)

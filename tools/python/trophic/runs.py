@@ -42,16 +42,7 @@ _TEXT = (
 )
 # Columns of whole numbers that are never empty. All other numbers may have empty cells or fractions in some run.
 _WHOLE = ("tick", "id", "body", "genome_id", "active", "tag", "tag_at_birth")
-_CATEGORIES = (
-    "event",
-    "species",
-    "cause",
-    "cause_of_death",
-    "origin",
-    "tag_outcome",
-    "run",
-    "set",
-)
+_CATEGORIES = ("event", "species", "cause", "cause_of_death", "origin", "tag_outcome", "run", "set")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -73,11 +64,7 @@ class Run:
     @property
     def builds(self) -> list[str]:
         """The codes of the programs that made it; several if another build resumed it with --accept-other-build."""
-        programs = [
-            self.manifest,
-            self.manifest.get("origin", {}),
-            *self.manifest.get("continued", []),
-        ]
+        programs = [self.manifest, self.manifest.get("origin", {}), *self.manifest.get("continued", [])]
         return sorted({program["code"] for program in programs if "code" in program})
 
     @property
@@ -90,16 +77,12 @@ class Run:
         """The fingerprint, with a suffix if parameters changed during the run or it began from another run. Equal for replicates."""
         return description.identity(self)
 
-    def table(
-        self, name: str, columns: list[str] | None = None, *, categories: bool = False
-    ) -> pandas.DataFrame:
+    def table(self, name: str, columns: list[str] | None = None, *, categories: bool = False) -> pandas.DataFrame:
         """Reads events, agents, phylogeny, genomes, senses (--senses), states (--states) or an own table; only `columns`, if given. With
         `categories`, species, events, causes and origins are categories, which take less memory.
         """
         file = f"{name}.csv"
-        table = _table(
-            self.path / file, columns, self.manifest.get("tables", {}).get(file)
-        )
+        table = _table(self.path / file, columns, self.manifest.get("tables", {}).get(file))
         if name in ("events", "agents"):
             _check_rows(self.path / file, table, self.manifest.get("species"))
         return _categorised(table, categories)
@@ -130,12 +113,7 @@ class Run:
         one = description.describe(Runs(self.path, [self]))
         return description.card(
             str(self.path),
-            {
-                **one.facts(),
-                "seed": self.seed,
-                "status": self.manifest["status"],
-                **self.manifest.get("result", {}),
-            },
+            {**one.facts(), "seed": self.seed, "status": self.manifest["status"], **self.manifest.get("result", {})},
         )
 
     @functools.cached_property
@@ -192,9 +170,7 @@ class Runs:
     def __getitem__(self, index: int) -> Run:
         return self.runs[index]
 
-    def table(
-        self, name: str, columns: list[str] | None = None, *, categories: bool = False
-    ) -> pandas.DataFrame:
+    def table(self, name: str, columns: list[str] | None = None, *, categories: bool = False) -> pandas.DataFrame:
         """Reads a table of all runs, with the columns `run` (the folder's name) and `seed` in front."""
         tables = []
         for run in self.runs:
@@ -214,15 +190,11 @@ class Runs:
         tables = []
         for run in [*self.runs, *(self.shadow or []), *(self.neutral or [])]:
             if (run.path / f"{name}.csv").exists():
-                raise RunError(
-                    f"{run.path / name}.csv: exists already; nothing is overwritten"
-                )
+                raise RunError(f"{run.path / name}.csv: exists already; nothing is overwritten")
             try:
                 value = function(run)
             except Exception as error:
-                raise RunError(
-                    f"{run.path}: {name}: {type(error).__name__}: {error}"
-                ) from error
+                raise RunError(f"{run.path}: {name}: {type(error).__name__}: {error}") from error
             if not isinstance(value, pandas.DataFrame):
                 try:
                     value = pandas.DataFrame({name: [float(value)]})
@@ -294,47 +266,32 @@ def read_run(path: str | os.PathLike) -> Run:
     return Run(path, manifest)
 
 
-def read_runs(
-    path: str | os.PathLike,
-    *,
-    incomplete: bool = False,
-    accept_other_build: bool = False,
-) -> Runs:
+def read_runs(path: str | os.PathLike, *, incomplete: bool = False, accept_other_build: bool = False) -> Runs:
     """Reads the replicates in this folder, in order, and those of its nulls. `incomplete` includes incomplete ones.
 
     Raises RunError for a folder without replicates, for runs of different fingerprints, which are not replicates, and, unless
     `accept_other_build`, for runs of different builds of a program, whose rules may be other code under the same names.
     """
     path = pathlib.Path(path)
-    numbered = {
-        folder.name.removeprefix("replicate-"): folder
-        for folder in path.glob("replicate-*")
-    }
-    folders = [
-        numbered[number] for number in sorted(filter(str.isdigit, numbered), key=int)
-    ]
+    numbered = {folder.name.removeprefix("replicate-"): folder for folder in path.glob("replicate-*")}
+    folders = [numbered[number] for number in sorted(filter(str.isdigit, numbered), key=int)]
     runs = [
         run
         for folder in folders
-        if (folder / "manifest.json").exists()
-        and ((run := read_run(folder)).complete or incomplete)
+        if (folder / "manifest.json").exists() and ((run := read_run(folder)).complete or incomplete)
     ]
     if not runs:
         raise RunError(f"{path}: no {'' if incomplete else 'complete '}replicates")
     identities = {run.identity for run in runs}
     if len(identities) > 1:
-        raise RunError(
-            f"{path}: runs of different fingerprints: {', '.join(sorted(identities))}"
-        )
+        raise RunError(f"{path}: runs of different fingerprints: {', '.join(sorted(identities))}")
     builds = {tuple(run.builds) for run in runs}
     if len(builds) > 1 and not accept_other_build:
         raise RunError(
             f"{path}: made by different builds: {', '.join(' and '.join(each) or 'unknown' for each in sorted(builds))}; accept_other_build=True reads them"
         )
     nulls = [
-        read_runs(
-            path / name, incomplete=incomplete, accept_other_build=accept_other_build
-        )
+        read_runs(path / name, incomplete=incomplete, accept_other_build=accept_other_build)
         if (path / name).is_dir()
         else None
         for name in ("shadow", "neutral")
@@ -343,24 +300,17 @@ def read_runs(
 
 
 def read_study(
-    path: str | os.PathLike,
-    *,
-    incomplete: bool = False,
-    accept_other_build: bool = False,
+    path: str | os.PathLike, *, incomplete: bool = False, accept_other_build: bool = False
 ) -> dict[str, Runs]:
     """Reads every set of runs below this folder, by its path from there: a sweep, or the swaps of an ablation study."""
     path = pathlib.Path(path)
     folders = sorted(
-        file.parent
-        for file in path.rglob("replicates.json")
-        if file.parent.name not in ("shadow", "neutral")
+        file.parent for file in path.rglob("replicates.json") if file.parent.name not in ("shadow", "neutral")
     )
     if not folders:
         raise RunError(f"{path}: no set of runs (replicates.json) below it")
     return {
-        str(folder.relative_to(path)): read_runs(
-            folder, incomplete=incomplete, accept_other_build=accept_other_build
-        )
+        str(folder.relative_to(path)): read_runs(folder, incomplete=incomplete, accept_other_build=accept_other_build)
         for folder in folders
     }
 
@@ -369,18 +319,8 @@ def read_analysis(path: str | os.PathLike) -> Analysis:
     """Reads the folder of `trophic analyze --out`. Raises RunError if it is not one."""
     path = pathlib.Path(path)
     try:
-        return Analysis(
-            path,
-            _table(path / "metrics.csv"),
-            json.loads((path / "summary.json").read_text()),
-        )
-    except (
-        FileNotFoundError,
-        json.JSONDecodeError,
-        pandas.errors.ParserError,
-        KeyError,
-        RunError,
-    ) as error:
+        return Analysis(path, _table(path / "metrics.csv"), json.loads((path / "summary.json").read_text()))
+    except (FileNotFoundError, json.JSONDecodeError, pandas.errors.ParserError, KeyError, RunError) as error:
         raise RunError(f"{path}: not what trophic analyze writes: {error}") from None
 
 
@@ -392,24 +332,15 @@ def verify(path: str | os.PathLike) -> None:
         for name, expected in run.manifest.get("tables", {}).items():
             check_sum(run.path / name, content(run.path / name), expected)
         if "recording" in run.manifest:
-            recording, expected = (
-                run.path / "replay.trp",
-                run.manifest["recording"]["crc32"],
-            )
+            recording, expected = (run.path / "replay.trp", run.manifest["recording"]["crc32"])
             if (found := zlib.crc32(content(recording))) != expected:
                 raise RunError(
                     f"{recording}: has checksum {found}: must be {expected}, as its manifest says; the recording was cut or changed after "
                     "the run"
                 )
     except (AttributeError, KeyError, TypeError):
-        raise RunError(
-            f"{run.path}/manifest.json: tables, recording: must be as trophic writes them"
-        ) from None
-    if (
-        run.complete
-        and "format" in run.manifest
-        and (run.path / "checkpoint.bin").exists()
-    ):
+        raise RunError(f"{run.path}/manifest.json: tables, recording: must be as trophic writes them") from None
+    if run.complete and "format" in run.manifest and (run.path / "checkpoint.bin").exists():
         _check_checkpoint(run)
 
 
@@ -427,10 +358,7 @@ def _check_checkpoint(run: Run) -> None:
         length = int.from_bytes(whole[at : at + 8], "little")
         texts.append(whole[at + 8 : at + 8 + length].decode(errors="replace"))
         at += 8 + length
-    if (texts[0], seed := int.from_bytes(whole[at : at + 8], "little")) != (
-        run.fingerprint,
-        run.seed,
-    ):
+    if (texts[0], seed := int.from_bytes(whole[at : at + 8], "little")) != (run.fingerprint, run.seed):
         raise RunError(
             f"{path}: is of fingerprint {texts[0]}, seed {seed}: must be of {run.fingerprint}, {run.seed}, as manifest.json"
         )
@@ -449,9 +377,7 @@ def sealed(path: pathlib.Path) -> dict:
     if "format" in value or "crc32" in value:
         body, _, end = whole.rpartition(b',\n  "crc32": ')
         if end != b"%d\n}\n" % zlib.crc32(body):
-            raise RunError(
-                f"{path}: was cut short or changed after trophic wrote it: its checksum is another"
-            )
+            raise RunError(f"{path}: was cut short or changed after trophic wrote it: its checksum is another")
     return value
 
 
@@ -465,19 +391,14 @@ def content(path: pathlib.Path) -> bytes:
         raise RunError(f"{path}: cannot be read: {error.strerror}") from None
 
 
-def _check_rows(
-    path: pathlib.Path, table: pandas.DataFrame, species: list[str] | None
-) -> None:
+def _check_rows(path: pathlib.Path, table: pandas.DataFrame, species: list[str] | None) -> None:
     """Raises RunError for a number that is not finite, and for a species that the manifest does not name."""
     for column in table.columns if len(table) > 0 else ():
         if column == "species" and species is not None:
             if unknown := sorted(set(table[column]) - set(species)):
-                raise RunError(
-                    f"{path}: species = {unknown[0]!r}: must be a species of the run's manifest"
-                )
+                raise RunError(f"{path}: species = {unknown[0]!r}: must be a species of the run's manifest")
         elif column not in _TEXT and not (
-            pandas.api.types.is_numeric_dtype(table[column])
-            and table[column].abs().max() != float("inf")
+            pandas.api.types.is_numeric_dtype(table[column]) and table[column].abs().max() != float("inf")
         ):
             raise RunError(f"{path}: {column}: must be finite numbers")
 
@@ -491,9 +412,7 @@ def check_sum(path: pathlib.Path, whole: bytes, expected: dict) -> None:
         )
 
 
-def whole_lines(
-    path: pathlib.Path, expected: dict | None, whole: bytes | None = None
-) -> bytes:
+def whole_lines(path: pathlib.Path, expected: dict | None, whole: bytes | None = None) -> bytes:
     """The lines of a table without the incomplete last one of a killed program. Raises RunError if it was changed, or is not a table. `whole`:
     the file's bytes, if they were read. A table with the checksum that the manifest lists is as the program wrote it; the lines of any other are checked.
     """
@@ -502,35 +421,21 @@ def whole_lines(
         check_sum(path, whole, expected)
     lines = whole[: whole.rfind(b"\n") + 1]
     if lines.startswith(b"\xef\xbb\xbf"):
-        raise RunError(
-            f"{path}:1: begins with a byte order mark; another kind of file?"
-        )
+        raise RunError(f"{path}:1: begins with a byte order mark; another kind of file?")
     if not lines:
         raise RunError(f"{path}: has no header")
     names = lines[: lines.index(b"\n")].split(b",")
     commas = len(names) - 1
-    if twice := [
-        name.decode(errors="replace")
-        for place, name in enumerate(names)
-        if name in names[:place]
-    ]:
+    if twice := [name.decode(errors="replace") for place, name in enumerate(names) if name in names[:place]]:
         raise RunError(f"{path}:1: column {twice[0][:100]!r}: must be there once")
-    for number, line in enumerate(
-        lines[:-1].split(b"\n") if expected is None else (), 1
-    ):
-        cells = (
-            line if b'"' not in line else b"".join(line.split(b'"')[::2])
-        )  # commas in quotes separate nothing
+    for number, line in enumerate(lines[:-1].split(b"\n") if expected is None else (), 1):
+        cells = line if b'"' not in line else b"".join(line.split(b'"')[::2])  # commas in quotes separate nothing
         if cells.count(b",") != commas:
-            raise RunError(
-                f"{path}:{number}: {cells.count(b',') + 1} cells, the header has {commas + 1}"
-            )
+            raise RunError(f"{path}:{number}: {cells.count(b',') + 1} cells, the header has {commas + 1}")
     return lines
 
 
-def _table(
-    path: pathlib.Path, columns: list[str] | None = None, expected: dict | None = None
-) -> pandas.DataFrame:
+def _table(path: pathlib.Path, columns: list[str] | None = None, expected: dict | None = None) -> pandas.DataFrame:
     lines = whole_lines(path, expected)
     header = pandas.read_csv(io.BytesIO(lines), nrows=0).columns
     texts = {name: str for name in header if name in _TEXT or name == "run"}
@@ -546,18 +451,13 @@ def _table(
     if (
         "tick" in table
         and len(table) > 0
-        and not (
-            pandas.api.types.is_numeric_dtype(table["tick"])
-            and table["tick"].is_monotonic_increasing
-        )
+        and not (pandas.api.types.is_numeric_dtype(table["tick"]) and table["tick"].is_monotonic_increasing)
     ):
         raise RunError(f"{path}: tick: must be >= that of the row before")
     return table
 
 
-def study_frames(
-    study: Runs | dict[str, Runs], name: str
-) -> Iterator[pandas.DataFrame]:
+def study_frames(study: Runs | dict[str, Runs], name: str) -> Iterator[pandas.DataFrame]:
     """Yields a table of every run of replicates, or of a study as read_study returns it, with the columns set, shadow, run and seed in front;
     those of neutral nulls are left out.
 
@@ -574,18 +474,12 @@ def study_frames(
     types: dict[str, str] = {}
     for _, _, run in runs:
         for column, its_type in _types(run, name).items():
-            types[column] = max(
-                types.get(column, ""),
-                its_type,
-                key=("", "int64", "float64", "object").index,
-            )
+            types[column] = max(types.get(column, ""), its_type, key=("", "int64", "float64", "object").index)
     for label, is_shadow, run in runs:
         frame = run.table(name).reindex(columns=list(types))
         for column, its_type in types.items():
             frame[column] = (
-                frame[column].fillna("").astype(str)
-                if its_type == "object"
-                else frame[column].astype(its_type)
+                frame[column].fillna("").astype(str) if its_type == "object" else frame[column].astype(its_type)
             )
         for place, (column, value, its_type) in enumerate(
             (
@@ -595,9 +489,7 @@ def study_frames(
                 ("seed", run.seed, "uint64"),
             )
         ):
-            frame.insert(
-                place, column, pandas.Series(value, index=frame.index, dtype=its_type)
-            )
+            frame.insert(place, column, pandas.Series(value, index=frame.index, dtype=its_type))
         yield frame
 
 
@@ -611,17 +503,9 @@ def _types(run: Run, name: str) -> dict[str, str]:
         except OSError as error:
             raise RunError(f"{path}: cannot be read: {error.strerror}") from None
         return {
-            column: "object"
-            if column in _TEXT
-            else "int64"
-            if column in _WHOLE
-            else "float64"
-            for column in header
+            column: "object" if column in _TEXT else "int64" if column in _WHOLE else "float64" for column in header
         }
-    return {
-        column: "object" if dtype == object else "float64"
-        for column, dtype in run.table(name).dtypes.items()
-    }
+    return {column: "object" if dtype == object else "float64" for column, dtype in run.table(name).dtypes.items()}
 
 
 def to_parquet(
@@ -639,9 +523,7 @@ def to_parquet(
         import pyarrow
         import pyarrow.parquet
     except ModuleNotFoundError:
-        raise RunError(
-            "to_parquet: needs the Python module pyarrow: pip install pyarrow"
-        ) from None
+        raise RunError("to_parquet: needs the Python module pyarrow: pip install pyarrow") from None
     part = folder.with_name(folder.name + ".part")
     shutil.rmtree(part, ignore_errors=True)
     part.mkdir(parents=True)
@@ -651,23 +533,12 @@ def to_parquet(
             for frame in study_frames(study, name):
                 schema = pyarrow.schema(
                     [
-                        (
-                            column,
-                            pyarrow.string()
-                            if dtype == object
-                            else pyarrow.from_numpy_dtype(dtype),
-                        )
+                        (column, pyarrow.string() if dtype == object else pyarrow.from_numpy_dtype(dtype))
                         for column, dtype in frame.dtypes.items()
                     ]
                 )
-                writer = writer or pyarrow.parquet.ParquetWriter(
-                    part / f"{name}.parquet", schema
-                )
-                writer.write_table(
-                    pyarrow.Table.from_pandas(
-                        frame, schema=schema, preserve_index=False
-                    )
-                )
+                writer = writer or pyarrow.parquet.ParquetWriter(part / f"{name}.parquet", schema)
+                writer.write_table(pyarrow.Table.from_pandas(frame, schema=schema, preserve_index=False))
         finally:
             if writer is not None:
                 writer.close()
@@ -678,9 +549,7 @@ def to_parquet(
 def _categorised(frame: pandas.DataFrame, categories: bool) -> pandas.DataFrame:
     if not categories:
         return frame
-    return frame.astype(
-        {column: "category" for column in frame.columns if column in _CATEGORIES}
-    )
+    return frame.astype({column: "category" for column in frame.columns if column in _CATEGORIES})
 
 
 def _newick(tree: pandas.DataFrame) -> str:
@@ -706,22 +575,16 @@ def _newick(tree: pandas.DataFrame) -> str:
                 pieces.append(one)
                 continue
             length = 0.0 if one == root else born[one] - born[parents[one]]
-            young = sorted(
-                children.get(one, []), key=lambda child: (born[child], child)
-            )
+            young = sorted(children.get(one, []), key=lambda child: (born[child], child))
             if not young:
                 pieces.append(f"{one}:{length + died[one] - born[one]:g}")
                 continue
-            waiting.append(
-                ("text", f",{one}:{died[one] - born[one]:g})n{one}:{length:g}")
-            )
+            waiting.append(("text", f",{one}:{died[one] - born[one]:g})n{one}:{length:g}"))
             for place, child in reversed(list(enumerate(young))):
                 waiting.append(("open", child))
                 if place > 0:
                     waiting.append(("text", ","))
             pieces.append("(")
         text = "".join(pieces)
-        lines.append(
-            (text if text.startswith("(") else f"({text})n{root}:0") + ";"
-        )  # ape reads no tree of a tip alone
+        lines.append((text if text.startswith("(") else f"({text})n{root}:0") + ";")  # ape reads no tree of a tip alone
     return "\n".join(lines) + "\n"

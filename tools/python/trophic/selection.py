@@ -71,40 +71,25 @@ def trait_of(text: str) -> Trait:
         )
         return Trait(text, "1", functools.partial(_column, *of))
     if kind == "turns_to" and len(parts) < 2:
-        distances = [
-            float(each) if each.replace(".", "", 1).isdigit() else numpy.nan
-            for each in parts
-        ] or list(DISTANCES)
+        distances = [float(each) if each.replace(".", "", 1).isdigit() else numpy.nan for each in parts] or list(
+            DISTANCES
+        )
         if all(0.0 < each <= 1.0 for each in distances):
             return Trait(text, "1", functools.partial(_turns_to, distances))
-    elif (
-        len(parts) in (1, 2)
-        and all((kind, *parts))
-        and pathlib.PurePath(kind).name == kind
-        and kind.endswith(".csv")
-    ):
-        return Trait(
-            f"{kind}:{parts[0]}",
-            (*parts, "1")[1],
-            functools.partial(_column, kind, parts[0], {}),
-        )
+    elif len(parts) in (1, 2) and all((kind, *parts)) and pathlib.PurePath(kind).name == kind and kind.endswith(".csv"):
+        return Trait(f"{kind}:{parts[0]}", (*parts, "1")[1], functools.partial(_column, kind, parts[0], {}))
     raise RunError(
         f"--selection {text}: must be turns_to, turns_to:DISTANCE with 0 < DISTANCE <= 1, open_speed, velocity_open, gene:NUMBER, "
         "gene:PART:NUMBER, FILE:COLUMN or FILE:COLUMN:UNIT"
     )
 
 
-def _column(
-    file: str, column: str, only: Mapping[str, str], run: PooledRun
-) -> pandas.Series:
+def _column(file: str, column: str, only: Mapping[str, str], run: PooledRun) -> pandas.Series:
     """A column of a table with a column id, of the rows with the cells `only`; the mean of an individual's rows."""
     table = run.texts(file, ["id", column, *only], (), [])
     for name, cell in only.items():
         table = table[table[name] == cell]
-    ids, values = (
-        numbers(run.path / file, table[name], none)
-        for name, none in (("id", ()), (column, ("", "nan")))
-    )
+    ids, values = (numbers(run.path / file, table[name], none) for name, none in (("id", ()), (column, ("", "nan"))))
     return pandas.Series(values, index=ids.astype(int)).dropna().groupby(level=0).mean()
 
 
@@ -123,17 +108,8 @@ def _turns_to(distances: Sequence[float], run: PooledRun) -> pandas.Series:
     width = [f"w{i}" for i in range(3 * (3 + per_neuron) + 2 * (3 + per_neuron))]
     table = run.texts("genomes.csv", ["id", *width], (), [])
     weights = numpy.column_stack([numbers(path, table[name]) for name in width])
-    inputs = numpy.array(
-        [
-            (side, far, tags)
-            for side in (-1.0, 1.0)
-            for far in distances
-            for tags in TAG_RATIOS
-        ]
-    )
-    hidden = inputs @ weights[:, :9].reshape(-1, 3, 3).transpose(
-        0, 2, 1
-    )  # genomes x inputs x neurons
+    inputs = numpy.array([(side, far, tags) for side in (-1.0, 1.0) for far in distances for tags in TAG_RATIOS])
+    hidden = inputs @ weights[:, :9].reshape(-1, 3, 3).transpose(0, 2, 1)  # genomes x inputs x neurons
     second = 9 + 3 * per_neuron
     hidden = numpy.tanh(hidden + (weights[:, None, 9:second] if per_neuron else 0.0))
     out = (hidden @ weights[:, second : second + 3, None])[..., 0] + (
@@ -141,10 +117,7 @@ def _turns_to(distances: Sequence[float], run: PooledRun) -> pandas.Series:
     )
     turns_right = out >= 0.0 if "zero_right" in brain else out > 0.0
     return (
-        pandas.Series(
-            (turns_right == (inputs[:, 0] > 0.0)).mean(axis=1),
-            index=table["id"].astype(int),
-        )
+        pandas.Series((turns_right == (inputs[:, 0] > 0.0)).mean(axis=1), index=table["id"].astype(int))
         .groupby(level=0)
         .first()
     )
@@ -156,29 +129,18 @@ def _behaviour(kind: str, run: PooledRun) -> pandas.Series:
     is_open = walls.to_wall_m(agents, run.floor) > walls.REACH_M
     if kind == "velocity_open":
         found = velocity.of_rows(velocity.samples(agents), is_open)
-        return (
-            pandas.Series(found.velocity_m_s, index=agents.id[found.row])
-            .groupby(level=0)
-            .mean()
-        )
+        return pandas.Series(found.velocity_m_s, index=agents.id[found.row]).groupby(level=0).mean()
     before = agents.find(agents.at - 1, agents.id)
     rows = numpy.flatnonzero((before >= 0) & is_open & is_open[before])
-    moved_m = numpy.hypot(
-        agents.x_m[rows] - agents.x_m[before[rows]],
-        agents.y_m[rows] - agents.y_m[before[rows]],
-    )
+    moved_m = numpy.hypot(agents.x_m[rows] - agents.x_m[before[rows]], agents.y_m[rows] - agents.y_m[before[rows]])
     time_s = agents.time_s[agents.at[rows]] - agents.time_s[agents.at[before[rows]]]
-    return (
-        pandas.Series(moved_m / time_s, index=agents.id[rows]).groupby(level=0).mean()
-    )
+    return pandas.Series(moved_m / time_s, index=agents.id[rows]).groupby(level=0).mean()
 
 
 # Price's equation
 
 
-def price(
-    step: numpy.ndarray, z: numpy.ndarray, parent_z: numpy.ndarray
-) -> tuple[numpy.ndarray, numpy.ndarray]:
+def price(step: numpy.ndarray, z: numpy.ndarray, parent_z: numpy.ndarray) -> tuple[numpy.ndarray, numpy.ndarray]:
     """The change of the mean trait of the living at each event, by KINDS, shape (4, ..., events), and the mean after it, (..., events).
 
     `step`: 1 of a birth, -1 of a death; `z`: of the newborn or the dead; `parent_z`: of a newborn's parent, nan without one. The first birth changes
@@ -188,36 +150,23 @@ def price(
     total = numpy.cumsum(step * z, axis=-1)
     with numpy.errstate(divide="ignore", invalid="ignore"):
         mean = numpy.where(living > 0, total / living, numpy.nan)
-        last = numpy.maximum.accumulate(
-            numpy.where(living > 0, numpy.arange(step.shape[-1]), 0), axis=-1
-        )
+        last = numpy.maximum.accumulate(numpy.where(living > 0, numpy.arange(step.shape[-1]), 0), axis=-1)
         mean = numpy.take_along_axis(mean, last, axis=-1)
-        before = numpy.concatenate(
-            [numpy.full_like(mean[..., :1], numpy.nan), mean[..., :-1]], axis=-1
-        )
+        before = numpy.concatenate([numpy.full_like(mean[..., :1], numpy.nan), mean[..., :-1]], axis=-1)
         is_birth, has_parent = step > 0, ~numpy.isnan(parent_z)
         parts = (
-            numpy.where(
-                is_birth, 0.0, numpy.where(living > 0, (before - z) / living, 0.0)
-            ),
+            numpy.where(is_birth, 0.0, numpy.where(living > 0, (before - z) / living, 0.0)),
             numpy.where(is_birth & has_parent, (parent_z - before) / living, 0.0),
             numpy.where(is_birth & has_parent, (z - parent_z) / living, 0.0),
             numpy.where(is_birth & ~has_parent, (z - before) / living, 0.0),
         )
-    return (
-        numpy.where(numpy.isnan(before), numpy.nan, numpy.stack(parts)),
-        mean + origin,
-    )
+    return (numpy.where(numpy.isnan(before), numpy.nan, numpy.stack(parts)), mean + origin)
 
 
 def events_of(run: PooledRun) -> pandas.DataFrame:
     """Births and deaths in their order; if a rule Recruitment may name several parents, with column `parents`, as an ancestor_list. Raises RunError
     for the death of an individual without a birth."""
-    found = run.load(
-        "events.csv",
-        ("time_s", "tick", "event", "id", "species", "parent_id", "cause"),
-        [],
-    )
+    found = run.load("events.csv", ("time_s", "tick", "event", "id", "species", "parent_id", "cause"), [])
     found = (
         found[found["event"].isin(["birth", "death"])]
         .astype({"event": str, "species": str, "cause": str})
@@ -229,14 +178,10 @@ def events_of(run: PooledRun) -> pandas.DataFrame:
             raise RunError(
                 f"{run.path}/events.csv: individual {id} dies and has no birth: --selection needs runs from their beginning"
             )
-    births = run.texts("events.csv", ["event", "id"], ["ancestor_list"], []).query(
-        "event == 'birth'"
-    )
+    births = run.texts("events.csv", ["event", "id"], ["ancestor_list"], []).query("event == 'birth'")
     if "ancestor_list" in births:
         found["parents"] = found["id"].map(
-            births.set_index(
-                numbers(run.path / "events.csv", births["id"]).astype(int)
-            )["ancestor_list"]
+            births.set_index(numbers(run.path / "events.csv", births["id"]).astype(int))["ancestor_list"]
         )
     return found
 
@@ -244,18 +189,14 @@ def events_of(run: PooledRun) -> pandas.DataFrame:
 def descent_of(births: pandas.DataFrame) -> pandas.DataFrame:
     """A row for each parent of some births: `id`, `parent` and its `share`, one over the number of parents."""
     if "parents" not in births:
-        return pandas.DataFrame(
-            {"id": births["id"], "parent": births["parent_id"], "share": 1.0}
-        ).dropna()
+        return pandas.DataFrame({"id": births["id"], "parent": births["parent_id"], "share": 1.0}).dropna()
     lists = births.set_index("id")["parents"].str.strip("[]")
     parents = lists[lists != "none"].str.split(",").explode().astype(float)
     each = pandas.DataFrame({"id": parents.index, "parent": parents.to_numpy()})
     return each.assign(share=1.0 / each.groupby("id")["parent"].transform("size"))
 
 
-def terms(
-    events: pandas.DataFrame, z: pandas.Series, species: str, end_s: float
-) -> dict[tuple[str, str], float]:
+def terms(events: pandas.DataFrame, z: pandas.Series, species: str, end_s: float) -> dict[tuple[str, str], float]:
     """The terms of a species by (term, period), where PERIODS are the run and its thirds. `events`: as events_of; `z`: traits by id; those who
     lack it are left out as if they had never lived. Terms of lives and births belong to the third of the birth. nan is what cannot be computed.
     """
@@ -263,40 +204,22 @@ def terms(
     is_birth = (of["event"] == "birth").to_numpy()
     births = events[(events["species"] == species) & (events["event"] == "birth")]
     descent = descent_of(births)
-    descent["z"] = descent["share"] * descent["parent"].where(
-        descent["parent"].isin(births["id"])
-    ).map(z)
-    means = (
-        descent.groupby("id")["z"]
-        .sum()
-        .where(~descent["z"].isna().groupby(descent["id"]).any())
-    )
-    its_z, parent_z = of["id"].map(z).to_numpy(float), of["id"].map(means).where(
-        is_birth
-    ).to_numpy(float)
+    descent["z"] = descent["share"] * descent["parent"].where(descent["parent"].isin(births["id"])).map(z)
+    means = descent.groupby("id")["z"].sum().where(~descent["z"].isna().groupby(descent["id"]).any())
+    its_z, parent_z = of["id"].map(z).to_numpy(float), of["id"].map(means).where(is_birth).to_numpy(float)
     parts, mean = price(numpy.where(is_birth, 1, -1), its_z, parent_z)
     time_s, cause = of["time_s"].to_numpy(), of["cause"].to_numpy()
     founds = (
-        is_birth & (of["tick"] == events["tick"].iloc[0]).to_numpy()
-        | numpy.isnan(parts[0])
-        if len(of)
-        else is_birth
+        is_birth & (of["tick"] == events["tick"].iloc[0]).to_numpy() | numpy.isnan(parts[0]) if len(of) else is_birth
     )
     third = numpy.minimum(2, (3.0 * time_s / end_s).astype(int))
     lives = pandas.DataFrame(
-        {
-            "z": its_z[is_birth],
-            "birth_s": time_s[is_birth],
-            "third": third[is_birth],
-            "parent_z": parent_z[is_birth],
-        },
+        {"z": its_z[is_birth], "birth_s": time_s[is_birth], "third": third[is_birth], "parent_z": parent_z[is_birth]},
         index=of["id"][is_birth],
     )
     deaths = of[~is_birth].set_index("id")["time_s"]
     lives["life_s"] = deaths.reindex(lives.index).fillna(end_s) - lives["birth_s"]
-    lives["offspring"] = (
-        descent.groupby("parent")["share"].sum().reindex(lives.index).fillna(0.0)
-    )
+    lives["offspring"] = descent.groupby("parent")["share"].sum().reindex(lives.index).fillna(0.0)
     found: dict[tuple[str, str], float] = {}
     for number, period in enumerate(PERIODS):
         first, last = (0, 2) if period == "all" else (number - 1, number - 1)
@@ -305,16 +228,8 @@ def terms(
             mean[numpy.flatnonzero(founds | before)[-1]] if len(of) else numpy.nan
             for before in (third < first, third <= last)
         )
-        values = {
-            "start": start,
-            "end": end,
-            "change": end - start,
-            **dict(zip(KINDS, parts[:, is_in].sum(axis=1))),
-        }
-        values |= {
-            f"survival_{one}": parts[0, is_in & (cause == one)].sum()
-            for one in sorted(set(cause[~is_birth]))
-        }
+        values = {"start": start, "end": end, "change": end - start, **dict(zip(KINDS, parts[:, is_in].sum(axis=1)))}
+        values |= {f"survival_{one}": parts[0, is_in & (cause == one)].sum() for one in sorted(set(cause[~is_birth]))}
         values |= _of_lives(lives[(lives["third"] >= first) & (lives["third"] <= last)])
         found |= {(term, period): float(value) for term, value in values.items()}
     return found
@@ -324,18 +239,12 @@ def _of_lives(lives: pandas.DataFrame) -> dict[str, float]:
     z, parent_z = lives["z"].to_numpy(), lives["parent_z"].to_numpy()
     mean = z.mean() if len(z) else numpy.nan
     by_length, by_offspring = (
-        float(
-            ratio(numpy.array([(weights * z).sum()]), numpy.array([weights.sum()]))[0]
-        )
+        float(ratio(numpy.array([(weights * z).sum()]), numpy.array([weights.sum()]))[0])
         for weights in (lives["life_s"].to_numpy(), lives["offspring"].to_numpy())
     )
     child, parent = z[~numpy.isnan(parent_z)], parent_z[~numpy.isnan(parent_z)]
     varies = len(parent) > 2 and parent.std() > 1e-12 * numpy.abs(parent).max()
-    slope = (
-        float(numpy.cov(parent, child)[0, 1] / parent.var(ddof=1))
-        if varies
-        else numpy.nan
-    )
+    slope = float(numpy.cov(parent, child)[0, 1] / parent.var(ddof=1)) if varies else numpy.nan
     return {
         "lives": by_offspring - mean,
         "lives_length": by_length - mean,
@@ -352,29 +261,19 @@ def measure(texts: Sequence[str], run: PooledRun) -> pandas.Series:
     end_s = run.lived_s
     for trait in map(trait_of, texts):
         z = trait.read(run).drop(
-            events["id"][trait.is_behaviour & (events["cause"] == "diverged")],
-            errors="ignore",
+            events["id"][trait.is_behaviour & (events["cause"] == "diverged")], errors="ignore"
         )  # no behaviour
         for species in run.web.species:
-            found |= {
-                (trait.name, species, *key): value
-                for key, value in terms(events, z, species, end_s).items()
-            }
-            born = events["id"][
-                (events["event"] == "birth") & (events["species"] == species)
-            ]
-            found[trait.name, species, "missing", "all"] = float(
-                (~born.isin(z.index)).sum()
-            )
+            found |= {(trait.name, species, *key): value for key, value in terms(events, z, species, end_s).items()}
+            born = events["id"][(events["event"] == "birth") & (events["species"] == species)]
+            found[trait.name, species, "missing", "all"] = float((~born.isin(z.index)).sum())
     return pandas.Series(found)
 
 
 # The table
 
 
-def table(
-    texts: Sequence[str], sets: Mapping[str, pandas.DataFrame]
-) -> pandas.DataFrame:
+def table(texts: Sequence[str], sets: Mapping[str, pandas.DataFrame]) -> pandas.DataFrame:
     """selection.csv. `sets`: of runs, shadow and neutral those that there are, a row of `measure` a run. The term of a cause is 0 in a run
     without such deaths."""
     rows, differences = [], []
@@ -382,28 +281,12 @@ def table(
         of_trait = {name: of[trait.name] for name, of in sets.items()}
         keys = [key for of in of_trait.values() for key in of]
         for species in dict.fromkeys(key[0] for key in keys):
-            order = list(
-                dict.fromkeys(
-                    term
-                    for name, term, _ in keys
-                    if name == species and term != "missing"
-                )
-            )
+            order = list(dict.fromkeys(term for name, term, _ in keys if name == species and term != "missing"))
             order.sort(
-                key=lambda term: (
-                    term != "start",
-                    term != "end",
-                    term != "change",
-                    not term.startswith("survival"),
-                )
+                key=lambda term: (term != "start", term != "end", term != "change", not term.startswith("survival"))
             )
-            for term, period in [
-                (term, period) for term in order for period in PERIODS
-            ]:
-                values = {
-                    name: _values(of_trait.get(name), species, term, period)
-                    for name in _SETS
-                }
+            for term, period in [(term, period) for term in order for period in PERIODS]:
+                values = {name: _values(of_trait.get(name), species, term, period) for name in _SETS}
                 unit = "1" if term == "offspring_on_parent" else trait.unit
                 row = {
                     "trait": trait.name,
@@ -417,26 +300,15 @@ def table(
                     n, mean, _, interval = statistics.estimate(values[name])
                     row |= {
                         f"{name}_{part}": value
-                        for part, value in zip(
-                            ("n", "mean", "lower", "upper"),
-                            (n, mean, *(interval or (None, None))),
-                        )
+                        for part, value in zip(("n", "mean", "lower", "upper"), (n, mean, *(interval or (None, None))))
                     }
                 tested = statistics.Difference()
                 if term in TESTED and period == "all":
-                    neutral = (
-                        values["neutral"]
-                        if len(values["neutral"]) and not trait.is_behaviour
-                        else None
-                    )
+                    neutral = values["neutral"] if len(values["neutral"]) and not trait.is_behaviour else None
                     row["null"] = "zero" if neutral is None else "neutral"
                     against = () if neutral is None else ((-1.0, neutral),)
-                    value = row["runs_mean"] - (
-                        0.0 if neutral is None else row["neutral_mean"]
-                    )
-                    tested = statistics.difference_of(
-                        value, statistics.contrast((1.0, values["runs"]), *against)
-                    )
+                    value = row["runs_mean"] - (0.0 if neutral is None else row["neutral_mean"])
+                    tested = statistics.difference_of(value, statistics.contrast((1.0, values["runs"]), *against))
                     differences.append(tested)
                 rows.append((row, tested))
     statistics.adjust_together(differences)
@@ -452,17 +324,11 @@ def table(
     frame = pandas.DataFrame([row for row, _ in rows], columns=names("selection.csv"))
     texts_of = ("trait", "species", "term", "period", "unit", "null")
     return frame.astype(
-        {
-            name: float
-            for name in frame.columns.difference(texts_of)
-            if frame[name].dtype == object
-        }
+        {name: float for name in frame.columns.difference(texts_of) if frame[name].dtype == object}
     ).fillna({"null": ""})
 
 
-def _values(
-    of: pandas.DataFrame | None, species: str, term: str, period: str
-) -> numpy.ndarray:
+def _values(of: pandas.DataFrame | None, species: str, term: str, period: str) -> numpy.ndarray:
     if of is None:
         return numpy.empty(0)
     key = (species, term, period)
@@ -489,35 +355,18 @@ def text(frame: pandas.DataFrame) -> str:
     def cell(reading: Reading, row: pandas.Series, name: str) -> str:
         if not row[f"{name}_n"]:
             return "-"
-        return reading.with_interval(
-            row[f"{name}_mean"], (row[f"{name}_lower"], row[f"{name}_upper"]), True
-        )
+        return reading.with_interval(row[f"{name}_mean"], (row[f"{name}_lower"], row[f"{name}_upper"]), True)
 
     for (trait, species), of in frame.groupby(["trait", "species"], sort=False):
         lines.append(
-            [
-                f"{species}, {trait}",
-                "whole run [95 %]",
-                "first third",
-                "second",
-                "last",
-                "shadow",
-                "neutral null",
-                "p",
-            ]
+            [f"{species}, {trait}", "whole run [95 %]", "first third", "second", "last", "shadow", "neutral null", "p"]
         )
         for term, rows in of.groupby("term", sort=False):
-            head = _HEADS.get(
-                term, f"    {term.split('_')[1]}" if "_" in term else f"  {term}"
-            )
-            row, reading = rows.iloc[0], Reading(
-                Metric(trait, species, "all", rows.iloc[0]["unit"])
-            )
+            head = _HEADS.get(term, f"    {term.split('_')[1]}" if "_" in term else f"  {term}")
+            row, reading = rows.iloc[0], Reading(Metric(trait, species, "all", rows.iloc[0]["unit"]))
             runs, shadow, neutral = (cell(reading, row, name) for name in _SETS)
             thirds = [reading(value, True) for value in rows["runs_mean"].iloc[1:]]
-            lines.append(
-                [f"  {head}", runs, *thirds, shadow, neutral, p_text(row["p_holm"])]
-            )
+            lines.append([f"  {head}", runs, *thirds, shadow, neutral, p_text(row["p_holm"])])
         said += _sentence(of)
     tested = int(frame["p"].notna().sum())
     about = (
@@ -530,25 +379,16 @@ def text(frame: pandas.DataFrame) -> str:
 
 def _sentence(of: pandas.DataFrame) -> str:
     first = of.iloc[0]
-    reading, words = (
-        Reading(Metric(first["trait"], first["species"], "all", first["unit"])),
-        [],
-    )
+    reading, words = (Reading(Metric(first["trait"], first["species"], "all", first["unit"])), [])
     for row in of[of["p_holm"].notna()].itertuples():
-        amount = reading.with_interval(
-            row.difference, (row.difference_lower, row.difference_upper), True
-        )
+        amount = reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True)
         does = (
             ("raises it," if row.difference > 0 else "lowers it,")
             if statistics.is_significant(row.p_holm)
             else "has no significant effect,"
         )
         words.append(f"{row.term} {does} {amount}")
-    left = (
-        f"{first['missing']} individuals of the runs lack it and are left out. "
-        if first["missing"]
-        else ""
-    )
+    left = f"{first['missing']} individuals of the runs lack it and are left out. " if first["missing"] else ""
     unit = f", {reading.unit}" if reading.unit else ""
     return (
         f"{first['species']}, {first['trait']}{unit}: {left}{'; '.join(words) or 'not tested'}\n"
@@ -567,9 +407,7 @@ def read_sets(
     be pooled and for a shadow or a neutral null that is not one."""
     runs, nulls = pool.pooled_sets(paths, shadow, how)
     sets = {"runs": runs, **nulls}
-    return {name: of for name, (of, _) in sets.items()}, [
-        remark for _, remarks in sets.values() for remark in remarks
-    ]
+    return {name: of for name, (of, _) in sets.items()}, [remark for _, remarks in sets.values() for remark in remarks]
 
 
 def analyse(
@@ -584,25 +422,11 @@ def analyse(
         trait_of(each)
     sets, remarks = read_sets(paths, shadow, how)
     every = [run for of in sets.values() for run in of]
-    jobs = (
-        how.jobs or len(os.sched_getaffinity(0))
-        if hasattr(os, "sched_getaffinity")
-        else how.jobs or 1
-    )
-    with concurrent.futures.ProcessPoolExecutor(
-        min(jobs, len(every)), multiprocessing.get_context("fork")
-    ) as executor:
-        rows = iter(
-            list(executor.map(functools.partial(measure, texts), every, chunksize=4))
-        )
+    jobs = how.jobs or len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else how.jobs or 1
+    with concurrent.futures.ProcessPoolExecutor(min(jobs, len(every)), multiprocessing.get_context("fork")) as executor:
+        rows = iter(list(executor.map(functools.partial(measure, texts), every, chunksize=4)))
     return (
-        table(
-            texts,
-            {
-                name: pandas.concat([next(rows) for _ in of], axis=1).T
-                for name, of in sets.items()
-            },
-        ),
+        table(texts, {name: pandas.concat([next(rows) for _ in of], axis=1).T for name, of in sets.items()}),
         sets,
         remarks,
     )
@@ -616,16 +440,12 @@ def run(request: Mapping[str, Any]) -> int:
         jobs=request.get("jobs"),
     )
     with result_folder(request.get("out")) as folder:
-        frame, sets, remarks = analyse(
-            request["runs"], request["selection"], request.get("shadow"), how
-        )
+        frame, sets, remarks = analyse(request["runs"], request["selection"], request.get("shadow"), how)
         for remark in remarks:
             print(f"{request['who']}: {remark}", file=sys.stderr)
         for name, of in sets.items():
             said = describe(MeasuredSet("", list(of), [], until_s=of[0].until_s))
-            print(
-                f"{name}: {said.label} on {said.engine}, {len(of)} runs of {number_text(of[0].until_s)} s"
-            )
+            print(f"{name}: {said.label} on {said.engine}, {len(of)} runs of {number_text(of[0].until_s)} s")
         print(text(frame), end="")
         write_new(folder / "selection.csv", csv_text(frame))
         print(f"files   {folder.with_suffix('')}/selection.csv")

@@ -38,11 +38,7 @@ def run(
     ProgramError with the program's sentence if it refuses or fails, and before it starts if `out` exists.
     """
     is_path = os.sep in str(experiment) or pathlib.Path(experiment).is_file()
-    program = (
-        str(pathlib.Path(experiment).resolve())
-        if is_path
-        else find_program("trophic-predator-prey")
-    )
+    program = str(pathlib.Path(experiment).resolve()) if is_path else find_program("trophic-predator-prey")
     arguments: list = []
     named = {
         "--rules": rules if is_path else str(experiment),
@@ -58,10 +54,7 @@ def run(
         if value is not None:
             arguments += [option, value]
     for path, value in (set or {}).items():
-        arguments += [
-            "--set",
-            f"{path}={str(value).lower() if isinstance(value, bool) else value}",
-        ]
+        arguments += ["--set", f"{path}={str(value).lower() if isinstance(value, bool) else value}"]
     if shadow:
         arguments.append("--shadow")
     if neutral:
@@ -95,9 +88,7 @@ def analyze(
     from .report import analyze as report
     from .report.tables import result_folder
 
-    paths = [
-        _path(each) for each in (runs if isinstance(runs, (list, tuple)) else [runs])
-    ]
+    paths = [_path(each) for each in (runs if isinstance(runs, (list, tuple)) else [runs])]
     sets = [] if compare is None else [*paths, _path(compare)]
     its_shadow = None if shadow is None else _path(shadow)
     how = Measuring(

@@ -120,17 +120,13 @@ def contrast(*terms: tuple[float, Values]) -> Contrast | None:
 def t_quantile(probability: float, freedom: float) -> float:
     """The value that a t of `freedom` > 0 degrees of freedom stays below with this probability, 0 < probability < 1."""
     tail = min(probability, 1.0 - probability)
-    t = float(
-        special.stdtrit(freedom, tail)
-    )  # right to 1e-9; a step of Newton's method makes it right to rounding
+    t = float(special.stdtrit(freedom, tail))  # right to 1e-9; a step of Newton's method makes it right to rounding
     log_density = (
         math.lgamma((freedom + 1.0) / 2.0)
         - math.lgamma(freedom / 2.0)
         - (freedom + 1.0) / 2.0 * math.log1p(t * t / freedom)
     )
-    t -= (float(special.stdtr(freedom, t)) - tail) / (
-        math.exp(log_density) / math.sqrt(freedom * math.pi)
-    )
+    t -= (float(special.stdtr(freedom, t)) - tail) / (math.exp(log_density) / math.sqrt(freedom * math.pi))
     return t if probability <= 0.5 else -t
 
 
@@ -151,9 +147,7 @@ def p_value(of: Contrast | None, origin: float = 0.0) -> float | None:
     """Two-sided: how often a contrast this far from `origin` would come by chance alone. None where nothing varies and nothing differs."""
     if of is None or (of.error == 0.0 and of.value == origin):
         return None
-    return (
-        t_two_sided(abs(of.value - origin) / of.error, of.freedom) if of.error else 0.0
-    )
+    return t_two_sided(abs(of.value - origin) / of.error, of.freedom) if of.error else 0.0
 
 
 def interval_of_mean(values: Values, level: float = 0.95) -> Interval | None:
@@ -161,12 +155,7 @@ def interval_of_mean(values: Values, level: float = 0.95) -> Interval | None:
 
 
 def estimate(values: Values) -> Estimate:
-    return Estimate(
-        len(known(values)),
-        mean_of(values),
-        deviation_of(values),
-        interval_of_mean(values),
-    )
+    return Estimate(len(known(values)), mean_of(values), deviation_of(values), interval_of_mean(values))
 
 
 def share_interval(values: Values, level: float = 0.95) -> Interval | None:
@@ -201,21 +190,15 @@ def share_difference(a: Values, b: Values, level: float = 0.95) -> Difference:
         chance = special.binom(len(a), k) * special.binom(len(b), both - k)
         here = chance[int(a.sum()) - k[0]]
         p = float(min(1.0, chance[chance <= here * (1.0 + 1e-9)].sum() / chance.sum()))
-    return Difference(
-        value, Interval(value - low, value + high), p, None, scatter_of(a, b)
-    )
+    return Difference(value, Interval(value - low, value + high), p, None, scatter_of(a, b))
 
 
 def is_by_chance(many: int, count: int) -> bool:
     """Whether tests at 5 % find so many of `count` runs in more than 5 % of sets in which there is nothing."""
-    return (
-        many == 0 or float(special.bdtrc(many - 1, count, SIGNIFICANCE)) > SIGNIFICANCE
-    )
+    return many == 0 or float(special.bdtrc(many - 1, count, SIGNIFICANCE)) > SIGNIFICANCE
 
 
-def survival(
-    ends: Values, died: Sequence[bool] | numpy.ndarray
-) -> list[tuple[float, int, int, float, float, float]]:
+def survival(ends: Values, died: Sequence[bool] | numpy.ndarray) -> list[tuple[float, int, int, float, float, float]]:
     """Kaplan and Meier's estimate [kaplan1958]: of each time at which a run died its time, the runs at risk, those that died, the share that survives
     it, and its 95 % interval by Greenwood's error of log(-log), nan where the share is 0. `ends`: the time of each run's end or death.
     """
@@ -240,9 +223,7 @@ def holm(p_values: Values) -> numpy.ndarray:
     p = numpy.asarray(p_values, dtype=float)
     order = numpy.argsort(p, kind="stable")
     adjusted = numpy.empty(len(p))
-    adjusted[order] = numpy.minimum(
-        1.0, numpy.maximum.accumulate((len(p) - numpy.arange(len(p))) * p[order])
-    )
+    adjusted[order] = numpy.minimum(1.0, numpy.maximum.accumulate((len(p) - numpy.arange(len(p))) * p[order]))
     return adjusted
 
 
@@ -254,9 +235,7 @@ def is_significant(p_holm: float | None) -> bool:
 def hedges_correction(freedom: float) -> float:
     """Factor by which the standardised difference of two samples is unbiased; about 1 - 3 / (4 freedom - 1). `freedom` > 1: degrees of freedom
     of the standard deviation that divides it."""
-    return math.exp(
-        math.lgamma(freedom / 2.0) - math.lgamma((freedom - 1.0) / 2.0)
-    ) / math.sqrt(freedom / 2.0)
+    return math.exp(math.lgamma(freedom / 2.0) - math.lgamma((freedom - 1.0) / 2.0)) / math.sqrt(freedom / 2.0)
 
 
 def hedges_g(a: Values, b: Values) -> float | None:
@@ -269,20 +248,12 @@ def hedges_g(a: Values, b: Values) -> float | None:
     if len(a) < 2 or len(b) < 2:
         return None
     freedom = len(a) + len(b) - 2
-    spread = math.sqrt(
-        ((len(a) - 1) * a.var(ddof=1) + (len(b) - 1) * b.var(ddof=1)) / freedom
-    )
+    spread = math.sqrt(((len(a) - 1) * a.var(ddof=1) + (len(b) - 1) * b.var(ddof=1)) / freedom)
     difference = float(b.mean() - a.mean())
-    return (
-        None
-        if is_rounding(spread, difference)
-        else hedges_correction(freedom) * difference / spread
-    )
+    return None if is_rounding(spread, difference) else hedges_correction(freedom) * difference / spread
 
 
-def test_equivalence(
-    difference: Contrast | None, margin: float, alpha: float = 0.05
-) -> EquivalenceTest:
+def test_equivalence(difference: Contrast | None, margin: float, alpha: float = 0.05) -> EquivalenceTest:
     """Two one-sided tests [schuirmann1987], each at level `alpha`: equivalent iff the interval of the difference at 1 - 2 alpha lies within
     +-margin; different iff it does not and the interval at 1 - alpha leaves out zero. Raises ValueError unless margin > 0 and 0 < alpha < 0.5.
     """
@@ -290,18 +261,13 @@ def test_equivalence(
         raise ValueError(f"margin = {margin}: must be > 0")
     if not 0.0 < alpha < 0.5:
         raise ValueError(f"alpha = {alpha}: must be > 0 and < 0.5")
-    narrow, wide = interval_of(difference, 1.0 - 2.0 * alpha), interval_of(
-        difference, 1.0 - alpha
-    )
+    narrow, wide = interval_of(difference, 1.0 - 2.0 * alpha), interval_of(difference, 1.0 - alpha)
     if difference is None or narrow is None or wide is None:
         return EquivalenceTest(None, None, margin, "unknown")
     within = narrow.lower > -margin and narrow.upper < margin
     apart = wide.lower > 0.0 or wide.upper < 0.0
     return EquivalenceTest(
-        difference.value,
-        narrow,
-        margin,
-        "equivalent" if within else "different" if apart else "inconclusive",
+        difference.value, narrow, margin, "equivalent" if within else "different" if apart else "inconclusive"
     )
 
 
@@ -323,17 +289,9 @@ def power_of_t(errors: float, freedom: float, level: float) -> float:
     `freedom` > 0,    0 < level < 1."""
     critical = -t_quantile(level / 2.0, freedom)
     errors = abs(errors)
-    if (
-        errors > 200.0
-    ):  # the normal part of the noncentral t is negligible next to the spread of the estimated error
-        return float(
-            special.chdtr(freedom, min(freedom * (errors / critical) ** 2, 1e300))
-        )
-    return float(
-        1.0
-        - special.nctdtr(freedom, errors, critical)
-        + special.nctdtr(freedom, errors, -critical)
-    )
+    if errors > 200.0:  # the normal part of the noncentral t is negligible next to the spread of the estimated error
+        return float(special.chdtr(freedom, min(freedom * (errors / critical) ** 2, 1e300)))
+    return float(1.0 - special.nctdtr(freedom, errors, critical) + special.nctdtr(freedom, errors, -critical))
 
 
 def errors_for_power(freedom: float, level: float, power: float = USUAL_POWER) -> float:
@@ -346,26 +304,16 @@ def errors_for_power(freedom: float, level: float, power: float = USUAL_POWER) -
     while power_of_t(high, freedom, level) < power:
         high *= 2.0
     return float(
-        optimize.brentq(
-            lambda errors: power_of_t(errors, freedom, level) - power,
-            0.0,
-            high,
-            xtol=1e-12,
-            rtol=1e-12,
-        )
+        optimize.brentq(lambda errors: power_of_t(errors, freedom, level) - power, 0.0, high, xtol=1e-12, rtol=1e-12)
     )
 
 
-def detectable_difference(
-    of: Contrast, level: float, power: float = USUAL_POWER
-) -> float:
+def detectable_difference(of: Contrast, level: float, power: float = USUAL_POWER) -> float:
     """The smallest difference that a comparison with this error and freedom would find with `power` at `level`, two-sided."""
     return of.error * errors_for_power(of.freedom, level, power) if of.error else 0.0
 
 
-def runs_for_power(
-    difference: float, scatter: Scatter, level: float, power: float = USUAL_POWER
-) -> int | None:
+def runs_for_power(difference: float, scatter: Scatter, level: float, power: float = USUAL_POWER) -> int | None:
     """The fewest runs in each set (or pairs), MIN_RUNS_FOR_TEST at least, with which a difference is found with `power` at `level`, two-sided,
     if it and the scatter are what they are said to be. None for no difference, and where MOST_RUNS are too few. Asked of a difference that was
     observed this says no more than its p value does [hoenig2001]: it is for the next study. Raises ValueError unless level and power lie
@@ -380,15 +328,10 @@ def runs_for_power(
     spreads = abs(difference) / math.sqrt(scatter.variance)
 
     def suffices(runs: int) -> bool:
-        return (
-            power_of_t(spreads * math.sqrt(runs), scatter.freedom * (runs - 1), level)
-            >= power
-        )
+        return power_of_t(spreads * math.sqrt(runs), scatter.freedom * (runs - 1), level) >= power
 
     # The normal distribution asks for fewer runs than t does: from there upwards in growing steps, then back by halving.
-    fewest = (
-        max(float(special.ndtri(power) - special.ndtri(level / 2.0)), 0.0) / spreads
-    ) ** 2
+    fewest = (max(float(special.ndtri(power) - special.ndtri(level / 2.0)), 0.0) / spreads) ** 2
     if fewest > MOST_RUNS:
         return None
     enough = max(MIN_RUNS_FOR_TEST, int(fewest))
@@ -422,19 +365,12 @@ class Difference:
     def runs_needed(self) -> int | None:
         """The runs in each set with which a difference of this size is found in 80 % of studies, at `level`. None if it is significant, if it
         cannot be known, or if MOST_RUNS are too few."""
-        if (
-            self.level is None
-            or self.scatter is None
-            or self.value is None
-            or self.differs()
-        ):
+        if self.level is None or self.scatter is None or self.value is None or self.differs():
             return None
         return runs_for_power(self.value, self.scatter, self.level)
 
 
-def difference_of(
-    value: float | None, of: Contrast | None, scatter: Scatter | None = None
-) -> Difference:
+def difference_of(value: float | None, of: Contrast | None, scatter: Scatter | None = None) -> Difference:
     """`value` is given by the caller, as a contrast needs more runs than a difference does."""
     return Difference(value, interval_of(of), p_value(of), None, scatter)
 
@@ -446,7 +382,5 @@ def adjust_together(differences: Iterable[Difference]) -> None:
     adjusted = iter(holm(p_values))
     for each in differences:
         each.adjusted, each.level = (
-            (None, None)
-            if each.p is None
-            else (float(next(adjusted)), SIGNIFICANCE / len(p_values))
+            (None, None) if each.p is None else (float(next(adjusted)), SIGNIFICANCE / len(p_values))
         )

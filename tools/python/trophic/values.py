@@ -42,9 +42,7 @@ class RunValues:
     values: pandas.DataFrame
     """columns VALUE_COLUMNS, in the order of all tables. `baseline` is empty for what was observed; `role` of a baseline: "null", the value that
     chance alone would give, which is tested against, "paper" or "reference", which are not. `value` is nan if it could not be computed"""
-    curves: pandas.DataFrame = dataclasses.field(
-        default_factory=lambda: pandas.DataFrame(columns=CURVE_COLUMNS)
-    )
+    curves: pandas.DataFrame = dataclasses.field(default_factory=lambda: pandas.DataFrame(columns=CURVE_COLUMNS))
     """columns CURVE_COLUMNS; time_s: the end of a window, s"""
     remarks: list[str] = dataclasses.field(default_factory=list)
 
@@ -74,21 +72,13 @@ class MeasuredSet:
         """The shadow, the neutral null and the clones, as far as there are any."""
         return {
             name: one
-            for name, one in (
-                (SHADOW, self.shadow),
-                (NEUTRAL, self.neutral),
-                (CLONES, self.clones),
-            )
+            for name, one in ((SHADOW, self.shadow), (NEUTRAL, self.neutral), (CLONES, self.clones))
             if one is not None
         }
 
     def null_of(self, metric: Metric) -> str:
         """The null that answers for a metric: the neutral one for what is inherited, if there is one, else the shadow. Empty without it."""
-        name = (
-            NEUTRAL
-            if metric.metric in self.inherited and self.neutral is not None
-            else SHADOW
-        )
+        name = NEUTRAL if metric.metric in self.inherited and self.neutral is not None else SHADOW
         return name if name in self.nulls else ""
 
     def null_values(self, metric: Metric, name: str) -> numpy.ndarray:
@@ -104,12 +94,8 @@ class MeasuredSet:
         """The values of each metric and baseline ("": observed), one a run, in the order of the runs' rows; nan in a run without one."""
         table: dict[tuple[Metric, str], numpy.ndarray] = {}
         for i, run in enumerate(self.values):
-            for *name, baseline, value in zip(
-                *(run.values[column] for column in [*METRIC, "baseline", "value"])
-            ):
-                table.setdefault(
-                    (Metric(*name), baseline), numpy.full(len(self.values), numpy.nan)
-                )[i] = value
+            for *name, baseline, value in zip(*(run.values[column] for column in [*METRIC, "baseline", "value"])):
+                table.setdefault((Metric(*name), baseline), numpy.full(len(self.values), numpy.nan))[i] = value
         return table
 
     @functools.cached_property
@@ -117,9 +103,7 @@ class MeasuredSet:
         """The role of each metric's baselines."""
         roles: dict[tuple[Metric, str], str] = {}
         for run in self.values:
-            for *name, baseline, role in zip(
-                *(run.values[column] for column in [*METRIC, "baseline", "role"])
-            ):
+            for *name, baseline, role in zip(*(run.values[column] for column in [*METRIC, "baseline", "role"])):
                 if baseline:
                     roles.setdefault((Metric(*name), baseline), role)
         return roles
@@ -132,10 +116,7 @@ class MeasuredSet:
         """Observed values: rows runs, columns metrics, a MultiIndex named METRIC."""
         metrics = self.metrics()
         columns = pandas.MultiIndex.from_tuples(metrics, names=METRIC)
-        return pandas.DataFrame(
-            numpy.column_stack([self.table[metric, ""] for metric in metrics]),
-            columns=columns,
-        )
+        return pandas.DataFrame(numpy.column_stack([self.table[metric, ""] for metric in metrics]), columns=columns)
 
     def baseline(self, metric: Metric, name: str) -> numpy.ndarray:
         """The values of a baseline, one a run; nan in a run without it."""

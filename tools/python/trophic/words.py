@@ -17,16 +17,7 @@ _PLAIN_UNITS = (
 )  # shares and counts; hunger in ticks is a metric of trophic's own, whose unit the glossary gives
 _DECIMALS = {
     **dict.fromkeys(
-        (
-            "deaths",
-            "population",
-            "period",
-            "generation_time",
-            "handling_time",
-            "lineage_depth",
-            "stock",
-        ),
-        1,
+        ("deaths", "population", "period", "generation_time", "handling_time", "lineage_depth", "stock"), 1
     ),
     "birth_rate": 5,
     "search_rate": 4,
@@ -44,29 +35,15 @@ _SHOWN = {SHADOW: "what inheritance does", NEUTRAL: "what selection does"}
 def over_nulls(compared: Iterable[str]) -> tuple[str, str, str]:
     """("over shadows: (b - shadow) - (a - shadow)", "over shadows", "what inheritance does"), or the same of all nulls that two sets were compared
     over. Empty texts for raw differences."""
-    titles = {
-        name: title for name, title in NULLS.items() if f"over_{name}" in set(compared)
-    }
-    short = (
-        ""
-        if not titles
-        else "over nulls"
-        if len(titles) > 1
-        else f"over {[*titles.values()][0]}s"
-    )
-    whole = ", ".join(
-        f"over {title}s: (b - {title}) - (a - {title})" for title in titles.values()
-    )
+    titles = {name: title for name, title in NULLS.items() if f"over_{name}" in set(compared)}
+    short = "" if not titles else "over nulls" if len(titles) > 1 else f"over {[*titles.values()][0]}s"
+    whole = ", ".join(f"over {title}s: (b - {title}) - (a - {title})" for title in titles.values())
     return whole, short, ", ".join(_SHOWN[name] for name in titles)
 
 
 def over_text(compared: str) -> str:
     """The basis of a comparison of two sets: "over the shadow", "over the neutral null" or "raw"."""
-    return (
-        f"over the {NULLS[compared.removeprefix('over_')]}"
-        if compared.startswith("over_")
-        else compared
-    )
+    return f"over the {NULLS[compared.removeprefix('over_')]}" if compared.startswith("over_") else compared
 
 
 def excerpt(text: str) -> str:
@@ -81,12 +58,7 @@ def number_text(value: float | int | None) -> str:
     if isinstance(value, (bool, int)):
         return str(int(value))
     text = repr(float(value))
-    if (
-        "e" not in text
-        and not text.endswith(".0")
-        and abs(value) >= 0.001
-        or text in ("inf", "-inf")
-    ):
+    if "e" not in text and not text.endswith(".0") and abs(value) >= 0.001 or text in ("inf", "-inf"):
         return text
     sign, digits, exponent = decimal.Decimal(text).normalize().as_tuple()
     first, rest = str(digits[0]), "".join(map(str, digits[1:]))
@@ -99,13 +71,7 @@ def number_text(value: float | int | None) -> str:
 def metric_title(metric: Metric) -> str:
     """The name and the unit that is not plain: "velocity prey (random), cm/s"."""
     group = "" if metric.group in ("", "all") else f" ({metric.group})"
-    unit = (
-        ", cm/s"
-        if metric.unit == "m/s"
-        else ""
-        if metric.unit in _PLAIN_UNITS
-        else f", {metric.unit}"
-    )
+    unit = ", cm/s" if metric.unit == "m/s" else "" if metric.unit in _PLAIN_UNITS else f", {metric.unit}"
     return f"{metric.metric}{' ' * bool(metric.species)}{metric.species}{group}{unit}"
 
 
@@ -114,49 +80,24 @@ class Reading:
 
     def __init__(self, metric: Metric):
         self.factor = 100.0 if metric.unit == "m/s" else 1.0
-        self.decimals = (
-            2
-            if metric.unit == "m/s"
-            else 1
-            if metric.unit == "ticks"
-            else _DECIMALS.get(metric.metric, 3)
-        )
-        self.unit = (
-            "cm/s"
-            if metric.unit == "m/s"
-            else ""
-            if metric.unit in _PLAIN_UNITS
-            else metric.unit
-        )
+        self.decimals = 2 if metric.unit == "m/s" else 1 if metric.unit == "ticks" else _DECIMALS.get(metric.metric, 3)
+        self.unit = "cm/s" if metric.unit == "m/s" else "" if metric.unit in _PLAIN_UNITS else metric.unit
 
     def __call__(self, value: float | None, sign: bool = False) -> str:
         if value is None or value != value:
             return "missing"
         return f"{self.factor * value:{'+' * sign}.{self.decimals}f}"
 
-    def with_interval(
-        self, value: float | None, interval: Sequence[float] | None, sign: bool = False
-    ) -> str:
+    def with_interval(self, value: float | None, interval: Sequence[float] | None, sign: bool = False) -> str:
         """ "+1.10 [+0.85, +1.35]"; an interval of None or nan is left out."""
-        if (
-            interval is None
-            or value is None
-            or value != value
-            or interval[0] is None
-            or interval[0] != interval[0]
-        ):
+        if interval is None or value is None or value != value or interval[0] is None or interval[0] != interval[0]:
             return self(value, sign)
         return f"{self(value, sign)} [{self(interval[0], sign)}, {self(interval[1], sign)}]"
 
     def of(self, estimate: Estimate | Sequence) -> str:
         """A mean with its interval, or with the spread between runs if there are too few for one."""
         _, mean, deviation, interval = estimate
-        if (
-            interval is not None
-            and interval[0] == interval[0]
-            or deviation is None
-            or deviation != deviation
-        ):
+        if interval is not None and interval[0] == interval[0] or deviation is None or deviation != deviation:
             return self.with_interval(mean, interval)
         return f"{self(mean)} (sd {self(deviation)})"
 
@@ -189,9 +130,7 @@ _LATEX = {
 def latex_text(text: str) -> str:
     """The text as LaTeX shows it letter by letter. Quotation marks open and close, and a line may break after _ and /."""
     quotes = iter(("``", "''") * text.count('"'))
-    return "".join(
-        next(quotes) if letter == '"' else _LATEX.get(letter, letter) for letter in text
-    )
+    return "".join(next(quotes) if letter == '"' else _LATEX.get(letter, letter) for letter in text)
 
 
 def markdown_text(text: str) -> str:
@@ -207,11 +146,7 @@ def one_line(text: str) -> str:
 def width_of(text: str) -> int:
     """Columns of a text on the terminal: wide characters take two, combining ones none."""
     return sum(
-        0
-        if unicodedata.combining(letter)
-        else 2
-        if unicodedata.east_asian_width(letter) in "WF"
-        else 1
+        0 if unicodedata.combining(letter) else 2 if unicodedata.east_asian_width(letter) in "WF" else 1
         for letter in text
     )
 
@@ -224,18 +159,9 @@ def columns(rows: Iterable[Sequence[str]], indent: str = "") -> str:
     for row in rows:
         if len(row) > 1:
             widths += [0] * (len(row) - len(widths))
-            widths[: len(row)] = [
-                max(width, width_of(cell)) for width, cell in zip(widths, row)
-            ]
+            widths[: len(row)] = [max(width, width_of(cell)) for width, cell in zip(widths, row)]
     lines = []
     for row in rows:
-        cells = (
-            row
-            if len(row) == 1
-            else [
-                cell + " " * (width - width_of(cell))
-                for cell, width in zip(row, widths)
-            ]
-        )
+        cells = row if len(row) == 1 else [cell + " " * (width - width_of(cell)) for cell, width in zip(row, widths)]
         lines.append((indent + "  ".join(cells)).rstrip(" ") + "\n")
     return "".join(lines)

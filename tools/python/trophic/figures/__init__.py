@@ -23,15 +23,7 @@ def _of_analysis(draw):
     return figure
 
 
-(
-    attribution,
-    velocity,
-    wall_sticking,
-    tag_symmetry,
-    population,
-    with_and_without,
-    own_metric,
-) = map(
+(attribution, velocity, wall_sticking, tag_symmetry, population, with_and_without, own_metric) = map(
     _of_analysis,
     (
         paper.attribution,
@@ -44,8 +36,7 @@ def _of_analysis(draw):
     ),
 )
 phylogeny, catches, trajectories, film_strip = map(
-    _of_analysis,
-    (pictures.phylogeny, pictures.catches, pictures.trajectories, pictures.film_strip),
+    _of_analysis, (pictures.phylogeny, pictures.catches, pictures.trajectories, pictures.film_strip)
 )
 FIGURES = [
     attribution,
@@ -63,6 +54,4 @@ FIGURES = [
 
 def forest(analysis):
     """The differences of two sets that were compared, from an Analysis, its folder or its summary."""
-    return paper.forest(
-        analysis if isinstance(analysis, dict) else paper.analysis_of(analysis).summary
-    )
+    return paper.forest(analysis if isinstance(analysis, dict) else paper.analysis_of(analysis).summary)

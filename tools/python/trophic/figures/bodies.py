@@ -34,16 +34,7 @@ MEASURES = {
     "brain_genes": "brain genes",
     "gait_genes": "gait genes",
 }
-DESCRIPTORS = [
-    "size",
-    "proportion",
-    "coverage",
-    "branching",
-    "limbs",
-    "length_of_limbs",
-    "symmetry",
-    "joints",
-]
+DESCRIPTORS = ["size", "proportion", "coverage", "branching", "limbs", "length_of_limbs", "symmetry", "joints"]
 
 
 def has_bodies(metrics):
@@ -68,11 +59,7 @@ def species_of(data):
 
 def measures(sets):
     """Every measure that changes, over time: lines with bands; the null dashed and grey, the shadow dotted."""
-    shown = [
-        name
-        for name in MEASURES
-        if any(data.rows(name, curve=True).value.nunique() > 1 for data in sets)
-    ]
+    shown = [name for name in MEASURES if any(data.rows(name, curve=True).value.nunique() > 1 for data in sets)]
     if not shown:
         raise Missing("no measure with a curve")
     species = species_of(sets[0])
@@ -110,9 +97,7 @@ def measures(sets):
                             look,
                             color="black",
                             linewidth=1,
-                            label=None
-                            if NULLS[baseline] in ax.get_legend_handles_labels()[1]
-                            else NULLS[baseline],
+                            label=None if NULLS[baseline] in ax.get_legend_handles_labels()[1] else NULLS[baseline],
                         )
         row[0].set_ylabel(MEASURES[name], fontsize=7)
     for ax, one in zip(axes[0], species):
@@ -132,50 +117,32 @@ def living_bodies(data):
     """The bodies of founders, and of those alive at the end, of all runs: rows of bodies.csv."""
     founders, living = [], []
     for folder in data.folders:
-        bodies = data.table(
-            folder, "bodies.csv", ["id", "time_s", "species", *DESCRIPTORS]
-        )
+        bodies = data.table(folder, "bodies.csv", ["id", "time_s", "species", *DESCRIPTORS])
         lives = data.table(folder, "phylogeny.csv", ["id", "destruction_time"])
         founders.append(bodies[bodies.time_s == 0])
-        living.append(
-            bodies[bodies.id.isin(lives[np.isinf(lives.destruction_time)].id)]
-        )
+        living.append(bodies[bodies.id.isin(lives[np.isinf(lives.destruction_time)].id)])
     return pd.concat(founders), pd.concat(living)
 
 
 def morphospace(sets):
     """The two first principal components of the descriptors: founders, the living, and the living of the null."""
     found = [(data, *living_bodies(data)) for data in sets]
-    everything = pd.concat(
-        [part for _, founders, living in found for part in (founders, living)]
-    )[DESCRIPTORS].to_numpy()
+    everything = pd.concat([part for _, founders, living in found for part in (founders, living)])[
+        DESCRIPTORS
+    ].to_numpy()
     mean = everything.mean(axis=0)
     _, sizes, components = np.linalg.svd(everything - mean, full_matrices=False)
     if len(sizes) < 2 or sizes[0] == 0:
         raise Missing("all bodies are alike")
     shares = sizes**2 / (sizes**2).sum()
     species = species_of(sets[0])
-    fig, axes = plt.subplots(
-        1,
-        len(species),
-        figsize=(width_in() * 1.6, 2.9),
-        sharex=True,
-        sharey=True,
-        squeeze=False,
-    )
+    fig, axes = plt.subplots(1, len(species), figsize=(width_in() * 1.6, 2.9), sharex=True, sharey=True, squeeze=False)
     for ax, one in zip(axes[0], species):
         for data, founders, living in found:
-            for rows, mark, label in (
-                (living, "o", null_of(data) or "inheritance"),
-                (founders, "*", "founders"),
-            ):
-                at = (
-                    rows[rows.species == one][DESCRIPTORS].to_numpy() - mean
-                ) @ components[:2].T
+            for rows, mark, label in ((living, "o", null_of(data) or "inheritance"), (founders, "*", "founders")):
+                at = (rows[rows.species == one][DESCRIPTORS].to_numpy() - mean) @ components[:2].T
                 places, counts = (
-                    np.unique(at.round(6), axis=0, return_counts=True)
-                    if len(at)
-                    else (np.empty((0, 2)), [])
+                    np.unique(at.round(6), axis=0, return_counts=True) if len(at) else (np.empty((0, 2)), [])
                 )
                 if mark == "*" and null_of(data) and len(sets) > 1:
                     continue
@@ -186,11 +153,7 @@ def morphospace(sets):
                     label=label,
                     linewidths=0.6,
                     zorder=3 if mark == "*" else 2,
-                    facecolors="white"
-                    if mark == "*"
-                    else NULL_COLOUR
-                    if null_of(data)
-                    else colour(one, species),
+                    facecolors="white" if mark == "*" else NULL_COLOUR if null_of(data) else colour(one, species),
                     alpha=1 if mark == "*" else 0.6,
                     edgecolors="black" if mark == "*" else "none",
                 )
@@ -200,15 +163,11 @@ def morphospace(sets):
     named = [
         ", ".join(
             f"{weight:+.2f} {name.replace('_', ' ')}"
-            for weight, name in sorted(
-                zip(component, DESCRIPTORS), key=lambda pair: -abs(pair[0])
-            )[:3]
+            for weight, name in sorted(zip(component, DESCRIPTORS), key=lambda pair: -abs(pair[0]))[:3]
         )
         for component in components[:2]
     ]
-    runs = ", ".join(
-        f"{len(data.folders)} of {null_of(data) or 'inheritance'}" for data in sets
-    )
+    runs = ", ".join(f"{len(data.folders)} of {null_of(data) or 'inheritance'}" for data in sets)
     return caption(
         fig,
         f"Principal components of the eight descriptors of bodies at the ends of runs ({runs}); larger: more individuals; stars: founders. "
@@ -219,10 +178,7 @@ def morphospace(sets):
 def robot_file(plan):
     """A robot file of a plan as text."""
     lines, path, last = ["name = 'plan'"], ["core"], "core"
-    for token in re.findall(
-        r"(front|back|left|right):(hinge|brick)(\d)|(\[)|(\])",
-        plan.removeprefix("core"),
-    ):
+    for token in re.findall(r"(front|back|left|right):(hinge|brick)(\d)|(\[)|(\])", plan.removeprefix("core")):
         face, module, turns, opens, closes = token
         if opens:
             path.append(last)
@@ -243,33 +199,21 @@ def picture_of(plan):
     with tempfile.TemporaryDirectory() as name:
         robot = pathlib.Path(name) / "plan.toml"
         robot.write_text(robot_file(plan))
-        return film("--robot", robot, "--size", "240x180", "--legend", "off")[0][
-            24:174, 30:210
-        ]
+        return film("--robot", robot, "--size", "240x180", "--legend", "off")[0][24:174, 30:210]
 
 
 def plans(data, most=5):
     """The tree of plans of one run: plans of the living and their ancestors, with pictures of founders and of the commonest of the living."""
     folder = data.folders[data.run]
-    bodies = data.table(
-        folder,
-        "bodies.csv",
-        ["id", "time_s", "species", "plan", "parent_plan", "modules_text"],
-    )
+    bodies = data.table(folder, "bodies.csv", ["id", "time_s", "species", "plan", "parent_plan", "modules_text"])
     lives = data.table(folder, "phylogeny.csv", ["id", "destruction_time"])
     end_s = bodies.time_s.max()
-    bodies["until_s"] = (
-        bodies.id.map(lives.set_index("id").destruction_time)
-        .fillna(end_s)
-        .clip(upper=end_s)
-    )
+    bodies["until_s"] = bodies.id.map(lives.set_index("id").destruction_time).fillna(end_s).clip(upper=end_s)
     alive = bodies.id.isin(lives[np.isinf(lives.destruction_time)].id)
     first = bodies.drop_duplicates("plan").set_index("plan")
     parent = first.parent_plan.where(first.parent_plan != first.index)
     last_s = bodies.groupby("plan").until_s.max()
-    counts = (
-        bodies[alive].groupby("plan").size().sort_values(ascending=False, kind="stable")
-    )
+    counts = bodies[alive].groupby("plan").size().sort_values(ascending=False, kind="stable")
     kept, order = set(), []
     for plan in counts.index:
         while plan not in kept:
@@ -290,17 +234,10 @@ def plans(data, most=5):
     for root in sorted(plan for plan in kept if pd.isna(parent[plan])):
         visit(root)
     height = {plan: place for place, plan in enumerate(order)}
-    pictured = list(
-        dict.fromkeys(
-            [*(plan for plan in order if pd.isna(parent[plan])), *counts.index[:most]]
-        )
-    )
+    pictured = list(dict.fromkeys([*(plan for plan in order if pd.isna(parent[plan])), *counts.index[:most]]))
     rows = (len(pictured) + 1) // 2
     fig, (ax, side) = plt.subplots(
-        1,
-        2,
-        figsize=(width_in() * 1.8, max(0.8 * rows, 0.14 * len(order)) + 0.6),
-        width_ratios=[2, 1],
+        1, 2, figsize=(width_in() * 1.8, max(0.8 * rows, 0.14 * len(order)) + 0.6), width_ratios=[2, 1]
     )
     species = list(dict.fromkeys(bodies.species))
     for plan in order:
@@ -312,12 +249,7 @@ def plans(data, most=5):
             linewidth=1 + min(4, 0.4 * counts.get(plan, 0)),
         )
         if not pd.isna(parent[plan]):
-            ax.plot(
-                [first.time_s[plan]] * 2,
-                [height[int(parent[plan])], height[plan]],
-                color="black",
-                linewidth=0.5,
-            )
+            ax.plot([first.time_s[plan]] * 2, [height[int(parent[plan])], height[plan]], color="black", linewidth=0.5)
     for number, plan in enumerate(pictured):
         mark = chr(ord("A") + number)
         ax.annotate(
@@ -328,20 +260,12 @@ def plans(data, most=5):
             fontsize=7,
             fontweight="bold",
         )
-        frame = side.inset_axes(
-            [0.5 * (number % 2), 1 - (number // 2 + 1) / rows, 0.48, 0.84 / rows]
-        )
+        frame = side.inset_axes([0.5 * (number % 2), 1 - (number // 2 + 1) / rows, 0.48, 0.84 / rows])
         frame.imshow(picture_of(first.modules_text[plan]))
         frame.set_title(f"{mark}: {counts.get(plan, 0)} alive", fontsize=6, pad=1)
         frame.set_axis_off()
     side.set_axis_off()
-    ax.set(
-        xlabel="time [s]",
-        ylabel="plans",
-        yticks=[],
-        xlim=(-0.04 * end_s, 1.01 * end_s),
-        ylim=(-1, len(order)),
-    )
+    ax.set(xlabel="time [s]", ylabel="plans", yticks=[], xlim=(-0.04 * end_s, 1.01 * end_s), ylim=(-1, len(order)))
     for one in species:
         ax.plot([], [], color=colour(one, species), label=f"first born as {one}")
     ax.legend(loc="upper left", fontsize=6)
@@ -356,17 +280,11 @@ def plans(data, most=5):
 def figures_of(folder, run=0):
     """(name, function) for each figure of an analysis by `--bodies`."""
     analysis = read_analysis(folder)
-    sets = [
-        Data(analysis.metrics[analysis.metrics["set"] == s["set"]], s, run)
-        for s in analysis.summary["sets"]
-    ]
+    sets = [Data(analysis.metrics[analysis.metrics["set"] == s["set"]], s, run) for s in analysis.summary["sets"]]
     sets.sort(key=lambda data: bool(null_of(data)), reverse=True)
     if any(not 0 <= run < len(data.folders) for data in sets):
         raise IndexError(f"--run {run}: must be >= 0 and < the number of runs")
     figures = [("measures", lambda: measures(sets))]
     if all((data.folders[run] / "bodies.csv").exists() for data in sets):
-        figures += [
-            ("morphospace", lambda: morphospace(sets)),
-            ("plans", lambda: plans(sets[-1])),
-        ]
+        figures += [("morphospace", lambda: morphospace(sets)), ("plans", lambda: plans(sets[-1]))]
     return figures

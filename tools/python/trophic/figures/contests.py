@@ -21,33 +21,18 @@ OPPONENTS = {
 
 def matrix(rows):
     """Mean over replicates of the means over teams: a row for each epoch of hunters, a column for each of victims."""
-    by_run = rows.groupby(
-        ["hunters_run", "hunter_epoch_s", "victim_epoch_s"]
-    ).contact_s.mean()
+    by_run = rows.groupby(["hunters_run", "hunter_epoch_s", "victim_epoch_s"]).contact_s.mean()
     return by_run.groupby(["hunter_epoch_s", "victim_epoch_s"]).mean().unstack()
 
 
 def draw_matrix(axes, cells, limits, hunter, victim):
-    shown = axes.imshow(
-        cells.to_numpy(), origin="lower", cmap="cividis", vmin=limits[0], vmax=limits[1]
-    )
+    shown = axes.imshow(cells.to_numpy(), origin="lower", cmap="cividis", vmin=limits[0], vmax=limits[1])
     for (row, column), value in np.ndenumerate(cells.to_numpy()):
         is_dark = value < sum(limits) / 2
         axes.text(
-            column,
-            row,
-            f"{value:.0f}",
-            ha="center",
-            va="center",
-            fontsize=6,
-            color="white" if is_dark else "black",
+            column, row, f"{value:.0f}", ha="center", va="center", fontsize=6, color="white" if is_dark else "black"
         )
-    axes.set_xticks(
-        range(len(cells.columns)),
-        [f"{epoch:g}" for epoch in cells.columns],
-        rotation=45,
-        ha="right",
-    )
+    axes.set_xticks(range(len(cells.columns)), [f"{epoch:g}" for epoch in cells.columns], rotation=45, ha="right")
     axes.set_yticks(range(len(cells.index)), [f"{epoch:g}" for epoch in cells.index])
     axes.set_xlabel(f"epoch of {victim}, s")
     return shown
@@ -56,21 +41,13 @@ def draw_matrix(axes, cells, limits, hunter, victim):
 def contests(folder, against, hunter, victim):
     """The matrix of one feeding link and kind of opponents, and the shadow's."""
     table = pd.read_csv(pathlib.Path(folder) / "contests.csv")
-    rows = table[
-        (table.against == against) & (table.hunter == hunter) & (table.victim == victim)
-    ]
-    sets = [
-        (title, rows[rows.shadow == shadow])
-        for title, shadow in (("runs", 0), ("neutral shadow", 1))
-    ]
+    rows = table[(table.against == against) & (table.hunter == hunter) & (table.victim == victim)]
+    sets = [(title, rows[rows.shadow == shadow]) for title, shadow in (("runs", 0), ("neutral shadow", 1))]
     sets = [(title, part) for title, part in sets if not part.empty]
     if not sets:
         raise Missing("no contests")
     matrices = [matrix(part) for _, part in sets]
-    limits = (
-        min(cells.to_numpy().min() for cells in matrices),
-        max(cells.to_numpy().max() for cells in matrices),
-    )
+    limits = (min(cells.to_numpy().min() for cells in matrices), max(cells.to_numpy().max() for cells in matrices))
     figure, panels = plt.subplots(
         1,
         len(sets),

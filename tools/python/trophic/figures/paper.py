@@ -18,17 +18,7 @@ from ..runs import Analysis, read_analysis
 from ..sweeps import arrays
 from ..words import over_nulls
 from .pictures import catches, film_strip, phylogeny, trajectories
-from .style import (
-    COLOURS,
-    NULL_COLOUR,
-    Missing,
-    caption,
-    colour,
-    legend_above,
-    line,
-    width_in,
-    wrapped,
-)
+from .style import COLOURS, NULL_COLOUR, Missing, caption, colour, legend_above, line, width_in, wrapped
 
 HATCHES = {"caught": "", "starved": "////", "sacrificed": "xxxx", "senescence": "...."}
 
@@ -46,9 +36,7 @@ class Data:
         self.metrics, self.summary = metrics, summary
         self.folders = [pathlib.Path(r["folder"]) for r in summary["runs"]]
         self.run = run
-        self.species = list(
-            dict.fromkeys(metrics.loc[metrics.metric == "population", "species"])
-        )
+        self.species = list(dict.fromkeys(metrics.loc[metrics.metric == "population", "species"]))
 
     def published(self, metric, species, group="all"):
         """The paper's mean of a metric as `trophic analyze` has it, or None."""
@@ -61,11 +49,7 @@ class Data:
 
     def rows(self, metric, species=None, group=None, baseline="", curve=False):
         m = self.metrics
-        chosen = (
-            (m.metric == metric)
-            & (m.baseline == baseline)
-            & (m.time_s.notna() == curve)
-        )
+        chosen = (m.metric == metric) & (m.baseline == baseline) & (m.time_s.notna() == curve)
         if species is not None:
             chosen &= m.species == species
         if group is not None:
@@ -76,20 +60,13 @@ class Data:
         """One number per run."""
         found = self.rows(metric, species, group, baseline)
         if found.empty:
-            raise Missing(
-                f"no value of {metric}" + (f" of {species}" if species else "")
-            )
+            raise Missing(f"no value of {metric}" + (f" of {species}" if species else ""))
         return found.value.to_numpy()
 
     def own_metrics(self):
         """Metrics that `trophic analyze --column` read."""
-        known = {
-            name.metric
-            for name in names_of(Web(["prey", "predator"], [("predator", "prey")]))
-        }
-        return [
-            name for name in dict.fromkeys(self.metrics.metric) if name not in known
-        ]
+        known = {name.metric for name in names_of(Web(["prey", "predator"], [("predator", "prey")]))}
+        return [name for name in dict.fromkeys(self.metrics.metric) if name not in known]
 
     @property
     def tick_s(self):
@@ -108,9 +85,7 @@ class Data:
     def n(self):
         """The number of runs and of their shadows, in words."""
         shadow = self.metrics[self.metrics.baseline == "shadow"].seed.nunique()
-        return f"n = {len(self.folders)} runs" + (
-            f" and {shadow} of the shadow" if shadow else ""
-        )
+        return f"n = {len(self.folders)} runs" + (f" and {shadow} of the shadow" if shadow else "")
 
     def subject(self, what):
         """The first sentence of a caption: what a figure shows, of which runs."""
@@ -141,10 +116,7 @@ class Data:
 def draw_shadow(ax, data, metric, species, group="all", label=None, scale=1.0):
     """The mean over the shadow's runs and its 95 % interval as a band."""
     if data.has_shadow and not data.rows(metric, species, group, "shadow").empty:
-        mean, lower, upper = (
-            scale * x[0]
-            for x in interval(data.values(metric, species, group, "shadow")[:, None])
-        )
+        mean, lower, upper = (scale * x[0] for x in interval(data.values(metric, species, group, "shadow")[:, None]))
         ax.axhspan(lower, upper, color="black", alpha=0.15, linewidth=0)
         ax.axhline(mean, color="black", linestyle=":", linewidth=1, label=label)
 
@@ -166,11 +138,7 @@ def window_s(time_s):
 
 
 def attribution(data):
-    bars = [
-        ("attribution_caught", "caught"),
-        ("attribution_credited", "credited"),
-        ("attribution_catches", "catches"),
-    ]
+    bars = [("attribution_caught", "caught"), ("attribution_credited", "credited"), ("attribution_catches", "catches")]
     fig, ax = plt.subplots(figsize=(width_in(), 2.6))
     names, place = [], 0
     for metric, word in bars:
@@ -181,37 +149,11 @@ def attribution(data):
             mean, lower, upper = (x[0] for x in interval(values[:, None]))
             ax.bar(place, mean, 0.62, color=colour(species, data.species), alpha=0.75)
             if np.isfinite(lower):
-                ax.errorbar(
-                    place - 0.18,
-                    mean,
-                    [[mean - lower], [upper - mean]],
-                    color="black",
-                    capsize=2,
-                    linewidth=1,
-                )
-            ax.plot(
-                place + np.linspace(-0.08, 0.08, len(values)),
-                values,
-                "o",
-                ms=2,
-                color="black",
-                alpha=0.6,
-            )
+                ax.errorbar(place - 0.18, mean, [[mean - lower], [upper - mean]], color="black", capsize=2, linewidth=1)
+            ax.plot(place + np.linspace(-0.08, 0.08, len(values)), values, "o", ms=2, color="black", alpha=0.6)
             if data.has_shadow:
-                mean, lower, upper = (
-                    x[0]
-                    for x in interval(
-                        data.values(metric, species, baseline="shadow")[:, None]
-                    )
-                )
-                ax.fill_between(
-                    [place - 0.31, place + 0.31],
-                    lower,
-                    upper,
-                    color="black",
-                    alpha=0.25,
-                    linewidth=0,
-                )
+                mean, lower, upper = (x[0] for x in interval(data.values(metric, species, baseline="shadow")[:, None]))
+                ax.fill_between([place - 0.31, place + 0.31], lower, upper, color="black", alpha=0.25, linewidth=0)
                 ax.plot(
                     [place - 0.31, place + 0.31],
                     [mean] * 2,
@@ -227,29 +169,16 @@ def attribution(data):
                     ms=4.5,
                     mfc="white",
                     mec="black",
-                    label="published"
-                    if "published" not in ax.get_legend_handles_labels()[1]
-                    else None,
+                    label="published" if "published" not in ax.get_legend_handles_labels()[1] else None,
                 )
             names.append(f"{species}:\n{word}")
             place += 1
     if place == 0:
         raise Missing("no attribution: no robot was caught")
-    ax.axhline(
-        2 / 3,
-        color="#CC0000",
-        linestyle="--",
-        linewidth=1,
-        label="paper's baseline 2/3",
-    )
+    ax.axhline(2 / 3, color="#CC0000", linestyle="--", linewidth=1, label="paper's baseline 2/3")
     ax.set(xticks=range(place), ylim=(0, 1), ylabel="inherited share (attribution)")
     if place > 6:
-        ax.set_xticklabels(
-            [name.replace("\n", " ") for name in names],
-            rotation=60,
-            ha="right",
-            rotation_mode="anchor",
-        )
+        ax.set_xticklabels([name.replace("\n", " ") for name in names], rotation=60, ha="right", rotation_mode="anchor")
     else:
         ax.set_xticklabels(names)
     legend_above(ax)
@@ -262,22 +191,13 @@ def attribution(data):
 
 def velocity(data):
     fig, axes = plt.subplots(
-        len(data.species),
-        1,
-        figsize=(width_in(), 1.55 * len(data.species) + 0.3),
-        sharex=True,
-        squeeze=False,
+        len(data.species), 1, figsize=(width_in(), 1.55 * len(data.species) + 0.3), sharex=True, squeeze=False
     )
     for ax, species in zip(axes[:, 0], data.species[::-1]):
-        for group, style, shade in (
-            ("inherited", "-", colour(species, data.species)),
-            ("random", "--", NULL_COLOUR),
-        ):
+        for group, style, shade in (("inherited", "-", colour(species, data.species)), ("random", "--", NULL_COLOUR)):
             time_s, runs = data.curve("velocity", species, group)
             draw_curve(ax, time_s, runs, group, shade, style, scale=100)
-        draw_shadow(
-            ax, data, "velocity", species, "inherited", "inherited, shadow", scale=100
-        )
+        draw_shadow(ax, data, "velocity", species, "inherited", "inherited, shadow", scale=100)
         ax.axhline(0, color="black", linewidth=0.4)
         if (published := data.published("velocity", species)) is not None:
             ax.plot(
@@ -310,13 +230,7 @@ def wall_sticking(data):
         draw_curve(ax, time_s, runs, species, shade, style)
         if data.has_shadow:
             mean = data.values("wall_sticking", species, "all", "shadow").mean()
-            ax.axhline(
-                mean,
-                color=shade,
-                linestyle="-.",
-                linewidth=0.8,
-                label=f"{species}, shadow's mean",
-            )
+            ax.axhline(mean, color=shade, linestyle="-.", linewidth=0.8, label=f"{species}, shadow's mean")
         if (published := data.published("wall_sticking", species)) is not None:
             ax.plot(
                 [1.0],
@@ -330,13 +244,7 @@ def wall_sticking(data):
                 label=f"{species}, published mean",
             )
     spread = data.values("wall_sticking", data.species[0], "all", "uniform_density")[0]
-    ax.axhline(
-        spread,
-        color="black",
-        linestyle=":",
-        linewidth=1,
-        label="uniform density (not a null)",
-    )
+    ax.axhline(spread, color="black", linestyle=":", linewidth=1, label="uniform density (not a null)")
     ax.set(xlabel="time [s]", ylabel="share within 1 m of a wall", ylim=(0, 1))
     legend_above(ax)
     return caption(
@@ -355,51 +263,21 @@ def tag_symmetry(data):
     ]
     if data.has_shadow:
         rows.insert(1, ("null: nothing\ninherited", "shadow", NULL_COLOUR))
-    uniform = data.values("tag_symmetry", group="inherited", baseline="uniform_pairs")[
-        0
-    ]
+    uniform = data.values("tag_symmetry", group="inherited", baseline="uniform_pairs")[0]
     jitter = np.random.default_rng(2)
     for place, (_, baseline, shade) in enumerate(rows):
         numbers = data.values("tag_symmetry", group="inherited", baseline=baseline)
-        ax.plot(
-            numbers,
-            place + jitter.uniform(-0.22, -0.08, len(numbers)),
-            "o",
-            ms=3,
-            color=shade,
-            alpha=0.7,
-            mew=0,
-        )
+        ax.plot(numbers, place + jitter.uniform(-0.22, -0.08, len(numbers)), "o", ms=3, color=shade, alpha=0.7, mew=0)
         mean, lower, upper = (x[0] for x in interval(numbers[:, None]))
         bars = [[mean - lower], [upper - mean]] if np.isfinite(lower) else None
-        ax.errorbar(
-            [mean],
-            [place + 0.1],
-            xerr=bars,
-            fmt="s",
-            ms=4,
-            color=shade,
-            capsize=2.5,
-            linewidth=1.4,
-        )
+        ax.errorbar([mean], [place + 0.1], xerr=bars, fmt="s", ms=4, color=shade, capsize=2.5, linewidth=1.4)
     top = len(rows)
     published = data.published("tag_symmetry", "prey+predator", "inherited")
     if published is not None:
         ax.plot([published], [top], "D", ms=4.5, mfc="white", mec="black")
     ax.axvline(uniform, color="#CC0000", linestyle="--", linewidth=1)
-    ax.text(
-        uniform - 0.005,
-        top + 0.42,
-        "paper's baseline 2/3",
-        color="#CC0000",
-        ha="right",
-        fontsize=7,
-    )
-    ax.set(
-        yticks=range(top + 1),
-        ylim=(-0.5, top + 0.65),
-        xlabel="tag symmetry, mean of each run",
-    )
+    ax.text(uniform - 0.005, top + 0.42, "paper's baseline 2/3", color="#CC0000", ha="right", fontsize=7)
+    ax.set(yticks=range(top + 1), ylim=(-0.5, top + 0.65), xlabel="tag symmetry, mean of each run")
     ax.set_yticklabels([name for name, _, _ in rows] + ["published\nmean"])
     return caption(
         fig,
@@ -410,25 +288,13 @@ def tag_symmetry(data):
 
 
 def population(data):
-    fig, axes = plt.subplots(
-        3,
-        1,
-        figsize=(width_in(), 4.6),
-        sharex=True,
-        gridspec_kw={"height_ratios": [1, 0.8, 1.3]},
-    )
+    fig, axes = plt.subplots(3, 1, figsize=(width_in(), 4.6), sharex=True, gridspec_kw={"height_ratios": [1, 0.8, 1.3]})
     for species in data.species:
         look = (species, colour(species, data.species), line(species, data.species))
         time_s, runs = data.curve("population", species)
         draw_curve(axes[0], time_s, runs, *look, average=False)
         if not data.rows("hunger", species, curve=True).empty:
-            draw_curve(
-                axes[1],
-                *data.curve("hunger", species),
-                *look,
-                average=False,
-                scale=data.tick_s,
-            )
+            draw_curve(axes[1], *data.curve("hunger", species), *look, average=False, scale=data.tick_s)
     axes[0].set_ylabel("individuals")
     axes[0].set_ylim(bottom=0)
     legend_above(axes[0])
@@ -464,15 +330,9 @@ def population(data):
 def with_and_without(data):
     """Numbers, and velocities of the inherited, of a set and of its shadow."""
     fig, axes = plt.subplots(2, 1, figsize=(width_in(), 3.2), sharex=True)
-    for ax, metric, group, scale in (
-        (axes[0], "population", "all", 1),
-        (axes[1], "velocity", "inherited", 100),
-    ):
+    for ax, metric, group, scale in ((axes[0], "population", "all", 1), (axes[1], "velocity", "inherited", 100)):
         for species in data.species:
-            for baseline, style, words in (
-                ("", "-", "inheritance"),
-                ("shadow", (0, (1, 1)), "nothing inherited"),
-            ):
+            for baseline, style, words in (("", "-", "inheritance"), ("shadow", (0, (1, 1)), "nothing inherited")):
                 time_s, runs = data.curve(metric, species, group, baseline)
                 draw_curve(
                     ax,
@@ -497,34 +357,15 @@ def with_and_without(data):
 def own_metric(data, metric):
     """A metric of one's own: its curves if it has any, else a point for each run, with the shadow's."""
     rows = data.metrics[data.metrics.metric == metric]
-    parts = list(
-        rows[["species", "group", "unit"]].drop_duplicates().itertuples(index=False)
-    )
+    parts = list(rows[["species", "group", "unit"]].drop_duplicates().itertuples(index=False))
     has_curve = rows.time_s.notna().any()
     fig, ax = plt.subplots(figsize=(width_in(), 2.3))
     for place, part in enumerate(parts):
-        label = (
-            " ".join(
-                filter(None, [part.species, "" if part.group == "all" else part.group])
-            )
-            or "runs"
-        )
-        shade = (
-            colour(part.species, data.species)
-            if part.species in data.species
-            else "#0072B2"
-        )
+        label = " ".join(filter(None, [part.species, "" if part.group == "all" else part.group])) or "runs"
+        shade = colour(part.species, data.species) if part.species in data.species else "#0072B2"
         if has_curve:
             time_s, runs = data.curve(metric, part.species, part.group)
-            draw_curve(
-                ax,
-                time_s,
-                runs,
-                label,
-                shade,
-                style=["-", "--", ":", "-."][place % 4],
-                average=False,
-            )
+            draw_curve(ax, time_s, runs, label, shade, style=["-", "--", ":", "-."][place % 4], average=False)
             draw_shadow(ax, data, metric, part.species, part.group, f"{label}, shadow")
             continue
         for shift, baseline, look in ((-0.1, "", shade), (0.1, "shadow", NULL_COLOUR)):
@@ -532,15 +373,7 @@ def own_metric(data, metric):
                 continue
             values = data.values(metric, part.species, part.group, baseline)
             mean, lower, upper = (x[0] for x in interval(values[:, None]))
-            ax.plot(
-                [place + shift] * len(values),
-                values,
-                "o",
-                ms=2.5,
-                mew=0,
-                color=look,
-                alpha=0.6,
-            )
+            ax.plot([place + shift] * len(values), values, "o", ms=2.5, mew=0, color=look, alpha=0.6)
             bars = [[mean - lower], [upper - mean]] if np.isfinite(lower) else None
             ax.errorbar(
                 [place + 1.8 * shift],
@@ -553,19 +386,11 @@ def own_metric(data, metric):
                 label=("shadow" if baseline else "ours") if place == 0 else None,
             )
     if not has_curve:
-        ax.set_xticks(
-            range(len(parts)),
-            [" ".join(filter(None, [p.species, p.group])) for p in parts],
-        )
+        ax.set_xticks(range(len(parts)), [" ".join(filter(None, [p.species, p.group])) for p in parts])
     unit = "" if parts[0].unit == "1" else f" [{parts[0].unit}]"
-    ax.set(
-        ylabel=metric.replace("_", " ") + unit, xlabel="time [s]" if has_curve else ""
-    )
+    ax.set(ylabel=metric.replace("_", " ") + unit, xlabel="time [s]" if has_curve else "")
     legend_above(ax)
-    return caption(
-        fig,
-        f"{data.subject(metric)} {data.intervals('bands' if has_curve else 'bars')}",
-    )
+    return caption(fig, f"{data.subject(metric)} {data.intervals('bands' if has_curve else 'bars')}")
 
 
 MOST_LINES_OF_A_FOREST = 30
@@ -575,11 +400,7 @@ def forest(summary):
     """The differences of two sets that were compared, each in standard deviations between runs, with 95 % intervals; filled: significant."""
     kinds = ("over_neutral", "over_shadow", "raw")
     answers = [
-        next(
-            kind
-            for kind in kinds
-            if kind == "raw" or d.get(kind, {}).get("value") is not None
-        )
+        next(kind for kind in kinds if kind == "raw" or d.get(kind, {}).get("value") is not None)
         for d in summary["differences"]
     ]
     _, over, _ = over_nulls(answers)
@@ -587,39 +408,21 @@ def forest(summary):
     for d, kind in zip(summary["differences"], answers):
         spread = [d[side]["deviation"] for side in "ab"]
         of = d[kind]
-        if (
-            d["same_as"]
-            or of["lower"] is None
-            or of["differs"] is None
-            or None in spread
-            or not any(spread)
-        ):
+        if d["same_as"] or of["lower"] is None or of["differs"] is None or None in spread or not any(spread):
             continue
         unit = (sum(s * s for s in spread) / 2) ** 0.5
         rows.append((d, of, [of[key] / unit for key in ("value", "lower", "upper")]))
     if not rows:
         raise Missing("no difference with an interval: six runs of each set are needed")
     left_out = len(rows) - MOST_LINES_OF_A_FOREST
-    rows = (
-        sorted(rows, key=lambda row: row[1]["p"])[:MOST_LINES_OF_A_FOREST]
-        if left_out > 0
-        else rows
-    )
+    rows = sorted(rows, key=lambda row: row[1]["p"])[:MOST_LINES_OF_A_FOREST] if left_out > 0 else rows
     rows = sorted(rows, key=lambda row: row[2][0])
     fig, ax = plt.subplots(figsize=(width_in(), 0.7 + 0.17 * len(rows)))
     for place, (d, of, (value, lower, upper)) in enumerate(rows):
         ax.plot([lower, upper], [place, place], color="black", linewidth=1)
-        ax.plot(
-            [value],
-            [place],
-            "o",
-            ms=4,
-            color="black",
-            mfc="black" if of["differs"] else "white",
-        )
+        ax.plot([value], [place], "o", ms=4, color="black", mfc="black" if of["differs"] else "white")
     names = [
-        f"{d['metric'].replace('_', ' ')} {d['species']}"
-        + ("" if d["group"] == "all" else f" ({d['group']})")
+        f"{d['metric'].replace('_', ' ')} {d['species']}" + ("" if d["group"] == "all" else f" ({d['group']})")
         for d, _, _ in rows
     ]
     ax.axvline(0, color="#555555", linewidth=0.6)
@@ -627,8 +430,7 @@ def forest(summary):
     ax.set_ylim(-0.7, len(rows) - 0.3)
     first, second = (s["set"] for s in summary["sets"])
     ax.set_xlabel(
-        wrapped(f"{second} \u2212 {first}" + (f", {over}" if over else ""))
-        + "\n[standard deviations between runs]",
+        wrapped(f"{second} \u2212 {first}" + (f", {over}" if over else "")) + "\n[standard deviations between runs]",
         loc="right",
     )
     rest = f" The {left_out} least significant are left out." if left_out > 0 else ""
@@ -665,10 +467,7 @@ def sets_of(analysis, run=0):
     """The sets of an Analysis, or of its folder, each as Data. Raises RunError for a folder that is not one, and IndexError for a `run` that is not
     there."""
     analysis = analysis_of(analysis)
-    sets = [
-        Data(analysis.metrics[analysis.metrics["set"] == s["set"]], s, run)
-        for s in analysis.summary["sets"]
-    ]
+    sets = [Data(analysis.metrics[analysis.metrics["set"] == s["set"]], s, run) for s in analysis.summary["sets"]]
     if any(not 0 <= run < len(data.folders) for data in sets):
         raise IndexError(f"--run {run}: must be >= 0 and < the number of runs")
     return sets
@@ -691,11 +490,7 @@ def figures_of(folder, run=0):
     sets = sets_of(folder, run)
     figures = []
     for data in sets:
-        prefix = (
-            ""
-            if len(sets) == 1
-            else re.sub(r"\W+", "_", data.summary["set"]).strip("_") + "-"
-        )
+        prefix = "" if len(sets) == 1 else re.sub(r"\W+", "_", data.summary["set"]).strip("_") + "-"
         figures += [
             (prefix + draw.__name__, functools.partial(draw, data))
             for draw in FIGURES
@@ -703,10 +498,7 @@ def figures_of(folder, run=0):
         ]
         own = data.own_metrics()
         figures += [
-            (
-                f"{prefix}own-{re.sub(r'[^A-Za-z0-9]+', '_', metric)}",
-                functools.partial(own_metric, data, metric),
-            )
+            (f"{prefix}own-{re.sub(r'[^A-Za-z0-9]+', '_', metric)}", functools.partial(own_metric, data, metric))
             for metric in own
         ]
     summary = json.loads((pathlib.Path(folder) / "summary.json").read_text())

@@ -40,10 +40,7 @@ def families(tree):
 
 def chosen_families(found):
     """The largest families that fit, at least one; those of a single individual only if there are no others."""
-    largest = (
-        sorted((family for family in found if len(family) > 1), key=len, reverse=True)
-        or found[:MOST_ROWS]
-    )
+    largest = sorted((family for family in found if len(family) > 1), key=len, reverse=True) or found[:MOST_ROWS]
     chosen, rows = [], 0
     for family in largest:
         if chosen and rows + len(family) > MOST_ROWS:
@@ -55,11 +52,7 @@ def chosen_families(found):
 
 def phylogeny(data):
     folder = data.folders[data.run]
-    tree = data.table(
-        folder,
-        "phylogeny.csv",
-        ["id", "ancestor_id", "origin_time", "destruction_time", "species"],
-    )
+    tree = data.table(folder, "phylogeny.csv", ["id", "ancestor_id", "origin_time", "destruction_time", "species"])
     if tree.empty:
         raise Missing(f"{folder / 'phylogeny.csv'}: no robot in it")
     tree = tree.sort_values("origin_time", kind="stable").set_index("id")
@@ -73,35 +66,23 @@ def phylogeny(data):
             row += 1
         bands.append((row - len(family) - 0.5, row - 0.5))
         row += 1.2
-    fig, ax = plt.subplots(
-        figsize=(width_in(), float(np.clip(0.032 * row + 1.4, 2.6, 7.0)))
-    )
+    fig, ax = plt.subplots(figsize=(width_in(), float(np.clip(0.032 * row + 1.4, 2.6, 7.0))))
     for low, high in bands[::2]:
         ax.axhspan(low - 0.3, high + 0.3, color="black", alpha=0.05, linewidth=0)
     shown = tree.loc[list(rows)]
-    links = [
-        (tree.origin_time[c], rows[p], rows[c])
-        for p in rows
-        for c in children.get(p, [])
-    ]
+    links = [(tree.origin_time[c], rows[p], rows[c]) for p in rows for c in children.get(p, [])]
     if links:
         x, low, high = zip(*links)
         ax.vlines(x, low, high, color="black", linewidth=0.6)
     waits = [
-        (
-            rows[p],
-            tree.destruction_time[p],
-            max(tree.origin_time[c] for c in children[p]),
-        )
+        (rows[p], tree.destruction_time[p], max(tree.origin_time[c] for c in children[p]))
         for p in rows
         if p in children
     ]
     waits = [wait for wait in waits if wait[2] > wait[1]]
     if waits:
         y, death_s, birth_s = zip(*waits)
-        ax.hlines(
-            y, death_s, birth_s, color="black", linewidth=0.5, linestyle=(0, (1, 2))
-        )
+        ax.hlines(y, death_s, birth_s, color="black", linewidth=0.5, linestyle=(0, (1, 2)))
     for species in data.species:
         of = shown[shown.species == species]
         shade = colour(species, data.species)
@@ -116,14 +97,7 @@ def phylogeny(data):
             linestyle=line(species, data.species) if len(data.species) > 2 else "-",
         )
         living = of[np.isinf(of.destruction_time)]
-        ax.plot(
-            [end_s] * len(living),
-            [rows[i] for i in living.index],
-            ">",
-            ms=3,
-            mew=0,
-            color=shade,
-        )
+        ax.plot([end_s] * len(living), [rows[i] for i in living.index], ">", ms=3, mew=0, color=shade)
     ax.set(
         xlabel="time [s]",
         ylabel="a line a life, a stripe a family",
@@ -137,9 +111,7 @@ def phylogeny(data):
     rest = (
         ""
         if left_out == 0
-        else (
-            f" Not shown: {left_out} in smaller families, {alone} of them without parent and offspring."
-        )
+        else (f" Not shown: {left_out} in smaller families, {alone} of them without parent and offspring.")
     )
     return caption(
         fig,
@@ -163,37 +135,15 @@ def catches(data):
     cells = min(20, int(np.sqrt(len(places) / 10)))
     text = f"{data.subject('Places of catches')} {len(places)} catches in n = {len(data.folders)} runs."
     if cells >= 4:
-        counts, x_m, y_m = np.histogram2d(
-            places.x_m, places.y_m, bins=cells, range=[[-edge_m, edge_m]] * 2
-        )
+        counts, x_m, y_m = np.histogram2d(places.x_m, places.y_m, bins=cells, range=[[-edge_m, edge_m]] * 2)
         density = counts / len(data.folders) / (2 * edge_m / cells) ** 2
-        image = ax.pcolormesh(
-            x_m,
-            y_m,
-            density.T,
-            cmap="cividis",
-            norm=PowerNorm(0.5, vmin=0),
-            rasterized=True,
-        )
+        image = ax.pcolormesh(x_m, y_m, density.T, cmap="cividis", norm=PowerNorm(0.5, vmin=0), rasterized=True)
         fig.colorbar(image, label="catches per m² and run", shrink=0.9)
         text += f" {len(places) / cells**2:.0f} per cell on average ({2 * edge_m / cells:.1f} m wide); square-root colour scale."
     else:
-        ax.plot(
-            places.x_m,
-            places.y_m,
-            "o",
-            ms=3,
-            mew=0,
-            color=colour("predator", data.species),
-            alpha=0.6,
-        )
+        ax.plot(places.x_m, places.y_m, "o", ms=3, mew=0, color=colour("predator", data.species), alpha=0.6)
         text += " Each point is one catch: too few for a density."
-    ax.plot(
-        half_m * np.array([-1, 1, 1, -1, -1]),
-        half_m * np.array([-1, -1, 1, 1, -1]),
-        color="black",
-        linewidth=1,
-    )
+    ax.plot(half_m * np.array([-1, 1, 1, -1, -1]), half_m * np.array([-1, -1, 1, 1, -1]), color="black", linewidth=1)
     ax.set(aspect="equal", xlabel="x [m]", ylabel="y [m]")
     return caption(fig, text + " Frame: the walls.")
 
@@ -206,12 +156,7 @@ def trajectories(data):
     half_m = data.summary["runs"][0]["half_side_m"]
     count = len(data.species)
     fig, axes = plt.subplots(
-        1,
-        count,
-        figsize=(max(width_in(), 1.75 * count), 2.5),
-        sharex=True,
-        sharey=True,
-        squeeze=False,
+        1, count, figsize=(max(width_in(), 1.75 * count), 2.5), sharex=True, sharey=True, squeeze=False
     )
     paths = {species: [] for species in data.species}
     for _, body in rows.groupby("body", sort=False):
@@ -231,10 +176,7 @@ def trajectories(data):
             )
         )
         ax.plot(
-            half_m * np.array([-1, 1, 1, -1, -1]),
-            half_m * np.array([-1, -1, 1, 1, -1]),
-            color="black",
-            linewidth=1,
+            half_m * np.array([-1, 1, 1, -1, -1]), half_m * np.array([-1, -1, 1, 1, -1]), color="black", linewidth=1
         )
         ax.set(
             aspect="equal",
@@ -276,26 +218,12 @@ def film_strip(data):
     folder = data.folders[data.run]
     if not (folder / "replay.trp").exists():
         raise Missing(f"{folder / 'replay.trp'}: no recording")
-    pixels, said = film(
-        folder,
-        "--catch",
-        "best",
-        "--sheet",
-        "2x2",
-        "--size",
-        "520x360",
-        "--lines",
-        "off",
-    )
-    fig, ax = plt.subplots(
-        figsize=(width_in(), width_in() * pixels.shape[0] / pixels.shape[1])
-    )
+    pixels, said = film(folder, "--catch", "best", "--sheet", "2x2", "--size", "520x360", "--lines", "off")
+    fig, ax = plt.subplots(figsize=(width_in(), width_in() * pixels.shape[0] / pixels.shape[1]))
     fig.get_layout_engine().set(w_pad=0, h_pad=0)
     ax.imshow(pixels)
     ax.set_axis_off()
-    what = said.partition("; ")[
-        2
-    ]  # "at 390 s predator 29 catches prey 12: random, lived 390 s"
+    what = said.partition("; ")[2]  # "at 390 s predator 29 catches prey 12: random, lived 390 s"
     return caption(
         fig,
         f"{folder.name}: {what}. The camera stands still; only the two robots of the catch are named. Ring on the floor: filled "

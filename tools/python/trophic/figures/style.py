@@ -35,29 +35,18 @@ _SIZES = {
 }  # a $ in a name of a user is a $
 _SERIF = {
     "font.family": "serif",
-    "font.serif": [
-        "Times New Roman",
-        "Nimbus Roman",
-        "Liberation Serif",
-        "STIXGeneral",
-    ],
+    "font.serif": ["Times New Roman", "Nimbus Roman", "Liberation Serif", "STIXGeneral"],
     "mathtext.fontset": "stix",
 }
 # Inches of a column and of a page, and how letters look.
-STYLES = {
-    "plain": (3.5, 7.16, {}),
-    "serif": (3.5, 7.16, _SERIF),
-    "ieee": (3.487, 7.14, _SERIF),
-}
+STYLES = {"plain": (3.5, 7.16, {}), "serif": (3.5, 7.16, _SERIF), "ieee": (3.487, 7.14, _SERIF)}
 _WIDTH_IN = [3.5]
 
 
 def use(style="plain", columns=1):
     """Makes all figures that follow in a style (plain, serif or ieee), one or two columns wide."""
     column_in, page_in, look = STYLES[style]
-    plt.rcParams.update(
-        {**plt.rcParamsDefault, "backend": plt.rcParams["backend"], **_SIZES, **look}
-    )
+    plt.rcParams.update({**plt.rcParamsDefault, "backend": plt.rcParams["backend"], **_SIZES, **look})
     _WIDTH_IN[0] = page_in if columns == 2 else column_in
 
 
@@ -98,10 +87,7 @@ def legend_above(ax, columns=2, **options):
     labels = ax.get_legend_handles_labels()[1]
     if not labels:
         return 0
-    figure, room_in = (
-        ax.figure,
-        (ax.figure.get_figwidth() - 0.7) / ax.get_subplotspec().get_gridspec().ncols,
-    )
+    figure, room_in = (ax.figure, (ax.figure.get_figwidth() - 0.7) / ax.get_subplotspec().get_gridspec().ncols)
     for count in range(columns, 0, -1):
         legend = ax.legend(
             loc="lower left",
@@ -147,14 +133,7 @@ def _with_caption(figure):
     figure.set_figheight(
         figure.get_figheight() + len(lines) * 6 * 1.15 / 72
     )  # so panels stay as large as without a caption
-    figure.supxlabel(
-        "\n".join(lines),
-        fontsize=6,
-        color="#444444",
-        x=0.01,
-        ha="left",
-        linespacing=1.15,
-    )
+    figure.supxlabel("\n".join(lines), fontsize=6, color="#444444", x=0.01, ha="left", linespacing=1.15)
 
 
 def captions_tex(captions, folder="."):
@@ -162,14 +141,11 @@ def captions_tex(captions, folder="."):
 
     def command(name):
         return "trophic" + "".join(
-            part.capitalize()
-            for part in "".join(c if c.isalpha() else " " for c in name).split()
+            part.capitalize() for part in "".join(c if c.isalpha() else " " for c in name).split()
         )
 
     superscript = r"\textsuperscript{2}"
-    lines = [
-        "% \\input{captions}; then \\includegraphics{velocity} \\caption{\\trophicVelocity}"
-    ]
+    lines = ["% \\input{captions}; then \\includegraphics{velocity} \\caption{\\trophicVelocity}"]
     return (
         "\n".join(
             lines
@@ -200,9 +176,7 @@ def save_all(figures, out, with_captions=False):
             _with_caption(figure)
         for ending in ("png", "pdf"):
             figure.savefig(
-                out / f"{name}.{ending}",
-                dpi=300,
-                metadata={"CreationDate": None} if ending == "pdf" else None,
+                out / f"{name}.{ending}", dpi=300, metadata={"CreationDate": None} if ending == "pdf" else None
             )
         captions[name] = getattr(figure, "caption", "")
         plt.close(figure)

@@ -47,11 +47,7 @@ class Axis:
     def __init__(self, name, column, names):
         self.name = name
         tail = name.rsplit(".", 1)[-1]
-        self.title = (
-            tail
-            if sum(other.rsplit(".", 1)[-1] == tail for other in names) == 1
-            else name
-        )
+        self.title = tail if sum(other.rsplit(".", 1)[-1] == tail for other in names) == 1 else name
         self.values = list(dict.fromkeys(column))
         self.numeric = all(map(is_number, self.values))
         if self.numeric:
@@ -76,13 +72,9 @@ class Sweep:
     def __init__(self, folder, axes=None):
         self.cells = pd.read_csv(folder / "cells.csv", dtype=str, keep_default_na=False)
         self.metrics = pd.read_csv(folder / "sweep_metrics.csv", dtype={"unit": str})
-        differences = pd.read_csv(
-            folder / "sweep_differences.csv", dtype={"unit": str, "significant": str}
-        )
+        differences = pd.read_csv(folder / "sweep_differences.csv", dtype={"unit": str, "significant": str})
         over = differences.compared == "over_shadow"
-        self.differences = (
-            differences[over] if over.any() else differences
-        )  # the answers
+        self.differences = differences[over] if over.any() else differences  # the answers
         summary = json.loads((folder / "summary.json").read_text())["sweep"]
         self.reference = summary["reference"]
         self.cells["cell"] = self.cells.cell.astype(int)
@@ -101,67 +93,36 @@ class Sweep:
         keys = self.metrics[["metric", "species", "group", "unit"]].drop_duplicates()
         if choices:
             parts = [choice.split(":") for choice in choices]
-            named = [
-                any(list(key[: len(part)]) == part for part in parts)
-                for key in keys.itertuples(index=False)
-            ]
+            named = [any(list(key[: len(part)]) == part for part in parts) for key in keys.itertuples(index=False)]
             for choice, part in zip(choices, parts):
-                if not any(
-                    list(key[: len(part)]) == part
-                    for key in keys.itertuples(index=False)
-                ):
-                    raise KeyError(
-                        f"--metric {choice}: no such metric in sweep_metrics.csv"
-                    )
+                if not any(list(key[: len(part)]) == part for key in keys.itertuples(index=False)):
+                    raise KeyError(f"--metric {choice}: no such metric in sweep_metrics.csv")
             keys = keys[named]
         elif self.chosen_before_looking(keys):
-            keys = keys.merge(
-                self.differences[["metric", "species", "group"]].drop_duplicates()
-            )
+            keys = keys.merge(self.differences[["metric", "species", "group"]].drop_duplicates())
         else:
             keys = keys[
                 keys.metric.isin(HEADLINE)
-                & (
-                    (keys.group == "all")
-                    | (keys.metric + keys.group == "tag_symmetryinherited")
-                )
+                & ((keys.group == "all") | (keys.metric + keys.group == "tag_symmetryinherited"))
             ]
-        metrics = (
-            (metric, list(rows.itertuples(index=False)))
-            for metric, rows in keys.groupby("metric", sort=False)
-        )
+        metrics = ((metric, list(rows.itertuples(index=False))) for metric, rows in keys.groupby("metric", sort=False))
         return [(metric, list(filter(self.varies, rows))) for metric, rows in metrics]
 
     def chosen_before_looking(self, keys):
         """Whether metrics were chosen in `trophic analyze`."""
-        return (
-            0
-            < len(self.differences[["metric", "species", "group"]].drop_duplicates())
-            < len(keys)
-        )
+        return 0 < len(self.differences[["metric", "species", "group"]].drop_duplicates()) < len(keys)
 
     def at(self, free):
         """The cells with the reference cell's values on all axes that are not free."""
-        fixed = {
-            name: value
-            for name, value in self.fixed.items()
-            if name not in {axis.name for axis in free}
-        }
+        fixed = {name: value for name, value in self.fixed.items() if name not in {axis.name for axis in free}}
         chosen = self.cells
         for name, value in fixed.items():
             chosen = chosen[chosen[name] == value]
-        titles = [
-            f"{name.rsplit('.', 1)[-1]} {value or 'unset'}"
-            for name, value in fixed.items()
-        ]
+        titles = [f"{name.rsplit('.', 1)[-1]} {value or 'unset'}" for name, value in fixed.items()]
         return chosen, ", ".join(titles)
 
     def rows(self, table, key):
-        found = table[
-            (table.metric == key.metric)
-            & (table.species == key.species)
-            & (table.group == key.group)
-        ]
+        found = table[(table.metric == key.metric) & (table.species == key.species) & (table.group == key.group)]
         return found.set_index("cell")
 
     def over_shadow(self, key):
@@ -171,15 +132,8 @@ class Sweep:
     def means(self, key):
         """mean, lower and upper by cell: over the shadow if cells were compared over it."""
         rows = self.rows(self.metrics, key)
-        names = (
-            ["over_shadow", "over_lower", "over_upper"]
-            if self.over_shadow(key)
-            else ["mean", "lower", "upper"]
-        )
-        return (
-            rows[names].set_axis(["mean", "lower", "upper"], axis=1)
-            * UNITS.get(key.unit, ("", 1.0))[1]
-        )
+        names = ["over_shadow", "over_lower", "over_upper"] if self.over_shadow(key) else ["mean", "lower", "upper"]
+        return rows[names].set_axis(["mean", "lower", "upper"], axis=1) * UNITS.get(key.unit, ("", 1.0))[1]
 
     def is_significant(self, key):
         return self.rows(self.differences, key).significant == "yes"
@@ -187,12 +141,8 @@ class Sweep:
     def title(self, key):
         unit = UNITS.get(key.unit, (key.unit, 1.0))[0]
         of = key.species + ("" if key.group == "all" else f", {key.group}")
-        details = ("over shadow " if self.over_shadow(key) else "") + (
-            f"[{unit}]" if unit else ""
-        )
-        return f"{key.metric.replace('_', ' ')}\n{of}" + (
-            "\n" + details if details else ""
-        )
+        details = ("over shadow " if self.over_shadow(key) else "") + (f"[{unit}]" if unit else "")
+        return f"{key.metric.replace('_', ' ')}\n{of}" + ("\n" + details if details else "")
 
     def varies(self, key):
         """Whether it varies between cells or between runs of a cell."""
@@ -213,12 +163,7 @@ def panels_of(sweep, axis):
     if axis is None:
         return [(None, "")]
     if len(axis.values) > MOST_PANELS:
-        return [
-            (
-                sweep.fixed[axis.name],
-                f"{axis.title} {axis.text(sweep.fixed[axis.name])}",
-            )
-        ]
+        return [(sweep.fixed[axis.name], f"{axis.title} {axis.text(sweep.fixed[axis.name])}")]
     return [(value, f"{axis.title} {axis.text(value)}") for value in axis.values]
 
 
@@ -228,16 +173,10 @@ def frame(rows, columns, size, legends, fixed, **sharing):
     in_a_row = max(1, int(size[0] / 1.1))
     heights = [0.04 + 0.17 * -(-len(handles) // in_a_row) for handles in legends]
     fig = plt.figure(figsize=(size[0], size[1] + sum(heights)))
-    *strips, below = fig.subfigures(
-        len(legends) + 1, 1, height_ratios=[*heights, size[1]]
-    )
+    *strips, below = fig.subfigures(len(legends) + 1, 1, height_ratios=[*heights, size[1]])
     for strip, handles in zip(strips, legends):
         strip.legend(
-            handles=handles,
-            loc="center",
-            ncol=min(len(handles), in_a_row),
-            columnspacing=1.2,
-            handlelength=1.6,
+            handles=handles, loc="center", ncol=min(len(handles), in_a_row), columnspacing=1.2, handlelength=1.6
         )
     if fixed:
         below.supxlabel(f"at {fixed}", fontsize=6.5, color="#555555")
@@ -260,17 +199,8 @@ def draw_line(ax, sweep, key, cells, x, shift, style, label):
         linewidth=0.8,
         alpha=0.8,
     )
-    ax.plot(
-        where[order],
-        means["mean"].to_numpy()[order],
-        color=style["color"],
-        linewidth=1,
-        label=label,
-        zorder=3,
-    )
-    significant = (
-        sweep.is_significant(key).reindex(cells.index, fill_value=False).to_numpy()
-    )
+    ax.plot(where[order], means["mean"].to_numpy()[order], color=style["color"], linewidth=1, label=label, zorder=3)
+    significant = sweep.is_significant(key).reindex(cells.index, fill_value=False).to_numpy()
     for chosen, face in ((significant, style["color"]), (~significant, "white")):
         ax.plot(
             where[chosen],
@@ -282,16 +212,7 @@ def draw_line(ax, sweep, key, cells, x, shift, style, label):
             zorder=4,
         )
     for place in where[cells.index == sweep.reference]:
-        ax.plot(
-            [place],
-            [means["mean"].loc[sweep.reference]],
-            "o",
-            ms=9,
-            mfc="none",
-            mec="black",
-            mew=0.8,
-            zorder=5,
-        )
+        ax.plot([place], [means["mean"].loc[sweep.reference]], "o", ms=9, mfc="none", mec="black", mew=0.8, zorder=5)
 
 
 def response(sweep, keys):
@@ -311,13 +232,7 @@ def response(sweep, keys):
     of_lines = (
         [
             Line2D(
-                [],
-                [],
-                color=s["color"],
-                marker=s["marker"],
-                ms=4,
-                mfc="white",
-                label=f"{lines.title} {lines.text(v)}",
+                [], [], color=s["color"], marker=s["marker"], ms=4, mfc="white", label=f"{lines.title} {lines.text(v)}"
             )
             for v, s in zip(values, styles)
         ]
@@ -325,46 +240,12 @@ def response(sweep, keys):
         else []
     )
     marks = [
-        Line2D(
-            [],
-            [],
-            linestyle="",
-            marker="o",
-            ms=4,
-            color="black",
-            label="significant (corrected)",
-        ),
-        Line2D(
-            [],
-            [],
-            linestyle="",
-            marker="o",
-            ms=4,
-            mfc="white",
-            mec="black",
-            label="inconclusive",
-        ),
-        Line2D(
-            [],
-            [],
-            linestyle="",
-            marker="o",
-            ms=9,
-            mfc="none",
-            mec="black",
-            label="reference",
-        ),
+        Line2D([], [], linestyle="", marker="o", ms=4, color="black", label="significant (corrected)"),
+        Line2D([], [], linestyle="", marker="o", ms=4, mfc="white", mec="black", label="inconclusive"),
+        Line2D([], [], linestyle="", marker="o", ms=9, mfc="none", mec="black", label="reference"),
     ]
     size = (max(width_in(), 1.1 + 1.9 * len(columns)), 0.4 + 1.5 * len(keys))
-    fig, _, grid = frame(
-        len(keys),
-        len(columns),
-        size,
-        [of_lines, marks],
-        fixed,
-        sharex=True,
-        sharey="row",
-    )
+    fig, _, grid = frame(len(keys), len(columns), size, [of_lines, marks], fixed, sharex=True, sharey="row")
     step = np.diff(x.positions()).min() if len(x.values) > 1 else 1.0
     for row, key in enumerate(keys):
         for column, (panel, title) in enumerate(columns):
@@ -372,29 +253,14 @@ def response(sweep, keys):
             here = cells if panel is None else cells[cells[panels.name] == panel]
             for i, (value, style) in enumerate(zip(values, styles)):
                 of_line = here if value is None else here[here[lines.name] == value]
-                shift = (
-                    0.0
-                    if len(values) == 1
-                    else 0.24 * step * (i / (len(values) - 1) - 0.5)
-                )
-                draw_line(
-                    ax,
-                    sweep,
-                    key,
-                    of_line,
-                    x,
-                    shift,
-                    style,
-                    lines and lines.text(value),
-                )
+                shift = 0.0 if len(values) == 1 else 0.24 * step * (i / (len(values) - 1) - 0.5)
+                draw_line(ax, sweep, key, of_line, x, shift, style, lines and lines.text(value))
             if row == 0 and title:
                 ax.set_title(title)
             if row == len(keys) - 1:
                 ax.set_xlabel(x.title)
             ax.set_xticks(
-                x.positions(),
-                [x.text(value) for value in x.values],
-                rotation=0 if len(x.values) <= 6 else 60,
+                x.positions(), [x.text(value) for value in x.values], rotation=0 if len(x.values) <= 6 else 60
             )
             ax.margins(x=0.08, y=0.12)
         grid[row, 0].set_ylabel(sweep.title(key), fontsize=7)
@@ -447,19 +313,14 @@ def draw_map(ax, sweep, key, cells, x, y, limit, with_numbers):
                         zorder=2,
                     )
                 )
-    image = ax.imshow(
-        values, cmap="RdBu_r", vmin=-limit, vmax=limit, origin="lower", aspect="auto"
-    )
+    image = ax.imshow(values, cmap="RdBu_r", vmin=-limit, vmax=limit, origin="lower", aspect="auto")
     image.cmap.set_bad("#dddddd")
     if with_numbers:
         for (row, column), value in np.ndenumerate(values):
             if np.isnan(value):
                 continue
             is_reference = (
-                cells.index[
-                    (cells[x.name] == x.values[column])
-                    & (cells[y.name] == y.values[row])
-                ][0]
+                cells.index[(cells[x.name] == x.values[column]) & (cells[y.name] == y.values[row])][0]
                 == sweep.reference
             )
             text = "ref" if is_reference else signed(value, limit)
@@ -471,18 +332,9 @@ def draw_map(ax, sweep, key, cells, x, y, limit, with_numbers):
                 va="center",
                 fontsize=6,
                 zorder=5,
-                bbox={
-                    "boxstyle": "round,pad=0.15",
-                    "facecolor": "white",
-                    "alpha": 0.85,
-                    "linewidth": 0,
-                },
+                bbox={"boxstyle": "round,pad=0.15", "facecolor": "white", "alpha": 0.85, "linewidth": 0},
             )
-    ax.set_xticks(
-        range(len(x.values)),
-        [x.text(value) for value in x.values],
-        rotation=0 if len(x.values) <= 6 else 60,
-    )
+    ax.set_xticks(range(len(x.values)), [x.text(value) for value in x.values], rotation=0 if len(x.values) <= 6 else 60)
     ax.set_yticks(range(len(y.values)), [y.text(value) for value in y.values])
     for spine in ax.spines.values():
         spine.set_visible(False)
@@ -503,25 +355,16 @@ def heat(sweep, keys, x, y):
         0.4 + len(keys) * max(1.1, 0.3 * len(y.values)),
     )
     handles = [
-        Patch(
-            facecolor="white",
-            edgecolor="#777777",
-            hatch="////",
-            linewidth=0,
-            label="inconclusive",
-        ),
+        Patch(facecolor="white", edgecolor="#777777", hatch="////", linewidth=0, label="inconclusive"),
         Patch(facecolor="#d6604d", label="significant (corrected)"),
         Patch(facecolor="white", edgecolor="black", linewidth=1.6, label="reference"),
     ]
     if cells.shape[0] < len(x.values) * len(y.values) * len(columns):
         handles.append(Patch(facecolor="#dddddd", label="no such cell"))
-    fig, panel_figure, grid = frame(
-        len(keys), len(columns), size, [handles], fixed, sharex=True, sharey=True
-    )
+    fig, panel_figure, grid = frame(len(keys), len(columns), size, [handles], fixed, sharex=True, sharey=True)
     for row, key in enumerate(keys):
         differences = (
-            sweep.rows(sweep.differences, key).difference.reindex(cells.index)
-            * UNITS.get(key.unit, ("", 1.0))[1]
+            sweep.rows(sweep.differences, key).difference.reindex(cells.index) * UNITS.get(key.unit, ("", 1.0))[1]
         )
         limit = differences.abs().max()
         if not limit > 0:
@@ -529,16 +372,7 @@ def heat(sweep, keys, x, y):
         for column, (panel, title) in enumerate(columns):
             ax = grid[row, column]
             here = cells if panel is None else cells[cells[panels.name] == panel]
-            image = draw_map(
-                ax,
-                sweep,
-                key,
-                here,
-                x,
-                y,
-                limit,
-                len(x.values) * len(y.values) <= MOST_NUMBERS,
-            )
+            image = draw_map(ax, sweep, key, here, x, y, limit, len(x.values) * len(y.values) <= MOST_NUMBERS)
             if row == 0 and title:
                 ax.set_title(title)
             if row == len(keys) - 1:
@@ -562,7 +396,5 @@ def figures_of(folder, metrics=None, axes=None):
         figures.append((f"response-{metric}", functools.partial(response, sweep, keys)))
         for x, y in itertools.combinations(sweep.axes, 2):
             pair = "-".join(re.sub(r"\W+", "_", axis.title) for axis in (x, y))
-            figures.append(
-                (f"heat-{metric}-{pair}", functools.partial(heat, sweep, keys, x, y))
-            )
+            figures.append((f"heat-{metric}-{pair}", functools.partial(heat, sweep, keys, x, y)))
     return figures

@@ -15,18 +15,7 @@ from ..errors import RunError
 from ..runs import verify
 from ..values import METRIC, Metric, RunValues
 from ..words import number_text
-from . import (
-    attribution,
-    demography,
-    living,
-    locked,
-    motion,
-    own,
-    stuck,
-    tags,
-    velocity,
-    walls,
-)
+from . import attribution, demography, living, locked, motion, own, stuck, tags, velocity, walls
 from .own import OwnColumn, OwnMetric, metric
 from .tables import Agents, Results, Web
 
@@ -63,24 +52,11 @@ AGENTS = (
     "adversary_id",
     "hunger_ticks",
 )
-OPTIONAL = (
-    "upright_speed",
-    "overturned",
-    "wall_contact",
-    "velocity_upright",
-    *living.OPTIONAL,
-)
+OPTIONAL = ("upright_speed", "overturned", "wall_contact", "velocity_upright", *living.OPTIONAL)
 """Left out if no run has a value, unless a choice names it."""
 READINGS = {
     **dict.fromkeys(
-        (
-            "velocity_points",
-            "velocity_stored",
-            "velocity_simulated",
-            "velocity_open",
-            "velocity_upright",
-        ),
-        "velocity",
+        ("velocity_points", "velocity_stored", "velocity_simulated", "velocity_open", "velocity_upright"), "velocity"
     ),
     **{
         f"{metric}_not_locked": metric
@@ -161,12 +137,7 @@ def shipped(
     locks = locked.locks(robots) if locked.TICKS % every_ticks == 0 else None
     is_free = ~locks.row if locks else numpy.zeros(len(agents), bool)
     free = Agents(agents[is_free], web)
-    attribution.measure(
-        events,
-        locked.events_of_free(events, robots, ~is_free) if locks else events[:0],
-        web,
-        results,
-    )
+    attribution.measure(events, locked.events_of_free(events, robots, ~is_free) if locks else events[:0], web, results)
     demography.measure_deaths(events, web, until_s, results)
     velocity.measure(
         robots,
@@ -199,15 +170,9 @@ def measure_run(run: PooledRun, how: Measuring) -> RunValues:
         return lineages.measure_run(run, how)  # type: ignore[arg-type]  # known since the runs were pooled
     status = run.manifest["status"]
     remarks = (
-        []
-        if status == "complete"
-        else [
-            f'{run.path}/manifest.json: status "{status}": the run did not reach its end'
-        ]
+        [] if status == "complete" else [f'{run.path}/manifest.json: status "{status}": the run did not reach its end']
     )
-    events, agents = run.load("events.csv", EVENTS, remarks), run.load(
-        "agents.csv", AGENTS, remarks
-    )
+    events, agents = run.load("events.csv", EVENTS, remarks), run.load("agents.csv", AGENTS, remarks)
     agents = motion.with_contacts(agents, run, remarks)
     if how.bodies:
         from . import bodies
@@ -279,22 +244,10 @@ def inherited(of: Iterable[Metric], how: Measuring) -> frozenset[str]:
     )  # type: ignore[union-attr]
 
 
-def names_of(
-    web: Web, tag_values: Sequence[int] = (-1, 1), is_constant: bool = True
-) -> list[Metric]:
+def names_of(web: Web, tag_values: Sequence[int] = (-1, 1), is_constant: bool = True) -> list[Metric]:
     """The metrics of a run of these species and tags, in the order of all tables, without those of changing numbers."""
-    nothing = [
-        pandas.DataFrame(columns=list(columns), dtype=float)
-        for columns in (EVENTS, AGENTS)
-    ]
-    found = shipped(
-        web,
-        *nothing,
-        until_s=0.0,
-        floor=walls.Floor(1.0),
-        tag_values=tag_values,
-        is_constant=is_constant,
-    )
+    nothing = [pandas.DataFrame(columns=list(columns), dtype=float) for columns in (EVENTS, AGENTS)]
+    found = shipped(web, *nothing, until_s=0.0, floor=walls.Floor(1.0), tag_values=tag_values, is_constant=is_constant)
     return [Metric(*row[:4]) for row in found.rows if row[4] == ""]
 
 
@@ -304,9 +257,7 @@ def check_names(shipped_names: Sequence[Metric], how: Measuring) -> None:
     own_names = [*(column.column for column in how.columns), *(function.name for function in how.functions)]  # type: ignore[union-attr]
     # The species and groups of an own metric are known when it is measured.
     others = [choice for choice in how.metrics if choice.split(":")[0] not in own_names]
-    chosen(
-        [*shipped_names, *(Metric(name, "", "all", "1") for name in own_names)], others
-    )
+    chosen([*shipped_names, *(Metric(name, "", "all", "1") for name in own_names)], others)
 
 
 def chosen(of: Iterable[Metric], choices: Sequence[str]) -> list[Metric]:
@@ -321,65 +272,43 @@ def chosen(of: Iterable[Metric], choices: Sequence[str]) -> list[Metric]:
     for choice in choices:
         if not any(chooses(choice, name) for name in of):
             words = dict.fromkeys(
-                word
-                for name in of
-                for word in (name.metric, f"{name.metric}:{name.species}", str(name))
+                word for name in of for word in (name.metric, f"{name.metric}:{name.species}", str(name))
             )
             near = difflib.get_close_matches(choice, words, 1)
             known = ", ".join(dict.fromkeys(name.metric for name in of))
             hint = f"; did you mean {near[0]}?" if near else ""
-            raise RunError(
-                f"metric {choice}: must be METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP of {known}{hint}"
-            )
-    return [
-        name
-        for name in of
-        if not choices or any(chooses(choice, name) for choice in choices)
-    ]
+            raise RunError(f"metric {choice}: must be METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP of {known}{hint}")
+    return [name for name in of if not choices or any(chooses(choice, name) for choice in choices)]
 
 
 def kept(has_value: Mapping[Metric, bool], choices: Sequence[str]) -> list[Metric]:
     """The metrics that are shown, given whether any run has a value of each: not the extinction of a species that dies out in no run, nor one of
     OPTIONAL without a value, unless a choice names it."""
     asked = {choice.split(":")[0] for choice in choices}
-    gone = {
-        of.species
-        for of, value in has_value.items()
-        if of.metric == "extinct_at" and value
-    }
+    gone = {of.species for of, value in has_value.items() if of.metric == "extinct_at" and value}
     return [
         of
         for of, value in has_value.items()
         if of.metric in asked
-        or (
-            of.species in gone
-            if of.metric in demography.EXTINCTION
-            else value or of.metric not in OPTIONAL
-        )
+        or (of.species in gone if of.metric in demography.EXTINCTION else value or of.metric not in OPTIONAL)
     ]
 
 
 def same_metrics(runs: Sequence[RunValues], choices: Sequence[str] = ()) -> None:
     """Makes all runs measure the same, as far as `kept` keeps it: what one lacks, such as a species of an own column, it gets without a value."""
     values = pandas.concat([run.values for run in runs])
-    has_value = (
-        values[values.baseline == ""].groupby(METRIC, sort=False).value.count() > 0
-    )
+    has_value = values[values.baseline == ""].groupby(METRIC, sort=False).value.count() > 0
     its = {Metric(*name): value for name, value in has_value.items()}
     stay = {of[:2] for of in kept(its, choices)}
     if leave := [of[:2] for of in its if of[:2] not in stay]:
         for run in runs:
             run.values, run.curves = (
-                frame[
-                    ~pandas.MultiIndex.from_frame(frame[METRIC[:2]]).isin(leave)
-                ].reset_index(drop=True)
+                frame[~pandas.MultiIndex.from_frame(frame[METRIC[:2]]).isin(leave)].reset_index(drop=True)
                 for frame in (run.values, run.curves)
             )
     keys = [*METRIC, "baseline", "role"]
     if all(run.values[keys].equals(runs[0].values[keys]) for run in runs):
         return
-    every = pandas.concat([run.values[keys] for run in runs]).drop_duplicates(
-        ignore_index=True
-    )
+    every = pandas.concat([run.values[keys] for run in runs]).drop_duplicates(ignore_index=True)
     for run in runs:
         run.values = every.merge(run.values, how="left", on=keys)

@@ -71,37 +71,24 @@ def names(web: Web) -> list[Metric]:
     ]
 
 
-def measure_run(
-    run: PooledRun, events: pandas.DataFrame, agents: pandas.DataFrame
-) -> Results:
+def measure_run(run: PooledRun, events: pandas.DataFrame, agents: pandas.DataFrame) -> Results:
     """Measures a run. Raises RunError for a table that is cut or was changed after the run."""
     check(run)
     end_s = run.lived_s
     window_s = min(_WINDOW_S, end_s / _WINDOWS_OF_A_SHORT_RUN)
     times_s = numpy.minimum(
-        numpy.arange(1, int(end_s / window_s * (1 + 1e-12)) + 1) * window_s
-        if window_s > 0
-        else numpy.empty(0),
-        end_s,
+        numpy.arange(1, int(end_s / window_s * (1 + 1e-12)) + 1) * window_s if window_s > 0 else numpy.empty(0), end_s
     )
     robots = Agents(agents, run.web)
     lives = _lives(events).join(_bodies(run)).join(_genes(run))
     results = Results()
     for species in run.web.species:
         curves = {
-            metric: (times_s, points)
-            for metric, points in _alive(
-                lives[lives.species == species], times_s
-            ).items()
+            metric: (times_s, points) for metric, points in _alive(lives[lives.species == species], times_s).items()
         }
         if len(times_s):
             curves.update(
-                {
-                    metric: of[2:]
-                    for metric, of in motion.curves(
-                        robots, species, run.floor, window_s
-                    ).items()
-                }
+                {metric: of[2:] for metric, of in motion.curves(robots, species, run.floor, window_s).items()}
             )
         for metric, unit in _MEASURES.items():
             time_s, points = curves.get(metric, (times_s, times_s))
@@ -131,17 +118,14 @@ def _alive(lives: pandas.DataFrame, times_s: numpy.ndarray) -> dict[str, numpy.n
             curves[column][place] = mean_of(of)
         _, counts = numpy.unique(plan[alive & ~numpy.isnan(plan)], return_counts=True)
         if len(counts):
-            curves["body_plans"][place], curves["body_plans_shannon"][place] = len(
-                counts
-            ), shannon_number(counts)
+            curves["body_plans"][place], curves["body_plans_shannon"][place] = len(counts), shannon_number(counts)
     return curves
 
 
 def _lives(events: pandas.DataFrame) -> pandas.DataFrame:
     """Species, birth and death of each individual, by id."""
     births, deaths = (
-        events[events.event == kind].drop_duplicates("id", keep="last").set_index("id")
-        for kind in ("birth", "death")
+        events[events.event == kind].drop_duplicates("id", keep="last").set_index("id") for kind in ("birth", "death")
     )
     return pandas.DataFrame(
         {
@@ -166,9 +150,7 @@ def _bodies(run: PooledRun) -> pandas.DataFrame:
     frame["plan"] = pandas.factorize(table["modules_text"])[0]
     try:
         frame["body_change"] = distances_from_first(
-            frame.index.tolist(),
-            table["species"].tolist(),
-            table["modules_text"].tolist(),
+            frame.index.tolist(), table["species"].tolist(), table["modules_text"].tolist()
         )
     except ValueError as error:
         raise RunError(f"{path}: {error}") from None
@@ -183,9 +165,7 @@ def _genes(run: PooledRun) -> pandas.DataFrame:
     ids = numbers(run.path / "genes.csv", table["id"]).astype(int)
     return pandas.DataFrame(
         {
-            f"{part}_genes": pandas.Series((table["part"] == part).to_numpy(float))
-            .groupby(ids)
-            .sum()
+            f"{part}_genes": pandas.Series((table["part"] == part).to_numpy(float)).groupby(ids).sum()
             for part in ("brain", "gait")
         }
     )

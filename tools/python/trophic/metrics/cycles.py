@@ -47,9 +47,7 @@ def autocorrelation(series: numpy.ndarray) -> numpy.ndarray:
     rest = series - series.mean(axis=-1, keepdims=True)
     rest = rest - (rest @ line)[..., None] / (line @ line) * line
     size = fft.next_fast_len(n + n // _LEAST_CYCLES + 1, real=True)
-    sums = fft.irfft(numpy.abs(fft.rfft(rest, size)) ** 2, size)[
-        ..., : n // _LEAST_CYCLES + 1
-    ]
+    sums = fft.irfft(numpy.abs(fft.rfft(rest, size)) ** 2, size)[..., : n // _LEAST_CYCLES + 1]
     return sums / sums[..., :1]
 
 
@@ -57,10 +55,7 @@ def _rises(correlation: numpy.ndarray) -> numpy.ndarray:
     """By how much each autocorrelation exceeds the lowest value before it; 0 before its first zero."""
     after = numpy.logical_or.accumulate(correlation < 0.0, axis=-1)
     return numpy.where(
-        after,
-        correlation
-        - numpy.minimum.accumulate(numpy.where(after, correlation, 1.0), axis=-1),
-        0.0,
+        after, correlation - numpy.minimum.accumulate(numpy.where(after, correlation, 1.0), axis=-1), 0.0
     )
 
 
@@ -78,25 +73,14 @@ def _first(correlation: numpy.ndarray) -> int:
 def _memory(correlation: numpy.ndarray) -> numpy.ndarray:
     """The lag at which each autocorrelation first falls below 1/e, interpolated."""
     below = correlation < numpy.exp(-1.0)
-    lag = numpy.where(
-        below.any(axis=-1), below.argmax(axis=-1), correlation.shape[-1] - 1
-    )
+    lag = numpy.where(below.any(axis=-1), below.argmax(axis=-1), correlation.shape[-1] - 1)
     before, at = (
-        numpy.take_along_axis(correlation, numpy.maximum(lag - back, 0)[..., None], -1)[
-            ..., 0
-        ]
-        for back in (1, 0)
+        numpy.take_along_axis(correlation, numpy.maximum(lag - back, 0)[..., None], -1)[..., 0] for back in (1, 0)
     )
-    return lag - numpy.where(
-        before > at,
-        (numpy.exp(-1.0) - at) / numpy.where(before > at, before - at, 1.0),
-        0.0,
-    )
+    return lag - numpy.where(before > at, (numpy.exp(-1.0) - at) / numpy.where(before > at, before - at, 1.0), 0.0)
 
 
-def red_noise(
-    memory: float, points: int, count: int, rng: numpy.random.Generator
-) -> numpy.ndarray:
+def red_noise(memory: float, points: int, count: int, rng: numpy.random.Generator) -> numpy.ndarray:
     """Stationary autoregressive noise whose correlation falls to 1/e at this lag; white for a lag of 0. Shape (count, points)."""
     keep = numpy.exp(-1.0 / memory) if memory > 0.0 else 0.0
     noise = rng.standard_normal((points, count))
@@ -106,9 +90,7 @@ def red_noise(
     return noise.T
 
 
-def cycle_of(
-    series: numpy.ndarray, surrogates: int = SURROGATES, seed: int = 0
-) -> Cycle:
+def cycle_of(series: numpy.ndarray, surrogates: int = SURROGATES, seed: int = 0) -> Cycle:
     """The cycle of a series of numbers: the greatest rise of its autocorrelation after the first zero, if at most 5 % of series of red noise
     have as great a one. The noise has the memory that makes its estimated one, which is too short in short series, that of the series.
     """
@@ -120,31 +102,17 @@ def cycle_of(
     memory, rng = float(_memory(correlation)), numpy.random.default_rng(seed)
     asked = memory
     for _ in range(3):
-        asked *= (
-            memory
-            / _memory(autocorrelation(red_noise(asked, len(series), 49, rng))).mean()
-        )
+        asked *= memory / _memory(autocorrelation(red_noise(asked, len(series), 49, rng))).mean()
         asked = min(asked, float(len(series)))
-    p = (
-        1.0
-        + (
-            _peak(autocorrelation(red_noise(asked, len(series), surrogates, rng)))
-            >= rise
-        ).sum()
-    ) / (surrogates + 1.0)
+    p = (1.0 + (_peak(autocorrelation(red_noise(asked, len(series), surrogates, rng))) >= rise).sum()) / (
+        surrogates + 1.0
+    )
     if not is_significant(p) or series.mean() <= 0.0:
         return none._replace(p=p)
     lag = _first(correlation)
     period = float(lag)
     if 0 < lag < len(correlation) - 1:
         left, at, right = correlation[lag - 1 : lag + 2]
-        period += (
-            (left - right) / (2.0 * (left - 2.0 * at + right))
-            if left - 2.0 * at + right < 0.0
-            else 0.0
-        )
-    swing = (
-        max(float(correlation[lag]), -float(correlation[: lag + 1].min()))
-        * series.var()
-    )
+        period += (left - right) / (2.0 * (left - 2.0 * at + right)) if left - 2.0 * at + right < 0.0 else 0.0
+    swing = max(float(correlation[lag]), -float(correlation[: lag + 1].min())) * series.var()
     return Cycle(period, float(numpy.sqrt(2.0 * swing) / series.mean()), p)

@@ -24,90 +24,52 @@ def population_size(agents: Agents, species: str, group: str = "all") -> Means:
 def hunger(agents: Agents, species: str) -> Means:
     """Ticks since birth or last catch, averaged over the members of a species; ticks without a member are left out."""
     return means(
-        agents.window,
-        agents.mean(
-            agents.of(species) & ~numpy.isnan(agents.hunger_ticks), agents.hunger_ticks
-        ),
+        agents.window, agents.mean(agents.of(species) & ~numpy.isnan(agents.hunger_ticks), agents.hunger_ticks)
     )
 
 
 def ticks_at(agents: Agents, species: str, members: int) -> Means:
     """The share of the ticks at which a species has exactly so many members."""
-    return means(
-        agents.window, (agents.count(agents.of(species)) == members).astype(float)
-    )
+    return means(agents.window, (agents.count(agents.of(species)) == members).astype(float))
 
 
 def extinct_at(agents: Agents, species: str) -> float:
     """The first tick, in s, from which on a species has no member until the end; nan if it has one at the end, or never had any."""
     alive = numpy.flatnonzero(agents.count(agents.of(species)))
-    return (
-        float(agents.time_s[alive[-1] + 1])
-        if len(alive) and alive[-1] + 1 < len(agents.ticks)
-        else math.nan
-    )
+    return float(agents.time_s[alive[-1] + 1]) if len(alive) and alive[-1] + 1 < len(agents.ticks) else math.nan
 
 
-def deaths(
-    events: pandas.DataFrame, species: str, cause: str | None = None
-) -> numpy.ndarray:
+def deaths(events: pandas.DataFrame, species: str, cause: str | None = None) -> numpy.ndarray:
     """The times of the deaths of members of a species, of one cause or of any, in s."""
     rows = (events.event == "death") & (events.species == species)
-    return events.time_s[
-        rows if cause is None else rows & (events.cause == cause)
-    ].to_numpy(float)
+    return events.time_s[rows if cause is None else rows & (events.cause == cause)].to_numpy(float)
 
 
-def per_window(
-    time_s: numpy.ndarray, until_s: float
-) -> tuple[numpy.ndarray, numpy.ndarray]:
+def per_window(time_s: numpy.ndarray, until_s: float) -> tuple[numpy.ndarray, numpy.ndarray]:
     """How many of these times are in each window up to `until_s`: the ends of the windows, and the counts."""
     ends = numpy.arange(1, max(0, math.ceil(until_s / WINDOW_S)) + 1) * WINDOW_S
     window = window_of(time_s)
-    return ends, numpy.bincount(window[window < len(ends)], minlength=len(ends)).astype(
-        float
-    )
+    return ends, numpy.bincount(window[window < len(ends)], minlength=len(ends)).astype(float)
 
 
-def measure_deaths(
-    events: pandas.DataFrame, web: Web, until_s: float, results: Results
-) -> None:
+def measure_deaths(events: pandas.DataFrame, web: Web, until_s: float, results: Results) -> None:
     for species in web.species:
         for cause in (None, *CAUSES):
             name = ("deaths", species, cause or "all", "1")
             time_s = deaths(events, species, cause)
             results.add(*name, float(len(time_s)) if len(events) else math.nan)
             results.add_curve(
-                *name,
-                *(
-                    per_window(time_s, until_s)
-                    if len(events)
-                    else (numpy.empty(0), numpy.empty(0))
-                ),
+                *name, *(per_window(time_s, until_s) if len(events) else (numpy.empty(0), numpy.empty(0)))
             )
 
 
 def measure_populations(agents: Agents, web: Web, results: Results) -> None:
     for species in web.species:
         for group in ("all", "random", "inherited"):
-            results.add_means(
-                "population",
-                species,
-                group,
-                "1",
-                population_size(agents, species, group),
-            )
+            results.add_means("population", species, group, "1", population_size(agents, species, group))
         if web.hunts(species):
-            results.add_means(
-                "hunger", species, "all", "ticks", hunger(agents, species)
-            )
-            results.add_means(
-                "ticks_at",
-                species,
-                str(CROWD_AT_FLOOR),
-                "1",
-                ticks_at(agents, species, CROWD_AT_FLOOR),
-            )
+            results.add_means("hunger", species, "all", "ticks", hunger(agents, species))
+            results.add_means("ticks_at", species, str(CROWD_AT_FLOOR), "1", ticks_at(agents, species, CROWD_AT_FLOOR))
 
 
 def measure_extinction(agents: Agents, web: Web, results: Results) -> None:
@@ -120,11 +82,7 @@ def measure_extinction(agents: Agents, web: Web, results: Results) -> None:
         last_of_window = numpy.flatnonzero(numpy.diff(agents.window, append=-1))
         ends = (agents.window[last_of_window] + 1) * WINDOW_S
         results.add(
-            "extinct",
-            species,
-            "all",
-            "1",
-            math.nan if len(agents.ticks) == 0 else float(not math.isnan(time_s)),
+            "extinct", species, "all", "1", math.nan if len(agents.ticks) == 0 else float(not math.isnan(time_s))
         )
         results.add_curve("extinct", species, "all", "1", ends, is_gone[last_of_window])
         results.add("extinct_at", species, "all", "s", time_s)

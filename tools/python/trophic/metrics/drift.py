@@ -49,8 +49,7 @@ def stream(seed: int, individual: int) -> Callable[[], float]:
     words = [counter >> shift & (2**64 - 1) for shift in (0, 64, 128, 192)]
     return numpy.random.Generator(
         numpy.random.Philox(
-            key=numpy.array([seed, _NULL_MODEL], dtype=numpy.uint64),
-            counter=numpy.array(words, dtype=numpy.uint64),
+            key=numpy.array([seed, _NULL_MODEL], dtype=numpy.uint64), counter=numpy.array(words, dtype=numpy.uint64)
         )
     ).random
 
@@ -65,9 +64,7 @@ def check(run: PooledRun) -> None:
         )
     for name in ("phylogeny.csv", "genomes.csv"):
         if not (run.path / name).exists():
-            raise RunError(
-                f"{run.path / name}: is missing: lineage measures need phylogeny and genomes"
-            )
+            raise RunError(f"{run.path / name}: is missing: lineage measures need phylogeny and genomes")
     if run.manifest.get("rules", {}).get("heredity") == "shared_copy":
         _refuse_shared(run)
 
@@ -85,16 +82,7 @@ def read_descent(run: PooledRun) -> Descent:
     parent."""
     check(run)
     table = _whole(
-        run,
-        "phylogeny.csv",
-        [
-            "id",
-            "ancestor_list",
-            "ancestor_id",
-            "origin_time",
-            "destruction_time",
-            "species",
-        ],
+        run, "phylogeny.csv", ["id", "ancestor_list", "ancestor_id", "origin_time", "destruction_time", "species"]
     )
     path, end_s = run.path / "phylogeny.csv", run.reached_s or 0.0
     try:
@@ -116,30 +104,18 @@ def read_descent(run: PooledRun) -> Descent:
         zip(*(table[name].tolist() for name in table.columns))
     ):
         if not 0.0 <= born_s <= end_s + _ROUNDING_S:
-            refuse(
-                one,
-                f"origin_time = {number_text(born_s)}: must be >= 0 and <= {number_text(end_s)}, the run's end",
-            )
+            refuse(one, f"origin_time = {number_text(born_s)}: must be >= 0 and <= {number_text(end_s)}, the run's end")
         if not (died_s == numpy.inf or born_s <= died_s <= end_s + _ROUNDING_S):
             refuse(
                 one,
                 f"destruction_time = {number_text(died_s)}: must be >= its origin_time, {number_text(born_s)}, and <= {number_text(end_s)}, the run's end",
             )
         if species not in run.web.species:
-            refuse(
-                one, f'species = "{species}": must be a species of the run\'s manifest'
-            )
+            refuse(one, f'species = "{species}": must be a species of the run\'s manifest')
         begin = "[none" if first == str(one) else f"[{first}"
-        if not (
-            text == f"{begin}]"
-            or (
-                begin != "[none" and re.fullmatch(rf"{re.escape(begin)}(,\d+)+\]", text)
-            )
-        ):
+        if not (text == f"{begin}]" or (begin != "[none" and re.fullmatch(rf"{re.escape(begin)}(,\d+)+\]", text))):
             refuse(one, f"ancestor_list = {text}: must be {begin}], as its ancestor_id")
-        named = (
-            [] if text == "[none]" else [int(word) for word in re.findall(r"\d+", text)]
-        )
+        named = [] if text == "[none]" else [int(word) for word in re.findall(r"\d+", text)]
         if unknown := [other for other in named if other not in places]:
             refuse(one, f"its parent {unknown[0]} is not among those born before it")
         if places.setdefault(one, place) != place:
@@ -156,17 +132,11 @@ def read_descent(run: PooledRun) -> Descent:
     )
 
 
-def _weights(
-    run: PooledRun, places: dict[int, int], species: Sequence[str]
-) -> tuple[numpy.ndarray, dict[str, int]]:
+def _weights(run: PooledRun, places: dict[int, int], species: Sequence[str]) -> tuple[numpy.ndarray, dict[str, int]]:
     """The weights and sizes of the individuals' genomes, as Descent has them."""
     path = run.path / "genomes.csv"
     with open(path) as file:
-        columns = [
-            name
-            for name in file.readline().rstrip("\r\n").split(",")
-            if re.fullmatch(r"w\d+", name)
-        ]
+        columns = [name for name in file.readline().rstrip("\r\n").split(",") if re.fullmatch(r"w\d+", name)]
     table = _whole(run, "genomes.csv", ["id", "genome_id", *columns])
     if (table.groupby("genome_id")["id"].nunique() > 1).any():
         _refuse_shared(run)
@@ -186,12 +156,8 @@ def _weights(
     for one, place in places.items():
         if sizes[place] == 0:
             raise RunError(f"{path}: has no genome of individual {one}")
-        if sizes[place] != (
-            must := of_species.setdefault(species[place], int(sizes[place]))
-        ):
-            raise RunError(
-                f"{path}: id {one}: {sizes[place]} weights: must be {must}, as of others of its species"
-            )
+        if sizes[place] != (must := of_species.setdefault(species[place], int(sizes[place]))):
+            raise RunError(f"{path}: id {one}: {sizes[place]} weights: must be {must}, as of others of its species")
     return weights, of_species
 
 
@@ -215,12 +181,7 @@ def drift_of(of: Descent, web: Sequence[str], draw: Callable[[], float]) -> Desc
     alike: dict[tuple[int, bool, bool], list[int]] = {}
     for place, its in enumerate(of.parents):
         alike.setdefault(
-            (
-                web.index(of.species[place]),
-                bool(its),
-                bool(of.birth_s[place] == of.birth_s[0]),
-            ),
-            [],
+            (web.index(of.species[place]), bool(its), bool(of.birth_s[place] == of.birth_s[0])), []
         ).append(place)
         _add_parents(weights, place, its, of.weights, -1.0)
     for _, places in sorted(alike.items()):
@@ -234,52 +195,31 @@ def drift_of(of: Descent, web: Sequence[str], draw: Callable[[], float]) -> Desc
     for place, its in enumerate(of.parents):
         living = [one for one in living if died_s[one] > born_s[place]]
         if its:
-            candidates = [
-                one
-                for one in living
-                if of.species[one] == of.species[place] and born_s[one] < born_s[place]
-            ]
+            candidates = [one for one in living if of.species[one] == of.species[place] and born_s[one] < born_s[place]]
             if len(candidates) >= len(its):
                 for i in range(len(its)):
                     drawn = int(draw() * len(candidates))
-                    candidates[drawn], candidates[-1] = (
-                        candidates[-1],
-                        candidates[drawn],
-                    )
+                    candidates[drawn], candidates[-1] = (candidates[-1], candidates[drawn])
                     parents[place][i] = candidates.pop()
             _add_parents(weights, place, parents[place], weights, 1.0)
         living.append(place)
-    return Descent(
-        of.ids, of.birth_s, of.death_s, of.species, parents, weights, of.sizes
-    )
+    return Descent(of.ids, of.birth_s, of.death_s, of.species, parents, weights, of.sizes)
 
 
-def _add_parents(
-    weights: numpy.ndarray,
-    place: int,
-    parents: Sequence[int],
-    of: numpy.ndarray,
-    factor: float,
-) -> None:
+def _add_parents(weights: numpy.ndarray, place: int, parents: Sequence[int], of: numpy.ndarray, factor: float) -> None:
     """Adds `factor` times the mean of its parents' weights to an individual's."""
     for parent in (*parents[1:], *parents[:1]):
         weights[place] += factor / len(parents) * of[parent]
 
 
-def met_inputs(
-    runs: Sequence[PooledRun], most: int = MOST_INPUTS
-) -> list[list[list[float]]]:
+def met_inputs(runs: Sequence[PooledRun], most: int = MOST_INPUTS) -> list[list[list[float]]]:
     """For each species of the food web up to `most` different inputs that brains of the species had in these runs, drawn at random and always
     alike. Raises RunError, naming the file, if a run has no senses.csv, or if it is cut or was changed since the run.
     """
     drawn = []
     for number, species in enumerate(runs[0].web.species):
         met = [rows for run in runs for rows in _met(run, species)]
-        inputs = (
-            [rows.tolist() for rows in _different(numpy.concatenate(met))]
-            if met
-            else []
-        )
+        inputs = [rows.tolist() for rows in _different(numpy.concatenate(met))] if met else []
         draw = stream(0, number)
         for left in range(len(inputs), 1, -1):
             other = int(draw() * left)
@@ -292,21 +232,14 @@ def _met(run: PooledRun, species: str) -> list[numpy.ndarray]:
     """The inputs of a species in a run, or nothing."""
     path = run.path / "senses.csv"
     if not path.exists():
-        raise RunError(
-            f"{path}: is missing: lineage measures need it of the first run; run with --senses"
-        )
-    columns = [
-        f"input{i}"
-        for i in range(len(run.manifest.get("senses", {}).get("inputs", [])))
-    ]
+        raise RunError(f"{path}: is missing: lineage measures need it of the first run; run with --senses")
+    columns = [f"input{i}" for i in range(len(run.manifest.get("senses", {}).get("inputs", [])))]
     table = _whole(run, "senses.csv", ["species", *columns])
     cells = table.loc[table.species == species, columns].to_numpy()
     if not columns or not len(cells := cells[cells[:, 0] != ""]):
         return []  # no brain was asked
     try:
-        return [
-            cells[:, (cells != "").all(axis=0)].astype(float)
-        ]  # cells beyond the inputs of a species are empty
+        return [cells[:, (cells != "").all(axis=0)].astype(float)]  # cells beyond the inputs of a species are empty
     except ValueError as error:
         raise RunError(f"{path}: {error}") from None
 
@@ -332,9 +265,7 @@ def ask(
         "params": manifest["params"],
         "inputs": inputs,
         "species": [species.index(name) for of in descents for name in of.species],
-        "sizes": [
-            descents[0].sizes.get(name, 0) if descents else 0 for name in species
-        ],
+        "sizes": [descents[0].sizes.get(name, 0) if descents else 0 for name in species],
     }
     with tempfile.TemporaryDirectory(prefix="trophic-") as folder:
         path = os.path.join(folder, "genomes")
@@ -342,24 +273,14 @@ def ask(
             file.write(json.dumps(head).encode() + b"\n")
             for of in descents:
                 file.writelines(
-                    row[: of.sizes[name]].tobytes()
-                    for name, row in zip(of.species, of.weights.astype("<f8"))
+                    row[: of.sizes[name]].tobytes() for name, row in zip(of.species, of.weights.astype("<f8"))
                 )
-        done = subprocess.run(
-            [program, "--signatures", path], capture_output=True, text=True
-        )
+        done = subprocess.run([program, "--signatures", path], capture_output=True, text=True)
     if done.returncode != 0:
-        raise RunError(
-            done.stderr.strip()
-            or f"{program} --signatures: exit code {done.returncode}"
-        )
+        raise RunError(done.stderr.strip() or f"{program} --signatures: exit code {done.returncode}")
     found = numpy.array(done.stdout.split(), dtype=int).reshape(-1, 2)
     ends = numpy.cumsum([len(of.ids) for of in descents])[:-1]
-    return (
-        [(part[:, 0], part[:, 1]) for part in numpy.split(found, ends)]
-        if descents
-        else []
-    )
+    return [(part[:, 0], part[:, 1]) for part in numpy.split(found, ends)] if descents else []
 
 
 def forest_of(of: Descent, types: numpy.ndarray, complexity: numpy.ndarray) -> Forest:

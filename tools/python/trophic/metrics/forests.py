@@ -71,9 +71,7 @@ def persistent(forest: Forest, species, start_s: float, end_s: float) -> list[in
     return sorted(place for place in met if lived[place])
 
 
-def modes(
-    forest: Forest, species, times_s: Sequence[float] | numpy.ndarray
-) -> numpy.ndarray:
+def modes(forest: Forest, species, times_s: Sequence[float] | numpy.ndarray) -> numpy.ndarray:
     """The measures of MODES [dolson2019] in the windows between successive times, which see only what persists over the window.
 
     Returns shape (windows, 4): change, the types that persist and did not in the window before; novelty, those that persist for the first time;
@@ -82,34 +80,24 @@ def modes(
     result = numpy.full((len(times_s) - 1, 4), numpy.nan)
     before: set[int] = set()
     ever: set[int] = set()
-    for window, kept in enumerate(
-        persistent(forest, species, *ends) for ends in zip(times_s, times_s[1:])
-    ):
+    for window, kept in enumerate(persistent(forest, species, *ends) for ends in zip(times_s, times_s[1:])):
         types, counts = numpy.unique(forest.type[kept], return_counts=True)
         now = set(types.tolist())
         if window > 0:
             result[window, :2] = len(now - before), len(now - ever)
         if kept:
             shares = counts / len(kept)
-            result[window, 2:] = (
-                -(shares * numpy.log2(shares)).sum(),
-                forest.complexity[kept].max(),
-            )
+            result[window, 2:] = (-(shares * numpy.log2(shares)).sum(), forest.complexity[kept].max())
         before = now
         ever |= now
     return result
 
 
-def presence(
-    forest: Forest, species, times_s: numpy.ndarray, types: int
-) -> numpy.ndarray:
+def presence(forest: Forest, species, times_s: numpy.ndarray, types: int) -> numpy.ndarray:
     """Whether a member of the species bears each type at each time. Returns booleans of shape (types, times)."""
     members = forest.species == species
     bearers = numpy.zeros((types, len(times_s) + 1), dtype=int)
-    first, last = (
-        numpy.searchsorted(times_s, each[members])
-        for each in (forest.birth_s, forest.death_s)
-    )
+    first, last = (numpy.searchsorted(times_s, each[members]) for each in (forest.birth_s, forest.death_s))
     numpy.add.at(bearers, (forest.type[members], first), 1)
     numpy.add.at(bearers, (forest.type[members], numpy.maximum(first, last)), -1)
     return bearers[:, :-1].cumsum(axis=1) > 0
@@ -124,20 +112,13 @@ def activity(present: numpy.ndarray, nulls: Sequence[numpy.ndarray]) -> numpy.nd
     """
     own = present.cumsum(axis=1)
     others = [each.cumsum(axis=1) for each in nulls]
-    reached = numpy.sort(
-        numpy.concatenate([each[each[:, -1] > 0, -1] for each in others])
-    )
+    reached = numpy.sort(numpy.concatenate([each[each[:, -1] > 0, -1] for each in others]))
     threshold = reached[-(-95 * len(reached) // 100) - 1] if len(reached) else 0
     diversity = present.sum(axis=0)
     excess = numpy.maximum(0.0, own - sum(others) / len(others))
     with numpy.errstate(invalid="ignore"):
-        means = [
-            numpy.where(diversity > 0, (each * present).sum(axis=0) / diversity, 0.0)
-            for each in (own, excess)
-        ]
-    return numpy.column_stack(
-        [diversity, *means, (present & (own == threshold + 1)).sum(axis=0)]
-    )
+        means = [numpy.where(diversity > 0, (each * present).sum(axis=0) / diversity, 0.0) for each in (own, excess)]
+    return numpy.column_stack([diversity, *means, (present & (own == threshold + 1)).sum(axis=0)])
 
 
 def descent(forest: Forest, species, time_s: float) -> numpy.ndarray:
@@ -153,9 +134,7 @@ def descent(forest: Forest, species, time_s: float) -> numpy.ndarray:
     living = numpy.flatnonzero(forest.living(time_s, species)).tolist()
     if not living:
         return numpy.full(7, numpy.nan)
-    clade = {
-        place: 1 << bit for bit, place in enumerate(living)
-    }  # the living descendants of each ancestor, as bits
+    clade = {place: 1 << bit for bit, place in enumerate(living)}  # the living descendants of each ancestor, as bits
     waiting = living.copy()
     while waiting:
         for parent in forest.parents[waiting.pop()]:
@@ -163,20 +142,13 @@ def descent(forest: Forest, species, time_s: float) -> numpy.ndarray:
                 clade[parent] = 0
                 waiting.append(parent)
     ends_s = dict.fromkeys(living, time_s)  # of branches
-    relatives = [
-        1 << bit for bit in range(len(living))
-    ]  # of each of the living, those with a common ancestor
+    relatives = [1 << bit for bit in range(len(living))]  # of each of the living, those with a common ancestor
     roots, largest, related, ages_s, length_s = 0, 0, 0, 0.0, 0.0
     for place in sorted(clade, reverse=True):  # the most recent first
         birth_s, members = float(forest.birth_s[place]), clade[place]
         length_s += ends_s[place] - birth_s
         pairs = 0
-        rest = (
-            members
-            if related < len(living) * (len(living) - 1) // 2
-            and members & (members - 1)
-            else 0
-        )
+        rest = members if related < len(living) * (len(living) - 1) // 2 and members & (members - 1) else 0
         while rest:
             bit = (rest & -rest).bit_length() - 1
             rest &= rest - 1

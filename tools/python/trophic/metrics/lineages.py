@@ -25,12 +25,7 @@ if TYPE_CHECKING:
 
 DRIFT = "drift"
 """The baseline: the mean of a measure over the forests of drift."""
-_MODES = (
-    ("modes_change", "types"),
-    ("modes_novelty", "types"),
-    ("modes_ecology", "bits"),
-    ("modes_complexity", "1"),
-)
+_MODES = (("modes_change", "types"), ("modes_novelty", "types"), ("modes_ecology", "bits"), ("modes_complexity", "1"))
 _ACTIVITY = (
     ("activity_diversity", "types"),
     ("activity_mean", "s"),
@@ -47,7 +42,9 @@ _DESCENT = (
     ("descent_diversity", "s"),
 )
 _HALVES = ("early", "late")
-_NULLS_OF_ACTIVITY = 2  # the activity of the run and of the other forests of drift is compared with that in the first ones
+_NULLS_OF_ACTIVITY = (
+    2  # the activity of the run and of the other forests of drift is compared with that in the first ones
+)
 MOST_WINDOWS = 10_000
 _COUNTS = 10  # of presence in a window
 
@@ -79,10 +76,7 @@ def metric_names(species: Sequence[str]) -> list[Metric]:
 
 
 def prepared(
-    runs: Sequence[PooledRun],
-    shadow: Sequence[PooledRun],
-    every: Sequence[PooledRun],
-    how: Measuring,
+    runs: Sequence[PooledRun], shadow: Sequence[PooledRun], every: Sequence[PooledRun], how: Measuring
 ) -> Measuring:
     """How these runs and their nulls are measured: with the windows, and with inputs that brains met in the first run and in the first one of the
     shadow. Raises RunError if a run lacks what lineage measures need, or if the program has not the rule table that made the runs.
@@ -91,21 +85,13 @@ def prepared(
         drift.check(run)
     window_s = window_of(every, how.window_s)
     drift.ask(str(how.lineages), runs[0], [[] for _ in runs[0].web.species])
-    return dataclasses.replace(
-        how,
-        window_s=window_s,
-        first=runs[0],
-        inputs=drift.met_inputs([runs[0], *shadow[:1]]),
-    )
+    return dataclasses.replace(how, window_s=window_s, first=runs[0], inputs=drift.met_inputs([runs[0], *shadow[:1]]))
 
 
 def measure_run(run: PooledRun, how: Measuring) -> RunValues:
     """Measures a run, in windows of `how.window_s` up to its end. Raises RunError if a table was changed or the program cannot ask its brains."""
     return lineage_values(
-        read_forests(run, how),
-        run.manifest["species"],
-        how.window_s,
-        run.manifest["result"]["reached_s"],
+        read_forests(run, how), run.manifest["species"], how.window_s, run.manifest["result"]["reached_s"]
     )
 
 
@@ -114,18 +100,13 @@ def read_forests(run: PooledRun, how: Measuring) -> list[Forest]:
     own = drift.read_descent(run)
     every = [
         own,
-        *(
-            drift.drift_of(own, run.web.species, drift.stream(run.seed, number))
-            for number in range(drift.FORESTS)
-        ),
+        *(drift.drift_of(own, run.web.species, drift.stream(run.seed, number)) for number in range(drift.FORESTS)),
     ]
     found = drift.ask(str(how.lineages), how.first or run, how.inputs, every)
     return [drift.forest_of(of, *its) for of, its in zip(every, found)]
 
 
-def lineage_values(
-    forests: Sequence[Forest], species: Sequence, window_s: float, end_s: float
-) -> RunValues:
+def lineage_values(forests: Sequence[Forest], species: Sequence, window_s: float, end_s: float) -> RunValues:
     """The measures of each species at the ends of windows: of MODES and activity means over the early and the late half of the run, of descent
     means over the whole run, all as curves. `forests`: the run's, then those of drift, at least three.
     """
@@ -136,10 +117,7 @@ def lineage_values(
     for one in species:
         for names, own, drifted in _measured(forests, one, window_s, times_s):
             groups = (("all", ends_s <= end_s),) if names is _DESCENT else halves
-            means = [
-                (_mean(own[within]), _mean(_mean(drifted[:, within], 1)))
-                for _, within in groups
-            ]
+            means = [(_mean(own[within]), _mean(_mean(drifted[:, within], 1))) for _, within in groups]
             for i, (name, unit) in enumerate(names):
                 for (group, _), (ours, drift) in zip(groups, means):
                     values += [
@@ -153,10 +131,7 @@ def lineage_values(
                 for baseline, points in series
                 for point in zip(ends_s, points[:, i])
             ]
-    return RunValues(
-        pandas.DataFrame(values, columns=VALUE_COLUMNS),
-        pandas.DataFrame(curves, columns=CURVE_COLUMNS),
-    )
+    return RunValues(pandas.DataFrame(values, columns=VALUE_COLUMNS), pandas.DataFrame(curves, columns=CURVE_COLUMNS))
 
 
 def _measured(
@@ -165,22 +140,13 @@ def _measured(
     """Yields the names of measures, their values in the run, shape (windows, measures), and in forests of drift, shape (forests, windows, measures)."""
     found = numpy.array([modes(forest, species, times_s) for forest in forests])
     yield _MODES, found[0], found[1:]
-    types = 1 + max(
-        (int(forest.type.max()) for forest in forests if len(forest.type)), default=0
-    )
+    types = 1 + max((int(forest.type.max()) for forest in forests if len(forest.type)), default=0)
     counts_s = window_s * numpy.arange(_COUNTS * (len(times_s) - 1) + 1) / _COUNTS
     own, *drifted = (presence(forest, species, counts_s, types) for forest in forests)
     nulls, others = drifted[:_NULLS_OF_ACTIVITY], drifted[_NULLS_OF_ACTIVITY:]
-    found = numpy.array(
-        [_by_window(activity(each, nulls), counts_s[1]) for each in (own, *others)]
-    )
+    found = numpy.array([_by_window(activity(each, nulls), counts_s[1]) for each in (own, *others)])
     yield _ACTIVITY, found[0], found[1:]
-    found = numpy.array(
-        [
-            [descent(forest, species, time_s) for time_s in times_s[1:].tolist()]
-            for forest in forests
-        ]
-    )
+    found = numpy.array([[descent(forest, species, time_s) for time_s in times_s[1:].tolist()] for forest in forests])
     yield _DESCENT, found[0], found[1:]
 
 

@@ -35,10 +35,7 @@ def locks(agents: Agents, reach_m: float = REACH_M, ticks: int = TICKS) -> Locks
         [
             numpy.empty((0, 2), int),
             *(
-                first
-                + cKDTree(place_m[first:last]).query_pairs(
-                    reach_m, output_type="ndarray"
-                )
+                first + cKDTree(place_m[first:last]).query_pairs(reach_m, output_type="ndarray")
                 for first, last in zip(ends, ends[1:])
             ),
         ]
@@ -47,9 +44,7 @@ def locks(agents: Agents, reach_m: float = REACH_M, ticks: int = TICKS) -> Locks
     order = numpy.lexsort((at, high, low))
     near, at, low, high = near[order], at[order], low[order], high[order]
     is_first = (
-        (numpy.diff(low, prepend=-1) != 0)
-        | (numpy.diff(high, prepend=-1) != 0)
-        | (numpy.diff(at, prepend=-2) != 1)
+        (numpy.diff(low, prepend=-1) != 0) | (numpy.diff(high, prepend=-1) != 0) | (numpy.diff(at, prepend=-2) != 1)
     )
     first = numpy.flatnonzero(is_first)
     last = numpy.append(first[1:], len(at))[: len(first)] - 1
@@ -57,24 +52,15 @@ def locks(agents: Agents, reach_m: float = REACH_M, ticks: int = TICKS) -> Locks
     row = numpy.zeros(len(agents.at), bool)
     row[near[is_long[numpy.cumsum(is_first) - 1]]] = True
     longest_s = (
-        (agents.time_s[at[last]] - agents.time_s[at[first]]).max(initial=0.0)
-        if len(agents.ticks)
-        else numpy.nan
+        (agents.time_s[at[last]] - agents.time_s[at[first]]).max(initial=0.0) if len(agents.ticks) else numpy.nan
     )
-    return Locks(
-        row,
-        numpy.bincount(at, minlength=len(agents.ticks)).astype(float),
-        float(longest_s),
-    )
+    return Locks(row, numpy.bincount(at, minlength=len(agents.ticks)).astype(float), float(longest_s))
 
 
-def events_of_free(
-    events: pandas.DataFrame, agents: Agents, locked: numpy.ndarray
-) -> pandas.DataFrame:
+def events_of_free(events: pandas.DataFrame, agents: Agents, locked: numpy.ndarray) -> pandas.DataFrame:
     """The events of individuals that are not locked at the last tick before."""
     before = agents.find(
-        numpy.searchsorted(agents.time_s, events.time_s.to_numpy(float)) - 1,
-        events.id.to_numpy(float),
+        numpy.searchsorted(agents.time_s, events.time_s.to_numpy(float)) - 1, events.id.to_numpy(float)
     )
     return events[~numpy.append(locked, False)[before]]  # -1: no row before
 
@@ -87,19 +73,12 @@ def measure(agents: Agents, web: Web, found: Locks | None, results: Results) -> 
             if found
             else numpy.full(len(agents.ticks), numpy.nan)
         )
-        results.add_means(
-            "locked", species or "all", "all", "1", means(agents.window, share)
-        )
+        results.add_means("locked", species or "all", "all", "1", means(agents.window, share))
     results.add_means(
         "near_pairs",
         "all",
         "all",
         "1",
-        means(
-            agents.window,
-            found.pairs if found else numpy.full(len(agents.ticks), numpy.nan),
-        ),
+        means(agents.window, found.pairs if found else numpy.full(len(agents.ticks), numpy.nan)),
     )
-    results.add(
-        "near_longest", "all", "all", "s", found.longest_s if found else numpy.nan
-    )
+    results.add("near_longest", "all", "all", "s", found.longest_s if found else numpy.nan)

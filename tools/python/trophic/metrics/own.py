@@ -45,9 +45,7 @@ def own_column(text: str | OwnColumn) -> OwnColumn:
     if len(parts) not in (2, 3) or not all(parts[1:]):
         raise RunError(f"--column {text}: must be FILE:COLUMN or FILE:COLUMN:UNIT")
     if not parts[0] or pathlib.PurePath(parts[0]).name != parts[0]:
-        raise RunError(
-            f"--column {text}: must name a file in each run's folder, without a path"
-        )
+        raise RunError(f"--column {text}: must name a file in each run's folder, without a path")
     return OwnColumn(*parts)
 
 
@@ -62,11 +60,7 @@ class OwnMetric(NamedTuple):
 
 
 def metric(
-    function: Callable | None = None,
-    *,
-    name: str | None = None,
-    unit: str = "1",
-    inherited: bool = False,
+    function: Callable | None = None, *, name: str | None = None, unit: str = "1", inherited: bool = False
 ) -> Callable:
     """Marks a function of a Run as a metric of `trophic analyze --metric-file`, or of `trophic.analyze(..., metrics=[...])`.
 
@@ -77,11 +71,7 @@ def metric(
     """
 
     def mark(marked: Any) -> Any:
-        marked.metric, marked.unit, marked.inherited = (
-            name or marked.__name__,
-            unit,
-            inherited,
-        )
+        marked.metric, marked.unit, marked.inherited = (name or marked.__name__, unit, inherited)
         return marked
 
     return mark if function is None else mark(function)
@@ -93,14 +83,9 @@ def own_metric(function: Callable[[Run], Any]) -> OwnMetric:
         return function
     if not callable(function):
         raise RunError(f"metric {function!r}: must be a function of a run")
-    name = getattr(function, "metric", None) or getattr(
-        function, "__name__", type(function).__name__
-    )
+    name = getattr(function, "metric", None) or getattr(function, "__name__", type(function).__name__)
     return OwnMetric(
-        str(name),
-        str(getattr(function, "unit", "1")),
-        function,
-        bool(getattr(function, "inherited", False)),
+        str(name), str(getattr(function, "unit", "1")), function, bool(getattr(function, "inherited", False))
     )
 
 
@@ -108,57 +93,37 @@ def read_metrics(path: str | pathlib.Path) -> list[OwnMetric]:
     """The functions of a Python file that are marked with @trophic.metric, in their order. Raises RunError, naming the file, if there is none
     or the file fails."""
     if not pathlib.Path(path).is_file():
-        why = (
-            "is not a regular file"
-            if pathlib.Path(path).exists()
-            else "No such file or directory"
-        )
+        why = "is not a regular file" if pathlib.Path(path).exists() else "No such file or directory"
         raise RunError(f"--metric-file {path}: cannot be read: {why}")
     try:
         values = runpy.run_path(str(path)).values()
     except Exception as error:
-        raise RunError(
-            f"--metric-file {path}: {type(error).__name__}: {error}"
-        ) from error
+        raise RunError(f"--metric-file {path}: {type(error).__name__}: {error}") from error
     found = [
-        own_metric(value)
-        for value in values
-        if callable(value) and hasattr(value, "metric") and hasattr(value, "unit")
+        own_metric(value) for value in values if callable(value) and hasattr(value, "metric") and hasattr(value, "unit")
     ]
     if not found:
-        raise RunError(
-            f"--metric-file {path}: has no metric: mark a function of a run with @trophic.metric"
-        )
+        raise RunError(f"--metric-file {path}: has no metric: mark a function of a run with @trophic.metric")
     return found
 
 
-def check(
-    columns: Sequence[OwnColumn], functions: Sequence[OwnMetric], shipped: Sequence[str]
-) -> None:
+def check(columns: Sequence[OwnColumn], functions: Sequence[OwnMetric], shipped: Sequence[str]) -> None:
     """Raises RunError for a name that is taken, and for a name or unit that is not a word."""
     taken = set(shipped)
     for column in columns:
         if column.column in taken:
-            raise RunError(
-                f"{column}: there is a metric of this name; rename the column"
-            )
+            raise RunError(f"{column}: there is a metric of this name; rename the column")
         taken.add(column.column)
     own: set[str] = set()
     for each in functions:
         if not re.fullmatch(r"\w+", each.name, re.ASCII):
-            raise RunError(
-                f"metric {each.name}: its name must be letters, digits and _"
-            )
+            raise RunError(f"metric {each.name}: its name must be letters, digits and _")
         if not re.fullmatch(r"[\w./^%-]+", each.unit, re.ASCII):
-            raise RunError(
-                f'metric {each.name}: unit "{each.unit}": must be letters, digits and _ . / ^ % -'
-            )
+            raise RunError(f'metric {each.name}: unit "{each.unit}": must be letters, digits and _ . / ^ % -')
         if each.name in own:
             raise RunError(f"metric {each.name}: is there twice")
         if each.name in taken:
-            raise RunError(
-                f"metric {each.name}: trophic has a metric of this name; choose another"
-            )
+            raise RunError(f"metric {each.name}: trophic has a metric of this name; choose another")
         own.add(each.name)
 
 
@@ -168,9 +133,7 @@ def measure_column(column: OwnColumn, run: PooledRun, results: Results) -> None:
     """
     path = run.path / column.file
     check_column(column, run)
-    table = run.texts(
-        column.file, [column.column], ["time_s", "species", "group"], results.remarks
-    )
+    table = run.texts(column.file, [column.column], ["time_s", "species", "group"], results.remarks)
     frame = pandas.DataFrame(index=table.index)
     for name in table.columns.intersection(["time_s", column.column]):
         frame["value" if name == column.column else name] = numbers(
@@ -215,45 +178,22 @@ def measure_function(of: OwnMetric, run: PooledRun, results: Results) -> None:
 
 
 def _check_samples(frame: pandas.DataFrame, run: PooledRun) -> None:
-    def refuse_first(
-        wrong: pandas.Series, name: str, must: str, quote: str = ""
-    ) -> None:
+    def refuse_first(wrong: pandas.Series, name: str, must: str, quote: str = "") -> None:
         if wrong.any():
-            raise RunError(
-                f"{name} = {quote}{frame.loc[wrong.idxmax(), name]}{quote}: must be {must}"
-            )
+            raise RunError(f"{name} = {quote}{frame.loc[wrong.idxmax(), name]}{quote}: must be {must}")
 
     refuse_first(numpy.isinf(frame.value), "value", "finite, or nan if there is none")
     if "time_s" in frame:
-        refuse_first(
-            ~frame.time_s.between(0.0, run.until_s),
-            "time_s",
-            f">= 0 and <= {number_text(run.until_s)}",
-        )
+        refuse_first(~frame.time_s.between(0.0, run.until_s), "time_s", f">= 0 and <= {number_text(run.until_s)}")
     if "species" in frame:
         refuse_first(
-            ~frame.species.isin(["", *run.web.species]),
-            "species",
-            f"one of {', '.join(run.web.species)}",
-            '"',
+            ~frame.species.isin(["", *run.web.species]), "species", f"one of {', '.join(run.web.species)}", '"'
         )
     if "group" in frame:
-        refuse_first(
-            ~frame.group.str.fullmatch(r"[A-Za-z0-9_]+"),
-            "group",
-            "letters, digits and _",
-            '"',
-        )
+        refuse_first(~frame.group.str.fullmatch(r"[A-Za-z0-9_]+"), "group", "letters, digits and _", '"')
 
 
-def _add(
-    name: str,
-    unit: str,
-    frame: pandas.DataFrame,
-    who: str,
-    where: str,
-    results: Results,
-) -> None:
+def _add(name: str, unit: str, frame: pandas.DataFrame, who: str, where: str, results: Results) -> None:
     """Adds the means of samples, one for each species and group, and the curves of those with times."""
     if any(row[0] == name for row in results.rows):
         raise RunError(f"{who}: trophic has a metric of this name; choose another")
@@ -273,12 +213,8 @@ def _add(
     for (species, group), of in parts or ([(("", "all"), samples)] if is_one else []):
         found = means(of.window.to_numpy(), of.value.to_numpy())
         if numpy.isnan(found.mean):
-            named = " ".join(
-                [name, *filter(None, [species, group if group != "all" else ""])]
-            )
-            results.remarks.append(
-                f"{where}: {named} has no value; the run is left out of its mean"
-            )
+            named = " ".join([name, *filter(None, [species, group if group != "all" else ""])])
+            results.remarks.append(f"{where}: {named} has no value; the run is left out of its mean")
         results.add(name, species, group, unit, found.mean)
         if has_times:
             results.add_curve(name, species, group, unit, found.time_s, found.points)

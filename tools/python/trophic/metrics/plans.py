@@ -61,11 +61,7 @@ def read_plan(text: str) -> Plan:
         waiting.append(((label, children), len(labels)))
         waiting += [
             (child, None)
-            for child in sorted(
-                children,
-                key=lambda child: _FACES.index(child[0].split(":")[0]),
-                reverse=True,
-            )
+            for child in sorted(children, key=lambda child: _FACES.index(child[0].split(":")[0]), reverse=True)
         ]
     last_of = {first: place for place, first in enumerate(leftmost)}
     return Plan(labels, leftmost, sorted(last_of.values()))
@@ -75,39 +71,25 @@ def edit_distance(a: Plan, b: Plan) -> int:
     """The tree edit distance of two plans: the fewest modules that are inserted, deleted or changed to make one plan of the other, each at cost 1. A
     deleted module's children become its parent's; a change replaces type, face and quarter turns at once. Trees are ordered by face [zhang1989].
     """
-    trees = [
-        [0] * len(b.labels) for _ in a.labels
-    ]  # distance of the subtrees of i and j
+    trees = [[0] * len(b.labels) for _ in a.labels]  # distance of the subtrees of i and j
     for root_a in a.keyroots:
         for root_b in b.keyroots:
             from_a, from_b = a.leftmost[root_a], b.leftmost[root_b]
-            forests = [
-                list(range(root_b - from_b + 2))
-            ]  # of what precedes i and j in the subtrees at hand
+            forests = [list(range(root_b - from_b + 2))]  # of what precedes i and j in the subtrees at hand
             for i in range(from_a, root_a + 1):
                 before, row = forests[-1], [forests[-1][0] + 1]
                 for j in range(from_b, root_b + 1):
                     less = min(before[j - from_b + 1], row[-1]) + 1
                     if a.leftmost[i] == from_a and b.leftmost[j] == from_b:
-                        trees[i][j] = min(
-                            less, before[j - from_b] + (a.labels[i] != b.labels[j])
-                        )
+                        trees[i][j] = min(less, before[j - from_b] + (a.labels[i] != b.labels[j]))
                         row.append(trees[i][j])
                     else:
-                        row.append(
-                            min(
-                                less,
-                                forests[a.leftmost[i] - from_a][b.leftmost[j] - from_b]
-                                + trees[i][j],
-                            )
-                        )
+                        row.append(min(less, forests[a.leftmost[i] - from_a][b.leftmost[j] - from_b] + trees[i][j]))
                 forests.append(row)
     return trees[-1][-1]
 
 
-def distances_from_first(
-    ids: Sequence[int], species: Sequence[str], texts: Sequence[str]
-) -> list[int]:
+def distances_from_first(ids: Sequence[int], species: Sequence[str], texts: Sequence[str]) -> list[int]:
     """The distance of each individual's plan from that of the first individual of its species, the one with the lowest id. Raises ValueError, naming
     the individual, for a text that is not a plan."""
     first: dict[str, Plan] = {}

@@ -12,21 +12,14 @@ TICKS = 5
 """10 s."""
 
 
-def stuck(
-    agents: Agents,
-    species: str | None = None,
-    reach_m: float = REACH_M,
-    ticks: int = TICKS,
-) -> Means:
+def stuck(agents: Agents, species: str | None = None, reach_m: float = REACH_M, ticks: int = TICKS) -> Means:
     """At each tick the share of stuck robots of a species, or of all; ticks without a member or without one `ticks` later are left out.
     Bodies count, for the species that they belong to at the start: a birth meanwhile does not move them.
     """
     later = agents.later(ticks)
     to = agents.find_body(later[agents.at], agents.body)
     moved_m = numpy.hypot(agents.x_m[to] - agents.x_m, agents.y_m[to] - agents.y_m)
-    share = agents.mean(
-        agents.of(species) & (to >= 0), (moved_m < reach_m).astype(float)
-    )
+    share = agents.mean(agents.of(species) & (to >= 0), (moved_m < reach_m).astype(float))
     return means(agents.window[later >= 0], share[later >= 0])
 
 

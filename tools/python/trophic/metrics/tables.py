@@ -44,15 +44,11 @@ class Means(NamedTuple):
 
 
 def window_of(time_s: numpy.ndarray, window_s: float = WINDOW_S) -> numpy.ndarray:
-    with numpy.errstate(
-        invalid="ignore"
-    ):  # numpy 1.24 may report a flag that another operation left
+    with numpy.errstate(invalid="ignore"):  # numpy 1.24 may report a flag that another operation left
         return numpy.maximum(0.0, numpy.ceil(time_s / window_s) - 1.0).astype(int)
 
 
-def means(
-    window: numpy.ndarray, values: numpy.ndarray, window_s: float = WINDOW_S
-) -> Means:
+def means(window: numpy.ndarray, values: numpy.ndarray, window_s: float = WINDOW_S) -> Means:
     """Means of values by their windows, as window_of returns them; nan is left out."""
     if not window_s > 0:
         raise ValueError(f"window_s = {window_s:g}: must be > 0")
@@ -61,19 +57,12 @@ def means(
     count = numpy.bincount(window[known], minlength=windows)
     total = numpy.bincount(window[known], values[known], minlength=windows)
     points = ratio(total, count)
-    return Means(
-        mean_of(values),
-        mean_of(points),
-        numpy.arange(1, windows + 1) * window_s,
-        points,
-    )
+    return Means(mean_of(values), mean_of(points), numpy.arange(1, windows + 1) * window_s, points)
 
 
 def ratio(total: numpy.ndarray, count: numpy.ndarray) -> numpy.ndarray:
     """total / count; nan where the count is 0."""
-    return numpy.divide(
-        total, count, out=numpy.full(len(total), numpy.nan), where=count > 0
-    )
+    return numpy.divide(total, count, out=numpy.full(len(total), numpy.nan), where=count > 0)
 
 
 def mean_of(values: numpy.ndarray) -> float:
@@ -82,27 +71,17 @@ def mean_of(values: numpy.ndarray) -> float:
     return float(known.mean()) if len(known) else float("nan")
 
 
-def numbers(
-    path: pathlib.Path, texts: pandas.Series, none: Sequence[str] = ()
-) -> numpy.ndarray:
+def numbers(path: pathlib.Path, texts: pandas.Series, none: Sequence[str] = ()) -> numpy.ndarray:
     """The cells of a table's column as numbers; those of `none` are nan. Raises RunError, naming file and line, for the first other cell that
     is not a finite number."""
     is_none = texts.isin(none).to_numpy()
-    found = pandas.to_numeric(texts.where(~is_none, "nan"), errors="coerce").to_numpy(
-        float
-    )
+    found = pandas.to_numeric(texts.where(~is_none, "nan"), errors="coerce").to_numpy(float)
     wrong = ~numpy.isfinite(found) & ~is_none
     if wrong.any():
         cell = texts.iloc[place := int(wrong.argmax())]
-        must = (
-            "finite"
-            if numpy.isinf(found[place]) or cell.lower() in ("nan", "-nan")
-            else "a number"
-        )
+        must = "finite" if numpy.isinf(found[place]) or cell.lower() in ("nan", "-nan") else "a number"
         raise RunError(f'{path}:{place + 2}: {texts.name} = "{cell}": must be {must}')
-    return (
-        texts.where(~is_none, "nan").to_numpy().astype(float)
-    )  # exact, which to_numeric is not
+    return texts.where(~is_none, "nan").to_numpy().astype(float)  # exact, which to_numeric is not
 
 
 class Agents:
@@ -112,9 +91,7 @@ class Agents:
         def of(name: str, kind: type = int) -> numpy.ndarray:
             return frame[name].to_numpy(kind)
 
-        self.species = pandas.Categorical(
-            frame.species, categories=web.species
-        ).codes.astype(int)
+        self.species = pandas.Categorical(frame.species, categories=web.species).codes.astype(int)
         self.names = web.species
         self.inherited = (frame.origin == "inherited").to_numpy(bool)
         self.active = of("active") == 1
@@ -123,9 +100,7 @@ class Agents:
             of(name, float) for name in ("x_m", "y_m", "adversary_id", "hunger_ticks")
         )
         self.tilt_rad, self.touches_wall = (
-            frame[name].to_numpy(float)
-            if name in frame
-            else numpy.full(len(frame), numpy.nan)
+            frame[name].to_numpy(float) if name in frame else numpy.full(len(frame), numpy.nan)
             for name in ("tilt_rad", "touches_wall")
         )
         tick = of("tick")
@@ -133,34 +108,22 @@ class Agents:
         self.ticks = tick[starts]
         self.time_s = frame.time_s.to_numpy(float)[starts]
         self.window = window_of(self.time_s)
-        self.at = numpy.repeat(
-            numpy.arange(len(starts)), numpy.diff(starts, append=len(frame))
-        )
+        self.at = numpy.repeat(numpy.arange(len(starts)), numpy.diff(starts, append=len(frame)))
         self._ids = _Places(self.at, self.id)
         self._bodies = _Places(self.at, self.body)
 
     def of(self, species: str | None = None, group: str = "all") -> numpy.ndarray:
         """The rows of a species, or of all, that belong to a group at that tick: all, random, inherited, active or inherited_active."""
-        mask = (
-            numpy.ones(len(self.at), bool)
-            if species is None
-            else self.species == self.names.index(species)
-        )
+        mask = numpy.ones(len(self.at), bool) if species is None else self.species == self.names.index(species)
         if group == "random":
             mask &= ~self.inherited
         elif group in ("inherited", "inherited_active"):
             mask &= self.inherited
         return mask & self.active if group in ("active", "inherited_active") else mask
 
-    def count(
-        self, rows: numpy.ndarray, weights: numpy.ndarray | None = None
-    ) -> numpy.ndarray:
+    def count(self, rows: numpy.ndarray, weights: numpy.ndarray | None = None) -> numpy.ndarray:
         """The number, or the sum of the weights, of these rows at each tick."""
-        return numpy.bincount(
-            self.at[rows],
-            None if weights is None else weights[rows],
-            minlength=len(self.ticks),
-        )
+        return numpy.bincount(self.at[rows], None if weights is None else weights[rows], minlength=len(self.ticks))
 
     def mean(self, rows: numpy.ndarray, values: numpy.ndarray) -> numpy.ndarray:
         """The mean of the values of these rows at each tick; nan at a tick without any."""
@@ -188,16 +151,12 @@ class _Places:
     def __init__(self, at: numpy.ndarray, numbers: numpy.ndarray):
         self._width = int(numbers.max()) + 1 if len(numbers) else 1
         keys = at * self._width + numbers
-        self._order = (
-            None if (numpy.diff(keys) > 0).all() else numpy.argsort(keys, kind="stable")
-        )
+        self._order = None if (numpy.diff(keys) > 0).all() else numpy.argsort(keys, kind="stable")
         self._keys = keys if self._order is None else keys[self._order]
 
     def find(self, at: numpy.ndarray, numbers: numpy.ndarray) -> numpy.ndarray:
         known = (at >= 0) & (numbers >= 0) & (numbers < self._width)  # false for nan
-        key = numpy.where(
-            known, at * self._width + numpy.nan_to_num(numbers), -1
-        ).astype(int)
+        key = numpy.where(known, at * self._width + numpy.nan_to_num(numbers), -1).astype(int)
         place = numpy.searchsorted(self._keys, key)
         there = known & (place < len(self._keys))
         there[there] = self._keys[place[there]] == key[there]
@@ -214,21 +173,10 @@ class Results:
     curves: list[tuple] = dataclasses.field(default_factory=list)
     remarks: list[str] = dataclasses.field(default_factory=list)
 
-    def add(
-        self,
-        metric: str,
-        species: str,
-        group: str,
-        unit: str,
-        value: float,
-        baselines: tuple = (),
-    ) -> None:
+    def add(self, metric: str, species: str, group: str, unit: str, value: float, baselines: tuple = ()) -> None:
         """A number, nan if it could not be computed, and its baselines (name, role, value)."""
         name = (metric, species, group, unit)
-        self.rows += [
-            (*name, "", "", value),
-            *((*name, *baseline) for baseline in baselines),
-        ]
+        self.rows += [(*name, "", "", value), *((*name, *baseline) for baseline in baselines)]
 
     def add_curve(
         self,
@@ -253,25 +201,15 @@ class Results:
         baselines: tuple = (),
     ) -> None:
         """The mean of all values, unless another `value` is given, and the curve."""
-        self.add(
-            metric, species, group, unit, of.mean if value is None else value, baselines
-        )
+        self.add(metric, species, group, unit, of.mean if value is None else value, baselines)
         self.add_curve(metric, species, group, unit, of.time_s, of.points)
 
     def run_values(self) -> RunValues:
-        values = pandas.DataFrame(
-            self.rows, columns=[*METRIC, "baseline", "role", "value"]
-        )
-        names = pandas.DataFrame(
-            [name for name, _, _ in self.curves], columns=[*METRIC, "baseline"]
-        )
-        curves = names.loc[
-            names.index.repeat([len(time_s) for _, time_s, _ in self.curves])
-        ].reset_index(drop=True)
+        values = pandas.DataFrame(self.rows, columns=[*METRIC, "baseline", "role", "value"])
+        names = pandas.DataFrame([name for name, _, _ in self.curves], columns=[*METRIC, "baseline"])
+        curves = names.loc[names.index.repeat([len(time_s) for _, time_s, _ in self.curves])].reset_index(drop=True)
         for place, column in ((1, "time_s"), (2, "value")):
             curves[column] = (
-                numpy.concatenate([curve[place] for curve in self.curves])
-                if self.curves
-                else numpy.empty(0)
+                numpy.concatenate([curve[place] for curve in self.curves]) if self.curves else numpy.empty(0)
             )
         return RunValues(values, curves, self.remarks)

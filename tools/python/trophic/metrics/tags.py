@@ -34,14 +34,10 @@ def bernoulli_symmetry(a: int, b: int) -> float:
     if is_large:
         deviation = math.sqrt(1.0 / many)
         z = mean / deviation
-        folded = math.sqrt(2.0 / math.pi) * numpy.exp(
-            -0.5 * z * z
-        ) + z * scipy.special.erf(z / math.sqrt(2.0))
+        folded = math.sqrt(2.0 / math.pi) * numpy.exp(-0.5 * z * z) + z * scipy.special.erf(z / math.sqrt(2.0))
         return float(probability @ folded * deviation)
     other, probability_of_other = _coins(many)
-    return float(
-        probability @ numpy.abs(numpy.add.outer(mean, other)) @ probability_of_other
-    )
+    return float(probability @ numpy.abs(numpy.add.outer(mean, other)) @ probability_of_other)
 
 
 def permuted_symmetry(a, b, plus) -> numpy.ndarray:
@@ -52,15 +48,12 @@ def permuted_symmetry(a, b, plus) -> numpy.ndarray:
     a, b = numpy.minimum(a, b), numpy.maximum(a, b)  # the mean is the same
     at_once = max(1, _MOST_NUMBERS // (int(a.max(initial=0)) + 1))
     pieces = [
-        _permuted(a[i : i + at_once], b[i : i + at_once], plus[i : i + at_once])
-        for i in range(0, len(a), at_once)
+        _permuted(a[i : i + at_once], b[i : i + at_once], plus[i : i + at_once]) for i in range(0, len(a), at_once)
     ]
     return numpy.concatenate(pieces) if pieces else numpy.empty(0)
 
 
-def tag_symmetry(
-    agents: Agents, a: str, b: str, group: str = "inherited", plus_tag: int = 1
-) -> dict[str, Means]:
+def tag_symmetry(agents: Agents, a: str, b: str, group: str = "inherited", plus_tag: int = 1) -> dict[str, Means]:
     """At each tick |mean tag of one species + mean tag of the other|, of members of the group only: the inherited ones (Sec. "Metrics for
     system dynamics"). Ticks at which either species has no such member are left out. Close to 0: the species show opposite tags.
 
@@ -75,13 +68,9 @@ def tag_symmetry(
     plus_of = [agents.count(of & is_plus)[there] for of in rows]
     in_a, in_b = both[0][there], both[1][there]
     observed = numpy.abs(2.0 * plus_of[0] / in_a - 1.0 + 2.0 * plus_of[1] / in_b - 1.0)
-    counts, place = numpy.unique(
-        numpy.stack([in_a, in_b, plus_of[0] + plus_of[1]]), axis=1, return_inverse=True
-    )
+    counts, place = numpy.unique(numpy.stack([in_a, in_b, plus_of[0] + plus_of[1]]), axis=1, return_inverse=True)
     pairs, place_of_pair = numpy.unique(counts[:2], axis=1, return_inverse=True)
-    coins = numpy.array(
-        [bernoulli_symmetry(int(few), int(many)) for few, many in pairs.T]
-    )[place_of_pair.ravel()]
+    coins = numpy.array([bernoulli_symmetry(int(few), int(many)) for few, many in pairs.T])[place_of_pair.ravel()]
     of = {
         "observed": observed,
         "permuted_tags": permuted_symmetry(*counts)[place.ravel()],
@@ -90,9 +79,7 @@ def tag_symmetry(
     return {name: means(agents.window[there], values) for name, values in of.items()}
 
 
-def measure(
-    agents: Agents, web: Web, tags: Sequence[int], results: Results, suffix: str = ""
-) -> None:
+def measure(agents: Agents, web: Web, tags: Sequence[int], results: Results, suffix: str = "") -> None:
     """`tags`: those that the rule table's brains may choose. `suffix`: of the metric's name."""
     if len(tags) != 2:
         return
@@ -115,9 +102,7 @@ def _coins(coins: int) -> tuple[numpy.ndarray, numpy.ndarray]:
     """The means of fair coins with k = 0, 1, ... heads, and their probabilities."""
     k = numpy.arange(coins + 1)
     log = _log_factorials(coins)
-    return 2.0 * k / coins - 1.0, numpy.exp(
-        log[coins] - log[k] - log[coins - k] - coins * math.log(2.0)
-    )
+    return 2.0 * k / coins - 1.0, numpy.exp(log[coins] - log[k] - log[coins - k] - coins * math.log(2.0))
 
 
 def _log_factorials(most: int) -> numpy.ndarray:
@@ -137,12 +122,6 @@ def _permuted(a: numpy.ndarray, b: numpy.ndarray, plus: numpy.ndarray) -> numpy.
         return log[n] - log[numpy.clip(k, 0, n)] - log[numpy.clip(n - k, 0, n)]
 
     probability = numpy.exp(
-        numpy.where(
-            possible,
-            log_choose(a, in_a) + log_choose(b, in_b) - log_choose(a + b, plus),
-            -numpy.inf,
-        )
+        numpy.where(possible, log_choose(a, in_a) + log_choose(b, in_b) - log_choose(a + b, plus), -numpy.inf)
     )
-    return (probability * numpy.abs(2.0 * in_a / a - 1.0 + 2.0 * in_b / b - 1.0)).sum(
-        axis=1
-    )
+    return (probability * numpy.abs(2.0 * in_a / a - 1.0 + 2.0 * in_b / b - 1.0)).sum(axis=1)

@@ -41,18 +41,14 @@ def stored_samples(agents: Agents, ticks: int = TICKS) -> Samples:
     return _towards(agents, agents.find_body(agents.at, stored), ticks)
 
 
-def at_marks(
-    of: Samples, agents: Agents, every_s: float = 200.0, ticks: int = TICKS
-) -> Samples:
+def at_marks(of: Samples, agents: Agents, every_s: float = 200.0, ticks: int = TICKS) -> Samples:
     """The samples of the stretches that end at a mark: at the first tick at or after 200, 400, ... s at which a stretch ends. The paper's
     "population averages measured every 200 seconds, resulting in 30 points" may be these instead of means over windows.
     """
     later = agents.later(ticks)
     ends = later[later >= 0]
     mark = numpy.floor(agents.time_s[ends] / every_s)
-    first = numpy.flatnonzero(
-        numpy.diff(mark, prepend=0.0)
-    )  # the first end from each mark on
+    first = numpy.flatnonzero(numpy.diff(mark, prepend=0.0))  # the first end from each mark on
     chosen = numpy.isin(of.end, ends[first])
     return Samples(of.row[chosen], of.end[chosen], of.velocity_m_s[chosen])
 
@@ -87,9 +83,7 @@ def measure(
         "velocity_stored": stored_samples(agents)
         if every_ticks == 1
         else of_rows(walks, numpy.zeros(len(agents.at), bool)),
-        "velocity_simulated": walks._replace(
-            velocity_m_s=walks.velocity_m_s / simulated_s_per_s
-        ),
+        "velocity_simulated": walks._replace(velocity_m_s=walks.velocity_m_s / simulated_s_per_s),
         "velocity_not_locked": of_rows(walks, free),
         "velocity_open": of_rows(walks, is_open),
         "velocity_upright": of_rows(walks, is_open & is_upright),
@@ -98,15 +92,7 @@ def measure(
         for species in web.species:
             for group in GROUPS:
                 found = velocity(of, agents, species, group)
-                results.add_means(
-                    metric,
-                    species,
-                    group,
-                    "m/s",
-                    found,
-                    found.mean_of_points,
-                    (("zero", "paper", 0.0),),
-                )
+                results.add_means(metric, species, group, "m/s", found, found.mean_of_points, (("zero", "paper", 0.0),))
 
 
 def _towards(agents: Agents, adversary: numpy.ndarray, ticks: int) -> Samples:
@@ -116,10 +102,7 @@ def _towards(agents: Agents, adversary: numpy.ndarray, ticks: int) -> Samples:
     to, adversary = to[row], adversary[row]
 
     def distance(place: numpy.ndarray) -> numpy.ndarray:
-        return numpy.hypot(
-            agents.x_m[adversary] - agents.x_m[place],
-            agents.y_m[adversary] - agents.y_m[place],
-        )
+        return numpy.hypot(agents.x_m[adversary] - agents.x_m[place], agents.y_m[adversary] - agents.y_m[place])
 
     duration_s = agents.time_s[agents.at[to]] - agents.time_s[agents.at[row]]
     return Samples(row, end[row], (distance(row) - distance(to)) / duration_s)

@@ -27,33 +27,21 @@ class Floor:
         for x1, y1, x2, y2, radius, _ in self.obstacles:
             length2 = (x2 - x1) ** 2 + (y2 - y1) ** 2
             part = (
-                numpy.clip(
-                    ((x_m - x1) * (x2 - x1) + (y_m - y1) * (y2 - y1)) / length2,
-                    0.0,
-                    1.0,
-                )
+                numpy.clip(((x_m - x1) * (x2 - x1) + (y_m - y1) * (y2 - y1)) / length2, 0.0, 1.0)
                 if length2 > 0
                 else numpy.zeros_like(x_m)
             )
             nearest = numpy.minimum(
-                nearest,
-                numpy.hypot(x_m - x1 - part * (x2 - x1), y_m - y1 - part * (y2 - y1))
-                - radius,
+                nearest, numpy.hypot(x_m - x1 - part * (x2 - x1), y_m - y1 - part * (y2 - y1)) - radius
             )
         return nearest
 
 
-def wall_sticking(
-    agents: Agents, species: str, group: str, floor: Floor, reach_m: float = REACH_M
-) -> Means:
+def wall_sticking(agents: Agents, species: str, group: str, floor: Floor, reach_m: float = REACH_M) -> Means:
     """At each tick, members of the group within reach of a wall or an obstacle (or, in an arena without walls, of where its slopes begin, and
     beyond) over all its members; ticks without a member are left out."""
     return means(
-        agents.window,
-        agents.mean(
-            agents.of(species, group),
-            (to_wall_m(agents, floor) <= reach_m).astype(float),
-        ),
+        agents.window, agents.mean(agents.of(species, group), (to_wall_m(agents, floor) <= reach_m).astype(float))
     )
 
 
@@ -71,9 +59,7 @@ def share_of_floor(floor: Floor, reach_m: float = REACH_M) -> float:
     return float(numpy.mean(from_wall[from_wall > 0.0] <= reach_m))
 
 
-def measure(
-    agents: Agents, web: Web, floor: Floor, results: Results, suffix: str = ""
-) -> None:
+def measure(agents: Agents, web: Web, floor: Floor, results: Results, suffix: str = "") -> None:
     """`suffix`: of the metrics' names."""
     uniform = (("uniform_density", "reference", share_of_floor(floor)),)
     shares = {}
@@ -81,17 +67,10 @@ def measure(
         for group in GROUPS:
             share = wall_sticking(agents, species, group, floor)
             shares[species, group] = share.mean
-            results.add_means(
-                f"wall_sticking{suffix}", species, group, "1", share, baselines=uniform
-            )
+            results.add_means(f"wall_sticking{suffix}", species, group, "1", share, baselines=uniform)
     for hunter, victim in web.links:
         for group in ("all", "active"):
             gap = shares[victim, group] - shares[hunter, group]
             results.add(
-                f"wall_sticking_gap{suffix}",
-                f"{victim}-{hunter}",
-                group,
-                "1",
-                gap,
-                (("zero", "reference", 0.0),),
+                f"wall_sticking_gap{suffix}", f"{victim}-{hunter}", group, "1", gap, (("zero", "reference", 0.0),)
             )

@@ -36,20 +36,13 @@ class Outcome(NamedTuple):
         return self.frames[0] if self.compared is None else self.compared
 
     def remarks(self) -> list[str]:
-        return [
-            remark
-            for one in self.sets
-            for of in (one, *one.nulls.values())
-            for remark in of.remarks
-        ]
+        return [remark for one in self.sets for of in (one, *one.nulls.values()) for remark in of.remarks]
 
     def analysis(self, path: pathlib.Path | None) -> Analysis:
         """As `read_analysis` has it; `path` is the folder of the tables, None for an analysis in memory."""
         content = tables.summary(self.sets, self.frames, self.compared)
         made = Analysis(path, tables.metrics(self.sets), content)
-        made.__dict__["means"] = tables.means(
-            pandas.concat(self.frames, ignore_index=True)
-        )
+        made.__dict__["means"] = tables.means(pandas.concat(self.frames, ignore_index=True))
         if self.compared is not None:
             made.__dict__["differences"] = tables.differences(self.compared)
         return made
@@ -65,9 +58,7 @@ def analyse(
     how = how or Measuring()
     groups = [[folder] for folder in compare] or [list(runs)]
     if compare:
-        first, second = (
-            pool.pooled_runs([pathlib.Path(folder)], how)[0][0] for folder in compare
-        )
+        first, second = (pool.pooled_runs([pathlib.Path(folder)], how)[0][0] for folder in compare)
         if how.until_s is None and not pool.lasted_alike(first, second):
             raise RunError(
                 f"{second.path}: {pool.lasted_text(second)}, but {first.path} has {pool.lasted_text(first)}; runs of different length "
@@ -79,9 +70,7 @@ def analyse(
         for null in of.nulls.values():
             null.label = describe(null).label
     frames = [judge.summarize(of, how.metrics) for of in sets]
-    return Outcome(
-        sets, frames, judge.compare(sets[0], sets[1], how.metrics) if compare else None
-    )
+    return Outcome(sets, frames, judge.compare(sets[0], sets[1], how.metrics) if compare else None)
 
 
 def is_sweep(folder: str | os.PathLike) -> bool:
@@ -98,9 +87,7 @@ def _check(request: Mapping[str, Any]) -> None:
     if not (sweeps := [folder for folder in runs if is_sweep(folder)]):
         for option in ("reference", "difference", "allow_missing"):
             if request.get(option) not in (None, False):
-                raise RunError(
-                    f"--{option.replace('_', '-')}: only with a sweep, a folder with plan.jsonl"
-                )
+                raise RunError(f"--{option.replace('_', '-')}: only with a sweep, a folder with plan.jsonl")
     elif len(runs) > 1:
         raise RunError(f"{sweeps[0]}: is a sweep, which must be analyzed alone")
     for option in ("shadow", "published"):
@@ -108,9 +95,7 @@ def _check(request: Mapping[str, Any]) -> None:
             raise RunError(f"{sweeps[0]}: is a sweep: not with --{option}")
     for option in ("html", "lineages", "selection"):
         if sweeps and request.get(option):
-            raise RunError(
-                f"{sweeps[0]}: is a sweep: not with --{option}; name one of its cells"
-            )
+            raise RunError(f"{sweeps[0]}: is a sweep: not with --{option}; name one of its cells")
 
 
 def run(request: Mapping[str, Any]) -> int:
@@ -129,38 +114,21 @@ def run(request: Mapping[str, Any]) -> int:
         from . import page
 
         if os.path.lexists(request["html"]):
-            raise RunError(
-                f"--html {request['html']}: exists already; nothing is overwritten"
-            )
+            raise RunError(f"--html {request['html']}: exists already; nothing is overwritten")
         if not pathlib.Path(request["html"]).absolute().parent.is_dir():
-            raise RunError(
-                f"--html {request['html']}: cannot be made: there is no such folder"
-            )
+            raise RunError(f"--html {request['html']}: cannot be made: there is no such folder")
         if request.get("figures"):
             page.read_figures(request["figures"])
     wants_tables = request.get("out") is not None or not request.get("html")
-    with tables.result_folder(
-        request.get("out")
-    ) if wants_tables else contextlib.nullcontext() as folder:
-        outcome = analyse(
-            request.get("runs") or (),
-            request.get("compare") or (),
-            request.get("shadow"),
-            how,
-        )
-        replays = (
-            page.replays_of(outcome.sets, request.get("replays"), request["who"])
-            if request.get("html")
-            else None
-        )
+    with tables.result_folder(request.get("out")) if wants_tables else contextlib.nullcontext() as folder:
+        outcome = analyse(request.get("runs") or (), request.get("compare") or (), request.get("shadow"), how)
+        replays = page.replays_of(outcome.sets, request.get("replays"), request["who"]) if request.get("html") else None
         for remark in outcome.remarks():
             print(f"{request['who']}: {remark}", file=sys.stderr)
         whole, brief = texts(outcome, bool(request.get("published")))
         print(whole if request.get("all") or how.metrics else brief, end="")
         if folder is not None:
-            print(
-                f"files   {folder.with_suffix('')}/{{{','.join(write_tables(folder, outcome))}}}"
-            )
+            print(f"files   {folder.with_suffix('')}/{{{','.join(write_tables(folder, outcome))}}}")
         if request.get("html"):
             frames = outcome.frames if outcome.compared is None else [outcome.compared]
             downloads = {"metrics.csv": tables.csv_text(tables.metrics(outcome.sets))}
@@ -185,15 +153,11 @@ def texts(outcome: Outcome, is_published: bool = False) -> tuple[str, str]:
     """The text of the terminal with --all, and without."""
     sets, compared = outcome.sets, outcome.compared
     if compared is not None:
-        return text.difference_table(
-            sets[0], sets[1], compared
-        ), text.difference_findings(sets[0], sets[1], compared)
+        return text.difference_table(sets[0], sets[1], compared), text.difference_findings(sets[0], sets[1], compared)
     if is_published:
         claims = text.claims(sets[0])
         return claims, claims
-    return text.table(sets[0], outcome.frames[0]), text.findings(
-        sets[0], outcome.frames[0]
-    )
+    return text.table(sets[0], outcome.frames[0]), text.findings(sets[0], outcome.frames[0])
 
 
 def write_tables(folder: pathlib.Path, outcome: Outcome) -> list[str]:
@@ -203,9 +167,7 @@ def write_tables(folder: pathlib.Path, outcome: Outcome) -> list[str]:
     files = {
         "metrics.csv": tables.csv_text(made.metrics),
         "means.csv": tables.csv_text(made.means),
-        "means.tex": "".join(
-            tex.means(of, frame) for of, frame in zip(sets, outcome.frames)
-        ),
+        "means.tex": "".join(tex.means(of, frame) for of, frame in zip(sets, outcome.frames)),
     }
     if compared is not None:
         files |= {

@@ -6,12 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import NamedTuple
 
-_CELLS = {
-    "text": "text",
-    "whole": "whole number",
-    "exact": "number, exact",
-    "flag": "0 or 1",
-}
+_CELLS = {"text": "text", "whole": "whole number", "exact": "number, exact", "flag": "0 or 1"}
 # Columns that several tables have.
 _SHARED = """
 metric text: what was measured
@@ -330,8 +325,7 @@ def _read(text: str, shared: dict[str, Column]) -> Iterable[Column]:
         yield Column(
             name,
             unit,
-            _CELLS.get(cells, cells.replace(",", ", "))
-            + (", or empty" if kind.endswith("?") else ""),
+            _CELLS.get(cells, cells.replace(",", ", ")) + (", or empty" if kind.endswith("?") else ""),
             meaning,
         )
 
@@ -353,8 +347,7 @@ def document() -> str:
     for file, (what, columns) in TABLES.items():
         text += f"\n## {file}\n\n{what}\n\n| column | unit | cells | meaning |\n|---|---|---|---|\n"
         text += "".join(
-            f"| {column.name} | {column.unit} | {column.cells} | {column.meaning} |\n"
-            for column in columns
+            f"| {column.name} | {column.unit} | {column.cells} | {column.meaning} |\n" for column in columns
         )
     return text
 

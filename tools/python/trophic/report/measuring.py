@@ -12,11 +12,7 @@ from ..programs import find_program
 
 def measuring_of(request: Mapping[str, Any]) -> Measuring:
     """How the runs of a request are measured."""
-    functions = [
-        function
-        for file in request.get("metric_file") or ()
-        for function in own.read_metrics(file)
-    ]
+    functions = [function for file in request.get("metric_file") or () for function in own.read_metrics(file)]
     return Measuring(
         until_s=request.get("until"),
         accept_other_build=bool(request.get("accept_other_build")),

@@ -39,17 +39,13 @@ def read_figures(folder: str | os.PathLike) -> list[dict[str, Any]]:
     try:
         captions = json.loads(path.read_text())
     except (OSError, ValueError) as error:
-        raise RunError(
-            f"{path}: {getattr(error, 'strerror', None) or 'is not a JSON object'}"
-        ) from None
+        raise RunError(f"{path}: {getattr(error, 'strerror', None) or 'is not a JSON object'}") from None
     if not isinstance(captions, dict):
         raise RunError(f"{path}: is not a JSON object")
     figures = []
     for name, caption in captions.items():
         if not isinstance(caption, str) or pathlib.PurePath(name).name != name:
-            raise RunError(
-                f'{path}: "{name}": must be the name of a figure, and its caption a text'
-            )
+            raise RunError(f'{path}: "{name}": must be the name of a figure, and its caption a text')
         file = path.with_name(f"{name}.png")
         try:
             png = file.read_bytes()
@@ -57,14 +53,7 @@ def read_figures(folder: str | os.PathLike) -> list[dict[str, Any]]:
             raise RunError(f"{file}: {error.strerror}") from None
         if not png.startswith(b"\x89PNG"):
             raise RunError(f"{file}: is not a PNG")
-        figures.append(
-            {
-                "name": name,
-                "caption": caption,
-                "png": _base64(png),
-                "wide": name.endswith("film_strip"),
-            }
-        )
+        figures.append({"name": name, "caption": caption, "png": _base64(png), "wide": name.endswith("film_strip")})
     return figures
 
 
@@ -92,15 +81,11 @@ def write(
     files = {"table.csv": _csv(tables), **(downloads or {})}
     page = (
         jinja2.Environment(
-            loader=jinja2.FileSystemLoader(pathlib.Path(__file__).parent),
-            autoescape=True,
-            keep_trailing_newline=True,
+            loader=jinja2.FileSystemLoader(pathlib.Path(__file__).parent), autoescape=True, keep_trailing_newline=True
         )
         .get_template("page.html.j2")
         .render(
-            title=" and ".join(
-                f"{one.label} on {its.engine}" for one, its in zip(sets, described)
-            ),
+            title=" and ".join(f"{one.label} on {its.engine}" for one, its in zip(sets, described)),
             question=_question(sets),
             sentences=_sentences(sets, frames, findings),
             facts=_told(sets, [its.facts() for its in described]),
@@ -119,9 +104,7 @@ def write(
                 ),
                 command_of(request),
             ],
-            downloads=[
-                (name, _base64(content.encode())) for name, content in files.items()
-            ],
+            downloads=[(name, _base64(content.encode())) for name, content in files.items()],
         )
     )
     write_new(path, page)
@@ -132,12 +115,7 @@ def command_of(request: Mapping[str, Any]) -> str:
     """The command line that makes the page of a request again: the options that were given."""
     words = [str(request["who"]), *(request.get("runs") or [])]
     for name, value in request.items():
-        if name in ("who", "runs", "replays", "jobs", "out", "all") or value in (
-            None,
-            False,
-            [],
-            "",
-        ):
+        if name in ("who", "runs", "replays", "jobs", "out", "all") or value in (None, False, [], ""):
             continue
         option = "--" + name.replace("_", "-")
         if value is True:
@@ -148,17 +126,12 @@ def command_of(request: Mapping[str, Any]) -> str:
             words += [
                 word
                 for one in (value if isinstance(value, list) else [value])
-                for word in (
-                    option,
-                    f"{one:.15g}" if isinstance(one, float) else str(one),
-                )
+                for word in (option, f"{one:.15g}" if isinstance(one, float) else str(one))
             ]
     return " ".join(words)
 
 
-def _told(
-    sets: Sequence[MeasuredSet], facts: Sequence[Mapping[str, str]]
-) -> list[tuple[str, str]]:
+def _told(sets: Sequence[MeasuredSet], facts: Sequence[Mapping[str, str]]) -> list[tuple[str, str]]:
     """The facts of the sets by their names; those that all have in common once."""
     told = []
     for name in dict.fromkeys(name for of in facts for name in of):
@@ -188,67 +161,40 @@ def _question(sets: Sequence[MeasuredSet]) -> str:
 
 
 def _sentences(
-    sets: Sequence[MeasuredSet],
-    frames: Sequence[pandas.DataFrame],
-    findings: Sequence[judge.Finding],
+    sets: Sequence[MeasuredSet], frames: Sequence[pandas.DataFrame], findings: Sequence[judge.Finding]
 ) -> list[str]:
-    sentences = [
-        f"{sentence[0].upper()}{sentence[1:]}."
-        for one in sets
-        for sentence in judge.too_few(one)
-    ]
+    sentences = [f"{sentence[0].upper()}{sentence[1:]}." for one in sets for sentence in judge.too_few(one)]
     if len(sets) == 1:
         sentences += [
             f"{question} {answer[0].upper()}{answer[1:]}: {effect} over the shadow."
             for question, answer, effect, _ in answers_of(sets[0], frames[0])
         ]
+    sentences += [f"{one.label}: {NO_NEUTRAL}." for one in sets if one.inherited and not one.neutral]
     sentences += [
-        f"{one.label}: {NO_NEUTRAL}."
-        for one in sets
-        if one.inherited and not one.neutral
-    ]
-    sentences += [
-        (f"{one.set}: " if one.set and len(sets) > 1 else "") + one.sentence
-        for one in findings[: judge.MOST_FINDINGS]
+        (f"{one.set}: " if one.set and len(sets) > 1 else "") + one.sentence for one in findings[: judge.MOST_FINDINGS]
     ]
     return [*sentences, *(judge.count(frame).sentence() for frame in frames)]
 
 
-def replays_of(
-    sets: Sequence[MeasuredSet], most: int | None, who: str
-) -> Replays | None:
+def replays_of(sets: Sequence[MeasuredSet], most: int | None, who: str) -> Replays | None:
     """The viewer's page and the first `most` runs of each set, as `trophic show` makes them. By default there are two of each set, and a run that
     cannot be shown is a remark; otherwise it raises ProgramError."""
     viewer, parts = "", []
     with tempfile.TemporaryDirectory(prefix="trophic-") as folder:
         try:
-            for run, label in [
-                (run, one.label)
-                for one in sets
-                for run in one.runs[: 2 if most is None else most]
-            ]:
+            for run, label in [(run, one.label) for one in sets for run in one.runs[: 2 if most is None else most]]:
                 made = pathlib.Path(folder) / f"{len(parts)}.html"
                 for remark in call(
-                    find_program("trophic"),
-                    ["show", run.path, "-o", made],
-                    "trophic show",
+                    find_program("trophic"), ["show", run.path, "-o", made], "trophic show"
                 ).splitlines():
                     print(remark.replace("trophic show", who, 1), file=sys.stderr)
                 before, part, after = _PART.fullmatch(made.read_text()).groups()  # type: ignore[union-attr]
                 viewer, name = f"{before}<!--RUNS-->{after}", run.path.resolve().name
-                parts.append(
-                    {
-                        "label": f"{label} {name}" if len(sets) > 1 else name,
-                        "part": part,
-                    }
-                )
+                parts.append({"label": f"{label} {name}" if len(sets) > 1 else name, "part": part})
         except ProgramError as error:
             if most is not None:
                 raise
-            print(
-                f"{who}: no replays: {str(error).removeprefix('trophic show: ')}",
-                file=sys.stderr,
-            )
+            print(f"{who}: no replays: {str(error).removeprefix('trophic show: ')}", file=sys.stderr)
             return None
     return (viewer, parts) if parts else None
 
@@ -285,20 +231,11 @@ def _table(frame: pandas.DataFrame) -> dict[str, Any]:
         ]
     rows = []
     for row in frame.itertuples(index=False):
-        if (
-            not compares
-            and row.metric == "deaths"
-            and row.group != "all"
-            and row.mean == 0.0
-        ):
+        if not compares and row.metric == "deaths" and row.group != "all" and row.mean == 0.0:
             continue  # no individual died of it
         metric = Metric(*(getattr(row, column) for column in METRIC))
         reading = Reading(metric)
-        lower, upper = (
-            (row.lower, row.upper)
-            if compares
-            else (row.difference_lower, row.difference_upper)
-        )
+        lower, upper = (row.lower, row.upper) if compares else (row.difference_lower, row.difference_upper)
         if compares:
             cells = [
                 _cell(metric_title(metric)),
@@ -311,46 +248,24 @@ def _table(frame: pandas.DataFrame) -> dict[str, Any]:
                 *([_cell(row.set)] if len(sets) > 1 else []),
                 _cell(metric_title(metric)),
                 _cell(reading.of(_estimate(row)), row.mean),
-                _cell(
-                    f"{NULLS.get(row.null, row.null)} {reading(row.null_mean)}"
-                    if row.null
-                    else ""
-                ),
+                _cell(f"{NULLS.get(row.null, row.null)} {reading(row.null_mean)}" if row.null else ""),
             ]
         cells += [
             _cell(
-                reading.with_interval(row.difference, (lower, upper), True)
-                if _is_known(row.difference)
-                else "",
+                reading.with_interval(row.difference, (lower, upper), True) if _is_known(row.difference) else "",
                 row.difference,
             ),
             {"text": "", "key": None, "bar": _bar(row.difference, lower, upper)},
             _cell(p_text(row.p_holm), row.p_holm) if row.role == "null" else _cell(""),
-            _cell(
-                f"tested as {row.same_as}"
-                if row.conclusion == "same"
-                else row.conclusion
-            ),
+            _cell(f"tested as {row.same_as}" if row.conclusion == "same" else row.conclusion),
         ]
-        rows.append(
-            {
-                "cells": cells,
-                "side": row.conclusion
-                if row.conclusion in ("above", "below")
-                else "neither",
-            }
-        )
+        rows.append({"cells": cells, "side": row.conclusion if row.conclusion in ("above", "below") else "neither"})
     return {"headings": headings, "rows": rows}
 
 
 def _estimate(row: Any, suffix: str = "") -> tuple:
     interval = (getattr(row, f"lower{suffix}"), getattr(row, f"upper{suffix}"))
-    return (
-        getattr(row, f"n{suffix}"),
-        getattr(row, f"mean{suffix}"),
-        getattr(row, f"deviation{suffix}"),
-        interval,
-    )
+    return (getattr(row, f"n{suffix}"), getattr(row, f"mean{suffix}"), getattr(row, f"deviation{suffix}"), interval)
 
 
 def _is_known(value: float | None) -> bool:
@@ -374,10 +289,7 @@ def _csv(tables: Sequence[Mapping[str, Any]]) -> str:
     texts = []
     for table in tables:
         headings = [heading or "bar" for heading in table["headings"]]
-        frame = pandas.DataFrame(
-            [[cell["text"] for cell in row["cells"]] for row in table["rows"]],
-            columns=headings,
-        )
+        frame = pandas.DataFrame([[cell["text"] for cell in row["cells"]] for row in table["rows"]], columns=headings)
         texts.append(frame.drop(columns="bar").to_csv(index=False, lineterminator="\n"))
     return "\n".join(texts)
 

@@ -26,18 +26,14 @@ from .columns import names
 
 
 @contextlib.contextmanager
-def result_folder(
-    out: str | os.PathLike | None, keeps: str = ""
-) -> Iterator[pathlib.Path]:
+def result_folder(out: str | os.PathLike | None, keeps: str = "") -> Iterator[pathlib.Path]:
     """A folder OUT.part for results, which gets the name `out`, or "analysis", "analysis-1", ... when the work is done. It goes again if the work
     fails; what a killed program left there is removed, but for a file called `keeps`. Raises RunError if the folder exists, or if another program works in OUT.part.
     """
     path = pathlib.Path(out if out is not None else "analysis")
     if out is None and os.path.lexists(path):
         path = next(
-            free
-            for free in (pathlib.Path(f"analysis-{i}") for i in range(1, 1_000_000))
-            if not os.path.lexists(free)
+            free for free in (pathlib.Path(f"analysis-{i}") for i in range(1, 1_000_000)) if not os.path.lexists(free)
         )
     check_new(path)
     part = path.with_name(path.name + ".part")
@@ -75,9 +71,7 @@ def check_new(path: pathlib.Path) -> None:
 def _clear(part: pathlib.Path, keeps: str) -> None:
     for left in part.iterdir():
         if left.name != keeps:
-            shutil.rmtree(
-                left
-            ) if left.is_dir() and not left.is_symlink() else left.unlink()
+            shutil.rmtree(left) if left.is_dir() and not left.is_symlink() else left.unlink()
 
 
 def publish(part: pathlib.Path, path: pathlib.Path) -> None:
@@ -98,9 +92,7 @@ def write_new(path: str | os.PathLike, content: str | bytes) -> None:
     except FileExistsError:
         raise RunError(f"{path}: exists already; nothing is overwritten") from None
     except OSError as error:
-        raise OSError(
-            error.errno, f"cannot be written: {error.strerror}", str(path)
-        ) from None
+        raise OSError(error.errno, f"cannot be written: {error.strerror}", str(path)) from None
     finally:
         part.unlink(missing_ok=True)
 
@@ -110,23 +102,13 @@ def csv_text(frame: pandas.DataFrame) -> str:
     columns = []
     for name in frame:
         if name == "runs_needed":
-            columns.append(
-                [
-                    "" if value != value else str(int(value))
-                    for value in frame[name].tolist()
-                ]
-            )
+            columns.append(["" if value != value else str(int(value)) for value in frame[name].tolist()])
         elif frame[name].dtype.kind in "fiu":
             columns.append([number_text(value) for value in frame[name].tolist()])
         else:
-            texts = [
-                "" if value is None or value != value else str(value)
-                for value in frame[name].tolist()
-            ]
+            texts = ["" if value is None or value != value else str(value) for value in frame[name].tolist()]
             columns.append([f'"{text}"' if "," in text else text for text in texts])
-    return "".join(
-        ",".join(cells) + "\n" for cells in [tuple(frame.columns), *zip(*columns)]
-    )
+    return "".join(",".join(cells) + "\n" for cells in [tuple(frame.columns), *zip(*columns)])
 
 
 # Tables
@@ -139,16 +121,12 @@ def metrics(sets: Sequence[MeasuredSet]) -> pandas.DataFrame:
     for one in sets:
         for of, null in ((one, ""), *((its, name) for name, its in one.nulls.items())):
             for run, measured in zip(of.runs, of.values):
-                rows = pandas.concat(
-                    [part for part in (measured.values, measured.curves) if len(part)]
-                ).reset_index(drop=True)
+                rows = pandas.concat([part for part in (measured.values, measured.curves) if len(part)]).reset_index(
+                    drop=True
+                )
                 if null:
                     rows = rows[rows["baseline"] == ""].assign(baseline=null)
-                rows = rows.assign(
-                    set=one.label,
-                    run=run.path.resolve().name.replace(",", "_"),
-                    seed=run.seed,
-                )
+                rows = rows.assign(set=one.label, run=run.path.resolve().name.replace(",", "_"), seed=run.seed)
                 parts.append(rows.reindex(columns=names("metrics.csv")))
     frame = pandas.concat(parts, ignore_index=True)
     return frame.astype({"time_s": float, "value": float, "seed": "uint64"})
@@ -178,8 +156,7 @@ def survivals(of: MeasuredSet) -> pandas.DataFrame:
                 ends = [getattr(run, "lived_s", one.until_s) for run in one.runs]
                 died = ~numpy.isnan(values)
                 rows += [
-                    (of.label, null, metric.species, *row)
-                    for row in survival(numpy.where(died, values, ends), died)
+                    (of.label, null, metric.species, *row) for row in survival(numpy.where(died, values, ends), died)
                 ]
     return pandas.DataFrame(rows, columns=names("survival.csv"))
 
@@ -188,9 +165,7 @@ def survivals(of: MeasuredSet) -> pandas.DataFrame:
 
 
 def summary(
-    sets: Sequence[MeasuredSet],
-    frames: Sequence[pandas.DataFrame],
-    compared: pandas.DataFrame | None = None,
+    sets: Sequence[MeasuredSet], frames: Sequence[pandas.DataFrame], compared: pandas.DataFrame | None = None
 ) -> dict[str, Any]:
     """summary.json: each set with its runs, means, every baseline, the size of its family and its findings; of two sets their differences. The
     top's `family` and `findings` answer what was asked: of one set its own, of two sets those of their differences. null is what could not be
@@ -203,17 +178,12 @@ def summary(
         "sets": [_set(of, frame) for of, frame in zip(sets, frames)],
     }
     if compared is not None:
-        content["differences"] = [
-            _difference(rows) for _, rows in compared.groupby(METRIC, sort=False)
-        ]
+        content["differences"] = [_difference(rows) for _, rows in compared.groupby(METRIC, sort=False)]
     return _without_nan(content)
 
 
 def json_text(content: Any) -> str:
-    return (
-        json.dumps(_without_nan(content), indent=2, ensure_ascii=False, allow_nan=False)
-        + "\n"
-    )
+    return json.dumps(_without_nan(content), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
 
 
 def _family(frame: pandas.DataFrame) -> dict[str, Any]:
@@ -260,9 +230,7 @@ def _set(of: MeasuredSet, frame: pandas.DataFrame) -> dict[str, Any]:
         "answers": [_answer(one) for one in published.answers(of, frame)],
         "claims": _claims(of) if published.applies_to(of) else [],
         **({"living": sentences} if (sentences := judge.living_sentences(of)) else {}),
-        "remarks": [
-            remark for one in (of, *of.nulls.values()) for remark in one.remarks
-        ],
+        "remarks": [remark for one in (of, *of.nulls.values()) for remark in one.remarks],
     }
 
 
@@ -286,9 +254,7 @@ def _test(row: Any) -> dict[str, Any]:
         "p": row.p,
         "p_adjusted": row.p_holm,
         "differs": is_significant(row.p_holm) if tested else None,
-        "runs_needed": None
-        if row.runs_needed != row.runs_needed
-        else int(row.runs_needed),
+        "runs_needed": None if row.runs_needed != row.runs_needed else int(row.runs_needed),
     }
 
 
@@ -341,10 +307,7 @@ def _difference(rows: pandas.DataFrame) -> dict[str, Any]:
         **{
             side: {
                 "runs": getattr(raw, f"n_{side}"),
-                **{
-                    name: getattr(raw, f"{name}_{side}")
-                    for name in ("mean", "deviation", "lower", "upper")
-                },
+                **{name: getattr(raw, f"{name}_{side}") for name in ("mean", "deviation", "lower", "upper")},
             }
             for side in "ab"
         },

@@ -10,15 +10,7 @@ import pandas
 from ..description import describe
 from ..judge import count, runs_of
 from ..values import SHADOW, MeasuredSet, Metric
-from ..words import (
-    NULLS,
-    Reading,
-    latex_text,
-    metric_title,
-    one_line,
-    over_nulls,
-    p_text,
-)
+from ..words import NULLS, Reading, latex_text, metric_title, one_line, over_nulls, p_text
 from .text import answers_of, estimate_of
 
 _PACKAGES = "% \\usepackage{booktabs,tabularx}; \\input{} this file in a table, or in a table* of two columns.\n"
@@ -27,11 +19,9 @@ _PACKAGES = "% \\usepackage{booktabs,tabularx}; \\input{} this file in a table, 
 def means(of: MeasuredSet, frame: pandas.DataFrame) -> str:
     """The table of a set, each metric next to each null once; `frame`: of judge.summarize."""
     rows = []
-    for row in frame[
-        (frame["role"] == "null")
-        & (frame["same_as"] == "")
-        & frame["difference"].notna()
-    ].itertuples(index=False):
+    for row in frame[(frame["role"] == "null") & (frame["same_as"] == "") & frame["difference"].notna()].itertuples(
+        index=False
+    ):
         metric = Metric(row.metric, row.species, row.group, row.unit)
         reading = Reading(metric)
         null = "" if row.null == SHADOW else f" (null: {NULLS.get(row.null, row.null)})"
@@ -40,13 +30,7 @@ def means(of: MeasuredSet, frame: pandas.DataFrame) -> str:
                 latex_text(metric_title(metric) + null),
                 math(reading.of(estimate_of(row))),
                 math(reading(row.null_mean)),
-                math(
-                    reading.with_interval(
-                        row.difference,
-                        (row.difference_lower, row.difference_upper),
-                        True,
-                    )
-                ),
+                math(reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True)),
                 math(p_text(row.p_holm)),
                 math(runs_of(row).replace("+", "{+}")),
             ]
@@ -55,17 +39,7 @@ def means(of: MeasuredSet, frame: pandas.DataFrame) -> str:
     return (
         _PACKAGES
         + about
-        + _table(
-            [
-                "metric",
-                "mean [95\\,\\%]",
-                "null",
-                "mean $-$ null [95\\,\\%]",
-                "$p$",
-                "$n$",
-            ],
-            rows,
-        )
+        + _table(["metric", "mean [95\\,\\%]", "null", "mean $-$ null [95\\,\\%]", "$p$", "$n$"], rows)
     )
 
 
@@ -90,11 +64,9 @@ def differences(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:
     """The answer of a comparison: over nulls if both sets have one, else raw; `frame`: of judge.compare."""
     over, short, _ = over_nulls(frame["compared"])
     rows = []
-    for row in frame[
-        (frame["role"] == "null")
-        & (frame["same_as"] == "")
-        & frame["difference"].notna()
-    ].itertuples(index=False):
+    for row in frame[(frame["role"] == "null") & (frame["same_as"] == "") & frame["difference"].notna()].itertuples(
+        index=False
+    ):
         metric = Metric(row.metric, row.species, row.group, row.unit)
         reading = Reading(metric)
         rows.append(
@@ -102,9 +74,7 @@ def differences(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:
                 latex_text(metric_title(metric)),
                 math(reading(row.mean_a)),
                 math(reading(row.mean_b)),
-                math(
-                    reading.with_interval(row.difference, (row.lower, row.upper), True)
-                ),
+                math(reading.with_interval(row.difference, (row.lower, row.upper), True)),
                 math(p_text(row.p_holm)),
                 math(runs_of(row).replace("+", "{+}")),
             ]
@@ -112,14 +82,7 @@ def differences(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:
     what = over or "b - a"
     about = f"% a: {heading(a)}; b: {heading(b)}; {what}. {_family(frame)}\n"
     column = f"{short} [95\\,\\%]" if short else "difference [95\\,\\%]"
-    return (
-        _PACKAGES
-        + about
-        + _table(
-            ["metric", latex_text(a.label), latex_text(b.label), column, "$p$", "$n$"],
-            rows,
-        )
-    )
+    return _PACKAGES + about + _table(["metric", latex_text(a.label), latex_text(b.label), column, "$p$", "$n$"], rows)
 
 
 def heading(of: MeasuredSet) -> str:
@@ -130,9 +93,7 @@ def heading(of: MeasuredSet) -> str:
 
 def math(text: Any) -> str:
     """A number with its interval in mathematics; a dash if there is none."""
-    return (
-        "--" if text in ("", "missing") else "$" + str(text).replace(" ", "\\ ") + "$"
-    )
+    return "--" if text in ("", "missing") else "$" + str(text).replace(" ", "\\ ") + "$"
 
 
 def _family(frame: pandas.DataFrame) -> str:

@@ -11,33 +11,21 @@ from .. import judge, published
 from ..description import describe
 from ..statistics import Estimate, Interval, mean_of
 from ..values import MeasuredSet, Metric
-from ..words import (
-    NULLS,
-    Reading,
-    columns,
-    metric_title,
-    number_text,
-    over_nulls,
-    p_text,
-    runs_text,
-)
+from ..words import NULLS, Reading, columns, metric_title, number_text, over_nulls, p_text, runs_text
 
 MOST_INCONCLUSIVE = 3
-_NEEDED = "runs needed: in each set, to find a difference of this size in 80 % of studies. Inconclusive does not mean equal\n"
-_UNATTRIBUTED = (
-    "without a shadow of each set no difference can be attributed to inheritance\n"
+_NEEDED = (
+    "runs needed: in each set, to find a difference of this size in 80 % of studies. Inconclusive does not mean equal\n"
 )
+_UNATTRIBUTED = "without a shadow of each set no difference can be attributed to inheritance\n"
 
 
 def estimate_of(row: Any, side: str = "") -> Estimate:
     """The mean of a row of a judge's frame; side: "", "_a" or "_b"."""
     n, mean, deviation, lower, upper = (
-        getattr(row, name + side)
-        for name in ("n", "mean", "deviation", "lower", "upper")
+        getattr(row, name + side) for name in ("n", "mean", "deviation", "lower", "upper")
     )
-    return Estimate(
-        n, mean, deviation, Interval(lower, upper) if lower == lower else None
-    )
+    return Estimate(n, mean, deviation, Interval(lower, upper) if lower == lower else None)
 
 
 def _metric(row: Any) -> Metric:
@@ -59,18 +47,12 @@ def _rules(of: MeasuredSet) -> str:
 
 def _heading(of: MeasuredSet) -> str:
     text = f"{described(of)}, fingerprint {describe(of).identity}\n{_rules(of)}"
-    if (
-        locked := mean_of(of.table.get((Metric("locked", "all", "all", "1"), ""), ()))
-    ) is not None:
+    if (locked := mean_of(of.table.get((Metric("locked", "all", "all", "1"), ""), ()))) is not None:
         text += f"locked: {locked:.3f} of robots are within 0.3 m of another for 12 s or longer; --all has the metrics without them\n"
-    text += "".join(
-        f"{NULLS[name]}: {described(null)}\n" for name, null in of.nulls.items()
-    )
+    text += "".join(f"{NULLS[name]}: {described(null)}\n" for name, null in of.nulls.items())
     text += "".join(f"{sentence}\n" for sentence in judge.living_sentences(of))
     return text + (
-        ""
-        if of.shadow
-        else "no shadow: attribution and velocity have no null (--replicates with --shadow makes one)\n"
+        "" if of.shadow else "no shadow: attribution and velocity have no null (--replicates with --shadow makes one)\n"
     )
 
 
@@ -88,15 +70,9 @@ def _conclusion(row: Any) -> str:
 def findings_text(frame: pandas.DataFrame, most: int | None = None) -> str:
     """How many comparisons are significant, and each finding in a sentence; at most the first `most`."""
     found = judge.findings(frame)
-    text = (
-        judge.count(frame).sentence()
-        + "\n"
-        + "".join(f"  {finding.sentence}\n" for finding in found[:most])
-    )
+    text = judge.count(frame).sentence() + "\n" + "".join(f"  {finding.sentence}\n" for finding in found[:most])
     return text + (
-        f"  and {len(found) - most} more findings (--all)\n"
-        if most is not None and len(found) > most
-        else ""
+        f"  and {len(found) - most} more findings (--all)\n" if most is not None and len(found) > most else ""
     )
 
 
@@ -105,17 +81,10 @@ def answers_of(of: MeasuredSet, frame: pandas.DataFrame) -> list[list[str]]:
     rows = []
     for one in published.answers(of, frame):
         reading, difference = Reading(one.shown.reading.metric), one.shown.difference
-        effect = reading.with_interval(
-            difference.value, difference.interval, True
-        ) + f" {reading.unit}" * bool(reading.unit)
-        rows.append(
-            [
-                one.question.text,
-                str(one),
-                effect,
-                f"{len(one.effects)} reading{'s' * (len(one.effects) > 1)}",
-            ]
+        effect = reading.with_interval(difference.value, difference.interval, True) + f" {reading.unit}" * bool(
+            reading.unit
         )
+        rows.append([one.question.text, str(one), effect, f"{len(one.effects)} reading{'s' * (len(one.effects) > 1)}"])
     return rows
 
 
@@ -136,19 +105,10 @@ def _inconclusive(frame: pandas.DataFrame, head: Sequence[str], cells: Any) -> s
         return ""
     lines = [["inconclusive", *head, "p", "runs needed"]]
     lines += [
-        [
-            metric_title(_metric(row)),
-            *cells(row),
-            p_text(row.p_holm),
-            runs_text(row.runs_needed),
-        ]
+        [metric_title(_metric(row)), *cells(row), p_text(row.p_holm), runs_text(row.runs_needed)]
         for row in rows[:MOST_INCONCLUSIVE]
     ]
-    more = (
-        f"  and {len(rows) - MOST_INCONCLUSIVE} more (--all)\n"
-        if len(rows) > MOST_INCONCLUSIVE
-        else ""
-    )
+    more = f"  and {len(rows) - MOST_INCONCLUSIVE} more (--all)\n" if len(rows) > MOST_INCONCLUSIVE else ""
     return columns(lines, "  ") + more + _NEEDED
 
 
@@ -165,9 +125,7 @@ def findings(of: MeasuredSet, frame: pandas.DataFrame) -> str:
             NULLS.get(row.null, row.null),
             reading(row.null_mean),
             judge.runs_of(row),
-            reading.with_interval(
-                row.difference, (row.difference_lower, row.difference_upper), True
-            ),
+            reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True),
         ]
 
     head = ["ours [95 %]", "null", "its mean", "runs", "ours - null [95 %]"]
@@ -186,14 +144,7 @@ def table(of: MeasuredSet, frame: pandas.DataFrame) -> str:
     are left out. The findings stand behind it."""
     has_published = bool(frame["published"].notna().any())
     lines = [
-        [
-            "metric",
-            "ours [95 %]",
-            *(["published"] if has_published else []),
-            "ours - null [95 %]",
-            "p",
-            "conclusion",
-        ]
+        ["metric", "ours [95 %]", *(["published"] if has_published else []), "ours - null [95 %]", "p", "conclusion"]
     ]
     gap = [""] * has_published
     last = None
@@ -205,14 +156,8 @@ def table(of: MeasuredSet, frame: pandas.DataFrame) -> str:
             note = f"tested as {_title_of(frame, row.same_as)}" if row.same_as else ""
             if 0 < row.n < len(of.runs):
                 note = f"({row.n} of {len(of.runs)} runs)"
-            its = (
-                [reading(row.published) if row.published == row.published else "-"]
-                if has_published
-                else []
-            )
-            lines.append(
-                [metric_title(metric), reading.of(estimate_of(row)), *its, "", "", note]
-            )
+            its = [reading(row.published) if row.published == row.published else "-"] if has_published else []
+            lines.append([metric_title(metric), reading.of(estimate_of(row)), *its, "", "", note])
         last = metric
         if not row.null:
             continue
@@ -223,9 +168,7 @@ def table(of: MeasuredSet, frame: pandas.DataFrame) -> str:
         if row.role == "null" or row.null in NULLS:
             line += [
                 *gap,
-                reading.with_interval(
-                    row.difference, (row.difference_lower, row.difference_upper), True
-                ),
+                reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True),
                 p_text(row.p_holm),
                 _conclusion(row),
             ]
@@ -244,12 +187,7 @@ def table(of: MeasuredSet, frame: pandas.DataFrame) -> str:
 
 def _title_of(frame: pandas.DataFrame, choice: str) -> str:
     metric, species, group = choice.split(":", 2)
-    unit = frame.loc[
-        (frame["metric"] == metric)
-        & (frame["species"] == species)
-        & (frame["group"] == group),
-        "unit",
-    ]
+    unit = frame.loc[(frame["metric"] == metric) & (frame["species"] == species) & (frame["group"] == group), "unit"]
     return metric_title(Metric(metric, species, group, unit.iloc[0]))
 
 
@@ -292,34 +230,18 @@ def difference_table(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) ->
     """The whole comparison. One line for each metric: a, b, b - a with its 95 % interval and, as the answer with its test, what each has over its
     null; without a null of both the raw difference is the answer."""
     over, short, shown = over_nulls(frame["compared"])
-    lines = [
-        [
-            "metric",
-            "a",
-            "b",
-            "raw: b - a [95 %]",
-            *([f"{over} [95 %]"] if over else []),
-            "p",
-            "",
-        ]
-    ]
+    lines = [["metric", "a", "b", "raw: b - a [95 %]", *([f"{over} [95 %]"] if over else []), "p", ""]]
     rows = list(frame.itertuples(index=False))
     answers = {_metric(row): row for row in rows if row.role == "null"}
     for row in rows:
-        if row.compared != "raw" or (
-            row.metric == "deaths" and row.mean_a == row.mean_b == 0.0
-        ):
+        if row.compared != "raw" or (row.metric == "deaths" and row.mean_a == row.mean_b == 0.0):
             continue
         reading, answer = Reading(_metric(row)), answers.get(_metric(row))
         line = [metric_title(_metric(row)), reading(row.mean_a), reading(row.mean_b)]
         line.append(reading.with_interval(row.difference, (row.lower, row.upper), True))
         if over:
             line.append(
-                reading.with_interval(
-                    answer.difference, (answer.lower, answer.upper), True
-                )
-                if answer
-                else "missing"
+                reading.with_interval(answer.difference, (answer.lower, answer.upper), True) if answer else "missing"
             )
         note = f"tested as {_title_of(frame, row.same_as)}" if row.same_as else ""
         if answer and not note:
@@ -337,9 +259,7 @@ def difference_table(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) ->
         + columns(lines)
         + f"p: corrected for {judge.count(frame).comparisons} comparisons (Holm); * significant, p <= 0.05, "
         "else the runs in each set that would find a difference of this size in 80 % of studies; intervals are those of single comparisons\n"
-        f"raw differences also show how the populations are composed; {about}"
-        + findings_text(frame)
-        + _too_few(a, b)
+        f"raw differences also show how the populations are composed; {about}" + findings_text(frame) + _too_few(a, b)
     )
 
 
@@ -382,9 +302,7 @@ def _claim_line(each: published.ReadingConclusion) -> list[str]:
     conclusion = each.conclusion
     if each.conclusion == "inconclusive":
         conclusion += (
-            f" (about {each.runs_needed} runs would decide)"
-            if each.runs_needed
-            else " (1000 runs would not decide)"
+            f" (about {each.runs_needed} runs would decide)" if each.runs_needed else " (1000 runs would not decide)"
         )
     return [
         f"  {metric_title(each.reading.metric)}",

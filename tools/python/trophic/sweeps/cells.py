@@ -35,11 +35,7 @@ class SweepValues:
         """Values of a cell's runs and of their shadows: (replicates in the order of their seeds, metrics) each."""
         nothing = numpy.full(len(self.metrics), numpy.nan)
         rows = [
-            [
-                nothing if place is None else self.runs[place]
-                for place in (one.run, one.shadow)
-            ]
-            for one in by_seed(cell)
+            [nothing if place is None else self.runs[place] for place in (one.run, one.shadow)] for one in by_seed(cell)
         ]
         both = numpy.array(rows).reshape(len(rows), 2, len(self.metrics))
         return both[:, 0], both[:, 1]
@@ -59,16 +55,11 @@ class SweepValues:
         def is_there(place: int | None) -> bool:
             return place is not None and self.is_there[place]
 
-        return all(
-            any(is_there(one.run) and is_there(one.shadow) for one in cell.replicates)
-            for cell in grid.cells
-        )
+        return all(any(is_there(one.run) and is_there(one.shadow) for one in cell.replicates) for cell in grid.cells)
 
     def only(self, metrics: Sequence[Metric]) -> "SweepValues":
         return SweepValues(
-            list(metrics),
-            self.runs[:, [self.metrics.index(metric) for metric in metrics]],
-            self.is_there,
+            list(metrics), self.runs[:, [self.metrics.index(metric) for metric in metrics]], self.is_there
         )
 
 
@@ -93,13 +84,7 @@ def compare_cells(grid: Grid, values: SweepValues, reference: int) -> pandas.Dat
     for family in families:
         of_base = values.compared(base, family == ANSWER)
         blocks = [
-            _compared(
-                base,
-                of_base,
-                cell,
-                values.compared(cell, family == ANSWER),
-                values.metrics,
-            )
+            _compared(base, of_base, cell, values.compared(cell, family == ANSWER), values.metrics)
             for cell in grid.cells
             if cell is not base
         ]
@@ -108,55 +93,31 @@ def compare_cells(grid: Grid, values: SweepValues, reference: int) -> pandas.Dat
         frame = pandas.concat(blocks, ignore_index=True)
         parts.append(judged(as_family(frame, family, families)))
     if not parts:
-        return pandas.DataFrame(
-            columns=[
-                "cell",
-                *METRIC,
-                "compared",
-                "role",
-                "conclusion",
-                "p_holm",
-                "is_comparison",
-            ]
-        )
+        return pandas.DataFrame(columns=["cell", *METRIC, "compared", "role", "conclusion", "p_holm", "is_comparison"])
     found = pandas.concat(parts)
-    found = found.sort_index(kind="stable").reset_index(
-        drop=True
-    )  # the raw difference behind its answer
+    found = found.sort_index(kind="stable").reset_index(drop=True)  # the raw difference behind its answer
     found["reference"], found["set_a"] = reference, grid.cell_name(reference)
-    found["set_b"] = found["cell"].map(
-        {cell.number: grid.cell_name(cell.number) for cell in grid.cells}
-    )
+    found["set_b"] = found["cell"].map({cell.number: grid.cell_name(cell.number) for cell in grid.cells})
     found["n_a"], found["n_b"] = found["runs_reference"], found["runs"]
     return found
 
 
-def as_family(
-    frame: pandas.DataFrame, family: str, families: Sequence[str]
-) -> pandas.DataFrame:
+def as_family(frame: pandas.DataFrame, family: str, families: Sequence[str]) -> pandas.DataFrame:
     """The rows of a family, with `compared` and `role`: shares of runs are answers without shadows, once."""
     is_share = frame["metric"].isin(SHARES)
-    frame = frame.assign(
-        compared=numpy.where(is_share, RAW, family),
-        role="null" if family == families[0] else "",
-    )
+    frame = frame.assign(compared=numpy.where(is_share, RAW, family), role="null" if family == families[0] else "")
     return frame if family == families[0] else frame[~is_share]
 
 
 def exact(
-    frame: pandas.DataFrame,
-    names: Sequence[str] = ("lower", "upper", "p"),
-    level: float = 0.95,
+    frame: pandas.DataFrame, names: Sequence[str] = ("lower", "upper", "p"), level: float = 0.95
 ) -> pandas.DataFrame:
     """The frame with exact intervals and p values of the differences of shares of runs, by share_difference."""
     frame = frame.copy()
     for row in frame[frame["metric"].isin(SHARES)].itertuples():
         its, others = (
             numpy.arange(n) < numpy.rint(n * mean)
-            for n, mean in (
-                (row.runs, row.mean),
-                (row.runs_reference, row.mean_reference),
-            )
+            for n, mean in ((row.runs, row.mean), (row.runs_reference, row.mean_reference))
         )
         of = share_difference(its, others, level)
         frame.loc[row.Index, list(names)] = [
@@ -166,25 +127,17 @@ def exact(
     return frame
 
 
-def _compared(
-    base: Cell, of_base: Array, cell: Cell, of_cell: Array, metrics: Sequence[Metric]
-) -> pandas.DataFrame:
+def _compared(base: Cell, of_base: Array, cell: Cell, of_cell: Array, metrics: Sequence[Metric]) -> pandas.DataFrame:
     """Two cells in all metrics, without a correction. `of_base`, `of_cell`: (replicates by seed, metrics)."""
     paired = is_paired(base, cell)
     if paired:
-        places = [
-            {one.seed: place for place, one in enumerate(by_seed(each))}
-            for each in (base, cell)
-        ]
+        places = [{one.seed: place for place, one in enumerate(by_seed(each))} for each in (base, cell)]
         seeds = [seed for seed in places[0] if seed in places[1]]
         of_base, of_cell = (
-            values[[place[seed] for seed in seeds]]
-            for values, place in zip((of_base, of_cell), places)
+            values[[place[seed] for seed in seeds]] for values, place in zip((of_base, of_cell), places)
         )
         missing = numpy.isnan(of_base) | numpy.isnan(of_cell)
-        of_base, of_cell = numpy.where(missing, numpy.nan, of_base), numpy.where(
-            missing, numpy.nan, of_cell
-        )
+        of_base, of_cell = numpy.where(missing, numpy.nan, of_base), numpy.where(missing, numpy.nan, of_cell)
     a, b = arrays.moments(of_base), arrays.moments(of_cell)
     if paired:
         pairs = arrays.moments(of_cell - of_base)
@@ -192,9 +145,9 @@ def _compared(
     else:
         of, scatter = arrays.contrast((-1.0, a), (1.0, b)), arrays.scatter_of(a, b)
     difference = b.mean - a.mean
-    varies = ~arrays.is_rounding(
-        numpy.sqrt(scatter.variance), b.mean
-    ) | ~arrays.is_rounding(numpy.abs(difference), b.mean)
+    varies = ~arrays.is_rounding(numpy.sqrt(scatter.variance), b.mean) | ~arrays.is_rounding(
+        numpy.abs(difference), b.mean
+    )
     is_comparison = varies & ~numpy.isnan(scatter.variance) & ~numpy.isnan(difference)
     interval = arrays.interval_of(of)
     columns = {
@@ -213,15 +166,8 @@ def _compared(
         "is_comparison": is_comparison,
         "scatter": numpy.sqrt(scatter.variance),
     }
-    frame = pandas.DataFrame(
-        {**columns, **dict(zip(_STATISTICS, (*of, *scatter)))},
-        index=range(len(metrics)),
-    )
-    return exact(
-        frame.assign(
-            design=frame["design"].where(~frame["metric"].isin(SHARES), "exact")
-        )
-    )
+    frame = pandas.DataFrame({**columns, **dict(zip(_STATISTICS, (*of, *scatter)))}, index=range(len(metrics)))
+    return exact(frame.assign(design=frame["design"].where(~frame["metric"].isin(SHARES), "exact")))
 
 
 def judged(frame: pandas.DataFrame) -> pandas.DataFrame:
@@ -239,17 +185,10 @@ def judged(frame: pandas.DataFrame) -> pandas.DataFrame:
     new = {
         "lower_corrected": interval.lower,
         "upper_corrected": interval.upper,
-        "runs_needed": arrays.runs_for_power(
-            tested["difference"].to_numpy(), scatter, level
-        ),
+        "runs_needed": arrays.runs_for_power(tested["difference"].to_numpy(), scatter, level),
         "smallest_detectable": arrays.detectable_difference(of, level),
     }
-    frame = frame.assign(
-        **{
-            column: pandas.Series(values, tested.index)
-            for column, values in new.items()
-        }
-    )
+    frame = frame.assign(**{column: pandas.Series(values, tested.index) for column, values in new.items()})
     return exact(frame, ("lower_corrected", "upper_corrected"), 1.0 - level)
 
 
@@ -262,14 +201,10 @@ def corrected(frame: pandas.DataFrame) -> pandas.DataFrame:
     conclusion = numpy.where(
         ~is_comparison | (frame["role"] != "null"),
         "not compared",
-        numpy.where(
-            numpy.isnan(p), "too few runs", conclusions(p_holm, frame["difference"])
-        ),
+        numpy.where(numpy.isnan(p), "too few runs", conclusions(p_holm, frame["difference"])),
     )
     return frame.assign(
-        p_holm=p_holm,
-        level=numpy.where(is_comparison, level_of(frame), numpy.nan),
-        conclusion=conclusion,
+        p_holm=p_holm, level=numpy.where(is_comparison, level_of(frame), numpy.nan), conclusion=conclusion
     )
 
 
@@ -286,10 +221,7 @@ def answers(frame: pandas.DataFrame) -> pandas.DataFrame:
 def count(frame: pandas.DataFrame) -> Count:
     """The size of the family that answers."""
     of = answers(frame)
-    return Count(
-        int(of["is_comparison"].sum()),
-        int(of["conclusion"].isin(("above", "below")).sum()),
-    )
+    return Count(int(of["is_comparison"].sum()), int(of["conclusion"].isin(("above", "below")).sum()))
 
 
 def metric_of(row) -> Metric:
@@ -310,34 +242,15 @@ def runs_for_difference(frame: pandas.DataFrame, difference: float) -> pandas.Da
     of, rows = answers(frame), []
     for metric, its in metrics_in(of):
         known = its[its["variance"].notna()]
-        row = {
-            **metric._asdict(),
-            "compared": its["compared"].iloc[0],
-            "difference": difference,
-            "cells": len(known),
-        }
+        row = {**metric._asdict(), "compared": its["compared"].iloc[0], "difference": difference, "cells": len(known)}
         if len(known):
             order = known["variance"].to_numpy().argsort(kind="stable")
-            each = [
-                known[column].to_numpy()[[order[0], order[-1]]]
-                for column in _STATISTICS[3:]
-            ]
+            each = [known[column].to_numpy()[[order[0], order[-1]]] for column in _STATISTICS[3:]]
             scatter = Scatter(
-                *(
-                    numpy.append(known[column].mean(), values)
-                    for column, values in zip(_STATISTICS[3:], each)
-                )
+                *(numpy.append(known[column].mean(), values) for column, values in zip(_STATISTICS[3:], each))
             )
             row.update(
-                zip(
-                    ("runs", "fewest", "most"),
-                    arrays.runs_for_power(
-                        numpy.full(3, difference), scatter, level_of(of)
-                    ),
-                )
+                zip(("runs", "fewest", "most"), arrays.runs_for_power(numpy.full(3, difference), scatter, level_of(of)))
             )
         rows.append({"runs": numpy.nan, "fewest": numpy.nan, "most": numpy.nan, **row})
-    return pandas.DataFrame(
-        rows,
-        columns=[*METRIC, "compared", "difference", "runs", "fewest", "most", "cells"],
-    )
+    return pandas.DataFrame(rows, columns=[*METRIC, "compared", "difference", "runs", "fewest", "most", "cells"])

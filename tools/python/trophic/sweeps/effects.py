@@ -40,55 +40,33 @@ def axis_effects(grid: Grid, values: SweepValues, reference: int) -> pandas.Data
         for family in families:
             blocks = _effects(grid, values, place, family == ANSWER)
             if blocks:
-                frame = (
-                    pandas.concat(blocks)
-                    .sort_index(kind="stable")
-                    .reset_index(drop=True)
-                )  # by metrics first
+                frame = pandas.concat(blocks).sort_index(kind="stable").reset_index(drop=True)  # by metrics first
                 frame = as_family(exact(frame), family, families)
                 parts.append(corrected(frame.assign(is_comparison=frame["p"].notna())))
     if not parts:
-        return pandas.DataFrame(
-            columns=[*columns, "p_holm", "role", "level", "conclusion", "is_comparison"]
-        )
+        return pandas.DataFrame(columns=[*columns, "p_holm", "role", "level", "conclusion", "is_comparison"])
     return pandas.concat(parts).sort_index(kind="stable").reset_index(drop=True)
 
 
-def _effects(
-    grid: Grid, values: SweepValues, place: int, over_shadow: bool
-) -> list[pandas.DataFrame]:
+def _effects(grid: Grid, values: SweepValues, place: int, over_shadow: bool) -> list[pandas.DataFrame]:
     """A frame of all metrics for each value of each axis. `place`: of the reference cell."""
-    seeds = {
-        seed: row
-        for row, seed in enumerate(
-            sorted({one.seed for cell in grid.cells for one in cell.replicates})
-        )
-    }
+    seeds = {seed: row for row, seed in enumerate(sorted({one.seed for cell in grid.cells for one in cell.replicates}))}
     of_cells = numpy.full((len(grid.cells), len(seeds), len(values.metrics)), numpy.nan)
     for number, cell in enumerate(grid.cells):
-        of_cells[number, [seeds[one.seed] for one in by_seed(cell)]] = values.compared(
-            cell, over_shadow
-        )
+        of_cells[number, [seeds[one.seed] for one in by_seed(cell)]] = values.compared(cell, over_shadow)
     blocks = []
     for axis in grid.axes:
         reference = axis.values[place]
         for value in dict.fromkeys(axis.values):
-            pairs = (
-                [] if value == reference else _pairs_along(grid, axis, reference, value)
-            )
+            pairs = [] if value == reference else _pairs_along(grid, axis, reference, value)
             if not pairs:
                 continue
-            before, after = (
-                of_cells[list(cells)].sum(axis=0) / len(pairs) for cells in zip(*pairs)
-            )
+            before, after = (of_cells[list(cells)].sum(axis=0) / len(pairs) for cells in zip(*pairs))
             missing = numpy.isnan(before) | numpy.isnan(after)
             of = arrays.moments(after - before)
             contrast = arrays.contrast((1.0, of))
             interval = arrays.interval_of(contrast)
-            means = [
-                arrays.moments(numpy.where(missing, numpy.nan, each)).mean
-                for each in (after, before)
-            ]
+            means = [arrays.moments(numpy.where(missing, numpy.nan, each)).mean for each in (after, before)]
             blocks.append(
                 pandas.DataFrame(
                     {
@@ -114,17 +92,11 @@ def _effects(
     return blocks
 
 
-def _pairs_along(
-    grid: Grid, axis: Axis, reference: str, value: str
-) -> list[tuple[int, int]]:
+def _pairs_along(grid: Grid, axis: Axis, reference: str, value: str) -> list[tuple[int, int]]:
     """Places of the pairs of cells with an axis at `reference` and at `value`, all other axes alike."""
     others = [other.values for other in grid.axes if other is not axis]
     rest = [tuple(values[cell] for values in others) for cell in range(len(grid.cells))]
-    at_reference = {
-        rest[cell]: cell
-        for cell in range(len(grid.cells))
-        if axis.values[cell] == reference
-    }
+    at_reference = {rest[cell]: cell for cell in range(len(grid.cells)) if axis.values[cell] == reference}
     return [
         (at_reference[rest[cell]], cell)
         for cell in range(len(grid.cells))

@@ -83,9 +83,7 @@ class Grid:
         """The place of a cell. Raises RunError, beginning with `name`, if there is no such cell."""
         numbers = [cell.number for cell in self.cells]
         if number not in numbers:
-            raise RunError(
-                f"{name}{number}: must be a cell of the sweep, {numbers[0]} to {numbers[-1]}"
-            )
+            raise RunError(f"{name}{number}: must be a cell of the sweep, {numbers[0]} to {numbers[-1]}")
         return numbers.index(number)
 
     def axis_title(self, axis: Axis) -> str:
@@ -97,10 +95,7 @@ class Grid:
     def cell_title(self, number: int) -> str:
         """ "reach_m 0.5, sd 0.05"; empty without an axis."""
         place = self.place(number)
-        return ", ".join(
-            f"{self.axis_title(axis)} {axis.values[place] or 'unset'}"
-            for axis in self.axes
-        )
+        return ", ".join(f"{self.axis_title(axis)} {axis.values[place] or 'unset'}" for axis in self.axes)
 
     def cell_name(self, number: int) -> str:
         """ "cell 1 (reach_m 0.5, sd 0.05)"."""
@@ -115,31 +110,19 @@ def grid_of(plan: Sequence[PlannedRun]) -> Grid:
     names = {"rule_table": None, "engine": None}
     for run in plan:
         first.setdefault(run.cell, run)
-        replicate = replicates.setdefault(
-            (run.cell, run.replicate), Replicate(run.seed)
-        )
+        replicate = replicates.setdefault((run.cell, run.replicate), Replicate(run.seed))
         setattr(replicate, "shadow" if run.shadow else "run", run.index)
         names.update(dict.fromkeys(run.settings))
     cells = [
-        Cell(
-            number,
-            first[number],
-            [replicates[place] for place in sorted(replicates) if place[0] == number],
-        )
+        Cell(number, first[number], [replicates[place] for place in sorted(replicates) if place[0] == number])
         for number in sorted(first)
     ]
 
     def value_on(run: PlannedRun, name: str) -> str:
-        value = (
-            getattr(run, name)
-            if name in ("rule_table", "engine")
-            else run.settings.get(name, "")
-        )
+        value = getattr(run, name) if name in ("rule_table", "engine") else run.settings.get(name, "")
         return value if isinstance(value, str) else _json(value)
 
-    axes = [
-        Axis(name, [value_on(cell.first, name) for cell in cells]) for name in names
-    ]
+    axes = [Axis(name, [value_on(cell.first, name) for cell in cells]) for name in names]
     return Grid(cells, [axis for axis in axes if len(set(axis.values)) > 1])
 
 
@@ -165,9 +148,7 @@ def read_plan(path: pathlib.Path) -> list[PlannedRun]:
     try:
         lines = path.read_text().splitlines()
     except (OSError, UnicodeDecodeError) as error:
-        raise RunError(
-            f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}"
-        ) from None
+        raise RunError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
     runs: list[PlannedRun] = []
     so_far: dict[Any, Any] = {}
     for number, text in enumerate(lines, 1):
@@ -209,19 +190,7 @@ def _conflicts(runs: Sequence[PlannedRun], so_far: dict[Any, Any]):
     if beside is not None and runs[beside].seed != run.seed:
         yield "seed", f"{runs[beside].seed}, as a replicate and its shadow have one"
     for key, fields in (
-        (
-            (run.cell,),
-            (
-                "rule_table",
-                "engine",
-                "settings",
-                "until_s",
-                "replay_hz",
-                "agents_every",
-                "senses",
-                "states",
-            ),
-        ),
+        ((run.cell,), ("rule_table", "engine", "settings", "until_s", "replay_hz", "agents_every", "senses", "states")),
         ((run.cell, run.shadow), ("fingerprint",)),
     ):
         first = runs[so_far.setdefault(key, run.index)]
@@ -239,11 +208,7 @@ def _is_whole(value: Any) -> bool:
 
 
 def _is_number(value: Any, lowest: float = 0.0, largest: float = math.inf) -> bool:
-    return (
-        type(value) in (int, float)
-        and math.isfinite(value)
-        and lowest <= value <= largest
-    )
+    return type(value) in (int, float) and math.isfinite(value) and lowest <= value <= largest
 
 
 def _is_text(value: Any) -> bool:
@@ -256,16 +221,13 @@ def _is_text(value: Any) -> bool:
 
 def _are_settings(value: Any) -> bool:
     return isinstance(value, dict) and all(
-        path and (isinstance(one, (str, bool)) or _is_number(one, -math.inf))
-        for path, one in value.items()
+        path and (isinstance(one, (str, bool)) or _is_number(one, -math.inf)) for path, one in value.items()
     )
 
 
 def _is_folder(value: Any) -> bool:
     return (
-        _is_text(value)
-        and not value.startswith("/")
-        and all(part not in ("", ".", "..") for part in value.split("/"))
+        _is_text(value) and not value.startswith("/") and all(part not in ("", ".", "..") for part in value.split("/"))
     )
 
 
@@ -278,23 +240,11 @@ _FIELDS: dict[str, tuple[Callable[[Any], bool], str]] = {
     "null": ((lambda value: value in ("none", "shadow")), "be none or shadow"),
     "rule_table": _TEXT,
     "engine": _TEXT,
-    "settings": (
-        _are_settings,
-        "be an object of settings by their paths: numbers, texts, true or false",
-    ),
+    "settings": (_are_settings, "be an object of settings by their paths: numbers, texts, true or false"),
     "seed": _WHOLE,
-    "until_s": (
-        lambda value: _is_number(value, largest=MOST_TIME_S) and value > 0,
-        f"be > 0 and <= {MOST_TIME_S:.0f}",
-    ),
-    "replay_hz": (
-        lambda value: _is_number(value, largest=1000.0),
-        "be >= 0 and <= 1000",
-    ),
-    "agents_every": (
-        lambda value: _is_whole(value) and 1 <= value < 2**63,
-        f"be >= 1 and <= {2**63 - 1}",
-    ),
+    "until_s": (lambda value: _is_number(value, largest=MOST_TIME_S) and value > 0, f"be > 0 and <= {MOST_TIME_S:.0f}"),
+    "replay_hz": (lambda value: _is_number(value, largest=1000.0), "be >= 0 and <= 1000"),
+    "agents_every": (lambda value: _is_whole(value) and 1 <= value < 2**63, f"be >= 1 and <= {2**63 - 1}"),
     "senses": _SWITCH,
     "states": _SWITCH,
     "work": (_is_number, "be >= 0"),

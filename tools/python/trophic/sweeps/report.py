@@ -71,11 +71,7 @@ class SweepAnalysis:
         of = answers(self.differences)
         plain = {metric_of(row) for row in judge.facts(of, ("above", "below"))}
         found = of[of["conclusion"].isin(("above", "below"))]
-        largest = [
-            rows.loc[rows["difference"].abs().idxmax()]
-            for metric, rows in metrics_in(found)
-            if metric in plain
-        ]
+        largest = [rows.loc[rows["difference"].abs().idxmax()] for metric, rows in metrics_in(found) if metric in plain]
         by_metric = {metric_of(row): row for row in largest}
         return [
             (finding, by_metric[finding.metric])
@@ -108,10 +104,7 @@ def analyze_sweep(
         names = metrics.chosen(values.metrics, how.metrics)
     else:
         repeats = judge.repeated_values(
-            {
-                metric: values.runs[:, number]
-                for number, metric in enumerate(values.metrics)
-            }
+            {metric: values.runs[:, number] for number, metric in enumerate(values.metrics)}
         )
         names = [metric for metric in values.metrics if metric not in repeats]
     if len(sweep.builds) > 1:
@@ -122,16 +115,10 @@ def analyze_sweep(
         )
     if sweep.missing:
         remarks.insert(0, f"{sweep.missing_line()}; left out")
-    lost = dict.fromkeys(
-        metrics.lost_to_thinning(run.agents_every) for run in sweep.plan
-    )
+    lost = dict.fromkeys(metrics.lost_to_thinning(run.agents_every) for run in sweep.plan)
     compared = values.only(names)
     differences = compare_cells(sweep.grid, compared, reference)
-    asked = (
-        runs_for_difference(differences, difference)
-        if difference is not None
-        else pandas.DataFrame()
-    )
+    asked = runs_for_difference(differences, difference) if difference is not None else pandas.DataFrame()
     return SweepAnalysis(
         sweep,
         _label_of(sweep, reference),
@@ -149,11 +136,7 @@ def analyze_sweep(
 def _label_of(sweep: Sweep, reference: int) -> str:
     cell = sweep.grid.cells[sweep.grid.place(reference)]
     folder = sweep.folder_of(
-        next(
-            one.run
-            for one in cell.replicates
-            if one.run is not None and sweep.is_there[one.run]
-        )
+        next(one.run for one in cell.replicates if one.run is not None and sweep.is_there[one.run])
     )
     return describe(Runs(folder.parent, [read_run(folder)])).title()
 
@@ -170,11 +153,7 @@ def run(request: dict) -> int:
         )
         for remark in [
             *analysis.remarks[:5],
-            *(
-                [f"and {len(analysis.remarks) - 5} more"]
-                if len(analysis.remarks) > 5
-                else []
-            ),
+            *([f"and {len(analysis.remarks) - 5} more"] if len(analysis.remarks) > 5 else []),
         ]:
             print(f"{request['who']}: {remark}", file=sys.stderr)
         print(text_of(analysis), end="")
@@ -199,14 +178,7 @@ def write(analysis: SweepAnalysis, out: pathlib.Path) -> list[str]:
     for name, frame in content.items():
         tables.write_new(
             out / name,
-            tables.csv_text(
-                frame.reindex(
-                    columns=[
-                        *column_names(name),
-                        *(settings if name == "cells.csv" else []),
-                    ]
-                )
-            ),
+            tables.csv_text(frame.reindex(columns=[*column_names(name), *(settings if name == "cells.csv" else [])])),
         )
     tables.write_new(out / "summary.json", tables.json_text(summary_of(analysis)))
     return [*content, "summary.json"]
@@ -218,12 +190,7 @@ def _settings(grid: Grid) -> list[Axis]:
 
 def with_significance(frame: pandas.DataFrame) -> pandas.DataFrame:
     """The frame with the column `significant`: yes if p_holm <= 0.05, else no; empty without a p value."""
-    return frame.assign(
-        significant=[
-            ("yes" if is_significant(p) else "no") if p == p else ""
-            for p in frame["p_holm"]
-        ]
-    )
+    return frame.assign(significant=[("yes" if is_significant(p) else "no") if p == p else "" for p in frame["p_holm"]])
 
 
 def cells_table(analysis: SweepAnalysis) -> pandas.DataFrame:
@@ -248,22 +215,12 @@ def runs_table(sweep: Sweep, values: SweepValues) -> pandas.DataFrame:
     """One row a value of a run, none for what could not be computed."""
     places, numbers = numpy.nonzero(~numpy.isnan(values.runs))
     planned = pandas.DataFrame(
-        {
-            "run": run.index,
-            "cell": run.cell,
-            "replicate": run.replicate,
-            "shadow": int(run.shadow),
-            "seed": run.seed,
-        }
+        {"run": run.index, "cell": run.cell, "replicate": run.replicate, "shadow": int(run.shadow), "seed": run.seed}
         for run in sweep.plan
     )
     named = pandas.DataFrame(values.metrics, columns=METRIC)
     return pandas.concat(
-        [
-            planned.iloc[places].reset_index(drop=True),
-            named.iloc[numbers].reset_index(drop=True),
-        ],
-        axis=1,
+        [planned.iloc[places].reset_index(drop=True), named.iloc[numbers].reset_index(drop=True)], axis=1
     ).assign(value=values.runs[places, numbers])
 
 
@@ -272,12 +229,8 @@ def metrics_table(grid: Grid, values: SweepValues) -> pandas.DataFrame:
     frames = []
     for cell in grid.cells:
         raw, shadow = values.of(cell)
-        alone, its_shadow, over = (
-            arrays.moments(each) for each in (raw, shadow, raw - shadow)
-        )
-        intervals = [
-            arrays.interval_of(arrays.contrast((1.0, of))) for of in (alone, over)
-        ]
+        alone, its_shadow, over = (arrays.moments(each) for each in (raw, shadow, raw - shadow))
+        intervals = [arrays.interval_of(arrays.contrast((1.0, of))) for of in (alone, over)]
         frames.append(
             pandas.DataFrame(
                 {
@@ -340,9 +293,7 @@ def summary_of(analysis: SweepAnalysis) -> dict[str, Any]:
         "runs_planned": len(sweep.plan),
         "missing": sweep.missing,
         "builds": sweep.builds,
-        "axes": [
-            {"name": axis.name, "values": axis.values} for axis in sweep.grid.axes
-        ],
+        "axes": [{"name": axis.name, "values": axis.values} for axis in sweep.grid.axes],
         "reference": analysis.reference,
         "min_runs_for_test": MIN_RUNS_FOR_TEST,
         "comparisons": size.comparisons,
@@ -354,10 +305,7 @@ def summary_of(analysis: SweepAnalysis) -> dict[str, Any]:
     return {
         "trophic": __version__,
         "family": {**size._asdict(), "sentence": size.sentence()},
-        "findings": [
-            {**tables.finding(one), "cell": int(row.cell)}
-            for one, row in analysis.findings()
-        ],
+        "findings": [{**tables.finding(one), "cell": int(row.cell)} for one, row in analysis.findings()],
         "sweep": content,
     }
 
@@ -369,9 +317,7 @@ def text_of(analysis: SweepAnalysis) -> str:
     """The text of the terminal: the grid, what is significant and what is not, named metrics, effects of axes and the answer to --difference."""
     text = header_text(analysis)
     if len(analysis.differences):
-        text += differences_text(analysis) + (
-            named_text(analysis) if analysis.is_chosen else ""
-        )
+        text += differences_text(analysis) + (named_text(analysis) if analysis.is_chosen else "")
     return text + effects_text(analysis.effects) + asked_text(analysis)
 
 
@@ -382,9 +328,7 @@ def counted(count: int, noun: str) -> str:
 def values_text(axis: Axis) -> str:
     """The values of an axis, each once, in the order of the cells; of many the first few."""
     values = [value or "unset" for value in dict.fromkeys(axis.values)]
-    return ", ".join(values[:8]) + (
-        f", ... ({len(values)} values)" if len(values) > 8 else ""
-    )
+    return ", ".join(values[:8]) + (f", ... ({len(values)} values)" if len(values) > 8 else "")
 
 
 def header_text(analysis: SweepAnalysis) -> str:
@@ -406,17 +350,11 @@ def header_text(analysis: SweepAnalysis) -> str:
         if designs == {"paired"}
         else "as independent sets (other seeds in each cell)"
     )
-    over = (
-        ", each run over its shadow"
-        if (differences["compared"] == ANSWER).any()
-        else ""
-    )
+    over = ", each run over its shadow" if (differences["compared"] == ANSWER).any() else ""
     lines.append(
         f"{counted(count(differences).comparisons, 'comparison')} with it, {design}{over}; p corrected for all of them (Holm)"
     )
-    names, every = len(differences[METRIC].drop_duplicates()), len(
-        analysis.values.metrics
-    )
+    names, every = len(differences[METRIC].drop_duplicates()), len(analysis.values.metrics)
     if not analysis.is_chosen and every > names:
         lines.append(
             f"metrics {names}; {every - names} more repeat one of them, and are compared if --metric names them"
@@ -425,15 +363,11 @@ def header_text(analysis: SweepAnalysis) -> str:
 
 
 def compared_title(row: Any) -> str:
-    return metric_title(metric_of(row)) + (
-        ", over shadow" if row.compared == ANSWER else ""
-    )
+    return metric_title(metric_of(row)) + (", over shadow" if row.compared == ANSWER else "")
 
 
 def _with_interval(row: Any) -> str:
-    return Reading(metric_of(row)).with_interval(
-        row.difference, (row.lower, row.upper), True
-    )
+    return Reading(metric_of(row)).with_interval(row.difference, (row.lower, row.upper), True)
 
 
 def _effect_size(row: Any) -> str:
@@ -451,13 +385,7 @@ def differences_text(analysis: SweepAnalysis) -> str:
         cells = significant.groupby(METRIC).size()
         text += columns(
             [
-                (
-                    "significant metric",
-                    "cells",
-                    "largest difference [95 %]",
-                    "g",
-                    "in cell",
-                ),
+                ("significant metric", "cells", "largest difference [95 %]", "g", "in cell"),
                 *(
                     (
                         compared_title(row),
@@ -478,11 +406,7 @@ def differences_text(analysis: SweepAnalysis) -> str:
     if inconclusive > 0:
         text += f"inconclusive: {inconclusive} of {size.comparisons} comparisons{'; this does not show equality' if found else ''}\n"
     tested = set(map(metric_of, significant.itertuples(index=False)))
-    everywhere = [
-        metric_title(metric)
-        for metric, rows in metrics_in(of[of["is_comparison"]])
-        if metric not in tested
-    ]
+    everywhere = [metric_title(metric) for metric, rows in metrics_in(of[of["is_comparison"]]) if metric not in tested]
     if everywhere:
         text += f"inconclusive in every cell: {counted(len(everywhere), 'metric')}: {'; '.join(everywhere[:6])}{'; ...' if len(everywhere) > 6 else ''}\n"
     if too_few := int((of["conclusion"] == "too few runs").sum()):
@@ -498,9 +422,7 @@ def differences_text(analysis: SweepAnalysis) -> str:
 def named_text(analysis: SweepAnalysis) -> str:
     """One line for each metric of each cell: means, difference, p and the runs that would be needed. For few metrics."""
     differences = analysis.differences
-    raw = differences[differences["role"] != "null"].set_index(["cell", *METRIC])[
-        "difference"
-    ]
+    raw = differences[differences["role"] != "null"].set_index(["cell", *METRIC])["difference"]
     head = [
         "metric",
         "cell",
@@ -529,23 +451,14 @@ def named_text(analysis: SweepAnalysis) -> str:
                 reading(row.mean),
                 reading(row.mean_reference),
                 _with_interval(row),
-                *(
-                    [reading(raw.get((row.cell, *metric), row.difference), True)]
-                    if len(raw)
-                    else []
-                ),
+                *([reading(raw.get((row.cell, *metric), row.difference), True)] if len(raw) else []),
                 p_text(row.p_holm),
                 _effect_size(row),
                 f"{row.runs}+{row.runs_reference}",
-                runs_text(row.runs_needed)
-                if row.conclusion in ("inconclusive", "too few runs")
-                else "",
+                runs_text(row.runs_needed) if row.conclusion in ("inconclusive", "too few runs") else "",
             )
         )
-    lines = [
-        f"the same in all runs, or without a value: {title}\n"
-        for title in dict.fromkeys(constant)
-    ]
+    lines = [f"the same in all runs, or without a value: {title}\n" for title in dict.fromkeys(constant)]
     return (
         columns([head, *rows])
         + "".join(lines)
@@ -575,20 +488,13 @@ def effects_text(effects: pandas.DataFrame) -> str:
         [
             ("effect of an axis", "difference [95 %]", "axis", "values"),
             *(
-                (
-                    compared_title(row),
-                    _with_interval(row),
-                    row.axis,
-                    f"{row.reference} -> {row.value}",
-                )
+                (compared_title(row), _with_interval(row), row.axis, f"{row.reference} -> {row.value}")
                 for row in largest[:SHOWN]
             ),
         ]
     )
     more = len(significant.groupby([*METRIC, "axis"])) - len(largest[:SHOWN])
-    return text + (
-        f"and {more} more: significant in sweep_effects.csv\n" if more > 0 else ""
-    )
+    return text + (f"and {more} more: significant in sweep_effects.csv\n" if more > 0 else "")
 
 
 def asked_text(analysis: SweepAnalysis) -> str:

@@ -51,9 +51,8 @@ class Sweep:
     def missing_line(self) -> str:
         """The missing runs in one line; of many the first few."""
         more = len(self.missing) - MOST_NAMED
-        return (
-            f"{len(self.missing)} of {len(self.plan)} runs missing: {'; '.join(self.missing[:MOST_NAMED])}"
-            + (f"; and {more} more" if more > 0 else "")
+        return f"{len(self.missing)} of {len(self.plan)} runs missing: {'; '.join(self.missing[:MOST_NAMED])}" + (
+            f"; and {more} more" if more > 0 else ""
         )
 
 
@@ -76,13 +75,7 @@ def read_sweep(folder: pathlib.Path, accept_other_build: bool = False) -> Sweep:
             sweep.missing.append(f"run {planned.index} ({planned.folder}): {why}")
             continue
         builds.update(run.builds)
-        web = json.dumps(
-            [
-                run.manifest["species"],
-                run.manifest["food_web"],
-                run.manifest.get("tags"),
-            ]
-        )
+        web = json.dumps([run.manifest["species"], run.manifest["food_web"], run.manifest.get("tags")])
         if web not in webs:
             webs.add(web)
             sweep.first_of_web.append(run)
@@ -103,8 +96,7 @@ def read_sweep(folder: pathlib.Path, accept_other_build: bool = False) -> Sweep:
                 and sweep.is_there[one.shadow]
             ):
                 pool.check_shadow(
-                    pool.read_pooled(sweep.folder_of(one.run)),
-                    pool.read_pooled(sweep.folder_of(one.shadow)),
+                    pool.read_pooled(sweep.folder_of(one.run)), pool.read_pooled(sweep.folder_of(one.shadow))
                 )
                 break
     return sweep
@@ -130,17 +122,10 @@ def _run_of(sweep: Sweep, planned: PlannedRun) -> tuple[PooledRun | None, str]:
             raise RunError(
                 f"{folder}/manifest.json: {field} = {there}: must be {wanted}, as the plan has it for run {planned.index}"
             )
-    return (
-        run,
-        ""
-        if run.complete
-        else f'status "{run.manifest["status"]}", must be "complete"',
-    )
+    return (run, "" if run.complete else f'status "{run.manifest["status"]}", must be "complete"')
 
 
-def check_sweep(
-    sweep: Sweep, reference: int, allow_missing: bool, how: Measuring
-) -> None:
+def check_sweep(sweep: Sweep, reference: int, allow_missing: bool, how: Measuring) -> None:
     """Raises RunError for everything that can be known of a sweep without measuring it."""
     place = sweep.grid.place(reference, "--reference ")
     for cell in sweep.grid.cells:
@@ -149,17 +134,13 @@ def check_sweep(
     for run in sweep.plan:
         here = f"{sweep.folder_of(run.index)}: {number_text(run.until_s)} s"
         if how.until_s is not None and run.until_s < how.until_s:
-            raise RunError(
-                f"{here}: must be >= {number_text(how.until_s)} s, as --until asks"
-            )
+            raise RunError(f"{here}: must be >= {number_text(how.until_s)} s, as --until asks")
         if how.until_s is None and run.until_s != first_s:
             raise RunError(
                 f"{here}, but {sweep.folder_of(0)} has {number_text(first_s)} s; runs of different length are not compared: use --until"
             )
     if sweep.missing and not allow_missing:
-        raise RunError(
-            f"{sweep.folder}: {sweep.missing_line()} (--allow-missing leaves them out)"
-        )
+        raise RunError(f"{sweep.folder}: {sweep.missing_line()} (--allow-missing leaves them out)")
     for run in _Runs(sweep, how) if how.columns else ():
         for column in how.columns:
             own.check_column(column, run)  # type: ignore[arg-type]
@@ -170,11 +151,7 @@ def check_sweep(
 
 def _shipped(sweep: Sweep, how: Measuring) -> list[Metric]:
     """The metrics of the runs' food webs, each once, in the order of the first one."""
-    return list(
-        dict.fromkeys(
-            name for run in sweep.first_of_web for name in metrics.names(run, how)
-        )
-    )
+    return list(dict.fromkeys(name for run in sweep.first_of_web for name in metrics.names(run, how)))
 
 
 class _Runs(Sequence):
@@ -188,11 +165,7 @@ class _Runs(Sequence):
 
     def __getitem__(self, place):
         run = pool.read_pooled(self.sweep.folder_of(self.places[place]))
-        return (
-            run
-            if self.until_s is None
-            else dataclasses.replace(run, until_s=self.until_s)
-        )
+        return run if self.until_s is None else dataclasses.replace(run, until_s=self.until_s)
 
 
 def measure_sweep(sweep: Sweep, how: Measuring) -> tuple[SweepValues, list[str]]:
@@ -211,12 +184,7 @@ def measure_sweep(sweep: Sweep, how: Measuring) -> tuple[SweepValues, list[str]]
     names = {
         name: number
         for number, name in enumerate(
-            dict.fromkeys(
-                [
-                    *_shipped(sweep, how),
-                    *(name for values, _ in found for name in values),
-                ]
-            )
+            dict.fromkeys([*_shipped(sweep, how), *(name for values, _ in found for name in values)])
         )
     }
     values = numpy.full((len(sweep.plan), len(names)), numpy.nan)
@@ -224,22 +192,15 @@ def measure_sweep(sweep: Sweep, how: Measuring) -> tuple[SweepValues, list[str]]
     for place, (of_run, its) in zip(runs.places, found):
         values[place, [names[name] for name in of_run]] = list(of_run.values())
         remarks += its
-    has_value = {
-        name: not numpy.isnan(values[:, number]).all() for name, number in names.items()
-    }
-    return SweepValues(list(names), values, sweep.is_there).only(
-        kept(has_value, how.metrics)
-    ), list(dict.fromkeys(remarks))
+    has_value = {name: not numpy.isnan(values[:, number]).all() for name, number in names.items()}
+    return SweepValues(list(names), values, sweep.is_there).only(kept(has_value, how.metrics)), list(
+        dict.fromkeys(remarks)
+    )
 
 
 def _observed(run: RunValues) -> tuple[dict[Metric, float], list[str]]:
     values = run.values[run.values["baseline"] == ""]
     return (
-        dict(
-            zip(
-                map(Metric._make, values[METRIC].itertuples(index=False, name=None)),
-                values["value"],
-            )
-        ),
+        dict(zip(map(Metric._make, values[METRIC].itertuples(index=False, name=None)), values["value"])),
         run.remarks,
     )
