@@ -37,6 +37,7 @@ TEST_CASE("crowd models: crowd that dissolved -> model dropped, and made again t
 
     engine::RobotStates first = crowd;
     engine::RobotStates next = apart;
+    REQUIRE(islands.advance(apart, targets_rad, 1, next).end == engine::GroupResult::End::done);
     REQUIRE(islands.advance(crowd, targets_rad, 1, first).end == engine::GroupResult::End::done);
     const std::size_t with_crowd = islands.models();
     for (std::uint64_t i = 0; i <= engine::Islands::keeps_idle_models_for; ++i) {
