@@ -16,6 +16,7 @@ from in_folder import planned
 from sets import around, metric, set_of
 from trophic import cite, judge
 from trophic.published import QUESTIONS, answers
+from trophic.metrics import own
 from trophic.report import analyze, page, tables, tex, text
 from trophic.report.measuring import measuring_of
 from trophic.runs import read_analysis
@@ -317,7 +318,7 @@ def crowding(run):
 def test_sets_of_runs(folder, name, options, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(folder)
     how = measuring_of({**options, "jobs": 1})
-    how.functions = [analyze.own.own_metric(one) for one in options.get("functions", ())]
+    how.functions = [own.own_metric(one) for one in options.get("functions", ())]
     compares = isinstance(name, tuple)
     outcome = analyze.analyse([] if compares else [name], name if compares else (), None, how)
     found = check(outcome, tmp_path)
