@@ -6,19 +6,8 @@ import numpy
 import pandas
 import pytest
 from hand_written import WEB, agents, event, events, robot
-from trophic.metrics import (
-    AGENTS,
-    EVENTS,
-    Web,
-    demography,
-    help,
-    living,
-    lost_to_thinning,
-    shipped,
-    stuck,
-    velocity,
-    walls,
-)
+from trophic import help as trophic_help
+from trophic.metrics import AGENTS, EVENTS, Web, demography, living, lost_to_thinning, shipped, stuck, velocity, walls
 from trophic.metrics.tables import means, window_of
 
 NAN = math.nan
@@ -240,7 +229,7 @@ def test_each_link_of_three_species_is_measured():
 
 
 def test_the_help_lists_every_metric_once_with_its_unit(capsys):
-    assert help.run({}) == 0
+    assert trophic_help.run({"topic": "metrics"}) == 0
     lines = [line.split() for line in capsys.readouterr().out.splitlines()]
     assert lines[1] == ["metric", "unit", "of"] and ["hunger", "ticks", "predator:all"] in lines
     of = {row[0] for row in measured()} | {name.metric for name in living.names(WEB, True)}
