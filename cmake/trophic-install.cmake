@@ -29,7 +29,7 @@ foreach(component command mujoco ode compiled mujoco_compiled ode_compiled)
 endforeach()
 
 if(TROPHIC_BUILD_EXAMPLES)
-  install(TARGETS trophic_program predator_prey ablations worlds RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+  install(TARGETS trophic_program predator_prey worlds RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(DIRECTORY ${PROJECT_BINARY_DIR}/installed_verbs/ DESTINATION ${CMAKE_INSTALL_BINDIR} USE_SOURCE_PERMISSIONS)
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/trophic)

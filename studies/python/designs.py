@@ -184,33 +184,45 @@ def answer_rows(summary):
     return rows
 
 
-def swap_rows(swaps):
-    """The significant effects of a ablations.csv on the metrics of the claims, corrected (Holm) for these metrics and all swaps of a table."""
-    compared = {}
-    for row in read(swaps):
+def swap_rows(table, other, analysis):
+    """The significant effects in the analysis of a sweep of studies/ablations on the metrics of the claims, corrected (Holm) for these metrics and all
+    cells but the other table."""
+    cells = {row["cell"]: row for row in read(analysis / "cells.csv") if row["rule_table"] != other}
+    effects = []
+    for row in read(analysis / "sweep_differences.csv"):
         over_shadow = row["compared"] == "over_shadow"
-        if (row["metric"], row["species"], row["group"], over_shadow) in SCREENED and row["p"]:
-            compared.setdefault(row["direction"].removeprefix("from_"), []).append((row, over_shadow))
+        is_screened = (row["metric"], row["species"], row["group"], over_shadow) in SCREENED
+        if is_screened and row["p"] and row["cell"] in cells:
+            effects.append((row, over_shadow))
     rows = []
-    for table, effects in compared.items():
-        for (row, over_shadow), p in zip(effects, holm([float(row["p"]) for row, _ in effects])):
-            if p <= 0.05:
-                rows.append(
-                    {
-                        "from": table,
-                        "swap": row["swap"],
-                        "metric": row["metric"],
-                        "species": row["species"],
-                        "group": row["group"],
-                        "over_shadow": int(over_shadow),
-                        **{
-                            name: number(float(row[name]))
-                            for name in ("base", "swapped", "difference", "lower", "upper")
-                        },
-                        "p_holm": f"{p:.2g}",
-                    }
-                )
+    for (row, over_shadow), p in zip(effects, holm([float(row["p"]) for row, _ in effects])):
+        if p <= 0.05:
+            rows.append(
+                {
+                    "from": table,
+                    "swap": swap_name(table, cells[row["cell"]]),
+                    "metric": row["metric"],
+                    "species": row["species"],
+                    "group": row["group"],
+                    "over_shadow": int(over_shadow),
+                    "base": number(float(row["mean_reference"])),
+                    "swapped": number(float(row["mean"])),
+                    **{name: number(float(row[name])) for name in ("difference", "lower", "upper")},
+                    "p_holm": f"{p:.2g}",
+                }
+            )
     return rows
+
+
+def swap_name(table, cell):
+    """What a cell has of the other table: "capture", "floor.floor"."""
+    parts = [cell["rule_table"].removeprefix(table).removeprefix("_")]
+    parts += [
+        name.removeprefix("rules.")
+        for name, value in cell.items()
+        if name.startswith(("rules.", "ecology.")) and value and name != "ecology.duration_s"
+    ]
+    return ", ".join(filter(None, parts))
 
 
 def claim_rows(summary):

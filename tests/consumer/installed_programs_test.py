@@ -13,11 +13,8 @@ import unittest
 
 BIN = pathlib.Path(sys.argv.pop(1))
 SOURCES = pathlib.Path(__file__).resolve().parents[2]
-PROGRAMS = ["trophic", "trophic-ablations", "trophic-predator-prey", "trophic-worlds"]
-VERBS = [
-    f"trophic-{verb}"
-    for verb in ("ablation-table", "analyze", "cite", "contest", "cross-check", "help", "plan", "plot")
-]
+PROGRAMS = ["trophic", "trophic-predator-prey", "trophic-worlds"]
+VERBS = [f"trophic-{verb}" for verb in ("analyze", "cite", "contest", "cross-check", "help", "plan", "plot")]
 
 
 class InstalledPrograms(unittest.TestCase):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Checks the command lines in documents: trophic's programs by --help, --print-config and --list; scripts, CMake and ctest by
+"""Checks the command lines in documents: trophic's programs by --help and --print-config; scripts, CMake and ctest by
 reading the tree."""
 
 import functools
@@ -11,8 +11,8 @@ import subprocess
 import sys
 import tempfile
 
-INSTALLED = ("trophic", "trophic-predator-prey", "trophic-ablations", "trophic-worlds")
-STUDIES = ("trophic-arms-race", "trophic-bodies", "trophic-readings")  # of studies/CMakeLists.txt
+INSTALLED = ("trophic", "trophic-predator-prey", "trophic-worlds")
+STUDIES = ("trophic-ablations", "trophic-arms-race", "trophic-bodies", "trophic-readings")  # of studies/CMakeLists.txt
 SYSTEM = {
     "apt-get", "bash", "black", "cat", "cd", "clang-format", "cp", "diff", "docker", "export", "for", "do", "done", "git", "head", "less", "ls", "mkdir", "mv", "pandoc",
     "parallel", "pip", "pre-commit", "rm", "run-clang-tidy", "sbatch", "simulate", "snakemake", "source", "squeue", "srun", "sudo", "tar",
@@ -244,7 +244,7 @@ def check_ours(tree, programs: Programs, name: str, words: list[str]) -> list[st
         or "--plan" in arguments
     ):
         return []  # values of placeholders, runs to resume, sweep files and their folders are the reader's
-    ask = "--list" if name == "trophic-ablations" else "--print-config"
+    ask = "--print-config"
     if ask not in programs.help(executable, *command):
         return []
     with tempfile.TemporaryDirectory() as folder:  # the arguments are parsed, nothing is run

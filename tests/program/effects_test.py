@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""effects_test.py PREDATOR_PREY ABLATIONS: nothing is without effect and silent. Each parameter and each swap of the ablation study
-changes a short run, or the run's remarks name it. tests/unit/core/effects_test.cpp has the rules that are refused."""
+"""effects_test.py PREDATOR_PREY: nothing is without effect and silent. Each parameter changes a short run, or the run's remarks name
+it; studies/tests/test_ablations.py has the rules of the two tables. tests/unit/core/effects_test.cpp has the rules that are refused."""
 
 import json
 import pathlib
@@ -12,7 +12,7 @@ import unittest
 
 from in_folder import InFolder, call
 
-PREDATOR_PREY, ABLATIONS = sys.argv.pop(1), sys.argv.pop(1)
+PREDATOR_PREY = sys.argv.pop(1)
 # A crowd in which every rule acts soon: ticks of a tenth of their simulated time.
 CROWD = {
     "ecology.arena": "small.toml",
@@ -147,29 +147,6 @@ class Parameters(Effects):
 
 
 class Policies(Effects):
-    # Swaps of the ablation study that act only if ...
-    ELSEWHERE = {
-        "brain": "all inputs are 0, which no shipped sensor of distance gives",
-        "sensor_distance_over_scale": "the scale is not the arena's",
-        "activation": "a rule reads the age of prey",
-    }
-    SWAPPED_NUMBER = r"\.(floor|below)$|^(ecology|physics)\."
-
-    def test_each_ablation_changes_a_run_or_has_a_remark(self):
-        listed = [line.split()[0].split("/") for line in call(ABLATIONS, "--list").stdout.splitlines()]
-        swaps = [(table, swap) for table, swap in listed if not re.search(self.SWAPPED_NUMBER, swap)]
-        only = [part for swap in sorted({swap for _, swap in swaps}) for part in ("--only", swap)]
-        self.run_ok(ABLATIONS, *only, "--replicates", 1, "--duration", 6000, "--out", "sets")
-        for table, swap in swaps:
-            runs = [self.folder / "sets" / table / name / "replicate-00" for name in ("base", swap)]
-            same = all(
-                (runs[0] / name).read_bytes() == (runs[1] / name).read_bytes() for name in ("events.csv", "agents.csv")
-            )
-            remarks = json.loads((runs[1] / "manifest.json").read_text())["remarks"]
-            if swap != "base" and swap not in self.ELSEWHERE:
-                with self.subTest(table=table, swap=swap):
-                    self.assertEqual(same, any(remark.startswith(f"rules.{swap} = ") for remark in remarks), remarks)
-
     def test_a_policy_of_each_slot_is_swapped_somewhere(self):
         """So the ecology asks each slot; each policy's own test shows what it answers."""
         root = pathlib.Path(__file__).parents[2]
@@ -198,9 +175,7 @@ class Policies(Effects):
             *(root / "studies").glob("*/*.hpp"),
             root / "tests/unit/core/effects_test.cpp",
         ]
-        swapped = {name for path in tables for name in re.findall(r"/(\w+)\.hpp>", path.read_text())} | set(
-            re.findall(r"\w+", call(ABLATIONS, "--list").stdout)
-        )
+        swapped = {name for path in tables for name in re.findall(r"/(\w+)\.hpp>", path.read_text())}
         self.assertEqual([str(slot) for slot, policies in slots.items() if not policies & swapped], [])
 
 

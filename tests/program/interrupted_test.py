@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""interrupted_test.py PREDATOR_PREY TROPHIC [ABLATIONS [BODIES]] [--times N] [--only NAME]: each command that writes is killed, stopped or refused space
+"""interrupted_test.py PREDATOR_PREY TROPHIC [BODIES] [--times N] [--only NAME]: each command that writes is killed, stopped or refused space
 at N random moments (1). A file that then has its final name is complete, and the same command makes the same bytes as without an interruption.
 scripts/kill-and-resume has 20 of each."""
 
@@ -23,7 +23,7 @@ PARSER.add_argument("programs", nargs="+", type=os.path.realpath)
 PARSER.add_argument("--times", type=int, default=1)
 PARSER.add_argument("--only", default="")
 OPTIONS = PARSER.parse_args()
-PREDATOR_PREY, TROPHIC, *STUDIES = OPTIONS.programs
+PREDATOR_PREY, TROPHIC, *BODIES = OPTIONS.programs
 KINEMATIC = (PREDATOR_PREY, "--backend", "kinematic", "--duration", "4000")
 SWEEP = 'engine = "kinematic"\nreplicates = 2\n[set]\necology.duration_s = 3000.0\n[grid]\nrules.mutation.sd = [0.05, 0.1]\n'
 EVOLVE = (TROPHIC, "evolve-gait", "--generations", "3", *(part for name in ("plan.population", "plan.parents", "plan.children") for part in ("--set", f"{name}=4")),
@@ -38,11 +38,8 @@ COMMANDS = {
     "picture": ((TROPHIC, "film", "set/replicate-00", "--size", "320x180", "--from", "100"), ".png"), "export": ((TROPHIC, "export", "set/replicate-00"), ".glb"),
     "film": ((TROPHIC, "film", "set/replicate-00", "--size", "320x180", "--from", "100", "--to", "120", "--fps", "15"), ".gif"), "evolve-gait": (EVOLVE, ""),
 }  # fmt: skip
-if STUDIES:
-    COMMANDS |= {"ablations": ((STUDIES[0], "--from", "paper", "--only", "base", "--only", "capture", "--replicates", "2", "--duration", "3000", "--resume"), ""),
-                 "ablation-table": ((TROPHIC, "ablation-table", "study"), "")}  # fmt: skip
-if STUDIES[1:]:
-    COMMANDS |= {"bodies": ((STUDIES[1], "--backend", "mujoco", "--robots", "6", "--set", "rules.community.predators=3", "--duration", "20", "--checkpoint-s", "4", "--resume"), "")}  # fmt: skip
+if BODIES:
+    COMMANDS |= {"bodies": ((BODIES[0], "--backend", "mujoco", "--robots", "6", "--set", "rules.community.predators=3", "--duration", "20", "--checkpoint-s", "4", "--resume"), "")}  # fmt: skip
 THEIR_OWN = {
     "manifest.json",
     "checkpoint.bin",
@@ -130,27 +127,6 @@ def main() -> None:
             [*KINEMATIC, "--replicates", "2", "--seed", "2", "--out", "other"],
             planned(PREDATOR_PREY, "sweep.toml", "grid", folder),
             [TROPHIC, "analyze", "set", "--out", "tables"],
-            *(
-                [
-                    [
-                        STUDIES[0],
-                        "--from",
-                        "paper",
-                        "--only",
-                        "base",
-                        "--only",
-                        "capture",
-                        "--replicates",
-                        "2",
-                        "--duration",
-                        "3000",
-                        "--out",
-                        "study",
-                    ]
-                ]
-                if STUDIES
-                else []
-            ),
         ):
             subprocess.run(prepared, cwd=folder, check=True, capture_output=True)
         there = subprocess.run([TROPHIC, "--help"], capture_output=True, text=True, check=True).stdout

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""options_test.py PREDATOR_PREY TROPHIC ABLATIONS [--all]: every option of every command, with texts that no user would mean.
+"""options_test.py PREDATOR_PREY TROPHIC [--all]: every option of every command, with texts that no user would mean.
 
 Each is refused in one line that leaves nothing behind, or does its work; nothing crashes, hangs or takes all memory. Options are
 those that --help lists. A command takes at most 1 GiB of memory and 20 s of processor time. With --all many more texts."""
@@ -15,7 +15,7 @@ import unittest
 
 from in_folder import InFolderWithSets, run_ok
 
-PREDATOR_PREY, TROPHIC, ABLATIONS = (sys.argv.pop(1) for _ in range(3))
+PREDATOR_PREY, TROPHIC = (sys.argv.pop(1) for _ in range(2))
 ALL = "--all" in sys.argv
 if ALL:
     sys.argv.remove("--all")
@@ -69,21 +69,7 @@ COMMANDS = {
     "": [PREDATOR_PREY, "--backend", "kinematic", "--duration", "20", "--out", "new"],
     "replicates": [PREDATOR_PREY, "--backend", "kinematic", "--duration", "20", "--out", "new", "--replicates", "2"],
     "branch": [PREDATOR_PREY, "--from", "run", "--at", "20", "--duration", "40", "--out", "new"],
-    "ablations": [
-        ABLATIONS,
-        "--from",
-        "paper",
-        "--only",
-        "base",
-        "--replicates",
-        "1",
-        "--duration",
-        "20",
-        "--out",
-        "new",
-    ],
     "analyze": [TROPHIC, "analyze", "run"],
-    "ablation-table": [TROPHIC, "ablation-table", "set"],
     "evolve-gait": [TROPHIC, "evolve-gait", "--generations", "1", "--backend", "kinematic"],
     "measure-gait": [TROPHIC, "measure-gait", "--duration", "0.2"],
     "contest": [

@@ -102,17 +102,7 @@ class Tool(InFolder):
 
     def test_commands(self):
         text = self.call("--help").stdout
-        for command in (
-            "analyze",
-            "plot",
-            "cite",
-            "help",
-            "ablation-table",
-            "cross-check",
-            "evolve-gait",
-            "measure-gait",
-            "convert",
-        ):
+        for command in ("analyze", "plot", "cite", "help", "cross-check", "evolve-gait", "measure-gait", "convert"):
             self.assertIn(command, text)
             inner = self.run_ok(command, "--help")
             self.assertEqual(inner.stderr, "")
@@ -127,7 +117,7 @@ class Tool(InFolder):
                 ["analyze", "--publish"],
                 r"trophic analyze: --publish: unknown option; did you mean --published\? \(--help lists all\)\n",
             ),
-            (["ablation-table"], "trophic ablation-table: runs is required\n"),
+            (["cite"], "trophic cite: run is required\n"),
         ):
             result = self.call(*arguments)
             self.assertEqual(result.returncode, 2)

@@ -25,7 +25,7 @@
 namespace trophic::rules {
 
 /// The released code, rule by rule, read off the code at the commits of the published runs (22 and 23 June 2023).
-/// `rules::differences<Paper, Released>()` lists the slots and parameters in which it differs from the text.
+/// studies/ablations lists the slots and parameters in which it differs from the text.
 ///
 /// Not reproduced:
 /// - ticks of 2.007 s on average, with wall time between the actions within a tick: a wall clock cannot be reproduced;

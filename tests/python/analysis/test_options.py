@@ -41,7 +41,6 @@ def test_options_are_read_wherever_they_stand():
         ("plot", [], "analysis is required"),
         ("plot", ["a", "--style", "ieeee"], "--style ieeee: must be plain, serif or ieee; did you mean ieee?"),
         ("cite", ["a", "b"], "b: unexpected argument (--help lists all)"),
-        ("ablation-table", [], "runs is required"),
     ],
 )
 def test_what_a_verb_does_not_take_is_refused(verb, words, sentence):

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What a flip of one rule does to a fingerprint. Every flip of either table into the other is compiled and run by
-// tests/program/ablations_test.py.
+// studies/tests/test_ablations.py.
 #include <doctest/doctest.h>
 
 #include <trophic/backend/kinematic.hpp>

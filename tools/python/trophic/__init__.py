@@ -25,7 +25,6 @@ _MODULES = {
     "show": "start",
     "run": "start",
     "analyze": "start",
-    "ablation_table": "ablations",
     "analyze_sweep": "sweeps",
     "ProgramError": "errors",
 }

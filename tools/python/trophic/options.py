@@ -285,12 +285,6 @@ def _cite(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("run", type=_text, help="folder of a run or of replicates")
 
 
-def _ablation_table(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("runs", type=_text, help="the study's output folder (its --out)")
-    parser.add_argument("--jobs", **_JOBS)
-    parser.add_argument("--out", **_TEXT, default="swaps", help="new folder for the tables (swaps)")
-
-
 def _plan(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
     add("sweep", type=_text, help="TOML file; docs/how-to/a-sweep.md describes it")
@@ -407,13 +401,6 @@ VERBS = {
         "manifest, and BibTeX entries. Needs Python with pandas.",
         _cite,
         ["trophic cite runs/paper"],
-    ),
-    "ablation-table": Verb(
-        "ablations",
-        "Reads the sets of an ablation study and writes what each swap changes: ablations.csv (all) and ablations.md (the "
-        "significant ones). Needs Python with pandas and scipy.",
-        _ablation_table,
-        ["trophic ablation-table runs/swaps --out swaps"],
     ),
     "plan": Verb(
         "plan",

@@ -302,7 +302,7 @@ def read_runs(path: str | os.PathLike, *, incomplete: bool = False, accept_other
 def read_study(
     path: str | os.PathLike, *, incomplete: bool = False, accept_other_build: bool = False
 ) -> dict[str, Runs]:
-    """Reads every set of runs below this folder, by its path from there: a sweep, or the swaps of an ablation study."""
+    """Reads every set of runs below this folder, by its path from there: a sweep."""
     path = pathlib.Path(path)
     folders = sorted(
         file.parent for file in path.rglob("replicates.json") if file.parent.name not in ("shadow", "neutral")

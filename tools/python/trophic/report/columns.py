@@ -95,28 +95,6 @@ runs_needed whole?: if p_holm > 0.05: runs in each set that would find a differe
 same_as text: an earlier metric that says the same (other reading, or the same in every run); then not compared again
 """,
     ),
-    "ablations.csv": (
-        "The effects of rule swaps, one per row.",
-        """
-swap text: the slot or group of slots that was swapped
-direction text: the set of swaps, or from which table to which
-metric
-species
-group
-unit text: of base, swapped, difference and its interval
-compared text: over_shadow: each set over its shadow first, the answer; raw: the answer without shadows, else next to it
-runs_base whole: runs in which nothing was swapped
-runs_swapped whole: runs with the swap
-base: their mean, not over a shadow
-swapped: their mean, not over a shadow
-difference: raw: swapped - base; over_shadow: of each less its shadow
-lower: of the difference's 95 % interval
-upper: of the difference's 95 % interval
-p
-p_holm: corrected for all swaps and metrics of the direction that repeat no other; raw differences next to an answer apart
-significant
-""",
-    ),
     "cells.csv": (
         "The cells of a sweep. After these columns there is one for each setting that varies between cells, named by its path.",
         """
