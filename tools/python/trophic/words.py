@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Numbers, metrics and tests as people read them, and texts as LaTeX, Markdown and the terminal show them."""
+"""Numbers, metrics and tests as people read them, and texts as LaTeX and the terminal show them."""
 from __future__ import annotations
 
 import decimal
