@@ -1,21 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Numbers, metrics and texts as people, LaTeX, Markdown and the terminal show them."""
+"""Numbers, metrics and texts as people, LaTeX and the terminal show them."""
 import math
 
 import pytest
 from trophic.statistics import Estimate, Interval
 from trophic.values import Metric
-from trophic.words import (
-    Reading,
-    columns,
-    latex_text,
-    markdown_text,
-    metric_title,
-    number_text,
-    one_line,
-    p_text,
-    width_of,
-)
+from trophic.words import Reading, columns, latex_text, metric_title, number_text, one_line, p_text, width_of
 
 VELOCITY = Reading(Metric("velocity", "prey", "all", "m/s"))
 SHARE = Reading(Metric("stuck", "prey", "all", "1"))
@@ -85,7 +75,6 @@ def test_special_characters_show_letter_by_letter():
         r"\textless{}c\textbar{}d\textgreater{} *"
     )
     assert latex_text("a/b") == r"a/\allowbreak{}b"
-    assert markdown_text("a|b\n## c_d _e_ <f> `g`") == r"a\|b ## c_d \_e\_ \<f\> \`g\`"
     assert one_line("% a\r\\input{b}\u2028\x85c") == r"% a \input{b} c"
 
 

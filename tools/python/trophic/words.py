@@ -1,9 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Numbers, metrics and tests as people read them, and texts as LaTeX, Markdown and the terminal show them."""
+"""Numbers, metrics and tests as people read them, and texts as LaTeX and the terminal show them."""
 from __future__ import annotations
 
 import decimal
-import re
 import unicodedata
 from collections.abc import Iterable, Sequence
 
@@ -131,11 +130,6 @@ def latex_text(text: str) -> str:
     """The text as LaTeX shows it letter by letter. Quotation marks open and close, and a line may break after _ and /."""
     quotes = iter(("``", "''") * text.count('"'))
     return "".join(next(quotes) if letter == '"' else _LATEX.get(letter, letter) for letter in text)
-
-
-def markdown_text(text: str) -> str:
-    """The text as a cell of a Markdown table shows it."""
-    return re.sub(r"([\\`*<>\[\]|~]|(?<!\w)_|_(?!\w))", r"\\\1", one_line(text))
 
 
 def one_line(text: str) -> str:
