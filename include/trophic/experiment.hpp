@@ -29,8 +29,7 @@ template <class... Rules>
 [[nodiscard]] int experiment(int argc, const char* const* argv, Offer offer = {}) {
   static_assert(sizeof...(Rules) > 0, "trophic::experiment needs at least one rule table");
   return command::experiment_program(argc, argv, [&offer] {
-    offer.rule_tables = {{table_name<Rules>(),
-                          [](const BackendChoice& backend) { return make_experiment<Rules>(backend, TROPHIC_MODEL_DIR); }}...};
+    offer.rule_tables = rule_tables<Rules...>();
     return std::move(offer);
   });
 }

@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
   using namespace trophic;
   return command::experiment_program(argc, argv, [] {
     Offer offer;
-    offer.rule_tables = ablations::tables_of<rules::Paper, rules::Released>();
+    offer.rule_tables = rule_tables<rules::Paper, rules::Released>();
     std::ranges::move(ablations::from_paper(), std::back_inserter(offer.rule_tables));
     std::ranges::move(ablations::from_released(), std::back_inserter(offer.rule_tables));
     return offer;

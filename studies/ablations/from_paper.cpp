@@ -16,7 +16,7 @@ Tables from_paper() {
   namespace starvation = death::starvation;
   namespace sensors = perception::sensors;
   constexpr auto stated_interval = [](auto& params) { params.starvation.interval = Released::params().starvation.interval; };
-  return tables_of<
+  return rule_tables<
       named<swapped<Slot::placement>, "paper_placement">, named<swapped<Slot::heading>, "paper_heading">,
       named<swapped<Slot::sensors>, "paper_sensors">, named<swapped<Slot::tag_switch>, "paper_tag_switch">,
       named<swapped<Slot::brain>, "paper_brain">, named<swapped<Slot::genome_source>, "paper_genome_source">,

@@ -15,7 +15,7 @@ Tables from_released() {
   namespace parent = reproduction::parent;
   namespace starvation = death::starvation;
   namespace sensors = perception::sensors;
-  return tables_of<
+  return rule_tables<
       named<swapped<Slot::placement>, "released_placement">, named<swapped<Slot::heading>, "released_heading">,
       named<swapped<Slot::sensors>, "released_sensors">, named<swapped<Slot::tag_switch>, "released_tag_switch">,
       named<swapped<Slot::brain>, "released_brain">, named<swapped<Slot::genome_source>, "released_genome_source">,

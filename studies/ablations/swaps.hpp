@@ -38,12 +38,6 @@ using with_slots_of = typename Swapped<Base, Other, slots...>::type;
 
 using Tables = std::vector<std::pair<std::string, MakeExperiment>>;
 
-template <class... Rules>
-[[nodiscard]] Tables tables_of() {
-  return {
-      {table_name<Rules>(), [](const BackendChoice& backend) { return make_experiment<Rules>(backend, TROPHIC_MODEL_DIR); }}...};
-}
-
 /// `paper` with each rule of `released`, and `released` with each rule of `paper`: from_paper.cpp and from_released.cpp, as all
 /// of them in one file take much memory to compile.
 [[nodiscard]] Tables from_paper();

@@ -99,4 +99,11 @@ extern template std::unique_ptr<AnyExperiment> make_experiment<rules::Paper>(con
 extern template std::unique_ptr<AnyExperiment> make_experiment<rules::Released>(const BackendChoice&, std::string_view);
 #endif
 
+/// Rule tables by name, as an Offer has them; their models are those that the program's headers name.
+template <class... Rules>
+[[nodiscard]] std::vector<std::pair<std::string, MakeExperiment>> rule_tables() {
+  return {
+      {table_name<Rules>(), [](const BackendChoice& backend) { return make_experiment<Rules>(backend, TROPHIC_MODEL_DIR); }}...};
+}
+
 }  // namespace trophic
