@@ -6,6 +6,7 @@ import sys
 
 import answers
 import designs
+import provenance
 
 MARKED = re.compile(r"(<!-- table: ([\w ]+) -->\n).*?(<!-- /table -->)", re.S)
 TITLES = {
@@ -24,10 +25,15 @@ TITLES = {
 
 
 class Data:
+    """The rows of data files by their names; `used` are those read since it was last emptied."""
+
     def __init__(self, folder):
         self.folder = folder
+        self.origins = provenance.read(folder)
+        self.used = []
 
     def __call__(self, name):
+        self.used += [name] if name not in self.used else []
         path = self.folder / f"{name}.csv"
         if not path.exists():
             raise SystemExit(f"{path}: no such file; the stage of studies/reproduce that writes it has not run")
@@ -909,9 +915,33 @@ def pages_of(studies):
     ]
 
 
+def with_line(data, make):
+    """A table, and the line that says where its data come from."""
+    data.used.clear()
+    text = make()
+    if missing := [name for name in data.used if name not in data.origins]:
+        raise SystemExit(f"{data.folder / 'provenance.csv'}: has no row of {', '.join(missing)}")
+    return text + ("\n" + provenance.line([data.origins[name] for name in data.used]) if data.used else "")
+
+
+def pages_of_data(studies, choices):
+    """{data: the pages with a table of it}."""
+    data, found = Data(studies / "results/data"), {}
+    made = tables(data, choices)
+    for path in pages_of(studies):
+        for match in MARKED.finditer(path.read_text()):
+            data.used.clear()
+            made[match[2]]()
+            for name in data.used:
+                pages = found.setdefault(name, [])
+                pages += [path.name] if path.name not in pages else []
+    return found
+
+
 def update(studies, choices, check=False):
     """Writes the tables of all pages; with `check` only reports differences from the data. Returns the exit code."""
-    made = tables(Data(studies / "results/data"), choices)
+    data = Data(studies / "results/data")
+    made = tables(data, choices)
     differing = []
     for path in pages_of(studies):
         page = path.relative_to(studies.parent)
@@ -920,7 +950,7 @@ def update(studies, choices, check=False):
         def renewed(match):
             if match[2] not in made:
                 raise SystemExit(f"{page}: table {match[2]}: must be one of {', '.join(made)}")
-            new = match[1] + made[match[2]]() + match[3]
+            new = match[1] + with_line(data, made[match[2]]) + match[3]
             if new != match[0]:
                 differing.append(f"{page}: {match[2]}")
             return new
