@@ -49,7 +49,7 @@ def digits(row, text, sign=False):
     if text == "":
         return ""
     scale, places = (100.0, 2) if is_velocity(row) else (1.0, 1) if row["metric"] == "deaths" else (1.0, 3)
-    return f"{scale * float(text):{'+' if sign else ''}.{places}f}"
+    return designs.fixed(scale * float(text), places, "+" if sign else "")
 
 
 def ranged(row, keys, sign=False):
@@ -65,6 +65,16 @@ def signed(row, keys, scale=1.0, sign="+"):
 
 def star(p):
     return "*" if p and float(p) <= 0.05 else ""
+
+
+GENOMES = ("brain_", "gait_", "body_", "gene")  # measures of genomes begin so
+
+
+def star_over(null, metric, p):
+    """A star of a difference from this null, if it is the one that the measure asks for where numbers are constant: the neutral null of a measure of
+    genomes, the shadow of behaviour. Without inheritance genomes stay founders', so a difference from the shadow shows mutation, not selection.
+    """
+    return star(p) if null == ("neutral" if metric.startswith(GENOMES) else "shadow") else ""
 
 
 def title(row):
@@ -97,7 +107,6 @@ def claims(rows):
         claim = row["claim"] if row["claim"] != last else ""
         last = row["claim"]
         reading = ", ".join(part for part in (row["members"], row["counting"]) if part)
-        needed = f" ({row['runs_needed']} runs would decide)" if row["runs_needed"] else ""
         margin = f"{digits(row, row['margin'])} ({row['margin_from']})" if row["margin"] else "unknown"
         lines.append(
             [
@@ -106,7 +115,7 @@ def claims(rows):
                 digits(row, row["published"]),
                 margin,
                 ranged(row, ("mean", "lower", "upper")),
-                row["conclusion"] + needed,
+                row["conclusion"],
             ]
         )
     return table(["published figure", "reading", "published", "margin", "ours", "conclusion"], lines)
@@ -436,8 +445,8 @@ def seconds(row, places=1):
     """A difference from the shadow with its interval."""
     if not row or not row["lower"]:
         return "too few runs"
-    return "{:+.{p}f} [{:+.{p}f}, {:+.{p}f}]".format(
-        *(float(row[key]) for key in ("over_shadow", "lower", "upper")), p=places
+    return "{} [{}, {}]".format(
+        *(designs.fixed(float(row[key]), places, "+") for key in ("over_shadow", "lower", "upper"))
     )
 
 
@@ -572,7 +581,8 @@ def evolved(rows, study):
             ]
             for row in found:
                 neutral = (
-                    signed(row, ("over_neutral", "neutral_lower", "neutral_upper")) + star(row["neutral_p_holm"])
+                    signed(row, ("over_neutral", "neutral_lower", "neutral_upper"))
+                    + star_over("neutral", metric, row["neutral_p_holm"])
                     if row["neutral"]
                     else ""
                 )
@@ -584,7 +594,8 @@ def evolved(rows, study):
                         f"{float(row['survival']):.3g}",
                         signed(row, ("over_survival", "lower", "upper")) + star(row["p_holm"]),
                         row["shadow"] and f"{float(row['shadow']):.3g}",
-                        signed(row, ("over_shadow", "shadow_lower", "shadow_upper")) + star(row["shadow_p_holm"]),
+                        signed(row, ("over_shadow", "shadow_lower", "shadow_upper"))
+                        + star_over("shadow", metric, row["shadow_p_holm"]),
                         *([neutral] if has_neutral else []),
                         f"{row['runs']} + {row['survival_runs']}",
                     ]
@@ -754,9 +765,9 @@ def settings(rows):
 
 
 def selected(rows, of="pond"):
-    """Price's terms over their null: the neutral null's, or zero for behaviour. With generations they are cm/s a generation, otherwise in the trait's unit."""
+    """Price's terms over the neutral null. With generations they are cm/s a generation, otherwise in the trait's unit."""
     keys, lines = ("runs_mean", "neutral_mean", "difference", "difference_lower", "difference_upper"), []
-    for row in (row for row in rows if row["p"]):
+    for row in designs.over_neutral(rows):
         scale = 100.0 / float(row["generations"]) if "generations" in row else 100.0 if row["unit"] == "m/s" else 1.0
         lines.append(
             [
@@ -767,37 +778,25 @@ def selected(rows, of="pond"):
                 p_text(row["p_holm"]),
             ]
         )
-    return table(
-        [
-            "species",
-            "term",
-            of,
-            "neutral null",
-            "over zero" if "zero" in {row["null"] for row in rows} else "over the neutral null",
-            "p (Holm)",
-        ],
-        lines,
-    )
+    return table(["species", "term", of, "neutral null", "over the neutral null", "p (Holm)"], lines)
 
 
 def evolving_ponds(data):
-    """Velocities over the shadow and Price's terms of speed of ponds in which gaits, or bodies too, evolve; * after Holm's correction."""
+    """Velocities over the shadow and Price's terms of speed of ponds in which gaits, or bodies too, evolve. Without stars: numbers change, so the
+    shadow is no control of one species, and these runs have no neutral null."""
     lines = []
     for name, species in itertools.product(("gaits", "bodies"), ("prey", "predator")):
         rows = [
             row
             for part in ("", "_selection")
             for row in data(f"no_criterion_{name}{part}")
-            if row["species"] == species and row["p_holm"]
+            if row["species"] == species and (row["p_holm"] if not part else row["p"])
         ]
         lines.append(
             [
                 name,
                 species,
-                *(
-                    signed(row, ("difference", "difference_lower", "difference_upper"), 100.0) + star(row["p_holm"])
-                    for row in rows
-                ),
+                *(signed(row, ("difference", "difference_lower", "difference_upper"), 100.0) for row in rows),
             ]
         )
     return table(["evolve", "species", "velocity over the shadow, cm/s", "survival", "parenthood", "mutation"], lines)

@@ -118,6 +118,48 @@ class Origins(unittest.TestCase):
                 provenance.stale(root, root)
 
 
+class Rows(unittest.TestCase):
+    def test_answers_have_no_observed_power(self):
+        for path in DATA.glob("*.csv"):
+            self.assertNotIn("runs would decide", path.read_text(), path)
+        self.assertEqual(designs.without_observed_power("no (9 runs would decide the rest)"), "no")
+
+    def test_numbers_that_are_not_zero_are_not_written_as_zero(self):
+        self.assertEqual(
+            [designs.fixed(value, 2, "+") for value in (0.274, -0.0016, 0.0)], ["+0.27", "-0.002", "+0.00"]
+        )
+
+    def test_prices_terms_are_tested_over_the_neutral_null_alone(self):
+        def term(mean, neutral):
+            of = {"runs_n": 6, "runs_mean": mean, "runs_lower": mean - 1.0, "runs_upper": mean + 1.0, "p": 0.001}
+            null = {"neutral_n": 6, "neutral_mean": neutral}
+            null |= {
+                f"neutral_{end}": "" if neutral == "" else neutral + by for end, by in (("lower", -1), ("upper", 1))
+            }
+            return {key: str(value) for key, value in (of | null | {"p_holm": 0.001, "null": "zero"}).items()}
+
+        alike, apart, alone = designs.over_neutral([term(3.0, 3.1), term(3.0, 0.0), term(3.0, "")])
+        self.assertGreater(float(alike["p_holm"]), 0.5)
+        self.assertLess(float(apart["p_holm"]), 0.01)
+        self.assertEqual((alone["p"], alone["p_holm"], alone["difference"]), ("", "", ""))
+
+    def test_stars_stand_over_the_null_of_the_measure(self):
+        import pages
+
+        marked = [
+            pages.star_over(null, metric, "0.01")
+            for metric in ("body_plans", "walked")
+            for null in ("shadow", "neutral")
+        ]
+        self.assertEqual(marked, ["", "*", "*", ""])
+
+    def test_runs_for_an_effect_of_interest_depend_on_the_spread_alone(self):
+        row = {"runs": "10", "lower": "-1.0", "upper": "1.0"}
+        runs = designs.runs_for(row, 1.0, 0.05)
+        self.assertEqual(runs, designs.runs_for(row | {"lower": "4.0", "upper": "6.0"}, 1.0, 0.05))
+        self.assertGreater(designs.runs_for(row, 0.5, 0.05), 3 * runs)
+
+
 class Design(unittest.TestCase):
     def test_main_effects_are_confounded_with_no_interaction_of_two(self):
         columns = list(zip(*[[2 * level - 1 for level in row] for row in designs.two_levels(32)]))
