@@ -50,7 +50,7 @@ def power(question, row, published, tests):
 
 
 def evolved(data, sets=SETS, most=None, folder=""):
-    """The answers to the first `most` questions in each set. A question is written in the first of its lines."""
+    """The answers to the first `most` questions in each set, with simultaneous intervals. A question is written in the first of its lines."""
     answers = {name: data(f"{name}_answers") for name in sets}
     tests = {name: sum(row["p_holm"] != "" for row in data(name)) for name in sets}
     lines = []
@@ -61,7 +61,7 @@ def evolved(data, sets=SETS, most=None, folder=""):
                 line(
                     "" if number else row["question"],
                     row["answer"],
-                    signed(row, ("difference", "lower", "upper")),
+                    signed(designs.together(row, tests[name]), ("difference", "lower", "upper")),
                     row["runs"],
                     where,
                     power(row["question"], row, data(f"{name}_published"), tests[name]),
@@ -78,7 +78,7 @@ def in_brief(data):
 def choices_that_matter(data):
     """The effects of single choices, rules and numbers."""
     lines = []
-    keys = ("difference", "difference_lower", "difference_upper")
+    keys = ("difference", "difference_lower", "difference_upper")  # of a single comparison
     question = "Do prey evolve to flee, by the parent of a newborn prey and the range in which it is looked for?"
     for parent, words in (("active", "parent must be active"), ("any", "parent may be inactive")):
         for range_m in ("12", "4"):

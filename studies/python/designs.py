@@ -430,12 +430,24 @@ def over_neutral(rows):
     return found
 
 
+def error_of(row):
+    """The error of the difference of two sets of equally many runs, and its degrees of freedom, from a row's 95 % interval."""
+    freedom = 2 * (int(row["runs"]) - 1)
+    return (float(row["upper"]) - float(row["lower"])) / 2.0 / statistics.t_quantile(0.975, freedom), freedom
+
+
 def runs_for(row, smallest, level):
     """The runs in each set with which 80 % of studies find a difference of `smallest` at `level`, at the spread of a row's difference of two sets."""
-    count = int(row["runs"])
-    width = (float(row["upper"]) - float(row["lower"])) / 2.0
-    error = width / statistics.t_quantile(0.975, 2 * (count - 1))
-    return statistics.runs_for_power(smallest, statistics.Scatter(count * error**2, 2.0), level)
+    error, _ = error_of(row)
+    return statistics.runs_for_power(smallest, statistics.Scatter(int(row["runs"]) * error**2, 2.0), level)
+
+
+def together(row, tests):
+    """A row with the interval that holds in all of these tests at once with 95 % (Bonferroni)."""
+    error, freedom = error_of(row)
+    width = error * statistics.t_quantile(1.0 - 0.025 / tests, freedom)
+    middle = float(row["difference"])
+    return {**row, "lower": f"{middle - width:.6g}", "upper": f"{middle + width:.6g}"}
 
 
 def persisting(metrics):
