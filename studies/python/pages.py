@@ -781,6 +781,46 @@ def selected(rows, of="pond"):
     return table(["species", "term", of, "neutral null", "over the neutral null", "p (Holm)"], lines)
 
 
+TURNS = {
+    "survival": "survival",
+    "parenthood": "parenthood",
+    "mutation": "mutation",
+    "newcomers": "newcomers",
+    "change": "change of the mean: their sum",
+    "lives_length": "of a life: by its length",
+    "lives_rate": "of a life: by offspring a second",
+}
+
+
+def turning(rows):
+    """Terms of the share of inputs at which a brain turns to its adversary; * after Holm's correction for all tests of the command."""
+    lines = []
+    for term, words in TURNS.items():
+        line = [words]
+        for species in ("prey", "predator"):
+            row = next(
+                row for row in rows if (row["trait"], row["species"], row["term"]) == ("turns_to", species, term)
+            )
+            line.append(signed(row, ("runs_mean", "runs_lower", "runs_upper")))
+            difference = signed(row, ("difference", "difference_lower", "difference_upper")) if row["p"] else ""
+            line.append(difference + star(row["p_holm"]))
+        lines.append(line)
+    return table(["sum over a run", "prey", "over the neutral null", "predators", "over the neutral null"], lines)
+
+
+def turning_by_distance(rows):
+    """The tested terms over the neutral null by the distance of the adversary, in metres of the arena of 20 m; * after Holm's correction."""
+    lines = []
+    for trait in dict.fromkeys(row["trait"] for row in rows if ":" in row["trait"]):
+        line = [f"{20.0 * float(trait.partition(':')[2]):.0f}"]
+        for species, term in itertools.product(("prey", "predator"), ("survival", "parenthood")):
+            row = next(row for row in rows if (row["trait"], row["species"], row["term"]) == (trait, species, term))
+            line.append(signed(row, ("difference", "difference_lower", "difference_upper")) + star(row["p_holm"]))
+        lines.append(line)
+    heads = [f"{words}, {term}" for words, term in itertools.product(("prey", "predators"), ("survival", "parenthood"))]
+    return table(["adversary at, m", *heads], lines)
+
+
 def evolving_ponds(data):
     """Velocities over the shadow and Price's terms of speed of ponds in which gaits, or bodies too, evolve. Without stars: numbers change, so the
     shadow is no control of one species, and these runs have no neutral null."""
@@ -878,6 +918,8 @@ def tables(data, choices):
         "lineages": lambda: lineages(data("race_arms_race_lineages")),
         "historical": lambda: historical(data("race_arms_race")),
     }
+    made["turning"] = lambda: turning(data("selection"))
+    made["turning by distance"] = lambda: turning_by_distance(data("selection"))
     made["evolved again"] = lambda: evolved_again(data("evolution_again"))
     made["evolvable bodies"] = lambda: selected(data("evolvable_bodies"), "bodies")
     made["evolved lives"] = lambda: evolved_lives(data("evolution_lives"))
