@@ -204,8 +204,12 @@ SHORT = [
 ]
 
 
+def key_of(row):
+    return row["metric"], row["species"], row["group"]
+
+
 def of_key(rows, key):
-    return next((row for row in rows if (row["metric"], row["species"], row["group"]) == key), None)
+    return next((row for row in rows if key_of(row) == key), None)
 
 
 def ranges(rows):

@@ -61,9 +61,9 @@ class Origins(unittest.TestCase):
             values = collections.defaultdict(dict)
             for row in designs.read(path):
                 key = tuple(row[name] for name in ("set", "null", "metric", "species", "group"))
-                values[key][int(row["seed"])] = float(row["value"])
-            seeds = {seed for of_key in values.values() for seed in of_key}
-            self.assertEqual(f"{len(seeds)} of master seed", origins[data]["seeds"].rpartition(" ")[0], path)
+                values[key][int(row["run"])] = float(row["value"])
+            runs = {run for of_key in values.values() for run in of_key}
+            self.assertEqual(f"{len(runs)} of master seed", origins[data]["seeds"].rpartition(" ")[0], path)
             compared = 0
             for row in designs.read(DATA / f"{data}.csv"):
                 key = (row["set"], "", row["metric"], row["species"], row["group"])
