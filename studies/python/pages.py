@@ -259,6 +259,30 @@ def bodies(rows, base="paper"):
     return table([f"swapped in `{base}`", "runs", *SHORT], lines)
 
 
+COMPARED = [
+    ("attribution_credited", "predator", "all"),
+    ("velocity", "prey", "all"),
+    ("velocity", "predator", "all"),
+    ("velocity", "predator", "inherited"),
+    ("wall_sticking", "prey", "all"),
+    ("wall_sticking", "predator", "all"),
+]
+
+
+def changes(rows, base="paper"):
+    """The differences of choices swapped on MuJoCo from the set without a change, with Welch's intervals."""
+    lines = []
+    for name in dict.fromkeys(row["set"] for row in rows if row["set"] != base):
+        line = [name]
+        for key in COMPARED:
+            ours, theirs = (of_key([row for row in rows if row["set"] == of], key) for of in (name, base))
+            numbers = ([float(one[column]) for column in ("mean", "deviation", "runs")] for one in (ours, theirs))
+            middle, lower, upper = (digits(ours, value, True) for value in designs.welch(*numbers))
+            line.append(f"{middle} [{lower}, {upper}]")
+        lines.append(line)
+    return table([f"swapped in `{base}`", *(SHORT[GRID.index(key)] for key in COMPARED)], lines)
+
+
 def at_walls(rows, base="released"):
     """The share of predators at walls with one thing changed, and Welch's interval of the difference to the set without a change."""
     of_set = {
@@ -911,6 +935,7 @@ def tables(data, choices):
         "screen reached": lambda: reached(data("screen_cells"), data("kinematic_paper_published")),
         "ranges": lambda: ranges(data("ranges")),
         "bodies": lambda: bodies(data("bodies")),
+        "bodies differences": lambda: changes(data("bodies")),
         "walls": lambda: bodies(data("walls"), "released"),
         "walls differences": lambda: at_walls(data("walls")),
         "conclusions": lambda: table(answers.conclusion_heads(), answers.conclusions(data)),

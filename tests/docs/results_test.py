@@ -7,6 +7,7 @@ import itertools
 import json
 import pathlib
 import random
+import re
 import statistics
 import subprocess
 import sys
@@ -120,6 +121,66 @@ class Origins(unittest.TestCase):
             provenance.write(root, row | {"data": "points", "revision": "unknown"})
             with self.assertRaisesRegex(SystemExit, "points: revision: unknown: must name a commit"):
                 provenance.stale(root, root)
+
+
+NUMBER = r"([-+]?[\d,]+\.?\d*)"
+TRIPLE = re.compile(
+    NUMBER + r"(?: (?:cm/s|s|m|types?|of [\w ]{1,20}|a run|cm/s a run))? \[" + NUMBER + ", " + NUMBER + r"\]"
+)
+INTERVALS = (
+    ("mean", "lower", "upper"),
+    ("contact_s", "lower", "upper"),
+    ("difference", "lower", "upper"),
+    ("difference", "difference_lower", "difference_upper"),
+    ("effect", "lower", "upper"),
+    ("over_shadow", "lower", "upper"),
+    ("over_shadow", "over_lower", "over_upper"),
+    ("over_shadow", "shadow_lower", "shadow_upper"),
+    ("over_survival", "lower", "upper"),
+    ("over_neutral", "neutral_lower", "neutral_upper"),
+    ("runs_mean", "runs_lower", "runs_upper"),
+    ("shadow_mean", "shadow_lower", "shadow_upper"),
+    ("neutral_mean", "neutral_lower", "neutral_upper"),
+)
+
+
+def intervals_of_data():
+    """Each effect with its interval in the data, also in units a hundred times smaller."""
+    found = []
+    for path in DATA.glob("*.csv"):
+        for row in designs.read(path):
+            for names in INTERVALS:
+                try:
+                    values = [float(row[name]) for name in names]
+                except (KeyError, ValueError):
+                    continue
+                found += [values, [100.0 * value for value in values]]
+    return found
+
+
+def is_written(text, value):
+    places = len(text.partition(".")[2])
+    return abs(float(text.replace(",", "")) - value) <= 0.5000001 * 10.0**-places
+
+
+class Prose(unittest.TestCase):
+    """Pages: an effect with its interval outside a table is one of the data, or of a table of the page."""
+
+    def test_effects_in_sentences_are_in_the_data(self):
+        data, missing, self.maxDiff = intervals_of_data(), [], None
+        for path in (ROOT / "README.md", *sorted((ROOT / "studies/results").glob("*.md"))):
+            tables = [
+                [float(text.replace(",", "")) for text in found.groups()]
+                for table in re.findall(r"<!-- table: .*?<!-- /table -->", path.read_text(), re.S)
+                for found in TRIPLE.finditer(table)
+            ]
+            prose = re.sub(r"<!-- table: .*?<!-- /table -->", "", path.read_text(), flags=re.S)
+            for found in TRIPLE.finditer(re.sub(r"\s+", " ", prose)):
+                texts = found.groups()
+                flipped = [[-middle, -upper, -lower] for middle, lower, upper in data + tables]
+                if not any(all(map(is_written, texts, values)) for values in data + tables + flipped):
+                    missing.append(f"{path.name}: {found[0]}")
+        self.assertEqual(missing, [])
 
 
 class Rows(unittest.TestCase):
