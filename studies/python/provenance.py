@@ -92,7 +92,10 @@ def line(rows):
         sentences.setdefault(key, []).append(of["data"])
     words = []
     for stage, tables, engine, seeds, runs, revision in sentences:
-        tables = " and ".join(f"`{name}`" for name in tables.split(", ")) if tables.count(",") < 2 else "many tables"
+        names = [f"`{name}`" if re.fullmatch(r"\w+", name) else name for name in tables.split(", ")]
+        tables = (
+            " and ".join(filter(None, [", ".join(names[:-1]), names[-1]])) if len(names) < 6 else f"{len(names)} tables"
+        )
         words.append(
             f"`studies/reproduce {stage}`: {runs} runs of {tables}, {engine}, seeds: {seeds}, revision {revision}."
         )
