@@ -106,27 +106,27 @@ def line(rows):
 RUNS = ("include/trophic", "src", "models")
 ENGINES = {"mujoco": "backends/mujoco", "ode": "backends/ode"}
 STUDY = {
-    "ablations": "studies/ablations",
-    "arms-race": "studies/arms_race",
-    "arms-race-mujoco": "studies/arms_race",
-    "bodies": "studies/readings",
-    "evolution": "studies/bodies",
-    "evolution-again": "studies/bodies",
-    "evolvable-bodies": "studies/bodies",
-    "no-criterion-bodies": "studies/bodies",
-    "no-criterion-gaits": "studies/bodies",
-    "ranges": "studies/readings",
-    "red-queen": "studies/red_queen",
-    "red-queen-mujoco": "studies/red_queen",
-    "screen": "studies/readings",
+    "ablations": ("studies/ablations",),
+    "arms-race": ("studies/arms_race",),
+    "arms-race-mujoco": ("studies/arms_race",),
+    "bodies": ("studies/readings",),
+    "evolution": ("studies/bodies",),
+    "evolution-again": ("studies/bodies",),
+    "evolvable-bodies": ("studies/bodies",),
+    "inheritance": ("studies/sweeps",),
+    "no-criterion-bodies": ("studies/bodies",),
+    "no-criterion-gaits": ("studies/bodies",),
+    "ranges": ("studies/readings",),
+    "red-queen": ("studies/red_queen", "studies/arms_race"),
+    "red-queen-mujoco": ("studies/red_queen", "studies/arms_race"),
+    "screen": ("studies/readings",),
 }
 
 
 def code_of(of):
     """The paths on which the runs of a row depend."""
     engines = [path for engine, path in ENGINES.items() if of["engine"].lower().find(engine) >= 0]
-    own = [STUDY[of["stage"]]] if of["stage"] in STUDY else []
-    return [*RUNS, *engines, *own]
+    return [*RUNS, *engines, *STUDY.get(of["stage"], ())]
 
 
 def git(root, *arguments):
