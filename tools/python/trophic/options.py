@@ -405,7 +405,7 @@ VERBS = {
     ),
     "plan": Verb(
         "plan",
-        "Writes the list of runs that a sweep file describes: settings by [grid], [zip] and [[runs]], with replicates and shadows. PROGRAM --plan "
+        "Writes the list of runs that a sweep file describes: settings by [grid], [zip] and [[runs]], with replicates and nulls. PROGRAM --plan "
         "FOLDER/plan.jsonl makes the runs. Needs Python with numpy and pandas.",
         _plan,
         ["trophic plan sweep.toml --out runs/sweep", "trophic plan sweep.toml --dry-run"],
