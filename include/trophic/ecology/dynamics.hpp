@@ -103,7 +103,8 @@ class Dynamics final : public TableSimulation<Rules> {
       if constexpr (has_energy<Rules>) exhaust(audience);
       starve(audience);
       minimum_predators(audience);
-      if constexpr (grows<Rules>) recruit(all_, turnover_, audience);
+      if constexpr (grows<Rules>)
+        if (have_decided()) recruit(all_, turnover_, audience);
     }
     if (rules_act) decisions_.make(audience, view());
     audience.tick(view());
@@ -191,6 +192,12 @@ class Dynamics final : public TableSimulation<Rules> {
       turnover_.replace_occupant(
           audience, {.body = sacrifice.victim, .cause = Cause::sacrificed, .killer = {}, .successor = sacrifice.successor});
     }
+  }
+
+  /// Whether there was a tick at which brains could decide before this one: the first decisions come after births.
+  [[nodiscard]] bool have_decided() const {
+    const EcologyParams& ecology = all_.params.ecology;
+    return all_.tick > 0 && clock_s(all_.tick - 1, ecology.tick_s) >= ecology.first_tick_s;
   }
 
   [[nodiscard]] Population<Rules>& population() { return all_.population; }
