@@ -182,13 +182,11 @@ class Population {
   void replace(BodyIndex body, Species species, const Parentage& parentage, const View& view) {
     const std::span parents{parentage.parents};
     Individual born = newborn(species, view.time_s, view.tick, &census_[body]);
-    std::vector<std::vector<double>> before;  // a heredity may share a parent's genome and change it
-    for (const Ancestor& parent : parents) before.push_back(parent.genome->weights);
     auto genome = genomes_.inherit(born, parents);
     const std::vector<BodyIndex> living = bodies_of(parents);
     create_states(born, body, genome && !living.empty() ? std::optional{living.front()} : std::nullopt);
     if (!parents.empty()) {
-      genomes_.descend(born, body, parents, std::move(genome), states_.mutation[body], before);
+      genomes_.descend(born, body, parents, std::move(genome), states_.mutation[body]);
     } else {
       born.genome = genomes_.draw(born, body);
       if (parentage.descent == reproduction::Descent::of_parent_in_name) born.origin = Origin::inherited;

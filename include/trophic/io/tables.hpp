@@ -185,7 +185,7 @@ struct TaxonRow {
         column("body", &TaxonRow::body, "", "the robot body that it lived in"),
         column("genome_id", &TaxonRow::genome, "", "its genome, which several share where the rules share genomes"),
         column("mutation_distance", &TaxonRow::mutation_distance, "",
-               "Euclidean, between its weights and its nearest parent's at birth"),
+               "by which mutation moved the weights that it inherited, Euclidean; 0 if they were drawn"),
         column("tag_at_birth", &TaxonRow::tag_at_birth, "", "the tag that it showed first"),
         column("tag_at_death", &TaxonRow::tag_at_death, "", "the tag that it showed last; empty while it lives"),
         column("cause_of_death", &TaxonRow::cause_of_death, "", "empty while it lives"),
