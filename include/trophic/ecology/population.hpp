@@ -101,11 +101,14 @@ class Population {
   /// Begins the ledger of energy of a tick.
   void open_ledger() { economy_.open_ledger(); }
 
-  /// Notes that all bodies have moved, from `before`, and lets all spend and bite.
-  void walk(std::span<const GroundPose> before, const View& view) {
-    notify_walk(rules_, states_, before, view);
-    economy_.spend_and_bite(census_.change_all(), before, view);
+  /// Notes that all bodies have moved, from `before`.
+  void walk(std::span<const GroundPose> before, const View& view) { notify_walk(rules_, states_, before, view); }
+  /// Lets those who act spend; lets the resource grow; lets those who act bite.
+  void spend(std::span<const GroundPose> before, const View& view, const auto& acting) {
+    economy_.spend(census_.change_all(), before, view, acting);
   }
+  void grow(const View& view) { economy_.grow(view); }
+  void bite(const View& view, const auto& acting) { economy_.bite(census_.change_all(), view, acting); }
 
   /// Feeds the hunter. Its victim is still there; `replace` removes it.
   void feed(BodyIndex hunter, BodyIndex victim, const View& view) {
