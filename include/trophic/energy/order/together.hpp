@@ -6,7 +6,7 @@
 
 namespace trophic::energy::order {
 
-/// Rule: each kind of act is everybody's before the next kind: catches, then deaths, then births.   Reads: nothing.   Random
+/// Rule: all spend and bite, then all catch, then all die, then all reproduce (Dynamics).   Reads: nothing.   Random
 /// draws: 0.
 struct Together {
   static constexpr std::string_view name = "together";
