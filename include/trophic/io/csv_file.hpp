@@ -47,9 +47,9 @@ class LineFile {
   }
 
   /// `types`: of the columns; the last is that of all further ones. Without it the sum has no columns.
-  [[nodiscard]] TableSum sum(const std::vector<std::string_view>& types = {}) const {
+  [[nodiscard]] TableSum sum(const std::vector<TypedColumn>& columns = {}) const {
     TableSum sum{.rows = lines_ == 0 ? 0 : lines_ - 1, .crc32 = file_.checksum()};
-    if (!types.empty()) sum.add_columns(read_part(file_.path(), TableSum::longest_header), types);
+    if (!columns.empty()) sum.add_columns(read_part(file_.path(), TableSum::longest_header), columns);
     return sum;
   }
 
@@ -77,7 +77,7 @@ class CsvFile {
   void flush() { file_.flush(); }
   void finish() { file_.finish(); }
   void persist(Archive& archive) { archive(file_); }
-  [[nodiscard]] TableSum sum() const { return file_.sum(column_types<Row>()); }
+  [[nodiscard]] TableSum sum() const { return file_.sum(typed_columns<Row>()); }
 
  private:
   LineFile file_;
