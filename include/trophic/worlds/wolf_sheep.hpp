@@ -2,6 +2,7 @@
 // NetLogo's wolves, sheep and grass: points on a torus of patches.
 #pragma once
 
+#include <array>
 #include <trophic/control/brain/turns_by_input.hpp>
 #include <trophic/energy/metabolism/fixed_gains.hpp>
 #include <trophic/energy/resource/delayed_patches.hpp>
@@ -59,9 +60,10 @@ static_assert(death::CaptureRule<OnItsPatch>);
 /// sheep eat a grown patch, worth 4, which is bare for 30 ticks; a wolf eats a sheep on its patch and gains 20; who has less than
 /// 0 dies; each sheep has an offspring with 4 %, each wolf with 5 %, and halves its energy. The gain of a wolf comes from
 /// outside, whatever its sheep had.   Source: NetLogo's model Wolf Sheep Predation with grass, and its numbers [wilensky1997].
-/// Units: a patch is 1 m, a tick 1 s.   For the backend `torus`.
+/// Units: a patch is 1 m, a tick 1 s.   On the backend `torus` alone.
 struct WolfSheep final {
   static constexpr std::string_view name = "wolf_sheep";
+  static constexpr std::array<std::string_view, 1> backends{"torus"};
 
   using Community = wolf_sheep::Community;
   using Placement = initialization::placement::Scattered;
