@@ -69,7 +69,8 @@ class Faults(InFolder):
             self.assertEqual({name: (self.folder / "run" / name).read_bytes() for name in TABLES}, self.tables)
 
     def assert_resumes(self):
-        self.run_ok(PROGRAM, *RUN, "--out", "run", "--resume")
+        resume = ["--resume"] if (self.folder / "run").exists() else []
+        self.run_ok(PROGRAM, *RUN, "--out", "run", *resume)
         self.assertEqual(self.status("run"), "complete")
         self.assertEqual({name: (self.folder / "run" / name).read_bytes() for name in TABLES}, self.tables)
 

@@ -158,7 +158,8 @@ class PowerFailure(InFolder):
                 with self.subTest(after=(at, call, path), state=state):
                     self.clear()
                     disk.write(files)
-                    done = self.call(*again)
+                    is_there = (self.folder / "root/run").exists()
+                    done = self.call(*(word for word in again if word != "--resume" or is_there))
                     self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
                     self.assertEqual(self.tables(), whole)
                 tried += 1

@@ -28,7 +28,7 @@ KINEMATIC = (PREDATOR_PREY, "--backend", "kinematic", "--duration", "4000")
 SWEEP = 'engine = "kinematic"\nreplicates = 2\n[set]\necology.duration_s = 3000.0\n[grid]\nrules.mutation.sd = [0.05, 0.1]\n'
 EVOLVE = (TROPHIC, "evolve-gait", "--generations", "3", *(part for name in ("plan.population", "plan.parents", "plan.children") for part in ("--set", f"{name}=4")),
           "--set", "trial.duration_s=6")  # fmt: skip
-# Commands without --out, and how their results are named; those with --resume say so when they begin, too.
+# Commands without --out, and how their results are named; --resume is left out as long as there is nothing to resume.
 COMMANDS = {
     "run": ((*KINEMATIC, "--resume"), ""), "set": ((*KINEMATIC, "--replicates", "2", "--shadow", "--one-sided", "--resume"), ""),
     "branch": ((PREDATOR_PREY, "--from", "set/replicate-00", "--at", "200", "--seed", "9", "--duration", "4000", "--resume"), ""),
@@ -87,9 +87,14 @@ def interrupt(command: list[str], folder: pathlib.Path, draw: random.Random, wal
 def check(name: str, folder: pathlib.Path, draw: random.Random) -> None:
     words, suffix = COMMANDS[name]
     out = folder / f"out{suffix}"
-    command = [*words, *(() if words[-1] == "--html" else ("--out",)), out.name]
+
+    def command() -> list[str]:
+        has_begun = any(folder.glob(f"{out.name}*"))
+        said = [word for word in words if word != "--resume" or has_begun]
+        return [*said, *(() if words[-1] == "--html" else ("--out",)), out.name]
+
     began = time.monotonic()
-    subprocess.run(command, cwd=folder, check=True, capture_output=True)
+    subprocess.run(command(), cwd=folder, check=True, capture_output=True)
     wall_s, whole = time.monotonic() - began, contents(out)
     largest = max(map(len, whole.values())) + 1
     counts: dict[str, int] = {}
@@ -97,11 +102,11 @@ def check(name: str, folder: pathlib.Path, draw: random.Random) -> None:
     while sum(counts.values()) - counts.get("done", 0) < OPTIONS.times and counts.get("done", 0) < 3 * OPTIONS.times:
         if is_new:
             shutil.rmtree(out, ignore_errors=True) if out.is_dir() else out.unlink(missing_ok=True)
-        happened = interrupt(command, folder, draw, wall_s, largest)
+        happened = interrupt(command(), folder, draw, wall_s, largest)
         counts[happened] = counts.get(happened, 0) + 1
         done = happened == "done" or out.exists() and "--resume" not in words and contents(out) == whole
         if done or draw.random() < 0.5:  # or it is interrupted once more
-            again = None if done else subprocess.run(command, cwd=folder, capture_output=True, text=True)
+            again = None if done else subprocess.run(command(), cwd=folder, capture_output=True, text=True)
             assert (
                 done or again.returncode == 0
             ), f"{name} after {happened}: exit {again.returncode}: {again.stderr[-2000:]}"

@@ -35,6 +35,8 @@ class Killed(InFolder):
     def command(self, out, seed, *arguments, duration=OPTIONS.duration):
         chosen = ["--backend", OPTIONS.backend, "--rules", OPTIONS.rules, "--duration", duration]
         chosen += [word for number in OPTIONS.numbers for word in ("--set", number)]
+        if not (self.folder / out).exists():
+            arguments = [word for word in arguments if word != "--resume"]
         return [
             OPTIONS.program,
             *chosen,

@@ -247,6 +247,9 @@ class Ways(Sweeps):
                     env={**os.environ, "SLURM_ARRAY_TASK_ID": str(task)},
                 )
             self.assert_same(out)
+        for array in ({"SLURM_ARRAY_TASK_COUNT": "2"}, {"SLURM_ARRAY_TASK_COUNT": "3", "SLURM_ARRAY_TASK_STEP": "2"}):
+            half = self.call("bash", "job.sh", env={**os.environ, "SLURM_ARRAY_TASK_ID": "1", **array})
+            self.assert_refused(half, "--array: must be 3 indices in a row; others would leave runs out")
         most = self.plan("--sbatch", 1000)
         self.assertIn(f"#SBATCH --array=1-{self.runs()}\n", most.stdout)
 

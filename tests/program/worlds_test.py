@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """worlds_test.py WORLDS: living worlds against independent programs, and what a run of changing numbers writes. Needs pandas: skipped without."""
 
+import json
 import math
 import random
 import re
@@ -255,6 +256,28 @@ class Worlds(InFolder):
             )
         late = energy[energy.time_s > duration / 2]
         return [late[late.species == one].stock_J.mean() for one in species]
+
+    def test_each_cell_of_each_table_has_the_type_that_the_manifest_says(self):
+        """Of every table of the program, with all that it can write: as docs/how-to/read-in-pandas.md reads them."""
+        tables = re.search(r"rule table: (.*?) \(", re.sub(r"\s+", " ", self.run_ok(WORLDS, "--help").stdout))[1]
+        for rules in re.split(", | or ", tables):
+            with self.subTest(rules):
+                out = self.folder / rules
+                self.run_ok(WORLDS, "--rules", rules, "--duration", 8, "--states", "--senses", "--out", out)
+                told = json.loads((out / "manifest.json").read_text())["tables"]
+                self.assertEqual(set(told), {path.name for path in out.glob("*.csv")})
+                for file, table in told.items():
+                    types = {name: kind.replace("int", "Int") for name, kind in table["columns"].items()}
+                    read = pandas.read_csv(out / file, dtype=types)
+                    self.assertEqual(list(read.columns), list(types), file)
+                    self.assertEqual(len(read), table["rows"], file)
+
+    def test_a_world_runs_on_its_own_backend_and_refuses_others(self):
+        made = self.run_ok(WORLDS, "--rules", "lotka_volterra", "--duration", 2, "--out", "own")
+        self.assertIn("lotka_volterra on torus 1", made.stdout)
+        refused = self.call(WORLDS, "--rules", "lotka_volterra", "--backend", "kinematic", "--out", "other")
+        self.assert_refused(refused, "rule table lotka_volterra on backend kinematic: must be on torus")
+        self.assertFalse((self.folder / "other").exists())
 
     def test_both_species_of_the_pond_live_on_and_its_ledger_closes(self):
         self.pyramid("pond", 4000, "prey", "predator")

@@ -24,6 +24,14 @@ std::unique_ptr<AnyExperiment> find_experiment(const Offer& offer, const std::st
   return made == offer.rule_tables.end() || on == nullptr ? nullptr : made->second(*on);
 }
 
+std::string default_backend_of(const Offer& offer, const std::string& table) {
+  if (offer.backends.empty()) return offer.default_backend;
+  const auto experiment = find_experiment(offer, table, offer.backends.front().name());
+  for (const std::string& name : experiment == nullptr ? std::vector<std::string>{} : experiment->backends())
+    if (find_backend(offer, name) != nullptr) return name;
+  return offer.default_backend;
+}
+
 Offer with_backends(Offer offer) {
   if (offer.default_backend.empty()) {
     offer.default_backend = offer.backends.empty() ? std::string{default_backend} : offer.backends.front().name();

@@ -14,6 +14,9 @@ namespace trophic::command {
 /// The backend of this name; null if the offer lacks it.
 [[nodiscard]] const BackendChoice* find_backend(const Offer& offer, const std::string& name);
 
+/// The backend on which a rule table runs if none is named: the first that the table names and the offer has, or the offer's.
+[[nodiscard]] std::string default_backend_of(const Offer& offer, const std::string& table);
+
 /// The experiment of a rule table on a backend with their own parameters; null if the offer lacks one of them.
 [[nodiscard]] std::unique_ptr<AnyExperiment> find_experiment(const Offer& offer, const std::string& table,
                                                              const std::string& backend);

@@ -216,15 +216,18 @@ int run_chosen(ExperimentOptions& options, const Offer& offer) {
   const std::string table =
       options.rules.value_or(config.rule_table.value_or(origin ? origin->rule_table : offer.rule_tables.front().first));
   const bool needs_engine = !options.print_table;  // a printed table is the same for all
-  const std::string usual =
-      needs_engine || find_backend(offer, offer.default_backend) != nullptr ? offer.default_backend : "kinematic";
+  const std::string own = default_backend_of(offer, table);
+  const std::string usual = needs_engine || find_backend(offer, own) != nullptr ? own : "kinematic";
   const std::string backend = options.backend.value_or(config.engine.value_or(origin ? origin->engine : usual));
   std::unique_ptr<AnyExperiment> chosen = chosen_experiment(offer, table, backend);
   check(options);
   check_made_for(config, table, backend);
-  if (options.resume && !std::filesystem::exists(options.out)) {
-    std::cout << "--resume: " << options.out << " is not there: a new run of " << table << " on " << backend << " starts"
-              << std::endl;
+  const bool has_snapshot =
+      origin && std::filesystem::exists(checkpoint::snapshot_folder(options.out, origin->moment).parent_path());
+  if (options.resume && !has_snapshot && !std::filesystem::exists(options.out)) {
+    throw std::invalid_argument{
+        "--resume: " + options.out +
+        " is not there: must be the folder of a run or of replicates; without --resume a run begins there"};
   }
   if (options.out.empty() && options.save_mjcf.empty()) {
     options.out = io::next_free_folder(std::filesystem::path{"runs"} / options.program).string();

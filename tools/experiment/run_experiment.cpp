@@ -205,7 +205,7 @@ inline void check_same_changes(const ExperimentOptions& options, const std::file
   replicates::StopOnSignal stop;
   io::RunFolder folder{options.out,         options.provenance,      output_options_of(options),
                        run_state.opening(), ecology.state_columns(), changes::with_changes(options.own_tables)(ecology)};
-  if (options.states && ecology.state_columns().names.empty()) {
+  if (options.states && ecology.state_columns().columns.empty()) {
     std::cout << "states  none: no rule of this table has a State; states.csv lists the robots only\n";
   }
   observe::Progress progress;

@@ -78,7 +78,7 @@ class Runner {
         runs_{plan::read_plan(path_, lines)} {
     for (PlannedRun& run : runs_) {
       if (run.rule_table.empty()) run.rule_table = offer.rule_tables.front().first;
-      if (run.engine.empty()) run.engine = offer.default_backend;
+      if (run.engine.empty()) run.engine = default_backend_of(offer, run.rule_table);
     }
   }
 

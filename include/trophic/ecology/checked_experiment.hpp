@@ -2,6 +2,8 @@
 // An experiment's parameters with the habitat that they name, checked before the simulation.
 #pragma once
 
+#include <algorithm>
+#include <string>
 #include <trophic/backend/backend_choice.hpp>
 #include <trophic/control/locomotion/steerable.hpp>
 #include <trophic/ecology/body_genes.hpp>
@@ -35,6 +37,16 @@ void for_each_species_policy(const P& policy, const Visitor& visit) {
   } else {
     visit(policy);
   }
+}
+
+/// Throws std::invalid_argument if a table names its backends and this is none of them.
+template <class Rules>
+void check_backend(const std::string& name) {
+  constexpr auto backends = backends_of<Rules>();
+  if (backends.empty() || std::ranges::find(backends, name) != backends.end()) return;
+  std::string names;
+  for (const std::string_view one : backends) names.append(names.empty() ? "" : " or ").append(one);
+  throw std::invalid_argument{"rule table " + table_name<Rules>() + " on backend " + name + ": must be on " + names};
 }
 
 /// The models that the rules BodyPlan and Gait name.
@@ -110,6 +122,7 @@ template <class Rules>
   backend.validate("backend");
   backend.prescribe(params.physics, Rules::physics());
   check_fit(habitat.gait, habitat.robot);
+  detail::check_backend<Rules>(backend.name());
   detail::check_parts<Rules>(backend);
   if (backend.has_joints()) {
     locomotion::check_steerable(habitat.robot, make_policy<typename Rules::Steering>(params.rules.steering, "steering"));

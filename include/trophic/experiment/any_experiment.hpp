@@ -38,6 +38,8 @@ class AnyExperiment {
   [[nodiscard]] virtual EcologyParams& ecology() = 0;
   [[nodiscard]] virtual Physics& physics() = 0;
   [[nodiscard]] virtual BackendChoice& backend() = 0;
+  /// The backends that its table names, its own first; none for a table that runs on any.
+  [[nodiscard]] virtual std::vector<std::string> backends() const = 0;
   /// The rules of its table.
   [[nodiscard]] virtual std::vector<rules::SlotRule> slot_rules() const = 0;
   /// Makes its ecologies with the present parameters, under a null. `history`: of the neutral null, by seed.

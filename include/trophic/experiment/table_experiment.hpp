@@ -35,6 +35,10 @@ class TableExperiment final : public AnyExperiment {
   [[nodiscard]] EcologyParams& ecology() override { return experiment_.ecology; }
   [[nodiscard]] Physics& physics() override { return experiment_.physics; }
   [[nodiscard]] BackendChoice& backend() override { return backend_; }
+  [[nodiscard]] std::vector<std::string> backends() const override {
+    constexpr auto names = detail::backends_of<Rules>();
+    return {names.begin(), names.end()};
+  }
   [[nodiscard]] std::vector<rules::SlotRule> slot_rules() const override { return rules::slot_rules<Rules>(); }
   [[nodiscard]] MakeSimulation simulations(const Null& null, const HistoryOf& history) const override {
     return simulations_of(under(null, experiment_), backend_, history, installed_);

@@ -18,7 +18,7 @@ class BodyLog {
  public:
   static constexpr std::string_view file_name = "bodies.csv";
 
-  BodyLog(const std::filesystem::path& path, Opening opening) : file_{path, header(), opening} {}
+  BodyLog(const std::filesystem::path& path, Opening opening) : file_{path, header_of(columns()), opening} {}
 
   void on_event(const observe::Event& event, const View& view) {
     if (event.kind != observe::EventKind::birth) return;
@@ -58,20 +58,20 @@ class BodyLog {
   void on_tick(const View&) { file_.flush(); }
 
   void persist(Archive& archive) { archive(file_, plans_, plan_of_); }
-  [[nodiscard]] TableSum sum() const {
-    return file_.sum({"int64", "double", "string", "int64", "int64", "int64", "string", "int64", "int64", "int64", "double"});
-  }
+  [[nodiscard]] TableSum sum() const { return file_.sum(columns()); }
 
   /// The number of modules to which the descriptor `size` refers.
   static constexpr std::size_t full_size = 20;
 
  private:
-  [[nodiscard]] static std::string header() {
-    std::string text = "id,time_s,species,plan,parent_plan,edit_distance,modules_text,modules,hinges,bricks,mass_kg,reach_m,";
+  [[nodiscard]] static std::vector<TypedColumn> columns() {
+    std::vector<TypedColumn> all{
+        {"id", "int64"},          {"time_s", "double"},       {"species", "string"},      {"plan", "int64"},
+        {"parent_plan", "int64"}, {"edit_distance", "int64"}, {"modules_text", "string"}, {"modules", "int64"},
+        {"hinges", "int64"},      {"bricks", "int64"},        {"mass_kg", "double"},      {"reach_m", "double"}};
     const body::Descriptors shape;
-    for_each_field(shape, [&](const auto& field, const double&) { text.append(field.name).push_back(','); });
-    text.back() = '\n';
-    return text;
+    for_each_field(shape, [&](const auto& field, const double&) { all.emplace_back(field.name, "double"); });
+    return all;
   }
 
   [[nodiscard]] std::size_t distance(std::uint64_t parents, std::uint64_t own, const body::ModuleTree& tree) const {

@@ -122,31 +122,47 @@ inline constexpr std::string_view type_name = std::integral<Cell>         ? "int
 template <class Cell>
 inline constexpr std::string_view type_name<std::optional<Cell>> = type_name<Cell>;
 
-/// The types of the columns of a table of rows as `like`, of a list as one. Lists stand at the end.
+/// The name and the type (type_name) of a column.
+using TypedColumn = std::pair<std::string, std::string_view>;
+
+/// The columns of a table but those of lists, which are numbers.
 template <TableRow Row>
-[[nodiscard]] std::vector<std::string_view> column_types(const Row& like) {
-  std::vector<std::string_view> types;
+[[nodiscard]] std::vector<TypedColumn> typed_columns() {
+  std::vector<TypedColumn> columns;
   for_each_column<Row>([&](const auto& column) {
     using Kind = std::remove_cvref_t<decltype(column)>;
     using Cell = std::remove_cvref_t<decltype(Row{}.*column.member)>;
-    if (is_left_out(column, like)) return;
-    constexpr bool has_many = is_list_columns<Kind> || is_named_columns<Kind>;
-    types.push_back(is_species_column<Kind> ? "string" : has_many ? "double" : type_name<Cell>);
+    if constexpr (is_species_column<Kind>) {
+      columns.emplace_back(column.name, "string");
+    } else if constexpr (!is_list_columns<Kind> && !is_named_columns<Kind>) {
+      columns.emplace_back(column.name, type_name<Cell>);
+    }
   });
-  return types;
+  return columns;
 }
 
-/// Number of rows of a table, without its header, the CRC-32 of its file, and the names and types (type_name) of its columns.
+/// The names of columns as a line.
+[[nodiscard]] inline std::string header_of(const std::vector<TypedColumn>& columns) {
+  std::string text;
+  for (const auto& [name, type] : columns) text.append(name).push_back(',');
+  text.back() = '\n';
+  return text;
+}
+
+/// Number of rows of a table, without its header, the CRC-32 of its file, and its columns.
 struct TableSum {
   static constexpr std::size_t longest_header = std::size_t{1} << 20U;  ///< bytes of a first line
   std::uint64_t rows = 0;
   std::uint32_t crc32 = 0;
-  std::vector<std::pair<std::string, std::string_view>> columns = {};
+  std::vector<TypedColumn> columns = {};
 
-  void add_columns(std::string_view table, const std::vector<std::string_view>& types) {
+  /// The columns of a table's first line: a name has its type, and those that are not known are numbers of a list.
+  void add_columns(std::string_view table, const std::vector<TypedColumn>& known) {
     std::istringstream names{std::string{table.substr(0, table.find('\n'))}};
-    for (std::string name; std::getline(names, name, ',');)
-      columns.emplace_back(name, types[std::min(columns.size(), types.size() - 1)]);
+    for (std::string name; std::getline(names, name, ',');) {
+      const auto one = std::ranges::find(known, name, &TypedColumn::first);
+      columns.emplace_back(name, one == known.end() ? "double" : one->second);
+    }
   }
 };
 
@@ -161,9 +177,8 @@ template <TableRow Row>
 
 /// The states of rules with a State, as text; state_columns.hpp makes it from a table's states.
 struct StateColumns {
-  std::vector<std::string> names = {};                                       ///< SLOT.MEMBER
-  std::vector<std::string_view> types{"double", "int64", "int64", "int64"};  ///< of time_s, tick, body, id and the names
-  std::function<void(BodyIndex body, std::string& row)> append = nullptr;    ///< a comma and a cell for each name
+  std::vector<TypedColumn> columns = {};                                   ///< SLOT.MEMBER
+  std::function<void(BodyIndex body, std::string& row)> append = nullptr;  ///< a comma and a cell for each column
 };
 
 }  // namespace trophic::io

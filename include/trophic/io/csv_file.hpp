@@ -47,9 +47,9 @@ class LineFile {
   }
 
   /// `types`: of the columns; the last is that of all further ones. Without it the sum has no columns.
-  [[nodiscard]] TableSum sum(const std::vector<std::string_view>& types = {}) const {
+  [[nodiscard]] TableSum sum(const std::vector<TypedColumn>& columns = {}) const {
     TableSum sum{.rows = lines_ == 0 ? 0 : lines_ - 1, .crc32 = file_.checksum()};
-    if (!types.empty()) sum.add_columns(read_part(file_.path(), TableSum::longest_header), types);
+    if (!columns.empty()) sum.add_columns(read_part(file_.path(), TableSum::longest_header), columns);
     return sum;
   }
 
@@ -65,13 +65,10 @@ class CsvFile {
  public:
   /// Writes the header at once into a new file; `like`: as header_of; none: `begin` writes the header.
   explicit CsvFile(const std::filesystem::path& path, const std::optional<Row>& like = Row{}, Opening opening = Opening::created)
-      : file_{path, like ? header_of(*like) : "", opening},
-        lacks_header_{!like && opening == Opening::created},
-        types_{column_types(like.value_or(Row{}))} {}
+      : file_{path, like ? header_of(*like) : "", opening}, lacks_header_{!like && opening == Opening::created} {}
   CsvFile(const std::filesystem::path& path, Opening opening) : CsvFile{path, Row{}, opening} {}
 
   void begin(const Row& like) {
-    types_ = column_types(like);
     if (std::exchange(lacks_header_, false)) file_.buffer() = header_of(like);
   }
 
@@ -80,12 +77,11 @@ class CsvFile {
   void flush() { file_.flush(); }
   void finish() { file_.finish(); }
   void persist(Archive& archive) { archive(file_); }
-  [[nodiscard]] TableSum sum() const { return file_.sum(types_); }
+  [[nodiscard]] TableSum sum() const { return file_.sum(typed_columns<Row>()); }
 
  private:
   LineFile file_;
   bool lacks_header_;
-  std::vector<std::string_view> types_;  ///< of its columns
 };
 
 }  // namespace trophic::io

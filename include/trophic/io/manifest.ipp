@@ -4,6 +4,7 @@
 
 #include <trophic/io/manifest.hpp>
 #include <trophic/io/program_code.hpp>
+#include <trophic/io/recording_head.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/system_differences.hpp>
@@ -152,9 +153,8 @@ TROPHIC_INLINE void Manifest::on_start(const observe::RunDescription& run, const
     for (const Feeding& link : view.web.links()) {
       json["food_web"].push_back({{"hunter", view.web.name(link.hunter)}, {"victim", view.web.name(link.victim)}});
     }
-    json["arena"] = {{"half_side_m", view.arena.half_side_m}, {"extent_m", view.arena.extent_m}};
-    for (const Obstacle& one : view.arena.obstacles)
-      json["arena"]["obstacles"].push_back({one.x_m, one.y_m, one.to_x_m, one.to_y_m, one.radius_m, one.height_m});
+    json["arena"] = recording::json_of(view.arena);
+    json["arena"]["friction"] = view.arena.friction;
     json["tags"] = run.tags;
     for (const auto& [slot, policy] : run.slots) json["rules"][slot] = policy;
     for (const NamedParam& param : run.named_params) {

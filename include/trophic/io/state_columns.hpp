@@ -19,8 +19,7 @@ void append_names(const State& state, const std::string& path, StateColumns& col
       append_names(value, name, columns);
     } else if constexpr (!std::is_empty_v<Value>) {
       constexpr bool is_ancestor = std::same_as<Value, Ancestor> || std::same_as<Value, std::optional<Ancestor>>;
-      columns.names.push_back(name);
-      columns.types.push_back(is_ancestor ? "int64" : type_name<Value>);
+      columns.columns.emplace_back(name, is_ancestor ? "int64" : type_name<Value>);
     }
   });
 }
@@ -55,7 +54,7 @@ template <class Rules>
 [[nodiscard]] StateColumns state_columns(const RuleStates<Rules>& states, std::span<const Individual> robots = {}) {
   constexpr bool has_energy = !is_neutral<Rules, RuleSlot::metabolism>;
   StateColumns columns;
-  if (has_energy) columns.names.emplace_back("energy_J");
+  if (has_energy) columns.columns.emplace_back("energy_J", "double");
   for_each_state(states, [&]<class P>(std::string_view slot, const BodyStates<P>&) {
     detail::append_names(StateOf<P>{}, std::string{slot}, columns);
   });

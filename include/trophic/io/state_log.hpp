@@ -9,8 +9,8 @@ namespace trophic::io {
 
 /// One row per robot and tick, after that tick's rules: `StateLog log{path, ecology.state_columns()};`.
 /// Columns: time_s, tick, body, id, energy_J in a table with a rule Metabolism, then SLOT.MEMBER for each member of each State of
-/// the table: numbers exact, an Ancestor by
-/// its id, a vector's numbers with spaces between, nothing as an empty cell. The first four alone if no rule has a State.
+/// the table: numbers exact, an Ancestor by its id, a vector's numbers with spaces between, nothing as an empty cell. The first
+/// four alone if no rule has a State.
 class StateLog {
  public:
   static constexpr std::string_view section = "states.csv";
@@ -19,7 +19,10 @@ class StateLog {
   /// `every_ticks`: rows of the ticks whose number is a multiple of it.
   StateLog(const std::filesystem::path& path, StateColumns columns, Opening opening = Opening::created,
            std::int64_t every_ticks = 1)
-      : columns_{std::move(columns)}, every_ticks_{every_ticks}, file_{path, header(), opening} {}
+      : append_{std::move(columns.append)},
+        columns_{with_robot(std::move(columns.columns))},
+        every_ticks_{every_ticks},
+        file_{path, header_of(columns_), opening} {}
 
   void on_tick(const View& view) {
     if (view.tick % every_ticks_ != 0) return;
@@ -33,23 +36,24 @@ class StateLog {
       detail::append_cell(row, body);
       row.push_back(',');
       detail::append_cell(row, view.robots[body].id);
-      if (columns_.append) columns_.append(body, row);
+      if (append_) append_(body, row);
       row.push_back('\n');
     }
     file_.flush();
   }
 
   void persist(Archive& archive) { archive(file_); }
-  [[nodiscard]] TableSum sum() const { return file_.sum(columns_.types); }
+  [[nodiscard]] TableSum sum() const { return file_.sum(columns_); }
 
  private:
-  [[nodiscard]] std::string header() const {
-    std::string text = "time_s,tick,body,id";
-    for (const std::string& name : columns_.names) text += "," + name;
-    return text + "\n";
+  [[nodiscard]] static std::vector<TypedColumn> with_robot(std::vector<TypedColumn> states) {
+    std::vector<TypedColumn> columns{{"time_s", "double"}, {"tick", "int64"}, {"body", "int64"}, {"id", "int64"}};
+    std::ranges::move(states, std::back_inserter(columns));
+    return columns;
   }
 
-  StateColumns columns_;
+  std::function<void(BodyIndex body, std::string& row)> append_;
+  std::vector<TypedColumn> columns_;
   std::int64_t every_ticks_;
   LineFile file_;
 };

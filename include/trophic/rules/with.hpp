@@ -26,6 +26,16 @@ struct SlotAliases {
 #undef TROPHIC_ALIAS
 };
 
+/// The backends that a table names as `backends`; none for one that runs on any.
+template <class Rules>
+[[nodiscard]] constexpr auto backends_of() {
+  if constexpr (requires { Rules::backends; }) {
+    return Rules::backends;
+  } else {
+    return std::array<std::string_view, 0>{};
+  }
+}
+
 /// The policies that a table states, and the same with another one in one slot.
 template <class Rules>
 struct Stated {
@@ -41,6 +51,7 @@ struct Swapped {
 /// The members that a derived table takes over unchanged.
 template <class Rules>
 struct OfTable : SlotAliases<Stated<Rules>::template in> {
+  static constexpr auto backends = backends_of<Rules>();
   static auto ecology() { return Rules::ecology(); }
   static auto physics() { return Rules::physics(); }
 };
@@ -65,6 +76,7 @@ struct with_rule final : detail::SlotAliases<detail::Swapped<Rules, swapped, Pol
     static constexpr std::string_view separator{};
   };
   static constexpr std::string_view name = JoinedText<Words>::view;
+  static constexpr auto backends = detail::backends_of<Rules>();
 
   static TableParams<with_rule> params() {
     const auto kept = detail::stated_params<Rules>();

@@ -18,7 +18,7 @@ inline constexpr auto lotka_volterra_params = [](auto& params) {
 
 /// Rules: as RosenzweigMacArthur, without a limit to prey and without handling.   Source: [lotka1925] [volterra1926]. Numbers
 /// cycle, with an amplitude that only chance changes. The means over whole periods do not depend on it: N* = m / (a e) and P* = r
-/// / a, here 500 and 500, in periods of about 2 pi / sqrt(r m) = 630 ticks.   For the backend `torus`.
+/// / a, here 500 and 500, in periods of about 2 pi / sqrt(r m) = 630 ticks.   On the backend `torus` alone.
 using LotkaVolterra = named<with_params<RosenzweigMacArthur, lotka_volterra_params>, "lotka_volterra">;
 
 }  // namespace trophic::worlds

@@ -2,6 +2,7 @@
 // Rosenzweig and MacArthur's predators and prey: a well-mixed world of points.
 #pragma once
 
+#include <array>
 #include <trophic/control/brain/turns_by_input.hpp>
 #include <trophic/death/capture/one_within_reach.hpp>
 #include <trophic/initialization/placement/uniform_square.hpp>
@@ -67,9 +68,10 @@ static_assert(death::Senescence<Deaths>);
 /// the nearest prey within reach; predators die; prey, and predators that caught, have offspring.   Source: [rosenzweig1963].
 /// With the attack rate a = pi reach^2 / area the equilibrium is N* = m / (a (e - m h)), P* = r (1 - N* / K) (1 + a h N*) / a; it
 /// is stable as long as N* > (K - 1 / (a h)) / 2. So numbers stay near it at K = 600 and cycle at K = 1600, until a species dies
-/// out.   Units: a tick is 1 s.   For the backend `torus`, on which all are anywhere after each tick.
+/// out.   Units: a tick is 1 s.   On the backend `torus` alone, on which all are anywhere after each tick.
 struct RosenzweigMacArthur final {
   static constexpr std::string_view name = "rosenzweig_macarthur";
+  static constexpr std::array<std::string_view, 1> backends{"torus"};
 
   using Community = initialization::community::PredatorPrey;
   using Placement = initialization::placement::UniformSquare;

@@ -2,6 +2,7 @@
 // NetLogo's wolves, sheep and grass: points on a torus of patches.
 #pragma once
 
+#include <array>
 #include <trophic/control/brain/turns_by_input.hpp>
 #include <trophic/energy/metabolism/fixed_gains.hpp>
 #include <trophic/energy/order/by_turns.hpp>
@@ -61,9 +62,10 @@ static_assert(death::CaptureRule<OnItsPatch>);
 /// wolf eats a sheep on its patch and gains 20, dies with less than 0, and has an offspring with 5 %. Then patches grow, 30 ticks
 /// after they were eaten. The gain of a wolf comes from outside, whatever its sheep had. `rules.order.acts = together` lets both
 /// species eat, die and reproduce together.   Source: NetLogo's model Wolf Sheep Predation with grass, and its numbers
-/// [wilensky1997]. Units: a patch is 1 m, a tick 1 s.   For the backend `torus`.
+/// [wilensky1997]. Units: a patch is 1 m, a tick 1 s.   On the backend `torus` alone.
 struct WolfSheep final {
   static constexpr std::string_view name = "wolf_sheep";
+  static constexpr std::array<std::string_view, 1> backends{"torus"};
 
   using Community = wolf_sheep::Community;
   using Placement = initialization::placement::Scattered;

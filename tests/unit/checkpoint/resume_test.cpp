@@ -333,6 +333,18 @@ TEST_CASE("resume: nothing to resume -> folder renamed, folder of a working prog
   CHECK(fs::exists(folder.path() / "run.incomplete-1/events.csv"));
 }
 
+TEST_CASE("resume: a folder that is not a run's -> refused, nothing moved") {
+  const TemporaryFolder folder;
+  const fs::path thesis = folder.path() / "thesis";
+  fs::create_directory(thesis);
+  std::ofstream{thesis / "chapter.tex"} << "text";
+  const Ecology<rules::Paper> ecology{brief<rules::Paper>(3), backend::Kinematic::Params{}};
+  CHECK(message_of<std::invalid_argument>([&] {
+          static_cast<void>(checkpoint::run_state_in(thesis, ecology.describe(600.0)));
+        }) == thesis.string() + ": is not the folder of a run: it has files, but no events.csv");
+  CHECK(fs::exists(thesis / "chapter.tex"));
+}
+
 TEST_CASE("resume: damaged checkpoint -> its predecessor is used") {
   const TemporaryFolder folder;
   run_in_parts(brief<rules::Paper>(3), backend::Kinematic::Params{}, folder.path() / "whole", {}, 50.0, unchanged);

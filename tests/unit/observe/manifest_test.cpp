@@ -55,6 +55,16 @@ TEST_CASE("manifest: run -> rules, parameters and status") {
     CHECK(read(path)["description"]["name"] == Json("hand_written (from 700 s)"));
     CHECK(read(path)["identity"].get<std::string>().starts_with("0123456789abcdef+"));
   }
+  SUBCASE("arena of one's own -> all that its file has") {
+    robots.arena.friction = 0.6;
+    robots.arena.zones = {{.name = "refuge", .x_m = 1.0, .y_m = 2.0, .radius_m = 3.0}};
+    robots.arena.height_field = HeightField{.nodes = 2, .half_extent_m = 12.0, .height_m = {0.0, 1.0, 2.0, 3.0}};
+    manifest.on_start(test::short_run(), robots.view());
+    const auto arena = read(path)["arena"];
+    CHECK(arena["friction"] == Json(0.6));
+    CHECK(arena["zones"] == parse_json(R"([{"name": "refuge", "x_m": 1.0, "y_m": 2.0, "radius_m": 3.0}])"));
+    CHECK(arena["height_field"] == parse_json(R"({"nodes": 2, "half_extent_m": 12.0, "height_m": [0.0, 1.0, 2.0, 3.0]})"));
+  }
   SUBCASE("end time reached -> complete") {
     manifest.on_tick(robots.at_tick(5).view());
     manifest.on_end(robots.view());

@@ -37,9 +37,10 @@ TEST_CASE("state columns: State -> SLOT.MEMBER, nested members by path") {
   states.senescence.push_back(
       {.a = -1, .inner = {.b = 0.25}, .list = {1.0, 2.5}, .who = Ancestor{.id = 12, .species = 0, .genome = {}}});
   const io::StateColumns columns = io::state_columns(states);
-  CHECK(columns.names == std::vector<std::string>{"senescence.a", "senescence.inner.b", "senescence.list", "senescence.who"});
-  CHECK(columns.types ==
-        std::vector<std::string_view>{"double", "int64", "int64", "int64", "int64", "double", "string", "int64"});
+  CHECK(columns.columns == std::vector<io::TypedColumn>{{"senescence.a", "int64"},
+                                                        {"senescence.inner.b", "double"},
+                                                        {"senescence.list", "string"},
+                                                        {"senescence.who", "int64"}});
   std::string row;
   columns.append(0, row);
   CHECK(row == ",7,0.5,,");
@@ -50,9 +51,11 @@ TEST_CASE("state columns: State -> SLOT.MEMBER, nested members by path") {
 
 TEST_CASE("state columns: rule table -> slots in order, without states -> none") {
   const RuleStates<rules::Released> released;
-  CHECK(io::state_columns(released).names == std::vector<std::string>{"parent.starved.body", "parent.starved.victim",
-                                                                      "parent.sacrificed.killer",
-                                                                      "starvation.exemption.adversary_distance_m"});
+  CHECK(io::state_columns(released).columns ==
+        std::vector<io::TypedColumn>{{"parent.starved.body", "int64"},
+                                     {"parent.starved.victim", "int64"},
+                                     {"parent.sacrificed.killer", "int64"},
+                                     {"starvation.exemption.adversary_distance_m", "double"}});
   const RuleStates<rules::Paper> paper;
-  CHECK(io::state_columns(paper).names.empty());
+  CHECK(io::state_columns(paper).columns.empty());
 }

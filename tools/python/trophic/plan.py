@@ -608,6 +608,10 @@ def job_script(program: str, out: pathlib.Path, plan: Sequence[Line], tasks: int
 #SBATCH --mem={megabytes}M
 #SBATCH --output=slurm-%A_%a.log
 #SBATCH --signal=B:TERM@120
+if [ "${{SLURM_ARRAY_TASK_COUNT:-{tasks}}}" != {tasks} ] || [ "${{SLURM_ARRAY_TASK_STEP:-1}}" != 1 ]; then
+  echo "job.sh: --array: must be {tasks} indices in a row; others would leave runs out" >&2
+  exit 2
+fi
 cd {shlex.quote(os.getcwd())} || exit 2
 exec {shlex.quote(program)} --plan {path} --jobs 1 --run $(seq $((SLURM_ARRAY_TASK_ID % {tasks})) {tasks} {len(plan) - 1})
 """

@@ -93,8 +93,11 @@ class OwnTables {
     }
     if (time_s < head.first_time_s) return {body, std::move(where)};
     const std::size_t frame = recording_.frame_at(std::min(time_s + 1e-9, last_s_));
-    const auto birth = births_.find(csv.get<std::uint64_t>(5));
-    if (recording_.is_set_down(frame + 1, body) || (birth != births_.end() && birth->second.second == tick && tick > 0)) {
+    const auto id = csv.get<std::uint64_t>(5);
+    const auto birth = births_.find(id);
+    const bool is_founder = tick == 0 && id == body;
+    const bool is_born = birth != births_.end() && birth->second.second == tick && !is_founder;
+    if (recording_.is_set_down(frame + 1, body) || is_born) {
       return {body, std::move(where)};  // a newborn's place, which later frames have
     }
     const Eigen::Vector3d at = recording_.root(frame, body).position_m;

@@ -2,6 +2,9 @@
 // Definitions of resume.hpp.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <string_view>
 #include <system_error>
 #include <trophic/io/program_code.hpp>
 #include <trophic/run/checkpoint/manifest_in.hpp>
@@ -31,6 +34,15 @@ inline void check_manifest(const std::filesystem::path& folder, const Json& mani
   };
   check("fingerprint", run.fingerprint);
   check("seed", run.seed);
+}
+
+/// Throws std::invalid_argument for a folder that holds something, but neither a manifest of trophic nor a file with which each
+/// run begins.
+inline void check_of_a_run(const std::filesystem::path& folder, const Json& manifest) {
+  constexpr std::array<std::string_view, 3> files{"events.csv", "checkpoint.bin", "checkpoint.old.bin"};
+  const bool has_one = std::ranges::any_of(files, [&](auto name) { return std::filesystem::exists(folder / name); });
+  if (has_one || !manifest.is_null() || std::filesystem::is_empty(folder)) return;
+  throw std::invalid_argument{folder.string() + ": is not the folder of a run: it has files, but no events.csv"};
 }
 
 /// How the tables and the recording of a manifest differ from its checksums, or empty.
@@ -151,6 +163,7 @@ TROPHIC_INLINE RunState run_state_in(const std::filesystem::path& folder, const 
   const FolderLock alone{folder};
   check_no_links_in(folder);
   const Json manifest = detail::manifest_in(folder);
+  detail::check_of_a_run(folder, manifest);
   const std::string status = detail::status_in(manifest);
   const double until_s = detail::until_in(manifest);
   if (detail::is_complete(manifest, run.until_s)) {
