@@ -230,6 +230,12 @@ double mixed_share(std::vector<double> Genome::*part, std::span<const std::size_
   return static_cast<double>(mixed) / children;
 }
 
+/// Says that a gene which it does not have is structure.
+struct BeyondItsGenes : control::gait::InheritedCpg {
+  static constexpr std::string_view name = "beyond_its_genes";
+  [[nodiscard]] std::vector<std::size_t> structure(std::span<const double> genes) const { return {genes.size()}; }
+};
+
 template <class Rules>
 using Crossing = with_heredity<Rules, Crossover>;
 template <class Rule>
@@ -263,6 +269,13 @@ TEST_CASE("crossover: parents of equal structure, one at its bounds -> 1 - 2^(1 
     CHECK(mixed_share<Still<InheritedCppn>>(&Genome::gait_genes, from(3, 3), n, 2.0) == share);
     if (n <= 2) CHECK(mixed_share<Traited>(&Genome::traits, from(0), n, 1.0) == share);
   }
+}
+
+TEST_CASE("crossover: structure that a gait does not have -> RuleError") {
+  using Rules = Crossing<with_gait<rules::Paper, BeyondItsGenes>>;
+  CHECK(message_of<RuleError>([] {
+          static_cast<void>(mixed_share<Rules>(&Genome::gait_genes, std::vector<std::size_t>{0}, 1, 2.0));
+        }).find("a gene of the structure") != std::string::npos);
 }
 
 TEST_CASE("crossover: parents of other structure -> children have one parent's part") {
