@@ -39,6 +39,7 @@ class Runs(unittest.TestCase):
                 "--replicates",
                 count,
                 "--shadow",
+                *(["--one-sided", "--clones"] if name != "set" else []),
                 "--out",
                 name,
             )
@@ -120,6 +121,17 @@ class Runs(unittest.TestCase):
         study = runs.read_study(self.folder / "study")
         self.assertEqual(list(study), ["one", "two"])
         self.assertEqual([sets[0].manifest["rule_table"] for sets in study.values()], ["paper", "released"])
+
+    def test_a_set_and_its_one_sided_worlds(self):
+        two = runs.read_runs(self.folder / "study/two")
+        self.assertEqual(list(two.one_sided), ["prey", "predator"])
+        for species, world in two.one_sided.items():
+            self.assertEqual([run.seed for run in world], [run.seed for run in two])
+            self.assertEqual(world[0].manifest["rules"]["heredity"], f"shared_copy, nothing_inherited for {species}")
+        two.measure("rows", lambda run: len(run.events))
+        for folder in (".", "shadow", "one_sided_prey", "one_sided_predator"):
+            self.assertTrue((two.path / folder / "replicate-00/rows.csv").is_file())
+        self.assertEqual(runs.read_runs(self.folder / "set").one_sided, {})
 
     def test_a_folder_that_is_not_a_run_is_named_in_the_error(self):
         (self.folder / "empty").mkdir(exist_ok=True)

@@ -84,11 +84,9 @@ class PlanLine {
   if (!is_draft || line.has("engine")) run.engine = line.text("engine");
   run.settings = line.settings("settings");
   run.seed = line.whole("seed");
-  const std::string null = line.text("null");
-  const auto names = enum_names(Null{});
-  const auto name = std::ranges::find(names, null);
-  if (name == names.end()) line.reject("null", "be none, shadow, neutral or clones");
-  run.null = static_cast<Null>(name - names.begin());
+  const auto null = null_named(line.text("null"));
+  if (!null) line.reject("null", "be none, shadow, neutral, clones or one_sided_SPECIES");
+  run.null = *null;
   run.folder = line.folder("folder");
   run.output.replay_hz = line.number("replay_hz");
   if (!(run.output.replay_hz >= 0.0 && run.output.replay_hz <= 1000.0)) line.reject("replay_hz", "be >= 0 and <= 1000");

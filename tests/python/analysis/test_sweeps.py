@@ -131,13 +131,13 @@ def write_plan(folder, plan):
         ({"until_s": 300.0}, ":4: until_s = 300.0: must be 6000.0, as in the other runs"),
         ({"until_s": 0}, ":4: until_s = 0: must be > 0 and <= 100000000"),
         ({"seed": -1}, ":4: seed = -1: must be a whole number >= 0"),
-        ({"seed": 7}, ":4: seed = 7: must be 101, as a replicate and its shadow have one"),
+        ({"seed": 7}, ":4: seed = 7: must be 101, as a replicate and its nulls have one"),
         ({"seed": 100}, ":4: seed = 100: must be another for each replicate of cell 0"),
         ({"replicate": 0}, ":4: replicate = 0: must be another for each run of cell 0"),
         ({"fingerprint": "other"}, ':4: fingerprint = "other": must be "f0s"'),
         ({"engine": "a\nb"}, "without control characters"),
         ({"settings": {"a": [1]}}, ":4: settings = "),
-        ({"null": 1}, ":4: null = 1: must be none or shadow"),
+        ({"null": 1}, ":4: null = 1: must be none, shadow or one_sided_SPECIES"),
         ({"agents_every": 0}, ":4: agents_every = 0: must be >= 1"),
         ({"work": math.inf}, ":4: work = Infinity: must be >= 0"),
     ],
@@ -780,9 +780,9 @@ def test_tables_have_their_columns_and_what_was_measured(tmp_path):
         "1,paper,kinematic,6,6,6,6000,0.5\n"
     )
     assert (
-        "\n0,0,0,0,100,velocity,prey,all,0\n" in tables["runs.csv"]
+        "\n0,0,0,none,100,velocity,prey,all,0\n" in tables["runs.csv"]
         and "\n5," not in tables["runs.csv"]
-        and "\n23,1,5,1,105,velocity,prey,all,1\n" in tables["runs.csv"]
+        and "\n23,1,5,shadow,105,velocity,prey,all,1\n" in tables["runs.csv"]
     )
     assert "\n0,velocity,prey,all,m/s,5,1,0.790569415042094" in tables["sweep_metrics.csv"]
     assert ",,,6,0,5,1,,\n1,velocity,prey,all,m/s,6,2.25," in tables["sweep_metrics.csv"]  # five pairs: no interval

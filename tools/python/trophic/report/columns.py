@@ -113,7 +113,7 @@ until_s exact s: how much of each run was measured
 run whole: its index in the plan
 cell whole: the number of its cell
 replicate whole: its number in the cell
-shadow flag: 1: a run of the cell's neutral shadow
+null text: none, or shadow or one_sided_SPECIES: a run of the cell's null of that name
 seed whole: of the run
 metric text: what was measured; what could not be has no row
 species

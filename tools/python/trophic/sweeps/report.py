@@ -215,7 +215,7 @@ def runs_table(sweep: Sweep, values: SweepValues) -> pandas.DataFrame:
     """One row a value of a run, none for what could not be computed."""
     places, numbers = numpy.nonzero(~numpy.isnan(values.runs))
     planned = pandas.DataFrame(
-        {"run": run.index, "cell": run.cell, "replicate": run.replicate, "shadow": int(run.shadow), "seed": run.seed}
+        {"run": run.index, "cell": run.cell, "replicate": run.replicate, "null": run.null, "seed": run.seed}
         for run in sweep.plan
     )
     named = pandas.DataFrame(values.metrics, columns=METRIC)
