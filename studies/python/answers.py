@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The tables of claims: each question with the answer, the effect, its interval and the number of runs, all from results/data."""
+import designs
 
 SETS = {
     "mujoco_released": ("released code, MuJoCo", "released-on-mujoco.md"),
@@ -9,14 +10,24 @@ SETS = {
 }
 SWAPPED_INTO = {"paper": "swap into the text's rules", "released": "swap into the released code"}
 
-HEADS = ["question", "answer", "effect [95 % interval]", "runs", "study"]
+HEADS = ["question", "answer", "effect [95 % interval]", "runs", "runs for 80 % power", "study"]
+
+# The published figure whose margin, one deviation between runs, is the smallest effect of interest of each question.
+SMALLEST = {
+    "Do predators evolve to chase prey?": ("velocity of predators", ""),
+    "Do prey evolve to flee?": ("velocity of prey", ""),
+    "Do inherited predators make more of the catches?": ("attribution of predators", "catches count"),
+    "Does wall-following of prey evolve?": ("prey at walls", ""),
+    "Does wall-following of predators evolve?": ("predators at walls", ""),
+    "Do the tags of the two species become more alike?": ("tag symmetry", ""),
+}
 
 
 def signed(row, keys):
     """Effect and interval with their unit, as readers see them."""
     speed = row["metric"].startswith("velocity")
     scale, places = (100.0, 2) if speed else (1.0, 3)
-    middle, lower, upper = (f"{scale * float(row[key]):+.{places}f}" for key in keys)
+    middle, lower, upper = (designs.fixed(scale * float(row[key]), places, "+") for key in keys)
     return f"{middle} [{lower}, {upper}]" + (" cm/s" if speed else "")
 
 
@@ -24,14 +35,24 @@ def of(rows, **wanted):
     return next(row for row in rows if all(row[key] == value for key, value in wanted.items()))
 
 
-def line(question, answer, effect, runs, where):
+def line(question, answer, effect, runs, where, needed=""):
     name, page = where
-    return [question, answer, effect, str(runs), f"[{name}]({page})"]
+    return [question, answer, effect, str(runs), needed, f"[{name}]({page})"]
+
+
+def power(question, row, published, tests):
+    """The runs and shadows with which 80 % of studies find the smallest effect of interest, at 5 % over the tests of a set, which Holm asks of the first."""
+    claim, counting = SMALLEST[question]
+    smallest = float(next(of["margin"] for of in published if of["claim"] == claim and counting in of["counting"]))
+    runs = designs.runs_for(row, smallest, 0.05 / tests)
+    words = f"{100.0 * smallest:.2f} cm/s" if row["metric"].startswith("velocity") else f"{smallest:.3f}"
+    return f"{runs or 'more than 1000'} (for {words})"
 
 
 def evolved(data, sets=SETS, most=None, folder=""):
-    """The answers to the first `most` questions in each set. A question is written in the first of its lines."""
+    """The answers to the first `most` questions in each set, with simultaneous intervals. A question is written in the first of its lines."""
     answers = {name: data(f"{name}_answers") for name in sets}
+    tests = {name: sum(row["p_holm"] != "" for row in data(name)) for name in sets}
     lines = []
     for questions in list(zip(*answers.values()))[:most]:
         for number, (name, row) in enumerate(zip(sets, questions)):
@@ -40,9 +61,10 @@ def evolved(data, sets=SETS, most=None, folder=""):
                 line(
                     "" if number else row["question"],
                     row["answer"],
-                    signed(row, ("difference", "lower", "upper")),
+                    signed(designs.together(row, tests[name]), ("difference", "lower", "upper")),
                     row["runs"],
                     where,
+                    power(row["question"], row, data(f"{name}_published"), tests[name]),
                 )
             )
     return lines
@@ -56,7 +78,7 @@ def in_brief(data):
 def choices_that_matter(data):
     """The effects of single choices, rules and numbers."""
     lines = []
-    keys = ("difference", "difference_lower", "difference_upper")
+    keys = ("difference", "difference_lower", "difference_upper")  # of a single comparison
     question = "Do prey evolve to flee, by the parent of a newborn prey and the range in which it is looked for?"
     for parent, words in (("active", "parent must be active"), ("any", "parent may be inactive")):
         for range_m in ("12", "4"):

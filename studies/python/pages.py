@@ -6,6 +6,7 @@ import sys
 
 import answers
 import designs
+import provenance
 
 MARKED = re.compile(r"(<!-- table: ([\w ]+) -->\n).*?(<!-- /table -->)", re.S)
 TITLES = {
@@ -24,10 +25,15 @@ TITLES = {
 
 
 class Data:
+    """The rows of data files by their names; `used` are those read since it was last emptied."""
+
     def __init__(self, folder):
         self.folder = folder
+        self.origins = provenance.read(folder)
+        self.used = []
 
     def __call__(self, name):
+        self.used += [name] if name not in self.used else []
         path = self.folder / f"{name}.csv"
         if not path.exists():
             raise SystemExit(f"{path}: no such file; the stage of studies/reproduce that writes it has not run")
@@ -43,7 +49,7 @@ def digits(row, text, sign=False):
     if text == "":
         return ""
     scale, places = (100.0, 2) if is_velocity(row) else (1.0, 1) if row["metric"] == "deaths" else (1.0, 3)
-    return f"{scale * float(text):{'+' if sign else ''}.{places}f}"
+    return designs.fixed(scale * float(text), places, "+" if sign else "")
 
 
 def ranged(row, keys, sign=False):
@@ -59,6 +65,16 @@ def signed(row, keys, scale=1.0, sign="+"):
 
 def star(p):
     return "*" if p and float(p) <= 0.05 else ""
+
+
+GENOMES = ("brain_", "gait_", "body_", "gene")  # measures of genomes begin so
+
+
+def star_over(null, metric, p):
+    """A star of a difference from this null, if it is the one that the measure asks for where numbers are constant: the neutral null of a measure of
+    genomes, the shadow of behaviour. Without inheritance genomes stay founders', so a difference from the shadow shows mutation, not selection.
+    """
+    return star(p) if null == ("neutral" if metric.startswith(GENOMES) else "shadow") else ""
 
 
 def title(row):
@@ -91,7 +107,6 @@ def claims(rows):
         claim = row["claim"] if row["claim"] != last else ""
         last = row["claim"]
         reading = ", ".join(part for part in (row["members"], row["counting"]) if part)
-        needed = f" ({row['runs_needed']} runs would decide)" if row["runs_needed"] else ""
         margin = f"{digits(row, row['margin'])} ({row['margin_from']})" if row["margin"] else "unknown"
         lines.append(
             [
@@ -100,7 +115,7 @@ def claims(rows):
                 digits(row, row["published"]),
                 margin,
                 ranged(row, ("mean", "lower", "upper")),
-                row["conclusion"] + needed,
+                row["conclusion"],
             ]
         )
     return table(["published figure", "reading", "published", "margin", "ours", "conclusion"], lines)
@@ -430,8 +445,8 @@ def seconds(row, places=1):
     """A difference from the shadow with its interval."""
     if not row or not row["lower"]:
         return "too few runs"
-    return "{:+.{p}f} [{:+.{p}f}, {:+.{p}f}]".format(
-        *(float(row[key]) for key in ("over_shadow", "lower", "upper")), p=places
+    return "{} [{}, {}]".format(
+        *(designs.fixed(float(row[key]), places, "+") for key in ("over_shadow", "lower", "upper"))
     )
 
 
@@ -566,7 +581,8 @@ def evolved(rows, study):
             ]
             for row in found:
                 neutral = (
-                    signed(row, ("over_neutral", "neutral_lower", "neutral_upper")) + star(row["neutral_p_holm"])
+                    signed(row, ("over_neutral", "neutral_lower", "neutral_upper"))
+                    + star_over("neutral", metric, row["neutral_p_holm"])
                     if row["neutral"]
                     else ""
                 )
@@ -578,7 +594,8 @@ def evolved(rows, study):
                         f"{float(row['survival']):.3g}",
                         signed(row, ("over_survival", "lower", "upper")) + star(row["p_holm"]),
                         row["shadow"] and f"{float(row['shadow']):.3g}",
-                        signed(row, ("over_shadow", "shadow_lower", "shadow_upper")) + star(row["shadow_p_holm"]),
+                        signed(row, ("over_shadow", "shadow_lower", "shadow_upper"))
+                        + star_over("shadow", metric, row["shadow_p_holm"]),
                         *([neutral] if has_neutral else []),
                         f"{row['runs']} + {row['survival_runs']}",
                     ]
@@ -748,9 +765,9 @@ def settings(rows):
 
 
 def selected(rows, of="pond"):
-    """Price's terms over their null: the neutral null's, or zero for behaviour. With generations they are cm/s a generation, otherwise in the trait's unit."""
+    """Price's terms over the neutral null. With generations they are cm/s a generation, otherwise in the trait's unit."""
     keys, lines = ("runs_mean", "neutral_mean", "difference", "difference_lower", "difference_upper"), []
-    for row in (row for row in rows if row["p"]):
+    for row in designs.over_neutral(rows):
         scale = 100.0 / float(row["generations"]) if "generations" in row else 100.0 if row["unit"] == "m/s" else 1.0
         lines.append(
             [
@@ -761,37 +778,25 @@ def selected(rows, of="pond"):
                 p_text(row["p_holm"]),
             ]
         )
-    return table(
-        [
-            "species",
-            "term",
-            of,
-            "neutral null",
-            "over zero" if "zero" in {row["null"] for row in rows} else "over the neutral null",
-            "p (Holm)",
-        ],
-        lines,
-    )
+    return table(["species", "term", of, "neutral null", "over the neutral null", "p (Holm)"], lines)
 
 
 def evolving_ponds(data):
-    """Velocities over the shadow and Price's terms of speed of ponds in which gaits, or bodies too, evolve; * after Holm's correction."""
+    """Velocities over the shadow and Price's terms of speed of ponds in which gaits, or bodies too, evolve. Without stars: numbers change, so the
+    shadow is no control of one species, and these runs have no neutral null."""
     lines = []
     for name, species in itertools.product(("gaits", "bodies"), ("prey", "predator")):
         rows = [
             row
             for part in ("", "_selection")
             for row in data(f"no_criterion_{name}{part}")
-            if row["species"] == species and row["p_holm"]
+            if row["species"] == species and (row["p_holm"] if not part else row["p"])
         ]
         lines.append(
             [
                 name,
                 species,
-                *(
-                    signed(row, ("difference", "difference_lower", "difference_upper"), 100.0) + star(row["p_holm"])
-                    for row in rows
-                ),
+                *(signed(row, ("difference", "difference_lower", "difference_upper"), 100.0) for row in rows),
             ]
         )
     return table(["evolve", "species", "velocity over the shadow, cm/s", "survival", "parenthood", "mutation"], lines)
@@ -909,9 +914,33 @@ def pages_of(studies):
     ]
 
 
+def with_line(data, make):
+    """A table, and the line that says where its data come from."""
+    data.used.clear()
+    text = make()
+    if missing := [name for name in data.used if name not in data.origins]:
+        raise SystemExit(f"{data.folder / 'provenance.csv'}: has no row of {', '.join(missing)}")
+    return text + ("\n" + provenance.line([data.origins[name] for name in data.used]) if data.used else "")
+
+
+def pages_of_data(studies, choices):
+    """{data: the pages with a table of it}."""
+    data, found = Data(studies / "results/data"), {}
+    made = tables(data, choices)
+    for path in pages_of(studies):
+        for match in MARKED.finditer(path.read_text()):
+            data.used.clear()
+            made[match[2]]()
+            for name in data.used:
+                pages = found.setdefault(name, [])
+                pages += [path.name] if path.name not in pages else []
+    return found
+
+
 def update(studies, choices, check=False):
     """Writes the tables of all pages; with `check` only reports differences from the data. Returns the exit code."""
-    made = tables(Data(studies / "results/data"), choices)
+    data = Data(studies / "results/data")
+    made = tables(data, choices)
     differing = []
     for path in pages_of(studies):
         page = path.relative_to(studies.parent)
@@ -920,7 +949,7 @@ def update(studies, choices, check=False):
         def renewed(match):
             if match[2] not in made:
                 raise SystemExit(f"{page}: table {match[2]}: must be one of {', '.join(made)}")
-            new = match[1] + made[match[2]]() + match[3]
+            new = match[1] + with_line(data, made[match[2]]) + match[3]
             if new != match[0]:
                 differing.append(f"{page}: {match[2]}")
             return new

@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""results_test.py ROOT: the tables of the pages match studies/results/data, and the screening design separates its effects."""
+"""results_test.py ROOT: the tables of the pages, with their lines of origin, match studies/results/data; the screening design separates its effects."""
 
+import collections
 import itertools
+import json
 import pathlib
 import random
+import statistics
 import subprocess
 import sys
+import tempfile
 import unittest
 
 ROOT = pathlib.Path(sys.argv.pop(1)).resolve()
@@ -17,6 +21,7 @@ sys.argv[1:1] = [str(ROOT)]
 system_python.need("scipy")
 del sys.argv[1]
 import designs
+import provenance
 
 
 class Pages(unittest.TestCase):
@@ -25,6 +30,134 @@ class Pages(unittest.TestCase):
             [sys.executable, ROOT / "studies/reproduce", "--tables", "--check"], capture_output=True, text=True
         )
         self.assertEqual(result.returncode, 0, result.stderr)
+
+
+DATA = ROOT / "studies/results/data"
+
+
+class Origins(unittest.TestCase):
+    def test_each_data_file_has_one_row_of_origin(self):
+        files = {path.stem for path in DATA.glob("*.csv")} - {"provenance"}
+        rows = designs.read(DATA / "provenance.csv")
+        self.assertEqual(sorted(files), [row["data"] for row in rows])
+        for row in rows:
+            self.assertFalse([field for field in provenance.FIELDS if not row[field]], row)
+
+    def test_revisions_are_commits_of_the_history(self):
+        if not (ROOT / ".git").exists():
+            self.skipTest("not a checkout")
+        for revision in {row["revision"] for row in designs.read(DATA / "provenance.csv")}:
+            for commit in revision.removeprefix(provenance.BEFORE).split(", "):
+                self.assertRegex(commit, "^[0-9a-f]{8,40}$")
+                done = subprocess.run(["git", "-C", ROOT, "merge-base", "--is-ancestor", commit, "HEAD"])
+                self.assertEqual(done.returncode, 0, revision)
+
+    def test_values_of_runs_have_the_seeds_and_means_of_their_tables(self):
+        origins = provenance.read(DATA)
+        tables = [path for path in DATA.glob("*_runs.csv")]
+        for path in tables:
+            self.assertLess(path.stat().st_size, 200_000, path)
+            data = path.stem.removesuffix("_runs")
+            values = collections.defaultdict(dict)
+            for row in designs.read(path):
+                key = tuple(row[name] for name in ("set", "null", "metric", "species", "group"))
+                values[key][int(row["seed"])] = float(row["value"])
+            seeds = {seed for of_key in values.values() for seed in of_key}
+            self.assertEqual(provenance.seeds_of(seeds), origins[data]["seeds"], path)
+            compared = 0
+            for row in designs.read(DATA / f"{data}.csv"):
+                key = (row["set"], "", row["metric"], row["species"], row["group"])
+                if key in values and row["mean"]:
+                    of_key = list(values[key].values())
+                    self.assertEqual(len(of_key), int(row["runs"]), (path, key))
+                    self.assertAlmostEqual(statistics.mean(of_key) / (float(row["mean"]) or 1.0), 1.0, delta=1e-4)
+                    compared += 1
+            self.assertGreater(compared, 0, path)
+
+    def test_a_row_names_what_the_manifests_of_its_runs_have(self):
+        with tempfile.TemporaryDirectory() as name:
+            for seed, null in ((1, ""), (2, ""), (1, "shadow"), (2, "one_sided_prey")):
+                run = pathlib.Path(name) / null / f"replicate-{seed:02}"
+                run.mkdir(parents=True)
+                manifest = {"source_revision": "abc", "backend": "kinematic 1", "rule_table": "paper", "seed": seed}
+                (run / "manifest.json").write_text(json.dumps(manifest))
+            row = provenance.row("paper", "kinematic-paper", provenance.facts(name))
+        self.assertEqual(row["runs"], "2 + 1 one-sided + 1 shadow")
+        self.assertEqual((row["seeds"], row["engine"], row["revision"]), ("1 to 2", "kinematic 1", "abc"))
+        self.assertEqual(
+            provenance.line([row, row | {"data": "paper_answers"}]),
+            "*`studies/reproduce kinematic-paper`: 2 + 1 one-sided + 1 shadow runs of `paper`, kinematic 1, seeds 1 to 2, revision abc.*\n",
+        )
+
+    def test_data_are_stale_if_a_later_commit_touches_the_code_of_their_runs(self):
+        with tempfile.TemporaryDirectory() as name:
+            root = pathlib.Path(name)
+
+            def commit(path, text):
+                (root / path).parent.mkdir(parents=True, exist_ok=True)
+                (root / path).write_text(text)
+                identity = ("-c", "user.name=a", "-c", "user.email=a@b")
+                for words in (("init", "-q"), ("add", "-A"), (*identity, "commit", "-q", "-m", "a")):
+                    subprocess.run(["git", "-C", root, *words], check=True, capture_output=True)
+                return provenance.git(root, "rev-parse", "HEAD").strip()
+
+            first = commit("include/trophic/a.hpp", "1")
+            row = dict.fromkeys(provenance.FIELDS, "") | {"stage": "mujoco-paper", "engine": "mujoco 2.2.2"}
+            provenance.write(root, row | {"data": "bodies", "revision": first})
+            provenance.write(root, row | {"data": "points", "engine": "kinematic 1", "revision": first})
+            commit("docs/page.md", "1")
+            self.assertEqual(provenance.stale(root, root), [])
+            commit("backends/mujoco/a.hpp", "1")
+            self.assertEqual(provenance.stale(root, root), [("bodies", first, 1)])
+            before = f"{provenance.BEFORE}{first}"
+            provenance.write(root, row | {"data": "points", "engine": "kinematic 1", "revision": before})
+            commit("include/trophic/a.hpp", "2")
+            self.assertEqual(provenance.stale(root, root), [("bodies", first, 2), ("points", before, 1)])
+            provenance.write(root, row | {"data": "points", "revision": "unknown"})
+            with self.assertRaisesRegex(SystemExit, "points: revision: unknown: must name a commit"):
+                provenance.stale(root, root)
+
+
+class Rows(unittest.TestCase):
+    def test_answers_have_no_observed_power(self):
+        for path in DATA.glob("*.csv"):
+            self.assertNotIn("runs would decide", path.read_text(), path)
+        self.assertEqual(designs.without_observed_power("no (9 runs would decide the rest)"), "no")
+
+    def test_numbers_that_are_not_zero_are_not_written_as_zero(self):
+        self.assertEqual(
+            [designs.fixed(value, 2, "+") for value in (0.274, -0.0016, 0.0)], ["+0.27", "-0.002", "+0.00"]
+        )
+
+    def test_prices_terms_are_tested_over_the_neutral_null_alone(self):
+        def term(mean, neutral):
+            of = {"runs_n": 6, "runs_mean": mean, "runs_lower": mean - 1.0, "runs_upper": mean + 1.0, "p": 0.001}
+            null = {"neutral_n": 6, "neutral_mean": neutral}
+            null |= {
+                f"neutral_{end}": "" if neutral == "" else neutral + by for end, by in (("lower", -1), ("upper", 1))
+            }
+            return {key: str(value) for key, value in (of | null | {"p_holm": 0.001, "null": "zero"}).items()}
+
+        alike, apart, alone = designs.over_neutral([term(3.0, 3.1), term(3.0, 0.0), term(3.0, "")])
+        self.assertGreater(float(alike["p_holm"]), 0.5)
+        self.assertLess(float(apart["p_holm"]), 0.01)
+        self.assertEqual((alone["p"], alone["p_holm"], alone["difference"]), ("", "", ""))
+
+    def test_stars_stand_over_the_null_of_the_measure(self):
+        import pages
+
+        marked = [
+            pages.star_over(null, metric, "0.01")
+            for metric in ("body_plans", "walked")
+            for null in ("shadow", "neutral")
+        ]
+        self.assertEqual(marked, ["", "*", "*", ""])
+
+    def test_runs_for_an_effect_of_interest_depend_on_the_spread_alone(self):
+        row = {"runs": "10", "lower": "-1.0", "upper": "1.0"}
+        runs = designs.runs_for(row, 1.0, 0.05)
+        self.assertEqual(runs, designs.runs_for(row | {"lower": "4.0", "upper": "6.0"}, 1.0, 0.05))
+        self.assertGreater(designs.runs_for(row, 0.5, 0.05), 3 * runs)
 
 
 class Design(unittest.TestCase):

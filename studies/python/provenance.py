@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: MIT
+"""The origin of results: a row of data/provenance.csv for each data file, the line of a page that comes from it, and the code that changed since."""
+import csv
+import json
+import pathlib
+import re
+import subprocess
+
+FIELDS = ("data", "stage", "tables", "engine", "seeds", "runs", "revision")
+NULLS = ("shadow", "neutral", "clones", "one_sided")
+BEFORE = "at or before "  # begins the revision of data whose manifests are gone: that of the commit that added them
+
+
+def facts(folder):
+    """Of each run under a folder: its revision, engine, rule table, seed and null, from its manifest."""
+    found = []
+    for path in sorted(pathlib.Path(folder).rglob("manifest.json")):
+        manifest = json.loads(path.read_text())
+        parts = path.relative_to(folder).parts
+        null = next((null for null in NULLS for part in parts if part == null or part.startswith(f"{null}_")), "")
+        found.append(
+            {
+                "revision": manifest["source_revision"],
+                "engine": manifest["backend"],
+                "table": manifest["rule_table"],
+                "seed": manifest["seed"],
+                "null": null,
+            }
+        )
+    return found
+
+
+def seeds_of(numbers):
+    """Seeds in words: "1 to 30", "1 to 6, 1001"."""
+    ranges = []
+    for number in sorted(set(numbers)):
+        if ranges and number == ranges[-1][1] + 1:
+            ranges[-1][1] = number
+        else:
+            ranges.append([number, number])
+    return ", ".join(str(first) if first == last else f"{first} to {last}" for first, last in ranges)
+
+
+def row(data, stage, runs):
+    """The row of a data file that a stage made of these runs."""
+    counts = {}
+    for run in runs:
+        counts[run["null"]] = counts.get(run["null"], 0) + 1
+    return {
+        "data": data,
+        "stage": stage,
+        "tables": ", ".join(sorted({run["table"] for run in runs})),
+        "engine": ", ".join(sorted({run["engine"] for run in runs})),
+        "seeds": seeds_of(run["seed"] for run in runs),
+        "runs": " + ".join(f"{count} {null.replace('_', '-')}".strip() for null, count in sorted(counts.items())),
+        "revision": ", ".join(sorted({run["revision"] for run in runs})),
+    }
+
+
+def read(folder):
+    """{data: row} of provenance.csv in the folder of data."""
+    path = folder / "provenance.csv"
+    if not path.exists():
+        return {}
+    with open(path, newline="") as file:
+        return {row["data"]: row for row in csv.DictReader(file)}
+
+
+def write(folder, new):
+    """Writes this row into provenance.csv, in place of an older one of the same data."""
+    rows = read(folder) | {new["data"]: new}
+    with open(folder / "provenance.csv", "w", newline="") as file:
+        table = csv.DictWriter(file, FIELDS, lineterminator="\n")
+        table.writeheader()
+        table.writerows(rows[data] for data in sorted(rows))
+
+
+def line(rows):
+    """What a page says of the data of a table: a sentence for each origin."""
+    sentences = {}
+    for of in rows:
+        key = tuple(of[field] for field in FIELDS[1:])
+        sentences.setdefault(key, []).append(of["data"])
+    words = []
+    for stage, tables, engine, seeds, runs, revision in sentences:
+        tables = " and ".join(f"`{name}`" for name in tables.split(", ")) if tables.count(",") < 2 else "many tables"
+        words.append(
+            f"`studies/reproduce {stage}`: {runs} runs of {tables}, {engine}, seeds {seeds}, revision {revision}."
+        )
+    return "*" + " ".join(words) + "*\n"
+
+
+# The folders and files that decide the runs of every stage, and those of an engine; a stage adds its own sources.
+RUNS = ("include/trophic", "src", "models")
+ENGINES = {"mujoco": "backends/mujoco", "ode": "backends/ode"}
+STUDY = {
+    "ablations": "studies/ablations",
+    "arms-race": "studies/arms_race",
+    "arms-race-mujoco": "studies/arms_race",
+    "bodies": "studies/readings",
+    "evolution": "studies/bodies",
+    "evolution-again": "studies/bodies",
+    "evolvable-bodies": "studies/bodies",
+    "no-criterion-bodies": "studies/bodies",
+    "no-criterion-gaits": "studies/bodies",
+    "ranges": "studies/readings",
+    "red-queen": "studies/red_queen",
+    "red-queen-mujoco": "studies/red_queen",
+    "screen": "studies/readings",
+}
+
+
+def code_of(of):
+    """The paths on which the runs of a row depend."""
+    engines = [path for engine, path in ENGINES.items() if of["engine"].lower().find(engine) >= 0]
+    own = [STUDY[of["stage"]]] if of["stage"] in STUDY else []
+    return [*RUNS, *engines, *own]
+
+
+def git(root, *arguments):
+    done = subprocess.run(["git", "-C", str(root), *arguments], capture_output=True, text=True)
+    if done.returncode != 0:
+        raise SystemExit(f"reproduce --check: git {' '.join(arguments)}: {done.stderr.strip()}")
+    return done.stdout
+
+
+def changes(root, of):
+    """Commits after the revision of a row that touch the code of its runs, the newest first."""
+    revisions = re.findall(r"\b[0-9a-f]{8,40}\b", of["revision"])
+    if not revisions:
+        raise SystemExit(f"provenance.csv: {of['data']}: revision: {of['revision']}: must name a commit")
+    newer = [
+        set(git(root, "log", "--format=%h", f"{revision}..HEAD", "--", *code_of(of)).split()) for revision in revisions
+    ]
+    return sorted(set().union(*newer))
+
+
+def stale(root, folder):
+    """[(data, revision, number of commits)] of the data that are older than the code on which their runs depend."""
+    found = []
+    for data, of in read(folder).items():
+        if newer := changes(root, of):
+            found.append((data, of["revision"], len(newer)))
+    return found
