@@ -350,7 +350,7 @@ def test_cells_that_share_seeds_are_compared_seed_by_seed_others_as_independent_
         approx(2.0),
     )
     assert row.hedges_g < 0.2  # runs of one cell are far apart, whatever the pairs say
-    assert (row.conclusion == "above", row.smallest_detectable < 2.0, row.runs_needed == 6) == (paired,) * 3
+    assert (row.conclusion == "above", row.smallest_detectable < 2.0) == (paired,) * 2
     assert row.lower_corrected < row.lower < row.upper < row.upper_corrected
 
 
@@ -395,11 +395,7 @@ def test_too_few_runs_have_no_test_but_count_and_nothing_that_varies_does_not():
     plan = plan_of(3, 5)
     frame = compare_cells(grid_of(plan), values_of(plan, lambda run: (run.cell == 2) * (1.0 + run.replicate)), 0)
     assert list(frame["conclusion"]) == ["not compared", "too few runs"]
-    assert (
-        cells.count(frame) == (1, 0)
-        and frame["p_holm"].isna().all()
-        and frame["runs_needed"].notna().tolist() == [False, True]
-    )
+    assert cells.count(frame) == (1, 0) and frame["p_holm"].isna().all()
 
 
 def test_a_difference_needs_so_many_runs_by_the_scatter_of_cells():
@@ -685,7 +681,7 @@ def test_what_was_compared_and_what_is_significant_is_said():
         "2 of 2 comparisons are significant (p <= 0.05, corrected for all of them: Holm).\n"
     )
     (line,) = [line for line in text.splitlines() if line.startswith("hunger predator") and "2/2" in line]
-    assert line.split("  ")[-1] == "2 (y 1.0)" and "+20.0 [+18.9, +21.1]" in line
+    assert line.split("  ")[-1] == "2 (y 1.0)" and "+20.0 [+18.6, +21.4]" in line
     assert "inconclusive" not in text
 
 
@@ -699,12 +695,12 @@ def test_what_is_not_significant_is_inconclusive_not_absent():
     assert "inconclusive in every cell: 1 metric: hunger predator\n" in text and "no effect" not in text
 
 
-def test_named_metrics_have_a_line_for_each_cell_with_the_runs_that_an_inconclusive_one_needs():
-    assert "hunger predator  1 (y 0.5)  10.0  0.0        +10.0 [+9.4, +10.6]   <0.001" in report.named_text(
+def test_named_metrics_have_a_line_for_each_cell_with_the_difference_that_an_inconclusive_one_would_detect():
+    assert "hunger predator  1 (y 0.5)  10.0  0.0        +10.0 [+9.3, +10.7]   <0.001" in report.named_text(
         analyzed(10.0)
     )
     open_ = report.named_text(analyzed(0.1))
-    assert "runs needed\n" in open_ and "  6+6   " in open_
+    assert "detectable\n" in open_ and "  6+6   " in open_
     assert report.named_text(analyzed(10.0, 2, is_chosen=True)) in report.text_of(analyzed(10.0, 2, is_chosen=True))
 
 

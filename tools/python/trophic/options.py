@@ -234,7 +234,8 @@ def _analyze(parser: argparse.ArgumentParser) -> None:
         "--difference",
         type=_number,
         metavar="X",
-        help="for a sweep: how many replicates a difference of this size in --metric, in the tables' unit, would need",
+        help="how many runs in each set a difference of this size in --metric, in the tables' unit, needs for 80 % power: the smallest effect of "
+        "interest of the next study",
     )
     add("--allow-missing", **_FLAG, help="for a sweep: leave out runs that are missing or incomplete")
     add("--jobs", **_JOBS)
