@@ -65,6 +65,15 @@ def activity_of(run):
     return {key: float(value) for key, value in zip(ACTIVITY, shares) if value == value}
 
 
+def activity(world, runs):
+    """The values of activity_of in each run of a folder."""
+    return [
+        row_of(world, seed_of(run), "", key, value)
+        for run in sorted(runs.glob("replicate-*"))
+        for key, value in activity_of(run).items()
+    ]
+
+
 def seed_of(run):
     return str(json.loads((run / "manifest.json").read_text())["seed"])
 
@@ -115,115 +124,108 @@ class Values:
 
 
 def result(world, key, family, values=(), null="", others=(), of=None):
-    """A row of results: the mean of a world's runs, that of a null, and a contrast; p and intervals of a family come later."""
+    """A row of results: the mean of a world's runs, that of a null, and their difference `of`, of which with_tests makes columns."""
     ours, theirs = statistics.estimate(values), statistics.estimate(others)
     interval = statistics.share_interval(values) if key[0] == "persists" else ours.interval
     return {
         "set": world,
         **dict(zip(("metric", "species", "group"), key)),
         "family": family,
-        "runs": ours.runs or "",
+        "runs": str(ours.runs or ""),
         "mean": designs.number(ours.mean),
         **dict(zip(("lower", "upper"), map(designs.number, interval or (None, None)))),
         "null": null,
-        "null_runs": theirs.runs or "",
+        "null_runs": str(theirs.runs or ""),
         "null_mean": designs.number(theirs.mean),
-        "difference": designs.number(of.value if of else None),
-        "of": of,
+        "of": of or statistics.Difference(),
     }
 
 
-def with_tests(rows):
-    """The rows of a family with their intervals, those that hold for all of it at once (Bonferroni), and p, also corrected (Holm). Each `of` is a
-    Contrast, or a Difference with its own p."""
-    p_values = [row["of"].p if hasattr(row["of"], "p") else statistics.p_value(row["of"]) for row in rows]
-    tested = [p for p in p_values if p is not None]
-    adjusted = iter(statistics.holm(tested))
-    for row, p in zip(rows, p_values):
+def with_tests(rows, are_tested=True):
+    """The rows of a family with their differences and intervals and, if they are tested, p, p corrected for the family (Holm), and the intervals
+    that hold for all of it at once (Bonferroni)."""
+    if are_tested:
+        statistics.adjust_together(row["of"] for row in rows)
+    for row in rows:
         of = row.pop("of")
-        for name, level in (("difference", 0.95), ("together", 1.0 - statistics.SIGNIFICANCE / max(1, len(tested)))):
-            interval = (
-                of.at(level)
-                if hasattr(of, "at") and of.at
-                else statistics.interval_of(of, level)
-                if not hasattr(of, "at")
-                else None
-            )
-            row |= dict(zip((f"{name}_lower", f"{name}_upper"), map(designs.number, interval or (None, None))))
-        row |= {"p": designs.number(p), "p_holm": designs.number(None if p is None else float(next(adjusted)))}
+        together = of.corrected or (None, None)
+        row["difference"] = designs.number(of.value)
+        for name, bounds in (("difference", of.interval or (None, None)), ("together", together)):
+            row |= dict(zip((f"{name}_lower", f"{name}_upper"), map(designs.number, bounds)))
+        row["p"], row["p_holm"] = map(designs.number, (of.p, of.adjusted) if are_tested else (None, None))
     return rows
+
+
+def difference(*terms):
+    of = statistics.contrast(*terms)
+    return statistics.difference_of(of.value if of else None, of)
+
+
+def one_sided(key):
+    """The null in which the species of a key inherits nothing."""
+    return f"one_sided_{key[1]}"
+
+
+def nulls_of(key):
+    """The nulls whose runs are kept beside a key's."""
+    return ("", "shadow", *(map(one_sided, TESTED.values()) if key[1] == "all" else [one_sided(key)]))
 
 
 def over(values, world, key, family, null):
     ours, theirs = values(world, key), values(world, key, null)
-    return result(world, key, family, ours, null, theirs, statistics.contrast((1.0, ours), (-1.0, theirs)))
+    return result(world, key, family, ours, null, theirs, difference((1.0, ours), (-1.0, theirs)))
 
 
 def evolved(values, worlds=tuple(WORLDS)):
     """Velocities over the one-sided world of their species: one family."""
     return with_tests(
-        [
-            row
-            for world in worlds
-            for key in TESTED.values()
-            if (row := over(values, world, key, "behaviour", "one_sided"))["of"]
-        ]
+        [over(values, world, key, "behaviour", one_sided(key)) for world in worlds for key in TESTED.values()]
     )
 
 
 def contrasted(values):
     """What evolves in prey, compared between worlds that differ in one condition: one family."""
     key, rows = TESTED["prey"], []
-    for name, (first, second) in CONTRASTS.items():
+    for name, worlds in CONTRASTS.items():
         terms = [
             (sign * side, values(world, key, null))
-            for sign, world in ((1.0, first), (-1.0, second))
-            for side, null in ((1.0, ""), (-1.0, "one_sided"))
+            for sign, world in zip((1.0, -1.0), worlds)
+            for side, null in ((1.0, ""), (-1.0, one_sided(key)))
         ]
-        if of := statistics.contrast(*terms):
-            rows.append(result(name, key, "contrast", of=of))
+        rows.append(result(name, key, "contrast", of=difference(*terms)))
     return with_tests(rows)
 
 
 def survived(values, end_s):
-    """How long both species live, compared between those worlds by the log-rank test: one family."""
-    key, rows = ("lived", "all", "all"), []
-    for name, worlds in CONTRASTS.items():
-        if all(len(values(world, ("persists", "all", "all"))) for world in worlds):
-            lives = [values.lives(world, end_s) for world in worlds]
-            rows.append(result(name, key, "survival", of=statistics.survival_difference(*lives)))
-    return with_tests(rows)
-
-
-def described(values):
-    """Persistence, activity and what is not tested."""
-    rows = []
-    for world in WORLDS:
-        for key, null in (
-            (("persists", "all", "all"), "shadow"),
-            *((key, "one_sided") for key in DESCRIBED),
-            *((key, "shadow") for key in TESTED.values()),
-            *((key, "") for key in ACTIVITY),
-        ):
-            ours, theirs = values(world, key), values(world, key, null) if null else ()
-            if len(ours):
-                row = result(world, key, "described", ours, null, theirs)
-                of = row.pop("of") or (
-                    statistics.contrast((1.0, ours), (-1.0, theirs)) if len(theirs) and key[0] != "persists" else None
-                )
-                interval = statistics.interval_of(of) or (None, None)
-                empty = dict.fromkeys(("together_lower", "together_upper", "p", "p_holm"), "")
-                names = ("difference", "difference_lower", "difference_upper")
-                rows.append(row | dict(zip(names, map(designs.number, (of.value if of else None, *interval)))) | empty)
-    return rows
+    """How long both species live (restricted mean), compared between those worlds by the log-rank test: one family."""
+    return with_tests(
+        [
+            result(
+                name,
+                ("lived", "all", "all"),
+                "survival",
+                of=statistics.survival_difference(*(values.lives(world, end_s) for world in worlds)),
+            )
+            for name, worlds in CONTRASTS.items()
+        ]
+    )
 
 
 def selected(values):
     """Price's terms of turns_to over the neutral null: one family."""
     keys = [("turns_to", species, term) for species in TESTED for term in TERMS]
-    return with_tests(
-        [row for world in WORLDS for key in keys if (row := over(values, world, key, "selection", "neutral"))["of"]]
-    )
+    return with_tests([over(values, world, key, "selection", "neutral") for world in WORLDS for key in keys])
+
+
+def described(values):
+    """Persistence, activity, and velocities that are not tested."""
+    rows = []
+    for world in WORLDS:
+        for key in (("persists", "all", "all"), *ACTIVITY):
+            rows.append(result(world, key, "described", values(world, key)))
+        rows += [over(values, world, key, "described", one_sided(key)) for key in DESCRIBED]
+        rows += [over(values, world, key, "described", "shadow") for key in TESTED.values()]
+    return with_tests([row for row in rows if row["runs"]], are_tested=False)
 
 
 def results(rows, end_s):
