@@ -2,12 +2,10 @@
 """Four worlds of the pond: which condition of births and of protection does what. Rows of results from the values of single runs.
 
 A value is a row with set (the world), seed, null (empty for the runs), metric, species, group and value, as results/data/no_criterion_runs.csv has it."""
-import json
-
 import designs
 import numpy
 import pandas
-from trophic import selection, statistics
+from trophic import metrics, selection, statistics
 
 WORLDS = {
     "as shipped": ["pond"],
@@ -30,19 +28,8 @@ CONTRASTS = {
 """Worlds that differ in one condition: the first less the second."""
 TESTED = {"prey": ("velocity", "prey", "inherited_active"), "predator": ("velocity", "predator", "inherited")}
 DESCRIBED = [("velocity", "prey", "inherited_inactive"), ("velocity", "prey", "inherited")]
-MEASURED = [
-    *TESTED.values(),
-    *DESCRIBED,
-    ("persists", "all", "all"),
-    ("extinct_at", "prey", "all"),
-    ("extinct_at", "predator", "all"),
-]
 ACTIVITY = [(name, "prey", "all") for name in ("inactive_share", "inactive_s", "born_of_inactive")]
 TERMS = ("survival", "parenthood")
-
-
-def folder_of(world):
-    return "no-criterion/" + world.replace(" ", "-")
 
 
 def activity_of(run):
@@ -65,40 +52,48 @@ def activity_of(run):
     return {key: float(value) for key, value in zip(ACTIVITY, shares) if value == value}
 
 
-def activity(world, runs):
-    """The values of activity_of in each run of a folder."""
-    return [
-        row_of(world, seed_of(run), "", key, value)
-        for run in sorted(runs.glob("replicate-*"))
-        for key, value in activity_of(run).items()
-    ]
+def lives_of(run):
+    """Whether both species live to the end of a run, and when each that does not is gone."""
+    energy = pandas.read_csv(run / "energy.csv", usecols=["time_s", "species", "individuals"])
+    gone_s = energy[energy["individuals"] == 0].groupby("species")["time_s"].min()
+    ends = {("extinct_at", species, "all"): float(time_s) for species, time_s in gone_s.items()}
+    return {("persists", "all", "all"): float(not ends), **ends}
 
 
-def seed_of(run):
-    return str(json.loads((run / "manifest.json").read_text())["seed"])
+def velocities_of(run):
+    """The metric velocity of all groups that are tested or described, m/s."""
+    agents = metrics.Agents(run.load("agents.csv", metrics.AGENTS, []), run.web)
+    samples = metrics.velocity.samples(agents)
+    keys = [*TESTED.values(), *DESCRIBED]
+    return {key: metrics.velocity.velocity(samples, agents, *key[1:]).mean for key in keys}
 
 
 def row_of(world, seed, null, key, value):
-    return {
-        "set": world,
-        "seed": seed,
-        "null": null,
-        **dict(zip(("metric", "species", "group"), key)),
-        "value": f"{value:.5g}",
-    }
+    of = {"set": world, "seed": seed, "null": null, **dict(zip(("metric", "species", "group"), key))}
+    return {**of, "value": f"{value:.5g}"}
 
 
-def term_values(world, runs):
-    """Price's terms of turns_to in each run of a folder and of its neutral null."""
+def values_of(world, folder):
+    """The values of each run in a folder, and of those of its shadow and its one-sided worlds."""
     rows = []
-    for null, folder in (("", runs), ("neutral", runs / "neutral")):
-        for run in selection.read_sets([folder], None, selection.Measuring())[0]["runs"]:
+    for name, runs in selection.read_sets([folder], None, metrics.Measuring())[0].items():
+        null = "" if name == "runs" else name
+        for run in runs if null != "neutral" else ():
+            found = lives_of(run.path) | velocities_of(run) | (activity_of(run.path) if not null else {})
+            kept = {key: value for key, value in found.items() if null in nulls_of(key) and value == value}
+            rows += [row_of(world, str(run.seed), null, key, value) for key, value in kept.items()]
+    return rows
+
+
+def term_values(world, folder):
+    """Price's terms of turns_to in each run in a folder and of its neutral null."""
+    sets, rows = selection.read_sets([folder], None, metrics.Measuring())[0], []
+    for null, name in (("", "runs"), ("neutral", "neutral")):
+        for run in sets[name]:
             terms = selection.measure(["turns_to"], run)
-            for species in TESTED:
-                for term in TERMS:
-                    value = terms["turns_to", species, term, "all"]
-                    if value == value:
-                        rows.append(row_of(world, str(run.seed), null, ("turns_to", species, term), value))
+            for key in (("turns_to", species, term) for species in TESTED for term in TERMS):
+                if (value := terms[(*key, "all")]) == value:
+                    rows.append(row_of(world, str(run.seed), null, key, value))
     return rows
 
 
