@@ -205,8 +205,12 @@ SHORT = [
 ]
 
 
+def key_of(row):
+    return row["metric"], row["species"], row["group"]
+
+
 def of_key(rows, key):
-    return next((row for row in rows if (row["metric"], row["species"], row["group"]) == key), None)
+    return next((row for row in rows if key_of(row) == key), None)
 
 
 def ranges(rows):
@@ -254,6 +258,30 @@ def bodies(rows, base="paper"):
         cell = [row for row in rows if row["set"] == name]
         lines.append([name, cell[0]["runs"], *(ranged(of_key(cell, key), ("mean", "lower", "upper")) for key in GRID)])
     return table([f"swapped in `{base}`", "runs", *SHORT], lines)
+
+
+COMPARED = [
+    ("attribution_credited", "predator", "all"),
+    ("velocity", "prey", "all"),
+    ("velocity", "predator", "all"),
+    ("velocity", "predator", "inherited"),
+    ("wall_sticking", "prey", "all"),
+    ("wall_sticking", "predator", "all"),
+]
+
+
+def changes(rows, base="paper"):
+    """The differences of choices swapped on MuJoCo from the set without a change, with Welch's intervals."""
+    lines = []
+    for name in dict.fromkeys(row["set"] for row in rows if row["set"] != base):
+        line = [name]
+        for key in COMPARED:
+            ours, theirs = (of_key([row for row in rows if row["set"] == of], key) for of in (name, base))
+            numbers = ([float(one[column]) for column in ("mean", "deviation", "runs")] for one in (ours, theirs))
+            middle, lower, upper = (digits(ours, value, True) for value in designs.welch(*numbers))
+            line.append(f"{middle} [{lower}, {upper}]")
+        lines.append(line)
+    return table([f"swapped in `{base}`", *(SHORT[GRID.index(key)] for key in COMPARED)], lines)
 
 
 def at_walls(rows, base="released"):
@@ -814,7 +842,7 @@ def world_activity(rows):
         keys = [(*key, ponds.one_sided(key)) for key in ponds.DESCRIBED]
         keys += [(*key, "shadow") for key in ponds.TESTED.values()]
         lines.append([world, *shares, *(family(of[key], 100.0) if key in of else "" for key in keys)])
-    head = ["world", "inactive share of prey", "newborn inactive, s", "births of inactive prey"]
+    head = ["world", "inactive share of prey", "newborn inactive, s"]
     head += ["inactive prey over theirs", "all prey over theirs", "active prey over the shadow"]
     return table([*head, "predators over the shadow"], lines)
 
@@ -841,7 +869,7 @@ def draw_worlds(rows, runs, end_s, path):
         times = sorted(lives.ends_s[lives.died])
         steps = [(0.0, 1.0), *((time, 1.0 - (k + 1) / len(lives.died)) for k, time in enumerate(times))]
         steps.append((end_s, steps[-1][1]))
-        axes[0].step(*zip(*steps), where="post", color=color, label=world)
+        axes[0].step(*zip(*steps), where="post", color=color, label=world, ls="-" if number != 1 else ":", lw=2)
         for ax, (species, key) in zip(axes[1:], ponds.TESTED.items()):
             row = next(
                 row for row in rows if (row["set"], row["family"], row["species"]) == (world, "behaviour", species)
@@ -854,7 +882,7 @@ def draw_worlds(rows, runs, end_s, path):
     axes[0].legend(fontsize=8, loc="lower left")
     for ax, words in zip(axes[1:], ("active prey", "predators")):
         ax.axvline(0.0, color="grey", lw=0.8)
-        ax.set(title=words, xlabel="over those that inherit nothing [cm/s]", yticks=[0, -1, -2, -3], ylim=(-3.5, 0.5))
+        ax.set(title=words, xlabel="difference [cm/s]", yticks=[0, -1, -2, -3], ylim=(-3.5, 0.5))
         ax.set_yticklabels(list(ponds.WORLDS) if ax is axes[1] else [""] * 4, fontsize=8)
     fig.savefig(path, dpi=150)
 
@@ -874,6 +902,46 @@ def selected(rows, of="pond"):
             ]
         )
     return table(["species", "term", of, "neutral null", "over the neutral null", "p (Holm)"], lines)
+
+
+TURNS = {
+    "survival": "survival",
+    "parenthood": "parenthood",
+    "mutation": "mutation",
+    "newcomers": "newcomers",
+    "change": "change of the mean: their sum",
+    "lives_length": "of a life: by its length",
+    "lives_rate": "of a life: by offspring a second",
+}
+
+
+def turning(rows):
+    """Terms of the share of inputs at which a brain turns to its adversary; * after Holm's correction for all tests of the command."""
+    lines = []
+    for term, words in TURNS.items():
+        line = [words]
+        for species in ("prey", "predator"):
+            row = next(
+                row for row in rows if (row["trait"], row["species"], row["term"]) == ("turns_to", species, term)
+            )
+            line.append(signed(row, ("runs_mean", "runs_lower", "runs_upper")))
+            difference = signed(row, ("difference", "difference_lower", "difference_upper")) if row["p"] else ""
+            line.append(difference + star(row["p_holm"]))
+        lines.append(line)
+    return table(["sum over a run", "prey", "over the neutral null", "predators", "over the neutral null"], lines)
+
+
+def turning_by_distance(rows):
+    """The tested terms over the neutral null by the distance of the adversary, in metres of the arena of 20 m; * after Holm's correction."""
+    lines = []
+    for trait in dict.fromkeys(row["trait"] for row in rows if ":" in row["trait"]):
+        line = [f"{20.0 * float(trait.partition(':')[2]):.0f}"]
+        for species, term in itertools.product(("prey", "predator"), ("survival", "parenthood")):
+            row = next(row for row in rows if (row["trait"], row["species"], row["term"]) == (trait, species, term))
+            line.append(signed(row, ("difference", "difference_lower", "difference_upper")) + star(row["p_holm"]))
+        lines.append(line)
+    heads = [f"{words}, {term}" for words, term in itertools.product(("prey", "predators"), ("survival", "parenthood"))]
+    return table(["adversary at, m", *heads], lines)
 
 
 def evolving_ponds(data):
@@ -962,6 +1030,7 @@ def tables(data, choices):
         "screen reached": lambda: reached(data("screen_cells"), data("kinematic_paper_published")),
         "ranges": lambda: ranges(data("ranges")),
         "bodies": lambda: bodies(data("bodies")),
+        "bodies differences": lambda: changes(data("bodies")),
         "walls": lambda: bodies(data("walls"), "released"),
         "walls differences": lambda: at_walls(data("walls")),
         "conclusions": lambda: table(answers.conclusion_heads(), answers.conclusions(data)),
@@ -973,6 +1042,8 @@ def tables(data, choices):
         "lineages": lambda: lineages(data("race_arms_race_lineages")),
         "historical": lambda: historical(data("race_arms_race")),
     }
+    made["turning"] = lambda: turning(data("selection"))
+    made["turning by distance"] = lambda: turning_by_distance(data("selection"))
     made["evolved again"] = lambda: evolved_again(data("evolution_again"))
     made["evolvable bodies"] = lambda: selected(data("evolvable_bodies"), "bodies")
     made["evolved lives"] = lambda: evolved_lives(data("evolution_lives"))

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Four worlds of the pond: which condition of births and of protection does what. Rows of results from the values of single runs.
 
-A value is a row with set (the world), seed, null (empty for the runs), metric, species, group and value, as results/data/no_criterion_runs.csv has it."""
+A value is a row with set (the world), run, null (empty for the runs), metric, species, group and value, as results/data/no_criterion_runs.csv has it."""
 import designs
 import numpy
 import pandas
@@ -28,28 +28,19 @@ CONTRASTS = {
 """Worlds that differ in one condition: the first less the second."""
 TESTED = {"prey": ("velocity", "prey", "inherited_active"), "predator": ("velocity", "predator", "inherited")}
 DESCRIBED = [("velocity", "prey", "inherited_inactive"), ("velocity", "prey", "inherited")]
-ACTIVITY = [(name, "prey", "all") for name in ("inactive_share", "inactive_s", "born_of_inactive")]
+ACTIVITY = [(name, "prey", "all") for name in ("inactive_share", "inactive_s")]
 TERMS = ("survival", "parenthood")
 
 
 def activity_of(run):
-    """Of the prey of a run: the share of its rows that are inactive, how long newborn are inactive on average, and the share of them whose parent was
-    inactive in its last row before the birth."""
+    """Of the prey of a run: the share of its rows that are inactive, and how long newborn are inactive on average."""
     agents = pandas.read_csv(run / "agents.csv", usecols=["time_s", "id", "species", "active"])
     prey = agents[agents["species"] == "prey"]
-    events = pandas.read_csv(run / "events.csv", usecols=["time_s", "event", "id", "species", "parent_id"])
+    events = pandas.read_csv(run / "events.csv", usecols=["time_s", "event", "id", "species"])
     born = events[(events["event"] == "birth") & (events["species"] == "prey") & (events["time_s"] > 0.0)]
     step_s = numpy.diff(agents["time_s"].unique()).min()
     waits = prey[prey["active"] == 0].groupby("id").size().reindex(born["id"], fill_value=0) * step_s
-    births = born.dropna(subset="parent_id").astype({"parent_id": "int64"}).sort_values("time_s")
-    parents = pandas.merge_asof(
-        births[["time_s", "parent_id"]],
-        prey.rename(columns={"id": "parent_id"})[["time_s", "parent_id", "active"]].sort_values("time_s"),
-        on="time_s",
-        by="parent_id",
-    )
-    shares = (1.0 - prey["active"].mean(), waits.mean(), 1.0 - parents["active"].mean())
-    return {key: float(value) for key, value in zip(ACTIVITY, shares) if value == value}
+    return {key: float(value) for key, value in zip(ACTIVITY, (1.0 - prey["active"].mean(), waits.mean()))}
 
 
 def lives_of(run):
@@ -68,8 +59,12 @@ def velocities_of(run):
     return {key: metrics.velocity.velocity(samples, agents, *key[1:]).mean for key in keys}
 
 
-def row_of(world, seed, null, key, value):
-    of = {"set": world, "seed": seed, "null": null, **dict(zip(("metric", "species", "group"), key))}
+def number_of(run):
+    return run.path.name.removeprefix("replicate-")
+
+
+def row_of(world, run, null, key, value):
+    of = {"set": world, "run": run, "null": null, **dict(zip(("metric", "species", "group"), key))}
     return {**of, "value": f"{value:.5g}"}
 
 
@@ -81,7 +76,7 @@ def values_of(world, folder):
         for run in runs if null != "neutral" else ():
             found = lives_of(run.path) | velocities_of(run) | (activity_of(run.path) if not null else {})
             kept = {key: value for key, value in found.items() if null in nulls_of(key) and value == value}
-            rows += [row_of(world, str(run.seed), null, key, value) for key, value in kept.items()]
+            rows += [row_of(world, number_of(run), null, key, value) for key, value in kept.items()]
     return rows
 
 
@@ -93,7 +88,7 @@ def term_values(world, folder):
             terms = selection.measure(["turns_to"], run)
             for key in (("turns_to", species, term) for species in TESTED for term in TERMS):
                 if (value := terms[(*key, "all")]) == value:
-                    rows.append(row_of(world, str(run.seed), null, key, value))
+                    rows.append(row_of(world, number_of(run), null, key, value))
     return rows
 
 
@@ -104,17 +99,17 @@ class Values:
         self.of = {}
         for row in rows:
             key = tuple(row[name] for name in ("set", "null", "metric", "species", "group"))
-            self.of.setdefault(key, {})[row["seed"]] = float(row["value"])
+            self.of.setdefault(key, {})[row["run"]] = float(row["value"])
 
     def __call__(self, world, key, null=""):
         of = self.of.get((world, null, *key), {})
-        return numpy.array([of[seed] for seed in sorted(of, key=int)])
+        return numpy.array([of[run] for run in sorted(of)])
 
     def lives(self, world, end_s):
         """How long both species live in each run of a world, censored at the end."""
         ends = [self.of.get((world, "", "extinct_at", species, "all"), {}) for species in TESTED]
-        seeds = sorted(self.of[world, "", "persists", "all", "all"], key=int)
-        first = numpy.array([min(of.get(seed, end_s) for of in ends) for seed in seeds])
+        runs = sorted(self.of[world, "", "persists", "all", "all"])
+        first = numpy.array([min(of.get(run, end_s) for of in ends) for run in runs])
         return statistics.Lives(first, first < end_s, end_s)
 
 

@@ -11,10 +11,20 @@ NULLS = ("shadow", "neutral", "clones", "one_sided")
 BEFORE = "at or before "  # begins the revision of data whose manifests are gone: that of the commit that added them
 
 
+def master_of(run, folder):
+    """The seed from which the seed of a run is drawn, or None if it is its own: that of the nearest replicates.json up to `folder`."""
+    for parent in run.parents:
+        if (parent / "replicates.json").exists():
+            return json.loads((parent / "replicates.json").read_text())["master_seed"]
+        if parent == folder:
+            break
+    return None
+
+
 def facts(folder):
-    """Of each run under a folder: its revision, engine, rule table, seed and null, from its manifest."""
-    found = []
-    for path in sorted(pathlib.Path(folder).rglob("manifest.json")):
+    """Of each run under a folder: its revision, engine, rule table, seed and null, from its manifest, and its master seed."""
+    found, folder = [], pathlib.Path(folder)
+    for path in sorted(folder.rglob("manifest.json")):
         manifest = json.loads(path.read_text())
         parts = path.relative_to(folder).parts
         null = next((null for null in NULLS for part in parts if part == null or part.startswith(f"{null}_")), "")
@@ -22,23 +32,22 @@ def facts(folder):
             {
                 "revision": manifest["source_revision"],
                 "engine": manifest["backend"],
-                "table": manifest["rule_table"],
+                "table": manifest["rule_table"].split(" with ")[0] if null else manifest["rule_table"],
                 "seed": manifest["seed"],
+                "master": master_of(path.parent, folder),
                 "null": null,
             }
         )
     return found
 
 
-def seeds_of(numbers):
-    """Seeds in words: "1 to 30", "1 to 6, 1001"."""
-    ranges = []
-    for number in sorted(set(numbers)):
-        if ranges and number == ranges[-1][1] + 1:
-            ranges[-1][1] = number
-        else:
-            ranges.append([number, number])
-    return ", ".join(str(first) if first == last else f"{first} to {last}" for first, last in ranges)
+def seeds_of(runs):
+    """The seeds of runs in words: "30 of master seed 1", or each that is its own."""
+    masters = {}
+    for run in runs:
+        masters.setdefault(run["master"], set()).add(run["seed"])
+    own = [str(seed) for seed in sorted(masters.pop(None, ()))]
+    return ", ".join([f"{len(seeds)} of master seed {master}" for master, seeds in sorted(masters.items())] + own)
 
 
 def row(data, stage, runs):
@@ -51,7 +60,7 @@ def row(data, stage, runs):
         "stage": stage,
         "tables": ", ".join(sorted({run["table"] for run in runs})),
         "engine": ", ".join(sorted({run["engine"] for run in runs})),
-        "seeds": seeds_of(run["seed"] for run in runs),
+        "seeds": seeds_of(runs),
         "runs": " + ".join(f"{count} {null.replace('_', '-')}".strip() for null, count in sorted(counts.items())),
         "revision": ", ".join(sorted({run["revision"] for run in runs})),
     }
@@ -83,9 +92,12 @@ def line(rows):
         sentences.setdefault(key, []).append(of["data"])
     words = []
     for stage, tables, engine, seeds, runs, revision in sentences:
-        tables = " and ".join(f"`{name}`" for name in tables.split(", ")) if tables.count(",") < 2 else "many tables"
+        names = [f"`{name}`" if re.fullmatch(r"\w+", name) else name for name in tables.split(", ")]
+        tables = (
+            " and ".join(filter(None, [", ".join(names[:-1]), names[-1]])) if len(names) < 6 else f"{len(names)} tables"
+        )
         words.append(
-            f"`studies/reproduce {stage}`: {runs} runs of {tables}, {engine}, seeds {seeds}, revision {revision}."
+            f"`studies/reproduce {stage}`: {runs} runs of {tables}, {engine}, seeds: {seeds}, revision {revision}."
         )
     return "*" + " ".join(words) + "*\n"
 
@@ -94,27 +106,27 @@ def line(rows):
 RUNS = ("include/trophic", "src", "models")
 ENGINES = {"mujoco": "backends/mujoco", "ode": "backends/ode"}
 STUDY = {
-    "ablations": "studies/ablations",
-    "arms-race": "studies/arms_race",
-    "arms-race-mujoco": "studies/arms_race",
-    "bodies": "studies/readings",
-    "evolution": "studies/bodies",
-    "evolution-again": "studies/bodies",
-    "evolvable-bodies": "studies/bodies",
-    "no-criterion-bodies": "studies/bodies",
-    "no-criterion-gaits": "studies/bodies",
-    "ranges": "studies/readings",
-    "red-queen": "studies/red_queen",
-    "red-queen-mujoco": "studies/red_queen",
-    "screen": "studies/readings",
+    "ablations": ("studies/ablations",),
+    "arms-race": ("studies/arms_race",),
+    "arms-race-mujoco": ("studies/arms_race",),
+    "bodies": ("studies/readings",),
+    "evolution": ("studies/bodies",),
+    "evolution-again": ("studies/bodies",),
+    "evolvable-bodies": ("studies/bodies",),
+    "inheritance": ("studies/sweeps",),
+    "no-criterion-bodies": ("studies/bodies",),
+    "no-criterion-gaits": ("studies/bodies",),
+    "ranges": ("studies/readings",),
+    "red-queen": ("studies/red_queen", "studies/arms_race"),
+    "red-queen-mujoco": ("studies/red_queen", "studies/arms_race"),
+    "screen": ("studies/readings",),
 }
 
 
 def code_of(of):
     """The paths on which the runs of a row depend."""
     engines = [path for engine, path in ENGINES.items() if of["engine"].lower().find(engine) >= 0]
-    own = [STUDY[of["stage"]]] if of["stage"] in STUDY else []
-    return [*RUNS, *engines, *own]
+    return [*RUNS, *engines, *STUDY.get(of["stage"], ())]
 
 
 def git(root, *arguments):

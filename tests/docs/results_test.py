@@ -7,6 +7,7 @@ import itertools
 import json
 import pathlib
 import random
+import re
 import statistics
 import subprocess
 import sys
@@ -61,9 +62,9 @@ class Origins(unittest.TestCase):
             values = collections.defaultdict(dict)
             for row in designs.read(path):
                 key = tuple(row[name] for name in ("set", "null", "metric", "species", "group"))
-                values[key][int(row["seed"])] = float(row["value"])
-            seeds = {seed for of_key in values.values() for seed in of_key}
-            self.assertEqual(provenance.seeds_of(seeds), origins[data]["seeds"], path)
+                values[key][int(row["run"])] = float(row["value"])
+            runs = {run for of_key in values.values() for run in of_key}
+            self.assertEqual(f"{len(runs)} of master seed", origins[data]["seeds"].rpartition(" ")[0], path)
             compared = 0
             for row in designs.read(DATA / f"{data}.csv"):
                 key = (row["set"], "", row["metric"], row["species"], row["group"])
@@ -79,14 +80,18 @@ class Origins(unittest.TestCase):
             for seed, null in ((1, ""), (2, ""), (1, "shadow"), (2, "one_sided_prey")):
                 run = pathlib.Path(name) / null / f"replicate-{seed:02}"
                 run.mkdir(parents=True)
-                manifest = {"source_revision": "abc", "backend": "kinematic 1", "rule_table": "paper", "seed": seed}
+                table = "paper with heredity = nothing_inherited" if null else "paper"
+                manifest = {"source_revision": "abc", "backend": "kinematic 1", "rule_table": table, "seed": 70 + seed}
                 (run / "manifest.json").write_text(json.dumps(manifest))
+            (pathlib.Path(name) / "replicates.json").write_text('{"master_seed": 1}')
             row = provenance.row("paper", "kinematic-paper", provenance.facts(name))
         self.assertEqual(row["runs"], "2 + 1 one-sided + 1 shadow")
-        self.assertEqual((row["seeds"], row["engine"], row["revision"]), ("1 to 2", "kinematic 1", "abc"))
+        self.assertEqual((row["tables"], row["engine"], row["revision"]), ("paper", "kinematic 1", "abc"))
+        self.assertEqual(row["seeds"], "2 of master seed 1")
+        self.assertEqual(provenance.seeds_of([{"seed": 5, "master": None}]), "5")
         self.assertEqual(
             provenance.line([row, row | {"data": "paper_answers"}]),
-            "*`studies/reproduce kinematic-paper`: 2 + 1 one-sided + 1 shadow runs of `paper`, kinematic 1, seeds 1 to 2, revision abc.*\n",
+            "*`studies/reproduce kinematic-paper`: 2 + 1 one-sided + 1 shadow runs of `paper`, kinematic 1, seeds: 2 of master seed 1, revision abc.*\n",
         )
 
     def test_data_are_stale_if_a_later_commit_touches_the_code_of_their_runs(self):
@@ -116,6 +121,66 @@ class Origins(unittest.TestCase):
             provenance.write(root, row | {"data": "points", "revision": "unknown"})
             with self.assertRaisesRegex(SystemExit, "points: revision: unknown: must name a commit"):
                 provenance.stale(root, root)
+
+
+NUMBER = r"([-+]?[\d,]+\.?\d*)"
+TRIPLE = re.compile(
+    NUMBER + r"(?: (?:cm/s|s|m|types?|of [\w ]{1,20}|a run|cm/s a run))? \[" + NUMBER + ", " + NUMBER + r"\]"
+)
+INTERVALS = (
+    ("mean", "lower", "upper"),
+    ("contact_s", "lower", "upper"),
+    ("difference", "lower", "upper"),
+    ("difference", "difference_lower", "difference_upper"),
+    ("effect", "lower", "upper"),
+    ("over_shadow", "lower", "upper"),
+    ("over_shadow", "over_lower", "over_upper"),
+    ("over_shadow", "shadow_lower", "shadow_upper"),
+    ("over_survival", "lower", "upper"),
+    ("over_neutral", "neutral_lower", "neutral_upper"),
+    ("runs_mean", "runs_lower", "runs_upper"),
+    ("shadow_mean", "shadow_lower", "shadow_upper"),
+    ("neutral_mean", "neutral_lower", "neutral_upper"),
+)
+
+
+def intervals_of_data():
+    """Each effect with its interval in the data, also in units a hundred times smaller."""
+    found = []
+    for path in DATA.glob("*.csv"):
+        for row in designs.read(path):
+            for names in INTERVALS:
+                try:
+                    values = [float(row[name]) for name in names]
+                except (KeyError, ValueError):
+                    continue
+                found += [values, [100.0 * value for value in values]]
+    return found
+
+
+def is_written(text, value):
+    places = len(text.partition(".")[2])
+    return abs(float(text.replace(",", "")) - value) <= 0.5000001 * 10.0**-places
+
+
+class Prose(unittest.TestCase):
+    """Pages: an effect with its interval outside a table is one of the data, or of a table of the page."""
+
+    def test_effects_in_sentences_are_in_the_data(self):
+        data, missing, self.maxDiff = intervals_of_data(), [], None
+        for path in (ROOT / "README.md", *sorted((ROOT / "studies/results").glob("*.md"))):
+            tables = [
+                [float(text.replace(",", "")) for text in found.groups()]
+                for table in re.findall(r"<!-- table: .*?<!-- /table -->", path.read_text(), re.S)
+                for found in TRIPLE.finditer(table)
+            ]
+            prose = re.sub(r"<!-- table: .*?<!-- /table -->", "", path.read_text(), flags=re.S)
+            for found in TRIPLE.finditer(re.sub(r"\s+", " ", prose)):
+                texts = found.groups()
+                flipped = [[-middle, -upper, -lower] for middle, lower, upper in data + tables]
+                if not any(all(map(is_written, texts, values)) for values in data + tables + flipped):
+                    missing.append(f"{path.name}: {found[0]}")
+        self.assertEqual(missing, [])
 
 
 class Rows(unittest.TestCase):
