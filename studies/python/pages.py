@@ -790,10 +790,11 @@ def settings(rows):
     )
 
 
-def family(row, scale=1.0):
+def family(row, scale=1.0, places=2):
     """A difference with the interval that holds for its whole family at once, or with its own if it is not tested."""
     kind = "together" if row["together_lower"] else "difference"
-    return signed(row, ("difference", f"{kind}_lower", f"{kind}_upper"), scale)
+    middle, *bounds = (scale * float(row[name]) for name in ("difference", f"{kind}_lower", f"{kind}_upper"))
+    return f"{middle:+.{places}f} [{bounds[0]:+.{places}f}, {bounds[1]:+.{places}f}]"
 
 
 def share(row):
@@ -811,8 +812,8 @@ def worlds(rows):
             + [cell for row in tested for cell in (family(row, 100.0), p_text(row["p_holm"]))]
             + [of["persists", "all", "described"]["runs"]]
         )
-    head = ["world", "both persist", "active prey over theirs that inherit nothing, cm/s", "p (Holm)"]
-    return table([*head, "predators over theirs, cm/s", "p (Holm)", "runs"], lines)
+    head = ["world", "both persist", "active prey over those that inherit nothing, cm/s", "p (Holm)"]
+    return table([*head, "predators over those that inherit nothing, cm/s", "p (Holm)", "runs"], lines)
 
 
 def world_contrasts(rows):
@@ -823,7 +824,8 @@ def world_contrasts(rows):
             next(row for row in rows if (row["set"], row["family"]) == (name, kind))
             for kind in ("contrast", "survival")
         )
-        cells = [family(evolved, 100.0), p_text(evolved["p_holm"]), family(lived), p_text(lived["p_holm"])]
+        longer = family(lived, places=0) if lived["p"] else "none dies out"
+        cells = [family(evolved, 100.0), p_text(evolved["p_holm"]), longer, p_text(lived["p_holm"])]
         lines.append([name, f"{first} less {second}", *cells])
     head = ["condition", "worlds", "active prey, cm/s", "p (Holm)", "both live longer by, s", "p (log-rank, Holm)"]
     return table(head, lines)
@@ -838,13 +840,17 @@ def world_activity(rows):
             for row in rows
             if (row["set"], row["family"]) == (world, "described")
         }
-        shares = [f"{float(of[*key, '']['mean']):.3g}" if (*key, "") in of else "" for key in ponds.ACTIVITY]
+        shares = [f"{float(of[*key, '']['mean']):.3g}" for key in ponds.ACTIVITY]
         keys = [(*key, ponds.one_sided(key)) for key in ponds.DESCRIBED]
         keys += [(*key, "shadow") for key in ponds.TESTED.values()]
         lines.append([world, *shares, *(family(of[key], 100.0) if key in of else "" for key in keys)])
     head = ["world", "inactive share of prey", "newborn inactive, s"]
-    head += ["inactive prey over theirs", "all prey over theirs", "active prey over the shadow"]
-    return table([*head, "predators over the shadow"], lines)
+    head += [
+        "inactive prey over those that inherit nothing, cm/s",
+        "all prey, cm/s",
+        "active prey over the shadow, cm/s",
+    ]
+    return table([*head, "predators over the shadow, cm/s"], lines)
 
 
 def world_selection(rows):

@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Results of the four worlds of the pond, from values of single runs, and activity in a hand-written run."""
+import pathlib
+
 import numpy
 import pages
+import pandas
 import ponds
 import pytest
+from scipy import stats
 
 RUNS = [f"{run:02}" for run in range(12)]
 
@@ -82,3 +86,23 @@ def test_a_table_shows_the_intervals_that_hold_for_the_whole_family():
     )
     cell = f"{100 * float(row['difference']):+.3g} [{100 * float(row['together_lower']):+.3g}, {100 * float(row['together_upper']):+.3g}]"
     assert cell in pages.worlds(rows)
+
+
+def test_published_results_are_those_of_scipy_from_the_published_values():
+    data = pathlib.Path(ponds.__file__).resolve().parents[1] / "results/data"
+    rows = {}
+    for name in ("no_criterion", "no_criterion_selection"):
+        values = pandas.read_csv(data / f"{name}_runs.csv", dtype={"null": str}).fillna({"null": ""})
+        of = {key: group["value"] for key, group in values.groupby(["set", "null", "metric", "species", "group"])}
+        for row in pandas.read_csv(data / f"{name}.csv").query("family in ('behaviour', 'selection')").itertuples():
+            ours, theirs = (of[row.set, null, row.metric, row.species, row.group] for null in ("", row.null))
+            assert len(ours) == len(theirs) == 30
+            assert row.difference == pytest.approx(ours.mean() - theirs.mean(), rel=1e-4)
+            assert row.p == pytest.approx(stats.ttest_ind(ours, theirs, equal_var=False).pvalue, rel=1e-4)
+            rows.setdefault(row.family, []).append((row.p, row.p_holm))
+    assert {family: len(of) for family, of in rows.items()} == {"behaviour": 8, "selection": 16}
+    for of in rows.values():
+        last = 0.0
+        for rank, (p, p_holm) in enumerate(sorted(of)):
+            last = max(last, min(1.0, (len(of) - rank) * p))
+            assert p_holm == pytest.approx(last, rel=1e-4)
