@@ -111,8 +111,10 @@ class Contest(InFolder):
         )
 
     def test_the_program_that_made_the_runs_plays_the_same_contests(self):
-        self.runs("study")
+        self.runs("study", "--one-sided")
         short = ["study", "--duration", 40, "--team-size", 5, "--epochs", "0,120"]
+        self.contest("study/one_sided_prey", *short[1:], "--out", "sided")
+        self.assertEqual(len(self.rows("sided/contests.csv")), 3 * 6 * 4)
         self.assertIn("no shadow", self.contest(*short, "--out", "here").stdout)
         self.contest(*short, "--out", "there", "--program", PREDATOR_PREY)
         for table in ("contests.csv", "progress.csv"):

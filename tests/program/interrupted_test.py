@@ -30,7 +30,7 @@ EVOLVE = (TROPHIC, "evolve-gait", "--generations", "3", *(part for name in ("pla
           "--set", "trial.duration_s=6")  # fmt: skip
 # Commands without --out, and how their results are named; those with --resume say so when they begin, too.
 COMMANDS = {
-    "run": ((*KINEMATIC, "--resume"), ""), "set": ((*KINEMATIC, "--replicates", "2", "--shadow", "--resume"), ""), 
+    "run": ((*KINEMATIC, "--resume"), ""), "set": ((*KINEMATIC, "--replicates", "2", "--shadow", "--one-sided", "--resume"), ""),
     "branch": ((PREDATOR_PREY, "--from", "set/replicate-00", "--at", "200", "--seed", "9", "--duration", "4000", "--resume"), ""),
     "neutral": ((*KINEMATIC, "--replicates", "2", "--neutral", "--resume"), ""),
     "analyze": ((TROPHIC, "analyze", "set"), ""), "html": ((TROPHIC, "analyze", "set", "--html"), ".html"), "analyze-sweep": ((TROPHIC, "analyze", "grid"), ""), "page": ((TROPHIC, "show", "set"), ".html"), "plot": ((TROPHIC, "plot", "tables"), ""),

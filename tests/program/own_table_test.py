@@ -35,6 +35,7 @@ class OwnTable(InFolder):
             "jobs",
             "resume",
             "shadow",
+            "one-sided",
             "config",
             "set",
             "out",

@@ -581,7 +581,7 @@ class Refusals(Sweeps):
             self.assert_refused(self.plan(**other), "small/plan.jsonl:1: the folder holds another plan")
 
     def test_sweep_gets_longer_and_more_to_the_same_bytes(self):
-        text = 'engine = "kinematic"\nshadow = true\nreplicates = {}\n[set]\necology.duration_s = {}\n[grid]\nrules.mutation.sd = [0.05, 0.2{}]\n'
+        text = 'engine = "kinematic"\nshadow = true\none_sided = true\nreplicates = {}\n[set]\necology.duration_s = {}\n[grid]\nrules.mutation.sd = [0.05, 0.2{}]\n'
         for name, *values in (("small", 1, 20.0, ""), ("whole", 2, 40.0, ", 0.8")):
             self.write(f"{name}.toml", text.format(*values))
             self.sweep(file=f"{name}.toml", out=name)
@@ -596,12 +596,12 @@ class Refusals(Sweeps):
                 )
         grown = [json.loads(line) for line in (self.folder / "small/plan.jsonl").read_text().splitlines()]
         self.assertEqual([run["folder"] for run in grown[: len(plan)]], [run["folder"] for run in plan])
-        self.assertEqual(len(grown), 12)
+        self.assertEqual(len(grown), 24)
         for before, after, sentence in (
             (
                 "0.2, ",
                 "",
-                "small/plan.jsonl:3: the folder holds another plan, whose run the sweep lacks: rules.mutation.sd = 0.2 there",
+                "small/plan.jsonl:5: the folder holds another plan, whose run the sweep lacks: rules.mutation.sd = 0.2 there",
             ),
             ("40.0", "30.0", "until_s = 40.0 there, 30.0 here"),
             ("replicates = 2", "replicates = 1", "replicate = 1 there, 0 here"),
@@ -615,7 +615,17 @@ class Refusals(Sweeps):
             self.assert_refused(self.plan(file="whole.toml", out="small", run=self.call), sentence)
 
     def test_set_gets_longer_to_the_same_bytes(self):
-        words = [OPTIONS.program, "--backend", "kinematic", "--replicates", "2", "--shadow", "--neutral", "--duration"]
+        words = [
+            OPTIONS.program,
+            "--backend",
+            "kinematic",
+            "--replicates",
+            "2",
+            "--shadow",
+            "--neutral",
+            "--one-sided",
+            "--duration",
+        ]
         self.run_ok(*words, "200", "--out", "set")
         self.run_ok(*words, "400", "--out", "whole")
         self.run_ok(*words, "400", "--out", "set", "--resume")

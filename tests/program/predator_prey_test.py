@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: MIT
 """predator_prey_test.py PROGRAM [unittest arguments]: options, files, errors and exit codes of the predator_prey program."""
 
+import itertools
 import json
 import pathlib
 import platform
@@ -228,6 +229,36 @@ class Runs(PredatorPrey):
         self.assert_refused(
             self.call("--backend", "kinematic", "--shadow", "--duration", 100, "--out", "alone"),
             "--shadow",
+            "needs --replicates",
+        )
+
+    def test_one_sided_worlds_of_the_replicates(self):
+        self.run_out("set", "--replicates", 2, "--one-sided", "--duration", 1500)
+        worlds = ("one_sided_prey", "one_sided_predator")
+        self.assertEqual({path.name for path in (self.folder / "set").glob("*_*")}, set(worlds))
+        self.assertEqual(
+            [json.loads((self.folder / "set" / out / "replicates.json").read_text())["master_seed"] for out in worlds],
+            [1, 1],
+        )
+        for replicate, world in itertools.product(("replicate-00", "replicate-01"), worlds):
+            table, its = self.manifest(f"set/{replicate}"), self.manifest(f"set/{world}/{replicate}")
+            species = world.removeprefix("one_sided_")
+            self.assertEqual((table["params"], table["seed"]), (its["params"], its["seed"]))
+            self.assertEqual(its["rule_table"], f"paper with heredity = own_copy, nothing_inherited for {species}")
+            table["rules"]["heredity"] += f", nothing_inherited for {species}"
+            self.assertEqual(table["rules"], its["rules"])
+            self.assertNotEqual(table["fingerprint"], its["fingerprint"])
+            births = [
+                b for b in self.rows(f"set/{world}/{replicate}", "phylogeny.csv") if b["ancestor_list"] != "[none]"
+            ]
+            distances = {True: [], False: []}
+            for birth in births:
+                distances[birth["species"] == species].append(float(birth["mutation_distance"]))
+            self.assertGreater(min(distances[True]), 1.0)  # two genomes of 15 uniform weights: 3.2 on average
+            self.assertLess(max(distances[False]), 1.0)
+        self.assert_refused(
+            self.call("--backend", "kinematic", "--one-sided", "--duration", 100, "--out", "alone"),
+            "--one-sided",
             "needs --replicates",
         )
 

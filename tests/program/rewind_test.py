@@ -167,18 +167,19 @@ class Rewind(InFolder):
         self.assertFalse([*self.folder.glob("**/*.snapshot-*"), *self.folder.glob("**/*.part")])
 
     def test_replicates_are_futures_of_one_moment(self):
-        self.run_ok(*self.REPLICATES, "--shadow", "--out", "set")
+        self.run_ok(*self.REPLICATES, "--shadow", "--one-sided", "--out", "set")
         self.assert_futures_of_700_s("set")
-        self.assertEqual(
-            self.until("set/shadow/replicate-00", "genomes.csv", 700), self.until("whole", "genomes.csv", 700)
-        )
-        self.assertNotEqual(
-            self.table("set/shadow/replicate-00", "genomes.csv"), self.table("set/replicate-00", "genomes.csv")
-        )
+        for null in ("shadow", "one_sided_prey", "one_sided_predator"):
+            self.assertEqual(
+                self.until(f"set/{null}/replicate-00", "genomes.csv", 700), self.until("whole", "genomes.csv", 700)
+            )
+            self.assertNotEqual(
+                self.table(f"set/{null}/replicate-00", "genomes.csv"), self.table("set/replicate-00", "genomes.csv")
+            )
         self.assertEqual(len({tuple(self.table(f"set/replicate-0{i}", "events.csv")) for i in range(3)}), 3)
 
         before = sorted(path.name for path in self.folder.iterdir())
-        again = self.run_ok(*self.REPLICATES, "--shadow", "--resume", "--out", "set")
+        again = self.run_ok(*self.REPLICATES, "--shadow", "--one-sided", "--resume", "--out", "set")
         self.assertNotIn("the snapshot", again.stdout)
         self.assert_refused(self.call(*self.REPLICATES, "--out", "set"), "exists already")
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), before)

@@ -15,6 +15,7 @@ sys.path[:0] = [str(ROOT / "tests/program"), str(ROOT / "tools/python")]
 import figures_python  # noqa: E402
 
 figures_python.continue_with_pandas()
+import pandas  # noqa: E402
 import trophic.runs as runs  # noqa: E402
 from in_folder import run_ok, sealed_text  # noqa: E402
 
@@ -39,6 +40,7 @@ class Runs(unittest.TestCase):
                 "--replicates",
                 count,
                 "--shadow",
+                *(["--one-sided", "--clones"] if name != "set" else []),
                 "--out",
                 name,
             )
@@ -120,6 +122,19 @@ class Runs(unittest.TestCase):
         study = runs.read_study(self.folder / "study")
         self.assertEqual(list(study), ["one", "two"])
         self.assertEqual([sets[0].manifest["rule_table"] for sets in study.values()], ["paper", "released"])
+
+    def test_a_set_and_its_one_sided_worlds(self):
+        two = runs.read_runs(self.folder / "study/two")
+        self.assertEqual(list(two.one_sided), ["prey", "predator"])
+        for species, world in two.one_sided.items():
+            self.assertEqual([run.seed for run in world], [run.seed for run in two])
+            self.assertEqual(world[0].manifest["rules"]["heredity"], f"shared_copy, nothing_inherited for {species}")
+        nulls = pandas.concat(runs.study_frames(two, "events"))["null"]
+        self.assertEqual(list(nulls.unique()), ["none", "shadow", "one_sided_prey", "one_sided_predator"])
+        two.measure("rows", lambda run: len(run.events))
+        for folder in (".", "shadow", "one_sided_prey", "one_sided_predator"):
+            self.assertTrue((two.path / folder / "replicate-00/rows.csv").is_file())
+        self.assertEqual(runs.read_runs(self.folder / "set").one_sided, {})
 
     def test_a_folder_that_is_not_a_run_is_named_in_the_error(self):
         (self.folder / "empty").mkdir(exist_ok=True)

@@ -29,11 +29,14 @@ std::string why_not_played(const contest::Plan& plan, const Offer& offer, const 
     return "rule table " + plan.rule_table + ": must be " + one_of(tables) + ", those of this program; " + otherwise;
   }
   if (find_backend(offer, plan.engine) == nullptr) return about_missing_backend(plan.engine, backend_names(offer.backends));
-  const auto fingerprint_of = [&](Null null) {
+  const auto fingerprint_of = [&](const Null& null) {
     return experiment_of(plan, offer)->simulations(null)(1)->describe(0.0).fingerprint;
   };
   if (plan.fingerprint.empty() || plan.fingerprint == fingerprint_of(Null::none)) return "";
   if (plan.fingerprint == fingerprint_of(Null::shadow)) return "";
+  const FoodWeb web = experiment_of(plan, offer)->simulations(Null::none)(1)->view().web;
+  for (Species species = 0; web.size() > 1 && species < web.size(); ++species)
+    if (plan.fingerprint == fingerprint_of({Null::one_sided, web.name(species)})) return "";
   return "fingerprint " + plan.fingerprint + ": must be " + fingerprint_of(Null::none) +
          ", what this program makes of the runs' parameters; rules, models or engine changed";
 }

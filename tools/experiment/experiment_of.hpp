@@ -72,7 +72,7 @@ inline void apply(const ExperimentOptions& options, AnyExperiment& experiment) {
 
 /// Makes the ecologies of an experiment, under a null, with --changes and those of a conductor, which may be null.
 [[nodiscard]] inline MakeSimulation simulations(const AnyExperiment& chosen, const ExperimentOptions& options,
-                                                const Config& config, AnyExperiment& experiment, Null null,
+                                                const Config& config, AnyExperiment& experiment, const Null& null,
                                                 const HistoryOf& history = {}, changes::Conductor* conductor = nullptr) {
   if (!may_change(options)) return experiment.simulations(null, history);
   const auto schedule = schedule_of_changes(options, experiment.ecology());

@@ -30,6 +30,7 @@ struct ExperimentOptions {
   bool shadow = false;
   bool neutral = false;
   bool clones = false;
+  bool one_sided = false;
   std::string config;
   std::vector<std::string> assignments;
   std::string out;

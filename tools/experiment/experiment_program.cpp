@@ -58,6 +58,12 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
         .help = "run the table with one genome for all too, into OUT/clones: who differs from whom cannot matter",
         .needs = {"--replicates"},
         .not_with = {"--from"}},
+       {.name = "--one-sided",
+        .target = &options.one_sided,
+        .help = "run the table's one-sided worlds too, into OUT/one_sided_SPECIES for each species: that species inherits "
+                "nothing, all "
+                "others as the table says",
+        .needs = {"--replicates"}},
        {.name = "--jobs",
         .target = &options.jobs,
         .help = "replicates, runs of a plan or contests at a time (one per core); results do not depend on it",

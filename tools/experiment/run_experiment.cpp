@@ -256,11 +256,29 @@ int run_once(const ExperimentOptions& options, AnyExperiment& experiment, const 
     return std::ranges::any_of(set.all(),
                                [&](const replicates::Replicate& one) { return checkpoint::needs_snapshot(one.folder, until_s); });
   };
-  return any(plan) || std::ranges::any_of(nulls, [&](Null null) {
+  return any(plan) || std::ranges::any_of(nulls, [&](const Null& null) {
            replicates::Plan beside = plan;
-           beside.out /= replicates::folder_of(null);
+           beside.out /= name_of(null);
            return any(beside);
          });
+}
+
+/// The nulls that the options ask for, of the ecologies that `make` makes. Throws std::invalid_argument for --one-sided with one
+/// species.
+[[nodiscard]] inline std::vector<Null> nulls_of(const ExperimentOptions& options, const MakeSimulation& make,
+                                                std::uint64_t seed) {
+  std::vector<Null> nulls;
+  if (options.shadow) nulls.emplace_back(Null::shadow);
+  if (options.neutral) nulls.emplace_back(Null::neutral);
+  if (options.clones) nulls.emplace_back(Null::clones);
+  if (!options.one_sided) return nulls;
+  const FoodWeb web = make(seed)->view().web;
+  if (web.size() < 2) {
+    throw std::invalid_argument{"--one-sided: needs a table with two species or more; with " + web.name(0) +
+                                " alone it would be the --shadow"};
+  }
+  for (Species species = 0; species < web.size(); ++species) nulls.emplace_back(Null::one_sided, web.name(species));
+  return nulls;
 }
 
 /// Runs replicates into the folder that the options name, with the nulls that are asked for, and returns the exit code.
@@ -272,10 +290,7 @@ int run_once(const ExperimentOptions& options, AnyExperiment& experiment, const 
   plan.check();
   for (const replicates::Replicate& one : plan.all()) check_same_changes(options, one.folder);
   if (options.resume) check_resumed(plan.all().front().folder, make(plan.master_seed)->describe(until_s));
-  std::vector<Null> nulls;
-  if (options.shadow) nulls.push_back(Null::shadow);
-  if (options.neutral) nulls.push_back(Null::neutral);
-  if (options.clones) nulls.push_back(Null::clones);
+  const std::vector<Null> nulls = nulls_of(options, make, plan.master_seed);
   std::optional<checkpoint::SnapshotFolder> room;
   if (origin) {
     plan.check();
@@ -285,7 +300,7 @@ int run_once(const ExperimentOptions& options, AnyExperiment& experiment, const 
     if (needs_snapshot(plan, nulls, until_s) && !make_snapshot(*plan.snapshot, *origin)) return stopped;
   }
   std::vector<replicates::SetOfRuns> sets{{Null::none, make}};
-  for (const Null null : nulls) {
+  for (const Null& null : nulls) {
     const HistoryOf history = null == Null::neutral ? replicates::histories_of(plan) : HistoryOf{};
     sets.push_back({null, simulations(chosen, options, config, experiment, null, history)});
   }
@@ -369,15 +384,20 @@ int run_experiment(const AnyExperiment& chosen, const ExperimentOptions& options
                           nullptr);
 }
 
-PlannedFacts facts(const AnyExperiment& chosen, const Config& config, Null null) {
+PlannedFacts facts(const AnyExperiment& chosen, const Config& config, const Null& null) {
   const auto experiment = detail::planned_experiment(chosen, config);
   const EcologyParams& ecology = experiment->ecology();
   const double steps_a_second = experiment->backend().has_joints() ? 1.0 / experiment->physics().timestep_s : ecology.control_hz;
-  return {experiment->simulations(null)(experiment->seed())->describe(ecology.duration_s),
-          static_cast<double>(ecology.robots) * std::ceil(ecology.duration_s * ecology.clock_scale * steps_a_second)};
+  const std::unique_ptr<Simulation> simulation = experiment->simulations(null)(experiment->seed());
+  PlannedFacts facts{simulation->describe(ecology.duration_s),
+                     static_cast<double>(ecology.robots) * std::ceil(ecology.duration_s * ecology.clock_scale * steps_a_second),
+                     {}};
+  const FoodWeb& web = simulation->view().web;
+  for (Species species = 0; species < web.size(); ++species) facts.species.push_back(web.name(species));
+  return facts;
 }
 
-std::string run_planned(const AnyExperiment& chosen, const Config& config, Null null, const HistoryOf& history,
+std::string run_planned(const AnyExperiment& chosen, const Config& config, const Null& null, const HistoryOf& history,
                         std::uint64_t seed, const std::filesystem::path& folder, const replicates::CommonOptions& common,
                         replicates::Watch watch) {
   const auto experiment = detail::planned_experiment(chosen, config);

@@ -38,17 +38,18 @@ namespace detail {
 
 }  // namespace detail
 
-/// A planned run: its description and its amount of work.
+/// A planned run: its description, its amount of work and the species of its table.
 struct PlannedFacts {
   observe::RunDescription description;
   double work = 0.0;  ///< robots times steps of the engine
+  std::vector<std::string> species;
 };
 
 /// Facts of a run with the parameters of a configuration file, under a null.
-[[nodiscard]] PlannedFacts facts(const AnyExperiment& chosen, const Config& config, Null null);
+[[nodiscard]] PlannedFacts facts(const AnyExperiment& chosen, const Config& config, const Null& null);
 
 /// Runs or resumes that run in a folder. `history`: of the neutral null. Returns a remark about the folder, which may be empty.
-std::string run_planned(const AnyExperiment& chosen, const Config& config, Null null, const HistoryOf& history,
+std::string run_planned(const AnyExperiment& chosen, const Config& config, const Null& null, const HistoryOf& history,
                         std::uint64_t seed, const std::filesystem::path& folder, const replicates::CommonOptions& common,
                         replicates::Watch watch);
 

@@ -64,7 +64,7 @@ inline void insert(toml::table& table, std::string_view path, const Json& value)
 
 /// Equal for runs that differ in their seed alone.
 [[nodiscard]] inline std::string kind_of(const PlannedRun& run) {
-  return json_text({run.rule_table, run.engine, run.settings, enum_name(run.null)});
+  return json_text({run.rule_table, run.engine, run.settings, name_of(run.null)});
 }
 
 /// A plan on what the program offers.
@@ -203,7 +203,8 @@ class Runner {
                        {"engine", run.engine},
                        {"until_s", facts.description.until_s},
                        {"work", facts.work},
-                       {"fingerprint", facts.description.fingerprint}}) +
+                       {"fingerprint", facts.description.fingerprint},
+                       {"species", facts.species}}) +
             "\n";
   }
   return print_text(text);

@@ -17,7 +17,7 @@ class PlanLine {
   PlanLine(std::string where, std::string_view text) : where_{std::move(where)}, json_(parse_json_or_null(text)) {
     if (!json_.is_object()) throw std::invalid_argument{where_ + "must be a JSON object on a line of its own"};
     constexpr std::array known{"rule_table", "engine", "settings", "seed", "null",        "folder", "replay_hz", "agents_every",
-                               "senses",     "states", "until_s",  "work", "fingerprint", "cell",   "replicate"};
+                               "senses",     "states", "until_s",  "work", "fingerprint", "cell",   "replicate", "species"};
     for (const auto& [field, value] : json_.items()) {
       if (std::ranges::find(known, std::string_view{field}) == known.end()) reject(field, "not be there: no such field");
     }
@@ -84,11 +84,9 @@ class PlanLine {
   if (!is_draft || line.has("engine")) run.engine = line.text("engine");
   run.settings = line.settings("settings");
   run.seed = line.whole("seed");
-  const std::string null = line.text("null");
-  const auto names = enum_names(Null{});
-  const auto name = std::ranges::find(names, null);
-  if (name == names.end()) line.reject("null", "be none, shadow, neutral or clones");
-  run.null = static_cast<Null>(name - names.begin());
+  const auto null = null_named(line.text("null"));
+  if (!null) line.reject("null", "be none, shadow, neutral, clones or one_sided_SPECIES");
+  run.null = *null;
   run.folder = line.folder("folder");
   run.output.replay_hz = line.number("replay_hz");
   if (!(run.output.replay_hz >= 0.0 && run.output.replay_hz <= 1000.0)) line.reject("replay_hz", "be >= 0 and <= 1000");

@@ -12,11 +12,6 @@
 
 namespace trophic::replicates {
 
-/// The folder of a null's runs in that of the experiment's.
-[[nodiscard]] inline std::string folder_of(Null null) {
-  return std::string{enum_name(null)};
-}
-
 /// An experiment, or its null, as replicates are made of it.
 struct SetOfRuns {
   Null null = Null::none;
@@ -41,7 +36,7 @@ template <class Rules>
 std::vector<std::string> run_with_nulls(const Experiment<Rules>& experiment, const BackendChoice& backend, const Plan& plan,
                                         std::span<const Null> nulls, const io::Provenance& provenance, std::ostream& out) {
   std::vector<SetOfRuns> sets{{Null::none, simulations_of(experiment, backend)}};
-  for (const Null null : nulls)
+  for (const Null& null : nulls)
     sets.push_back(
         {null, simulations_of(under(null, experiment), backend, null == Null::neutral ? histories_of(plan) : HistoryOf{})});
   return run_with_nulls(sets, experiment.ecology.duration_s, plan, provenance, out);

@@ -4,6 +4,7 @@
 
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/habitat/nursery.hpp>
+#include <trophic/population/food_web.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/population/null.hpp>
 #include <trophic/reproduction/genome_source/contract.hpp>
@@ -24,5 +25,21 @@ struct BirthSetting {
   const Habitat* habitat = nullptr;
   const Nursery* nursery = nullptr;
 };
+
+/// The species that inherits nothing in a one-sided world; none under another null. Throws std::invalid_argument for a species
+/// that the food web lacks, and for its only one, whose one-sided world is the shadow.
+[[nodiscard]] inline OneSpecies species_of(const Null& null, const FoodWeb& web) {
+  if (null.kind != Null::one_sided) return std::nullopt;
+  if (web.size() < 2) {
+    throw std::invalid_argument{"null = " + name_of(null) +
+                                ": must be in a table with two species or more; with one species it is the shadow"};
+  }
+  std::string names;
+  for (Species species = 0; species < web.size(); ++species) {
+    if (web.name(species) == null.species) return species;
+    names += (species == 0 ? "" : species + 1 < web.size() ? ", " : " or ") + name_of({Null::one_sided, web.name(species)});
+  }
+  throw std::invalid_argument{"null = " + name_of(null) + ": must be " + names + ", the table's species"};
+}
 
 }  // namespace trophic

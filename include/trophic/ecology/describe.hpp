@@ -20,17 +20,35 @@ namespace trophic {
 
 /// The name of a table's rule Heredity under a null, which the population applies in its place; empty without a null.
 template <class Rules>
-[[nodiscard]] std::string heredity_under(Null null) {
-  switch (null) {
+[[nodiscard]] std::string heredity_under(const Null& null) {
+  const std::string own{detail::policy_name<PolicyIn<Rules, RuleSlot::heredity>>()};
+  const std::string nothing{reproduction::heredity::NothingInherited::name};
+  switch (null.kind) {
     case Null::none:
       return {};
     case Null::shadow:
-      return std::string{reproduction::heredity::NothingInherited::name};
+      return nothing;
     case Null::neutral:
-      return "neutral_" + std::string{detail::policy_name<PolicyIn<Rules, RuleSlot::heredity>>()};
+      return "neutral_" + own;
     case Null::clones:
       return "one_genome_for_all";
+    case Null::one_sided:
+      return own + ", " + nothing + " for " + null.species;
   }
+  return {};
+}
+
+/// The rule or parameter by which a species inherits nothing without a null, too; empty if it may inherit.
+template <class Rules>
+[[nodiscard]] std::string why_nothing_inherited(const Policies<Rules>& policies, Species species) {
+  const auto& heredity = for_species(policies.heredity, species);
+  if constexpr (std::same_as<std::remove_cvref_t<decltype(heredity)>, reproduction::heredity::NothingInherited>)
+    return "rules.heredity = " + std::string{reproduction::heredity::NothingInherited::name};
+  if constexpr (requires { heredity.params.inherited; })
+    if (!heredity.params.inherited) return "rules.heredity: inherited = false";
+  const auto& source = for_species(policies.genome_source, species);
+  if constexpr (requires { source.params.random_share; })
+    if (source.params.random_share >= 1.0) return "rules.genome_source: random_share = 1";
   return {};
 }
 
@@ -72,6 +90,13 @@ template <class Rules>
     run.slots.emplace_back(rule.slot, rule.slot == slot_name(RuleSlot::heredity) && !heredity.empty() ? heredity : rule.policy);
   if (experiment.null == Null::shadow || experiment.null == Null::clones) {
     std::erase_if(run.named_params, [](const NamedParam& param) { return param.path.starts_with("rules.heredity."); });
+  }
+  if (const OneSpecies one_sided = species_of(experiment.null, policies.community.web())) {
+    const std::string its_params = "rules.heredity." + experiment.null.species + ".";  // of by_species
+    std::erase_if(run.named_params, [&](const NamedParam& param) { return param.path.starts_with(its_params); });
+    if (const std::string why = why_nothing_inherited<Rules>(policies, *one_sided); !why.empty())
+      run.remarks.push_back("null = " + name_of(experiment.null) + " has no effect: " + experiment.null.species +
+                            " inherits nothing anyway by " + why);
   }
   using Capture = PolicyIn<Rules, RuleSlot::capture>;
   const std::string zone{death::ask::zone<Capture>()};

@@ -39,7 +39,7 @@ struct Experiment {
 /// The same seed and parameters under a null.
 template <class Rules>
 [[nodiscard]] Experiment<Rules> under(Null null, Experiment<Rules> experiment) {
-  experiment.null = null;
+  experiment.null = std::move(null);
   return experiment;
 }
 

@@ -16,11 +16,13 @@ namespace trophic {
 template <class Rules>
 class Genomes {
  public:
-  /// All arguments outlive it.
-  Genomes(const Policies<Rules>& rules, std::uint64_t seed, const BirthSetting& setting)
+  /// All arguments outlive it. Throws std::invalid_argument for a one-sided world of a species that `web` lacks, or of its only
+  /// one.
+  Genomes(const Policies<Rules>& rules, const FoodWeb& web, std::uint64_t seed, const BirthSetting& setting)
       : rules_{rules},
         seed_{seed},
-        null_{setting.null},
+        null_{setting.null.kind},
+        one_sided_{species_of(setting.null, web)},
         brains_{rules, seed},
         traits_{rules, seed},
         phenotypes_{rules, seed, setting.habitat, setting.nursery} {}
@@ -42,10 +44,10 @@ class Genomes {
     return genome;
   }
 
-  /// The genome that the Heredity rule makes of the parents'; null without parents, or under a null that draws all anew. Throws
+  /// The genome that the Heredity rule makes of the parents'; null without parents, or under a null that draws it anew. Throws
   /// RuleError for one that the species' brain does not take.
   [[nodiscard]] std::shared_ptr<Genome> inherit(const Individual& born, std::span<const Ancestor> parents) const {
-    if (parents.empty() || null_ == Null::shadow || null_ == Null::clones) return nullptr;
+    if (parents.empty() || null_ == Null::shadow || null_ == Null::clones || one_sided_ == born.species) return nullptr;
     Rng rng{seed_, Stream::crossover, born.id};
     auto genome =
         reproduction::ask::inherit(for_species(rules_.heredity, born.species), parents, brains_.neurons(born.species), rng);
@@ -104,7 +106,8 @@ class Genomes {
  private:
   const Policies<Rules>& rules_;
   std::uint64_t seed_;
-  Null null_;
+  Null::Kind null_;
+  OneSpecies one_sided_;  ///< that inherits nothing where the others inherit; none: no such species
   BrainGenes<Rules> brains_;
   TraitGenes<Rules> traits_;
   Phenotypes<Rules> phenotypes_;

@@ -37,7 +37,7 @@ class Population {
         web_{web},
         seed_{seed},
         tags_{for_species(rules.brain, 0).tags()},
-        genomes_{rules, seed, setting},
+        genomes_{rules, web, seed, setting},
         economy_{rules, seed, web.size(), setting.habitat},
         census_{web.size()} {
     check_tags(tags_);

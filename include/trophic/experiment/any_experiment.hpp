@@ -41,7 +41,7 @@ class AnyExperiment {
   /// The rules of its table.
   [[nodiscard]] virtual std::vector<rules::SlotRule> slot_rules() const = 0;
   /// Makes its ecologies with the present parameters, under a null. `history`: of the neutral null, by seed.
-  [[nodiscard]] virtual MakeSimulation simulations(Null null, const HistoryOf& history = {}) const = 0;
+  [[nodiscard]] virtual MakeSimulation simulations(const Null& null, const HistoryOf& history = {}) const = 0;
   /// Makes contests in its arena, with its brains and backend.
   [[nodiscard]] virtual MakeContest contests() const = 0;
   /// The brain of its table.

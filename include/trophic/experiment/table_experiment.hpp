@@ -36,7 +36,7 @@ class TableExperiment final : public AnyExperiment {
   [[nodiscard]] Physics& physics() override { return experiment_.physics; }
   [[nodiscard]] BackendChoice& backend() override { return backend_; }
   [[nodiscard]] std::vector<rules::SlotRule> slot_rules() const override { return rules::slot_rules<Rules>(); }
-  [[nodiscard]] MakeSimulation simulations(Null null, const HistoryOf& history) const override {
+  [[nodiscard]] MakeSimulation simulations(const Null& null, const HistoryOf& history) const override {
     return simulations_of(under(null, experiment_), backend_, history, installed_);
   }
   /// The arena is loaded once. Throws as the ecology's constructor does.

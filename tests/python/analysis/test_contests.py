@@ -194,7 +194,7 @@ def test_the_command_writes_a_row_for_each_and_prints_them(tmp_path, capsys):
     rows = (tmp_path / "progress.csv").read_text().splitlines()
     assert rows[0] == (
         "against,species,role,opponent,period,from_s,to_s,runs,mean_s,lower_s,upper_s,shadow_runs,shadow_s,over_shadow_s,over_shadow_lower_s,"
-        "over_shadow_upper_s,p,p_holm"
+        "over_shadow_upper_s,p,p_holm,lower_corrected_s,upper_corrected_s"
     )
     assert rows[1].startswith("own,predator,hunter,prey,early,0,1000,6,40,40,40,6,0,40,40,40,0,0")
 

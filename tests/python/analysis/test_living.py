@@ -380,5 +380,5 @@ def test_sentences_of_a_set_in_which_a_species_dies_out_and_the_other_cycles():
         "All species live to the end of 6 of 10 runs, a share of [0.262, 0.878].",
         "Predators live to the end of 6 of 10 runs, a share of [0.262, 0.878].",
         "Prey cycle in 9 of 10 runs, a share of [0.555, 0.997], with a period of 110 s [102, 118] and an amplitude of 0.50 [0.50, 0.50] of their mean.",
-        "Predators have no cycle: red noise explains their numbers in 9 of 10 runs.",
+        "Predators cycle in no more runs than by chance: red noise explains their numbers in 9 of 10 runs.",
     ]

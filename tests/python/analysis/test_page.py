@@ -9,7 +9,7 @@ import numpy
 import pandas
 import pytest
 
-from trophic import judge
+from trophic import controls, judge
 from trophic.report import page
 from trophic.runs import Run, RunError
 from trophic.values import VALUE_COLUMNS, MeasuredSet, Metric, RunValues
@@ -85,7 +85,8 @@ def test_findings_conclusions_and_counts_are_the_judge_s(tmp_path, paper):
     said, text = written(tmp_path, [paper], frame, text="a < b")
     assert f"{tmp_path / 'page.html'}: 0 figures, 0 replays" in said
     shown = [html.unescape(line) for line in re.findall("<li>(.*?)</li>", text)]
-    assert shown == [*(one.sentence for one in judge.findings(frame)), judge.count(frame).sentence()]
+    told = [f"{one[0].upper()}{one[1:]}." for one in controls.sentences(paper, judge.metrics_of(frame))]
+    assert shown == [*told, *(one.sentence for one in judge.findings(frame)), judge.count(frame).sentence()]
     rows = cells(text)
     assert [row[0] for row in rows] == ["velocity prey, cm/s"]  # nobody starved
     assert [row[-1] for row in rows] == ["above"]

@@ -9,6 +9,7 @@ from trophic.statistics import (
     MIN_RUNS_FOR_TEST,
     Contrast,
     Difference,
+    Interval,
     Scatter,
     adjust_together,
     contrast,
@@ -149,11 +150,23 @@ def test_difference_has_a_p_value_where_its_contrast_has_one():
 
 
 def test_differences_are_corrected_together_and_those_without_a_p_value_do_not_count():
-    small, none, large = Difference(1.0, p=0.02), Difference(0.0, adjusted=0.001), Difference(2.0, p=0.03)
+    small = Difference(1.0, p=0.02, at=lambda level: Interval(0.0, level))
+    none, large = Difference(0.0, adjusted=0.001), Difference(2.0, p=0.03)
     adjust_together([small, none, large])
     assert small.adjusted == large.adjusted == 0.04 and none.adjusted is None
-    assert small.level == large.level == 0.025 and none.level is None
+    assert small.corrected == (0.0, 0.975) and none.corrected is None  # half of 5 % is left to each of the two
     assert small.differs() and not none.differs()
+
+
+def test_corrected_intervals_hold_in_all_of_twenty_comparisons_at_once_in_95_percent_of_analyses():
+    rng = numpy.random.default_rng(12)
+    truth, inside, alone = numpy.linspace(-1.0, 1.0, 20), 0, 0
+    for sets in rng.normal(0.0, 1.0, (300, 20, 8)):
+        found = [difference_of(of.mean(), contrast((1.0, of))) for of in sets + truth[:, None]]
+        adjust_together(found)
+        inside += all(one.corrected.lower <= at <= one.corrected.upper for one, at in zip(found, truth))
+        alone += all(one.interval.lower <= at <= one.interval.upper for one, at in zip(found, truth))
+    assert inside >= 0.93 * 300 and alone <= 0.5 * 300
 
 
 @pytest.mark.parametrize("p_holm, significant", [(0.05, True), (0.0501, False), (None, False), (math.nan, False)])
@@ -300,7 +313,7 @@ def test_runs_for_power_refuses_a_bad_level_or_power(level, power):
 def test_simulated_studies_of_so_many_runs_as_needed_find_the_difference_in_80_percent(deviations, level):
     variances = numpy.square(deviations)
     scatter = Scatter(variances.sum(), variances.sum() ** 2 / numpy.square(variances).sum())
-    runs = Difference(1.0, adjusted=0.9, scatter=scatter, level=level).runs_needed()
+    runs = runs_for_power(1.0, scatter, level)
 
     def found(count):
         rng = numpy.random.default_rng(count)
@@ -309,9 +322,3 @@ def test_simulated_studies_of_so_many_runs_as_needed_find_the_difference_in_80_p
 
     assert found(runs) == approx(0.80, abs=0.035)
     assert found(runs // 2) < 0.65
-
-
-def test_significant_untested_or_unscattered_differences_need_no_runs():
-    assert Difference(1.0, adjusted=0.01, scatter=Scatter(1.0), level=0.05).runs_needed() is None
-    assert Difference(1.0, scatter=Scatter(1.0)).runs_needed() is None
-    assert Difference(1.0, adjusted=0.9, level=0.05).runs_needed() is None

@@ -131,13 +131,13 @@ def write_plan(folder, plan):
         ({"until_s": 300.0}, ":4: until_s = 300.0: must be 6000.0, as in the other runs"),
         ({"until_s": 0}, ":4: until_s = 0: must be > 0 and <= 100000000"),
         ({"seed": -1}, ":4: seed = -1: must be a whole number >= 0"),
-        ({"seed": 7}, ":4: seed = 7: must be 101, as a replicate and its shadow have one"),
+        ({"seed": 7}, ":4: seed = 7: must be 101, as a replicate and its nulls have one"),
         ({"seed": 100}, ":4: seed = 100: must be another for each replicate of cell 0"),
         ({"replicate": 0}, ":4: replicate = 0: must be another for each run of cell 0"),
         ({"fingerprint": "other"}, ':4: fingerprint = "other": must be "f0s"'),
         ({"engine": "a\nb"}, "without control characters"),
         ({"settings": {"a": [1]}}, ":4: settings = "),
-        ({"null": 1}, ":4: null = 1: must be none or shadow"),
+        ({"null": 1}, ":4: null = 1: must be none, shadow or one_sided_SPECIES"),
         ({"agents_every": 0}, ":4: agents_every = 0: must be >= 1"),
         ({"work": math.inf}, ":4: work = Infinity: must be >= 0"),
     ],
@@ -350,7 +350,7 @@ def test_cells_that_share_seeds_are_compared_seed_by_seed_others_as_independent_
         approx(2.0),
     )
     assert row.hedges_g < 0.2  # runs of one cell are far apart, whatever the pairs say
-    assert (row.conclusion == "above", row.smallest_detectable < 2.0, row.runs_needed == 6) == (paired,) * 3
+    assert (row.conclusion == "above", row.smallest_detectable < 2.0) == (paired,) * 2
     assert row.lower_corrected < row.lower < row.upper < row.upper_corrected
 
 
@@ -389,17 +389,26 @@ def test_with_shadows_in_every_cell_the_answer_is_over_them_and_the_raw_differen
     values.is_there = [run.cell != 2 or not run.shadow for run in plan]
     without = compare_cells(grid_of(plan), values, 0)
     assert set(without["compared"]) == {"raw"} and set(without["role"]) == {"null"}
+    values.is_there, values.is_constant = [True] * len(
+        plan
+    ), False  # numbers change: the shadow is no control of one species
+    assert set(compare_cells(grid_of(plan), values, 0)["compared"]) == {"raw"}
 
 
 def test_too_few_runs_have_no_test_but_count_and_nothing_that_varies_does_not():
     plan = plan_of(3, 5)
     frame = compare_cells(grid_of(plan), values_of(plan, lambda run: (run.cell == 2) * (1.0 + run.replicate)), 0)
     assert list(frame["conclusion"]) == ["not compared", "too few runs"]
-    assert (
-        cells.count(frame) == (1, 0)
-        and frame["p_holm"].isna().all()
-        and frame["runs_needed"].notna().tolist() == [False, True]
-    )
+    assert cells.count(frame) == (1, 0) and frame["p_holm"].isna().all()
+
+
+def test_a_metric_that_some_runs_lack_is_described_and_not_compared():
+    plan = plan_of(2, 8)
+    values = values_of(plan, lambda run: run.cell + 0.01 * run.replicate * (-1) ** run.cell)
+    assert compare_cells(grid_of(plan), values, 0)["conclusion"].tolist() == ["above"]
+    both = SweepValues([HUNGER, HUNGER._replace(metric="period")], numpy.hstack([values.runs] * 2), values.is_there)
+    both.runs[9, 1] = numpy.nan  # a run of the second cell has no period
+    assert compare_cells(grid_of(plan), both, 0)["conclusion"].tolist() == ["above", "not compared"]
 
 
 def test_a_difference_needs_so_many_runs_by_the_scatter_of_cells():
@@ -685,7 +694,7 @@ def test_what_was_compared_and_what_is_significant_is_said():
         "2 of 2 comparisons are significant (p <= 0.05, corrected for all of them: Holm).\n"
     )
     (line,) = [line for line in text.splitlines() if line.startswith("hunger predator") and "2/2" in line]
-    assert line.split("  ")[-1] == "2 (y 1.0)" and "+20.0 [+18.9, +21.1]" in line
+    assert line.split("  ")[-1] == "2 (y 1.0)" and "+20.0 [+18.6, +21.4]" in line
     assert "inconclusive" not in text
 
 
@@ -699,12 +708,12 @@ def test_what_is_not_significant_is_inconclusive_not_absent():
     assert "inconclusive in every cell: 1 metric: hunger predator\n" in text and "no effect" not in text
 
 
-def test_named_metrics_have_a_line_for_each_cell_with_the_runs_that_an_inconclusive_one_needs():
-    assert "hunger predator  1 (y 0.5)  10.0  0.0        +10.0 [+9.4, +10.6]   <0.001" in report.named_text(
+def test_named_metrics_have_a_line_for_each_cell_with_the_difference_that_an_inconclusive_one_would_detect():
+    assert "hunger predator  1 (y 0.5)  10.0  0.0        +10.0 [+9.3, +10.7]   <0.001" in report.named_text(
         analyzed(10.0)
     )
     open_ = report.named_text(analyzed(0.1))
-    assert "runs needed\n" in open_ and "  6+6   " in open_
+    assert "detectable\n" in open_ and "  6+6   " in open_
     assert report.named_text(analyzed(10.0, 2, is_chosen=True)) in report.text_of(analyzed(10.0, 2, is_chosen=True))
 
 
@@ -780,9 +789,9 @@ def test_tables_have_their_columns_and_what_was_measured(tmp_path):
         "1,paper,kinematic,6,6,6,6000,0.5\n"
     )
     assert (
-        "\n0,0,0,0,100,velocity,prey,all,0\n" in tables["runs.csv"]
+        "\n0,0,0,none,100,velocity,prey,all,0\n" in tables["runs.csv"]
         and "\n5," not in tables["runs.csv"]
-        and "\n23,1,5,1,105,velocity,prey,all,1\n" in tables["runs.csv"]
+        and "\n23,1,5,shadow,105,velocity,prey,all,1\n" in tables["runs.csv"]
     )
     assert "\n0,velocity,prey,all,m/s,5,1,0.790569415042094" in tables["sweep_metrics.csv"]
     assert ",,,6,0,5,1,,\n1,velocity,prey,all,m/s,6,2.25," in tables["sweep_metrics.csv"]  # five pairs: no interval

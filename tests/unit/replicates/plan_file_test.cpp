@@ -58,6 +58,7 @@ TEST_CASE("plan file: its lines -> the runs, field by field") {
   CHECK(run.seed == 9007199254740991);
   CHECK(run.null == Null::shadow);
   CHECK(runs[2].null == Null::none);
+  CHECK(disk.read(with("\"none\"", "\"one_sided_big_prey\""))[2].null == Null{Null::one_sided, "big_prey"});
   CHECK(run.folder == "cell-2/shadow/replicate-0");
   CHECK(run.output == io::OutputOptions{.replay_hz = 0.0, .states = true});
   CHECK(run.until_s == 6000.0);
@@ -79,7 +80,9 @@ TEST_CASE("plan file: broken -> refused with line, field, value and bound") {
            std::tuple{"{\"cell\"", "\"cell\"", "plan.jsonl:3: must be a JSON object"},
            std::tuple{"\"seed\"", "\"sede\"", "plan.jsonl:3: sede = 9007199254740991: must not be there"},
            std::tuple{"\"null\":\"none\",", "", "plan.jsonl:3: null: must be there"},
-           std::tuple{"\"none\"", "\"non\"", "plan.jsonl:3: null = \"non\": must be none, shadow, neutral or clones"},
+           std::tuple{"\"none\"", "\"non\"",
+                      "plan.jsonl:3: null = \"non\": must be none, shadow, neutral, clones or one_sided_SPECIES"},
+           std::tuple{"\"none\"", "\"one_sided_\"", "plan.jsonl:3: null = \"one_sided_\": must be none"},
            std::tuple{"\"rule_table\":\"paper\"", "\"rule_table\":\"\"", "plan.jsonl:3: rule_table = \"\": must be a text"},
            std::tuple{"true}", "null}", "must have a number, a text, true or false at each path"},
            std::tuple{"\"seed\":9007199254740991", "\"seed\":1.5", "plan.jsonl:3: seed = 1.5: must be a whole number >= 0"},

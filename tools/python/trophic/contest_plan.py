@@ -13,6 +13,7 @@ import json
 import math
 import os
 import pathlib
+import re
 import subprocess
 import time
 import zlib
@@ -224,8 +225,9 @@ def add_matches(
 
 
 def _table_of(run: PooledRun) -> str:
-    """The shadow's teams meet in the arena of the table that it is the shadow of."""
-    return run.manifest["rule_table"].split(" with heredity = nothing_inherited")[0]
+    """Teams of a shadow or of a one-sided world meet in the arena of the table that it is the null of."""
+    table = run.manifest["rule_table"]
+    return re.sub(r" with heredity = (nothing_inherited|\w+, nothing_inherited for .*)$", "", table)
 
 
 def _kind_of(run: PooledRun) -> str:

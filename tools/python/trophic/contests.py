@@ -24,7 +24,7 @@ _SECONDS = Reading(Metric("progress", "", "", "ticks"))
 @dataclasses.dataclass
 class Progress:
     """Progress of a species against opponents of all epochs, over a period, in seconds of contact time: greater is better for both roles. The
-    tests over the two roles of one link, period and kind of opponents are corrected together (Holm).
+    tests over the two roles of one link, period and kind of opponents are corrected together (Holm), and so are their intervals (Bonferroni).
     """
 
     against: str
@@ -154,6 +154,8 @@ def table(progress: Sequence[Progress]) -> pandas.DataFrame:
                 "over_shadow_upper_s": upper(one.over_shadow.interval),
                 "p": one.over_shadow.p,
                 "p_holm": one.over_shadow.adjusted,
+                "lower_corrected_s": lower(one.over_shadow.corrected),
+                "upper_corrected_s": upper(one.over_shadow.corrected),
             }
             for one in progress
         ]
@@ -184,7 +186,7 @@ def text(progress: Sequence[Progress]) -> str:
                 *(number_text(round(epoch_s, 1)) for epoch_s in (one.from_s, one.to_s)),
                 _SECONDS.of(one.ours),
                 _SECONDS.of(one.shadow),
-                _SECONDS.with_interval(over.value, over.interval, True),
+                _SECONDS.with_interval(over.value, over.corrected or over.interval, True),
                 p_text(over.adjusted),
                 one.conclusion(),
             )

@@ -67,10 +67,8 @@ class Description:
     """Codes of the programs that made the runs."""
     versions: tuple[str, ...]
     replicates: int
-    shadow: int
-    """Runs of the neutral shadow; 0 without one."""
-    neutral: int
-    """Runs of the neutral null; 0 without one."""
+    nulls: dict[str, int]
+    """How many runs of each null there are, by its name in a sentence: "shadow", "one-sided world of prey"."""
     until_s: float
     """Simulated time, s."""
     whole_s: float
@@ -92,17 +90,18 @@ class Description:
 
     def facts(self) -> dict[str, str]:
         """(what, which) for cards and pages."""
-        nulls = [
-            f", {count} of the {title}"
-            for count, title in ((self.shadow, "shadow"), (self.neutral, "neutral null"))
-            if count
-        ]
+        nulls = [f", {count} of the {title}" for title, count in self.nulls.items()]
         facts = {"runs": self.length() + "".join(nulls), "rules": self.rules, "engine": self.engine}
         facts["fingerprint"] = self.identity
         facts[
             "program"
         ] = f"trophic {', '.join(self.versions)}, {'builds' if len(self.builds) > 1 else 'build'} {' and '.join(self.builds) or 'unknown'}"
         return facts
+
+
+def _nulls(of: SetOfRuns) -> list[tuple[str, Any]]:
+    one_sided = [(f"one-sided world of {species}", its) for species, its in getattr(of, "one_sided", {}).items()]
+    return [("shadow", of.shadow), *one_sided, ("neutral null", of.neutral)]
 
 
 def describe(of: SetOfRuns) -> Description:
@@ -136,7 +135,7 @@ def describe(of: SetOfRuns) -> Description:
         builds=tuple(sorted({build for run in of.runs for build in run.builds})),
         versions=tuple(sorted({run.manifest.get("trophic", "unknown") for run in of.runs})),
         replicates=len(of.runs),
-        **{name: len(its.runs) if (its := getattr(of, name)) else 0 for name in ("shadow", "neutral")},
+        nulls={title: len(its.runs) for title, its in _nulls(of) if its},
         until_s=until_s,
         whole_s=whole_s,
     )

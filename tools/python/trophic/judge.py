@@ -2,10 +2,12 @@
 """The one judge: what is compared, corrected, the same, significant, inconclusive and a finding. Terminal, tables, pages and Python print what
 stands here and decide nothing.
 
-A family is all comparisons that answer one question: those of a set with its nulls, or those of two sets with each other. Holm's correction is
-over a family, and a comparison is significant if its corrected p value is at most 0.05."""
+Which null a metric is compared with is `controls`'. A family is all comparisons that answer one question: those of a set with its nulls, or those of
+two sets with each other. Holm's correction is over a family, and a comparison is significant if its corrected p value is at most 0.05. Intervals of
+corrected answers hold for the whole family at once (Bonferroni)."""
 from __future__ import annotations
 
+import dataclasses
 import math
 from collections.abc import Sequence
 from typing import Any, NamedTuple
@@ -13,26 +15,33 @@ from typing import Any, NamedTuple
 import numpy
 import pandas
 
-from . import published
+from . import controls, published
+from .controls import SHARES, SURVIVAL
 from .errors import RunError
 from .metrics import READINGS, chosen, living
 from .statistics import (
     MIN_RUNS_FOR_TEST,
     SIGNIFICANCE,
     Difference,
+    Scatter,
     adjust_together,
+    common_end,
     contrast,
     difference_of,
     estimate,
+    interval_of,
+    is_by_chance,
     known,
     mean_of,
-    is_by_chance,
+    restricted_mean,
+    runs_for_power,
     scatter_of,
     share_difference,
     share_interval,
+    survival_difference,
 )
 from .values import METRIC, NEUTRAL, SHADOW, MeasuredSet, Metric
-from .words import NULLS, Reading, over_text, p_text
+from .words import NULLS, Reading, null_title, over_text, p_text
 
 NAN = float("nan")
 MOST_FINDINGS = 7
@@ -58,11 +67,11 @@ class Finding(NamedTuple):
     sentence: str
     metric: Metric
     baseline: str
-    """the null, or for two sets what was compared: over_shadow, over_neutral or raw"""
+    """the null, or for two sets what was compared: over_shadow, over_one_sided, over_neutral or raw"""
     effect: float
     """ours - null, or b - a, in the metric's unit"""
     interval: tuple[float, float]
-    """of the effect alone, 95 %"""
+    """of the effect; it holds with 95 % for all comparisons at once"""
     p_holm: float
     set: str
     """label of the set; empty for two sets"""
@@ -116,44 +125,60 @@ def summarize(of: MeasuredSet, choices: Sequence[str] = ()) -> pandas.DataFrame:
     """Each metric of a set next to each of its baselines, one row each, the nulls that are runs first; one row for a metric without a baseline.
 
     Columns: those of means.csv (docs/tables.md), of which `null` names any baseline; `role` of the baseline ("null" is tested against; "paper",
-    "reference" and "" are not), `scatter` (deviation of the difference, of one run), `level` (what Bonferroni leaves to a comparison) and
-    `conclusion`: above, below, inconclusive, too few runs, same, not compared. nan is what could not be computed.
+    "reference" and "" are not) and `conclusion`: above, below, inconclusive, too few runs, same, not compared. nan is what could not be computed.
 
-    A metric is tested against the null that answers for it (MeasuredSet.null_of). The shadow of what is inherited is a reference next to a neutral
-    null, with a difference that belongs to no family, as it needs no selection.
+    A metric is tested against the null that `controls` names. Others that are runs are references next to it, with a difference that belongs to no
+    family; so are all of a metric that cannot be judged.
 
-    Runs and shadows are independent sets (Welch). Runs and shadows of one seed are slightly alike (kinematic, 60 seeds, 41 metrics: correlation
+    Runs and nulls are independent sets (Welch). Runs and shadows of one seed are slightly alike (kinematic, 60 seeds, 41 metrics: correlation
     0.13 in the median, 0.47 at most), so that intervals are rather too wide. Pairing would gain that, and at ten runs lose as much in degrees of
-    freedom. A baseline that each run has of its own is paired by run, and so is the neutral null, which repeats each run. Runs without a value are
-    left out of its mean. Raises RunError for a choice that names no metric, and for a null of other metrics.
+    freedom. A baseline that each run has of its own is paired by run, and so is the neutral null, which repeats each run. Raises RunError for a
+    choice that names no metric, and for a null of other metrics.
     """
     if any(null.metrics() != of.metrics() for null in of.nulls.values()):
         raise RunError(f"{of.label}: runs with different food webs cannot be pooled or compared with a null")
     wanted = chosen(of.metrics(), choices)
-    repeats = repeated(wanted, [of, *of.nulls.values()])
+    answers = {metric: controls.control_of(of, metric) for metric in wanted}
+    repeats = {
+        later: earlier
+        for later, earlier in repeated(wanted, [of, *of.nulls.values()]).items()
+        if answers[earlier].null or not answers[later].null
+    }
     has_published = published.applies_to(of)
     rows: list[dict[str, Any]] = []
     differences: list[Difference | None] = []
     for metric in wanted:
-        values = of.table[metric, ""]
+        values, control, nulls = of.table[metric, ""], answers[metric], of.nulls_of(metric)
+        end_s = _end_of(metric, of, *nulls.values())
         row = {
             "set": of.label,
             **metric._asdict(),
-            **_estimated(metric, values),
+            **_estimated(of, metric, end_s),
             "published": published.value_of(metric) if has_published else None,
             "same_as": str(repeats.get(metric, "")),
         }
-        baselines: list[tuple[str, str, numpy.ndarray, Difference | None]] = []
-        for name in (name for name in of.nulls if name != NEUTRAL or metric.metric in of.inherited):
-            role = "null" if name == of.null_of(metric) else "reference"
-            baselines.append((name, role, of.null_values(metric, name), _difference(metric, _over(of, metric, name))))
+        baselines: list[tuple[str, str, float | None, int, Difference | None, str]] = []
+        for name, null in nulls.items():
+            its, is_null = _estimated(null, metric, end_s), name == control.null
+            count, mean = its["n"], its["mean"]
+            if name == NEUTRAL:
+                paired = of.null_values(metric, name)
+                count, mean = len(known(paired)), mean_of(paired)
+            lacks = _lack(metric, of, null)
+            difference = _described(_over_null(of, metric, name, end_s, is_null), bool(lacks))
+            why = (lacks if is_null and not row["same_as"] else "") or control.not_tested
+            baselines.append((name, "null" if is_null and not why else "reference", mean, count, difference, why))
         for (other, name), role in of.roles.items():
             if other == metric:
-                paired = values - of.table[metric, name]
-                own = difference_of(mean_of(paired), contrast((1.0, paired)), scatter_of(paired))
-                baselines.append((name, role, of.table[metric, name], own if role == "null" else None))
-        for name, role, null, difference in baselines or [("", "", numpy.empty(0), None)]:
-            rows.append({**row, "null": name, "null_n": len(known(null)), "null_mean": mean_of(null), "role": role})
+                its_values = of.table[metric, name]
+                why = controls.lack(values, its_values) if role == "null" and not row["same_as"] else ""
+                own = _paired(values - its_values) if role == "null" else None
+                role = "reference" if why else role
+                baselines.append(
+                    (name, role, mean_of(its_values), len(known(its_values)), _described(own, bool(why)), why)
+                )
+        for name, role, mean, count, difference, why in baselines or [("", "", None, 0, None, control.not_tested)]:
+            rows.append({**row, "null": name, "null_n": count, "null_mean": mean, "role": role, "not_tested": why})
             differences.append(difference)
     return _judged(rows, differences, "difference_lower", "difference_upper")
 
@@ -161,12 +186,14 @@ def summarize(of: MeasuredSet, choices: Sequence[str] = ()) -> pandas.DataFrame:
 def compare(a: MeasuredSet, b: MeasuredSet, choices: Sequence[str] = ()) -> pandas.DataFrame:
     """The difference b - a of every metric that both sets have, in the order of `a`.
 
-    Columns: those of differences.csv (docs/tables.md), `set_a`, `set_b`, the deviations and intervals of both means, and as in `summarize` role,
-    scatter, level and conclusion. If both sets have a shadow, the answer is the difference over the shadows, (b - its shadow) - (a - its shadow),
-    and of what is inherited over the neutral nulls, if both have one. The raw difference stands behind it: p values of these are corrected as a
-    family of their own, which answers nothing. Raises RunError for a choice that names no metric, and for sets without a common one.
+    Columns: those of differences.csv (docs/tables.md), `set_a`, `set_b`, the deviations and intervals of both means, and as in `summarize` role and
+    conclusion. If both sets have the null that `controls` names, the answer is the difference over it, such as (b - its shadow) - (a - its shadow).
+    The raw difference stands behind it: p values of these are corrected as a family of their own, which answers nothing. When species die out is
+    compared up to the common end of both sets, by the log-rank test. Raises RunError for a choice that names no metric, and for sets without a
+    common one.
     """
-    both = [metric for metric in a.metrics() if (metric, "") in b.table]
+    both = [metric for metric in a.metrics() if _is_in(b, metric)]
+    both += [metric for metric in b.metrics() if metric.metric in SURVIVAL and metric not in both and _is_in(a, metric)]
     if not both:
         raise RunError(f"{a.label} and {b.label}: have no metric in common")
     wanted = chosen(both, choices)
@@ -174,30 +201,67 @@ def compare(a: MeasuredSet, b: MeasuredSet, choices: Sequence[str] = ()) -> pand
     rows: list[dict[str, Any]] = []
     differences: list[Difference | None] = []
     for metric in wanted:
-        of_a, of_b = a.table[metric, ""], b.table[metric, ""]
+        end_s = _end_of(metric, a, b)
         row = {
             "set_a": a.label,
             "set_b": b.label,
             **metric._asdict(),
-            **_estimated(metric, of_a, "_a"),
-            **_estimated(metric, of_b, "_b"),
+            **_estimated(a, metric, end_s, "_a"),
+            **_estimated(b, metric, end_s, "_b"),
             "same_as": str(repeats.get(metric, "")),
         }
-        null = a.null_of(metric) if a.null_of(metric) == b.null_of(metric) else SHADOW if a.shadow and b.shadow else ""
-        null = "" if metric.metric in living.SHARES else null  # no exact test compares two differences
+        null = controls.control_of(a, metric).null
+        if null != controls.control_of(b, metric).null or metric.metric in SHARES + SURVIVAL:
+            null = ""  # no exact test and no log-rank test compares two differences
         if null:
+            why = "" if row["same_as"] else _lack(metric, a, b, a.nulls_of(metric)[null], b.nulls_of(metric)[null])
             over = _difference(metric, [*_over(a, metric, null, -1.0), *_over(b, metric, null)])
             if over.value is not None:
-                rows.append({**row, "compared": f"over_{null}", "role": "null"})
-                differences.append(over)
-        rows.append({**row, "compared": "raw", "role": "" if null else "null"})
-        differences.append(_difference(metric, [(1.0, of_b), (-1.0, of_a)]))
+                role = "reference" if why else "null"
+                rows.append({**row, "compared": f"over_{null}", "role": role, "not_tested": why})
+                differences.append(_described(over, bool(why)))
+        if metric.metric in SURVIVAL:
+            why, raw = "", survival_difference(controls.lives_of(b, metric), controls.lives_of(a, metric), end_s)
+        else:
+            why = "" if row["same_as"] else _lack(metric, a, b)
+            raw = _difference(metric, [(1.0, b.baseline(metric, "")), (-1.0, a.baseline(metric, ""))])
+        role = "" if null else "reference" if why else "null"
+        rows.append({**row, "compared": "raw", "role": role, "not_tested": why})
+        differences.append(_described(raw, bool(why)))
     return _judged(rows, differences, "lower", "upper")
 
 
-def _estimated(metric: Metric, values: numpy.ndarray, suffix: str = "") -> dict[str, Any]:
+def _is_in(of: MeasuredSet, metric: Metric) -> bool:
+    """Whether a set has a metric. If a species lives to the end of all runs, the set has none of when it dies out, and is compared all the same."""
+    if (metric, "") in of.table:
+        return True
+    return metric.metric in SURVIVAL and metric.species in of.runs[0].manifest.get("species", [])
+
+
+def _lack(metric: Metric, *sets: MeasuredSet) -> str:
+    return "" if metric.metric in SURVIVAL else controls.lack(*(of.baseline(metric, "") for of in sets))
+
+
+def _described(of: Difference | None, is_described: bool) -> Difference | None:
+    """A difference that is not tested keeps its value alone."""
+    return Difference(of.value) if of and is_described else of
+
+
+def _end_of(metric: Metric, *sets: MeasuredSet) -> float:
+    return common_end(*(controls.lives_of(of, metric) for of in sets)) if metric.metric in SURVIVAL else math.nan
+
+
+def _estimated(of: MeasuredSet, metric: Metric, end_s: float, suffix: str = "") -> dict[str, Any]:
+    """The number of runs, mean, deviation and interval; of a metric of SURVIVAL the restricted mean up to a common end."""
+    values = of.baseline(metric, "")
     n, mean, deviation, interval = estimate(values)
-    interval = share_interval(values) if metric.metric in living.SHARES else interval
+    if metric.metric in SURVIVAL:
+        lives = controls.lives_of(of, metric)
+        survives = restricted_mean(lives, end_s)
+        n, mean, deviation = len(lives.ends_s), survives and survives.value, None
+        interval = interval_of(survives) if n >= MIN_RUNS_FOR_TEST else None
+    elif metric.metric in SHARES:
+        interval = share_interval(values)
     named = {
         "n": n,
         "mean": mean,
@@ -208,14 +272,28 @@ def _estimated(metric: Metric, values: numpy.ndarray, suffix: str = "") -> dict[
     return {name + suffix: value for name, value in named.items()}
 
 
+def _over_null(of: MeasuredSet, metric: Metric, name: str, end_s: float, is_tested: bool) -> Difference:
+    """The difference from a null of runs, without its test if another null answers."""
+    if metric.metric in SURVIVAL:
+        its = controls.lives_of(of.nulls_of(metric)[name], metric)
+        found = survival_difference(controls.lives_of(of, metric), its, end_s)
+    else:
+        found = _difference(metric, _over(of, metric, name))
+    return found if is_tested else dataclasses.replace(found, p=None)
+
+
 def _over(of: MeasuredSet, metric: Metric, null: str, sign: float = 1.0) -> list[tuple[float, numpy.ndarray]]:
     """The difference of a set and a null, as weighted values of independent sets of runs."""
     values, its = of.baseline(metric, ""), of.null_values(metric, null)
     return [(sign, values - its)] if null == NEUTRAL else [(sign, values), (-sign, its)]
 
 
+def _paired(differences: numpy.ndarray) -> Difference:
+    return difference_of(mean_of(differences), contrast((1.0, differences)), scatter_of(differences))
+
+
 def _difference(metric: Metric, terms: list[tuple[float, numpy.ndarray]]) -> Difference:
-    if metric.metric in living.SHARES and [sign for sign, _ in terms] == [1.0, -1.0]:
+    if metric.metric in SHARES and [sign for sign, _ in terms] == [1.0, -1.0]:
         return share_difference(terms[0][1], terms[1][1])
     return difference_of(_sum(*terms), contrast(*terms), scatter_of(*(values for _, values in terms)))
 
@@ -248,9 +326,10 @@ def _judged(
                 upper: one.interval and one.interval.upper,
                 "p": one.p,
                 "p_holm": one.adjusted,
-                "runs_needed": one.runs_needed(),
+                "lower_corrected": one.corrected and one.corrected.lower,
+                "upper_corrected": one.corrected and one.corrected.upper,
                 "scatter": one.scatter and math.sqrt(one.scatter.variance),
-                "level": one.level,
+                "freedom": one.scatter and one.scatter.freedom,
                 "conclusion": _conclusion(row, one),
             }
         )
@@ -265,6 +344,7 @@ def _judged(
         "role",
         "compared",
         "conclusion",
+        "not_tested",
         "n",
         "n_a",
         "n_b",
@@ -292,6 +372,11 @@ def conclusions(p_holm: Any, difference: Any) -> numpy.ndarray:
     )
 
 
+def metrics_of(frame: pandas.DataFrame) -> list[Metric]:
+    """The metrics of a frame, in its order."""
+    return [Metric(*name) for name in frame[METRIC].drop_duplicates().itertuples(index=False)]
+
+
 def with_nulls(frame: pandas.DataFrame) -> pandas.DataFrame:
     """The rows of a frame of `summarize` next to a null, also one that is a reference; the first row of a metric without any, without its baseline."""
     key = ["set", *METRIC]
@@ -309,6 +394,17 @@ def count(frame: pandas.DataFrame) -> Count:
         int((frame["p_holm"].notna() & (frame["role"] == "null")).sum()),
         int(frame["conclusion"].isin(("above", "below")).sum()),
     )
+
+
+def runs_for_difference(frame: pandas.DataFrame, difference: float) -> list[tuple[Any, int | None]]:
+    """The rows of the tested comparisons, each with the runs in each set by which a difference of this size, in the metric's unit, is found with 80 %
+    power at the level of one comparison (Bonferroni); None if MOST_RUNS are too few. It is for the next study, whose smallest effect of interest is named
+    before its runs: that of the runs at hand would say no more than their p value."""
+    level = SIGNIFICANCE / max(1, count(frame).comparisons)
+    rows = frame[frame["p_holm"].notna() & (frame["role"] == "null") & frame["scatter"].notna()]
+    return [
+        (row, runs_for_power(difference, Scatter(row.scatter**2, row.freedom), level)) for row in rows.itertuples()
+    ]
 
 
 def runs_of(row: Any) -> str:
@@ -341,21 +437,26 @@ def living_sentences(of: MeasuredSet) -> list[str]:
             or metric.species == "all"
             or any((its == 0.0).any() for its in (values, *nulls.values()))
         )
-        if metric.metric not in living.SHARES or len(values) == 0 or not is_asked:
+        if metric.metric not in ("persists", "cycles") or len(values) == 0 or not is_asked:
             continue
         who = "All species" if metric.species == "all" else _who(metric.species).capitalize()
         many, count = int(values.sum()), len(values)
-        beside = [f"{NULLS[name]} {int(its.sum())} of {len(its)}" for name, its in nulls.items() if len(its)]
+        has_none = metric.metric == "cycles" and is_by_chance(int(values.sum()), len(values))
+        beside = [
+            f"{null_title(name)} {len(its) - int(its.sum()) if has_none else int(its.sum())} of {len(its)}"
+            for name, its in nulls.items()
+            if len(its)
+        ]
         field = mean_of(of.baseline(metric, living.MEAN_FIELD))
-        beside += [] if field is None else [f"mean field {field:.2f}"]
+        beside += [] if field is None else [f"mean field {1.0 - field if has_none else field:.2f}"]
         interval = share_interval(values)
         share = f"{many} of {count} runs" + (
             f", a share of [{interval.lower:.3f}, {interval.upper:.3f}]" if interval else ""
         )
         if metric.metric == "persists":
             text = f"{who} live to the end of {share}"
-        elif is_by_chance(many, count):
-            text = f"{who} have no cycle: red noise explains their numbers in {count - many} of {count} runs"
+        elif has_none:
+            text = f"{who} cycle in no more runs than by chance: red noise explains their numbers in {count - many} of {count} runs"
         else:
             period, amplitude = (
                 estimate(of.baseline(Metric(name, *metric[1:3], unit), ""))
@@ -387,12 +488,15 @@ _MEASURES = {
     "wall_sticking_gap": (2, "walls gap", 0),
     "tag_symmetry": (3, "tags", 0),
 }
-_GROUPS = ("", "all", "inherited", "active", "inherited_active", "random")
+_GROUPS = ("", "all", "inherited", "active", "inherited_active", "random", "inactive", "inherited_inactive")
 
 
 def _fact(row: Any) -> tuple[str, str]:
-    """Readings and groups of one measure of one species, next to any null, are one fact."""
-    return _MEASURES.get(row.metric, (9, row.metric, 0))[1], row.species
+    """Readings and groups of one measure of one species, next to any null, are one fact; what the inactive do is another."""
+    return (
+        _MEASURES.get(row.metric, (9, row.metric, 0))[1] + " of the inactive" * ("inactive" in row.group),
+        row.species,
+    )
 
 
 def _plainness(row: Any) -> tuple:
@@ -427,34 +531,25 @@ def findings(frame: pandas.DataFrame) -> list[Finding]:
 
 
 def inconclusive(frame: pandas.DataFrame) -> list[Any]:
-    """A row of each fact that is not a finding: the one of which a difference of the size that was observed needs the fewest runs. Those that need
-    the fewest come first. Inconclusive does not mean equal."""
+    """The plainest row of each fact that is not a finding, those of the smallest p value first. Inconclusive does not mean equal."""
     seen = {_fact(row) for row in facts(frame, ("above", "below"))}
-    rows = []
-    for row in (
-        frame[frame["conclusion"] == "inconclusive"].sort_values("runs_needed", kind="stable").itertuples(index=False)
-    ):
-        if _fact(row) not in seen:
-            seen.add(_fact(row))
-            rows.append(row)
-    return rows
+    rows = [row for row in facts(frame, ("inconclusive",)) if _fact(row) not in seen]
+    return sorted(rows, key=lambda row: row.p)
+
+
+def interval_of_row(row: Any) -> tuple[float, float]:
+    """The interval of a row's difference: of an answer that was corrected the one that holds for its family at once, else its own."""
+    if row.lower_corrected == row.lower_corrected:
+        return row.lower_corrected, row.upper_corrected
+    return (row.lower, row.upper) if hasattr(row, "compared") else (row.difference_lower, row.difference_upper)
 
 
 def _finding(row: Any) -> Finding:
-    metric = Metric(row.metric, row.species, row.group, row.unit)
+    metric, interval = Metric(row.metric, row.species, row.group, row.unit), interval_of_row(row)
     if hasattr(row, "compared"):
-        interval = (row.lower, row.upper)
         sentence = _difference_sentence(metric, row)
         return Finding(sentence, metric, row.compared, row.difference, interval, row.p_holm, "")
-    return Finding(
-        _sentence(metric, row),
-        metric,
-        row.null,
-        row.difference,
-        (row.difference_lower, row.difference_upper),
-        row.p_holm,
-        row.set,
-    )
+    return Finding(_sentence(metric, row), metric, row.null, row.difference, interval, row.p_holm, row.set)
 
 
 # Words
@@ -507,7 +602,7 @@ _NOUNS = {
     "pyramid_numbers": "the pyramid of numbers of {who}",
     "pyramid_energy": "the pyramid of energy of {who}",
     "extinct": "the share of runs in which {who} die out",
-    "extinct_at": "the time at which {who} die out",
+    "extinct_at": "the mean time that {who} last, up to the common end of the runs,",
 }
 _CAUSES = {
     "caught": "are caught",
@@ -542,24 +637,28 @@ def noun_of(metric: Metric) -> str:
 
 def _magnitude(metric: Metric, effect: float, lower: float, upper: float) -> tuple[str, str]:
     """An effect and its interval without their sign: "0.45 cm/s", "[0.30, 0.60]"."""
-    reading = Reading(metric)
     low, high = (lower, upper) if effect >= 0.0 else (-upper, -lower)
-    return _amount(metric, abs(effect)), f"[{reading(low)}, {reading(high)}]"
+    middle, _, interval = Reading(metric).with_interval(abs(effect), (low, high)).partition(" ")
+    return f"{middle}{_unit(metric)}", interval
 
 
 def _amount(metric: Metric, value: float) -> str:
-    reading = Reading(metric)
-    return f"{reading(value)}{' ' * bool(reading.unit)}{reading.unit}" + (" ticks" if metric.unit == "ticks" else "")
+    return f"{Reading(metric)(value)}{_unit(metric)}"
+
+
+def _unit(metric: Metric) -> str:
+    unit = "ticks" if metric.unit == "ticks" else Reading(metric).unit
+    return f" {unit}" if unit else ""
 
 
 def _sentence(metric: Metric, row: Any) -> str:
-    size, interval = _magnitude(metric, row.difference, row.difference_lower, row.difference_upper)
+    size, interval = _magnitude(metric, row.difference, *interval_of_row(row))
     test = f"{interval} (p {p_text(row.p_holm)}, {runs_of(row)} runs)."
     null = _NULLS.get(row.null, f"in its null, {row.null.replace('_', ' ')},")
     if metric.metric.startswith("velocity") and metric.species in ("prey", "predator"):
         other = "predators" if metric.species == "prey" else "prey"
         whom = _who(metric.species)
-        whom = whom if metric.group == "all" else f"{metric.group} {whom}"
+        whom = whom if metric.group == "all" else f"{metric.group.replace('_', ' ')} {whom}"
         begin = f"{whom.capitalize()} move {'towards' if row.mean >= 0.0 else 'away from'} {other} at {_amount(metric, abs(row.mean))}"
         if row.mean * row.null_mean >= 0.0:
             return f"{begin}, {size} {'faster' if abs(row.mean) >= abs(row.null_mean) else 'slower'} than {null} {test}"
@@ -570,7 +669,7 @@ def _sentence(metric: Metric, row: Any) -> str:
 
 
 def _difference_sentence(metric: Metric, row: Any) -> str:
-    size, interval = _magnitude(metric, row.difference, row.lower, row.upper)
+    size, interval = _magnitude(metric, row.difference, *interval_of_row(row))
     noun = noun_of(metric)
     over = "" if row.compared == "raw" else f", each {over_text(row.compared).replace('the', 'its')}"
     side = "higher" if row.difference > 0.0 else "lower"

@@ -9,6 +9,7 @@ A sweep file is TOML:
     seed = 1                       # the seeds of all runs follow from it
     paired = true                  # replicate k has the same seed in every cell
     shadow = false                 # each run's neutral shadow, too
+    one_sided = false              # each run's one-sided worlds, too: for each species the one in which it alone inherits nothing
     replay_hz = 0.0                # frames of each run's recording in a simulated second: 0, 5, 10 or 30
     agents_every = 1               # each agents.csv has the ticks whose number is a multiple of it
     senses = false                 # each run's senses.csv, too
@@ -48,6 +49,7 @@ import numpy
 
 from .programs import chosen_program
 from .errors import RunError
+from .runs import one_sided_name
 from .sweeps.grid import PLAN, read_plan
 from .words import number_text, one_line
 
@@ -70,6 +72,7 @@ class Sweep:
     seed: int = 1
     paired: bool = True
     shadow: bool = False
+    one_sided: bool = False
     replay_hz: float = 0.0
     agents_every: int = 1
     senses: bool = False
@@ -136,6 +139,7 @@ _KEYS = {
     "seed": _whole(0, 2**53),
     "paired": _SWITCH,
     "shadow": _SWITCH,
+    "one_sided": _SWITCH,
     "replay_hz": ((lambda value: type(value) in (int, float) and value in (0, 5, 10, 30)), "0, 5, 10 or 30"),
     "agents_every": _whole(1, 1_000_000),
     "senses": _SWITCH,
@@ -224,7 +228,7 @@ def _check(sweep: Sweep) -> None:
     rows = len(next(iter(sweep.zip.values()), [0]))
     if (
         sweep.replicates
-        * (2 if sweep.shadow else 1)
+        * (1 + sweep.shadow + 2 * sweep.one_sided)
         * max(1, len(sweep.runs))
         * rows
         * math.prod(map(len, sweep.grid.values()))
@@ -268,7 +272,8 @@ def cell_name(cell: int) -> str:
 
 
 def described(program: str, drafts: Sequence[Line]) -> list[Line]:
-    """The facts that a program prints of runs: rule_table, engine, until_s, work, fingerprint. Raises _BadRun for the first that it cannot make."""
+    """The facts that a program prints of runs: rule_table, engine, until_s, work, fingerprint, species. Raises _BadRun for the first that it cannot
+    make."""
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "draft.jsonl"
         path.write_text("".join(_json(draft) + "\n" for draft in drafts))
@@ -297,54 +302,44 @@ def plan_of(sweep: Sweep, program: str, there: Sequence[Line] = ()) -> list[Line
     follow. Raises RunError "FILE: cell 3 (SETTINGS): ..." for the first cell that the program cannot run, and for two cells that are the same experiment.
     """
     cells = cells_of(sweep)
-    nulls = ("none", "shadow") if sweep.shadow else ("none",)
 
     def refuse(cell: int, why: str) -> None:
         text = text_of(cells[cell], sweep)
         raise RunError(f"{sweep.path}: cell {cell}{f' ({text})' if text else ''}: {why}")
 
-    drafts = []
-    for number, (cell, null) in enumerate(itertools.product(cells, nulls)):
+    def with_facts(nulls: Sequence[tuple[int, str]]) -> list[Line]:
+        """The lines of cells under nulls, with what the program says of them."""
+        drafts = [_draft(sweep, cells[cell], null, str(number)) for number, (cell, null) in enumerate(nulls)]
+        try:
+            return [{**draft, **fact} for draft, fact in zip(drafts, described(program, drafts) if drafts else [])]
+        except _BadRun as bad:
+            refuse(nulls[bad.index][0], str(bad))
+            raise
+
+    for number, cell in enumerate(cells):
         for key in _CHOICES:
             if not isinstance(cell.get(key, ""), str):
-                refuse(number // len(nulls), f"{key} = {cell[key]}: must be a text")
-        draft = {key: cell[key] for key in _CHOICES if key in cell}
-        settings = {key: value for key, value in cell.items() if key not in _CHOICES}
-        drafts.append(
-            {
-                **draft,
-                "settings": settings,
-                "seed": 0,
-                "null": null,
-                "folder": str(number),
-                "replay_hz": sweep.replay_hz,
-                "agents_every": sweep.agents_every,
-                "senses": sweep.senses,
-                "states": sweep.states,
-            }
-        )
-    try:
-        facts = described(program, drafts)
-    except _BadRun as bad:
-        refuse(bad.index // len(nulls), str(bad))
+                refuse(number, f"{key} = {cell[key]}: must be a text")
+    lines = list(enumerate(with_facts([(number, "none") for number in range(len(cells))])))
+    nulls = [(cell, null) for cell, line in lines for null in _nulls(sweep, line["species"])]
+    lines = sorted([*lines, *zip((cell for cell, _ in nulls), with_facts(nulls))], key=lambda line: line[0])
     seen: dict[tuple, int] = {}
     numbers = _CellNumbers(there)
     plan = []
-    for number, (draft, fact) in enumerate(zip(drafts, facts)):
-        cell = number // len(nulls)
-        if draft["null"] == "none":
-            other = seen.setdefault((fact["fingerprint"], fact["until_s"]), cell)
+    for cell, line in lines:
+        del line["species"]
+        if line["null"] == "none":
+            other = seen.setdefault((line["fingerprint"], line["until_s"]), cell)
             if other != cell:
                 refuse(cell, f"is the same experiment as cell {other}")
-            own = numbers.of({**draft, **fact})
+            own = numbers.of(line)
         master_seed = sweep.seed if sweep.paired else seed_of(sweep.seed, own)
-        folder = cell_name(own) + ("/shadow" if draft["null"] == "shadow" else "")
+        folder = cell_name(own) + ("" if line["null"] == "none" else f"/{line['null']}")
         plan += [
             {
                 "cell": own,
                 "replicate": k,
-                **draft,
-                **fact,
+                **line,
                 "seed": seed_of(master_seed, k),
                 "folder": f"{folder}/replicate-{k:02}",
             }
@@ -352,6 +347,25 @@ def plan_of(sweep: Sweep, program: str, there: Sequence[Line] = ()) -> list[Line
         ]
     places = {line["folder"]: place for place, line in enumerate(there)}
     return sorted(plan, key=lambda line: places.get(line["folder"], len(places)))
+
+
+def _draft(sweep: Sweep, cell: Settings, null: str, folder: str) -> Line:
+    return {
+        **{key: cell[key] for key in _CHOICES if key in cell},
+        "settings": {key: value for key, value in cell.items() if key not in _CHOICES},
+        "seed": 0,
+        "null": null,
+        "folder": folder,
+        "replay_hz": sweep.replay_hz,
+        "agents_every": sweep.agents_every,
+        "senses": sweep.senses,
+        "states": sweep.states,
+    }
+
+
+def _nulls(sweep: Sweep, species: Sequence[str]) -> list[str]:
+    """The nulls of a cell whose table has these species."""
+    return ["shadow"] * sweep.shadow + [one_sided_name(one) for one in species if sweep.one_sided]
 
 
 class _CellNumbers:

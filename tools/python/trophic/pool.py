@@ -24,11 +24,12 @@ from .description import changes_of, describe
 from .errors import RunError
 from .metrics import Measuring, Web, bodies, own, walls
 from .runs import Run
-from .values import CLONES, NEUTRAL, SHADOW, MeasuredSet, RunValues
-from .words import NO_NEUTRAL, NULLS, excerpt, number_text
+from .values import CLONES, NEUTRAL, ONE_SIDED, SHADOW, MeasuredSet, RunValues
+from .words import NO_NEUTRAL, excerpt, number_text
 
 SHADOW_SLOT, POLICIES = "heredity", {SHADOW: "nothing_inherited", CLONES: "one_genome_for_all"}
-"""The slot in which a table and its nulls differ, and the policies there; of the neutral null neutral_HEREDITY."""
+"""The slot in which a table and its nulls differ, and the policies there; of the neutral null neutral_HEREDITY, of the one-sided world of a species
+"HEREDITY, nothing_inherited for SPECIES"."""
 MOST_TIME_S = 1e8
 """The longest run that is made and analysed: three years of its clock."""
 _LONGEST_TICK_S = 3600.0  # a run's last tick may end after its duration, by less than this
@@ -147,7 +148,7 @@ def read_set(
     paths: Iterable[str | os.PathLike], shadow: str | os.PathLike | None = None, how: Measuring | None = None
 ) -> MeasuredSet:
     """Reads and measures runs that may be pooled, and their nulls: the shadow named, or else what is in the folders PATH/shadow, the neutral
-    null in PATH/neutral and the clones in PATH/clones.
+    null in PATH/neutral, the clones in PATH/clones and the one-sided worlds in PATH/one_sided_SPECIES.
 
     Raises RunError before anything is measured for runs that are not replicates, a null that is not theirs, an own column that a run lacks, a
     name that is taken, and a choice that names no metric; and for a run that cannot be read.
@@ -184,7 +185,10 @@ def read_set(
     found = measured(pooled, remarks)
     found.inherited = inherited
     for name, (its_runs, its_remarks) in nulls.items():
-        setattr(found, name, measured(its_runs, its_remarks))
+        if name.startswith(ONE_SIDED):
+            found.one_sided[name.removeprefix(f"{ONE_SIDED}_")] = measured(its_runs, its_remarks)
+        else:
+            setattr(found, name, measured(its_runs, its_remarks))
     for each in (found, *found.nulls.values()):
         each.label = describe(found).label
     return found
@@ -196,7 +200,8 @@ def pooled_sets(
     """The runs of some folders, and those of their nulls by name, each with remarks. Raises RunError as `read_set`."""
     folders = [pathlib.Path(path) for path in paths]
     pooled, nulls = pooled_runs(folders, how), {}
-    for name in NULLS if not how.bodies and how.lineages is None else (SHADOW, NEUTRAL):
+    sides = [f"{ONE_SIDED}_{species}" for species in pooled[0][0].web.species]
+    for name in (SHADOW, *sides, NEUTRAL, *([CLONES] if not how.bodies and how.lineages is None else [])):
         its_folders = [pathlib.Path(shadow)] if name == SHADOW and shadow is not None else null_folders(folders, name)
         if its_folders:
             nulls[name] = pooled_runs(its_folders, how)
@@ -444,7 +449,7 @@ def builds_text(builds: Sequence[str]) -> str:
 
 
 def null_folders(paths: Iterable[pathlib.Path], name: str = SHADOW) -> list[pathlib.Path]:
-    """The folders PATH/shadow, PATH/neutral or PATH/clones that exist, into which --shadow, --neutral and --clones put the nulls of these runs."""
+    """The folders PATH/NAME that exist, into which --shadow, --one-sided, --neutral and --clones put the nulls of these runs."""
     return [path / name for path in paths if (path / name).is_dir()]
 
 
@@ -466,12 +471,16 @@ def check_shadow(run: PooledRun, shadow: PooledRun, any_parent: bool = False, na
     """
 
     def refuse(why: str) -> None:
-        raise RunError(
-            f"{shadow.path}: is not a {'set of' if name == CLONES else 'neutral'} {name.replace(NEUTRAL, 'null')} of {run.path}: {why}"
-        )
+        what = f"{'set of' if name == CLONES else 'neutral'} {name.replace(NEUTRAL, 'null')}"
+        if name.startswith(ONE_SIDED):
+            what = f"one-sided world of {name.removeprefix(f'{ONE_SIDED}_')}"
+        raise RunError(f"{shadow.path}: is not a {what} of {run.path}: {why}")
 
     policy, own_policy = (one.manifest.get("rules", {}).get(SHADOW_SLOT, "unknown") for one in (shadow, run))
-    if policy != (wanted := POLICIES.get(name, f"{NEUTRAL}_{own_policy}")):
+    wanted = POLICIES.get(name, f"{NEUTRAL}_{own_policy}")
+    if name.startswith(ONE_SIDED):
+        wanted = f"{own_policy}, {POLICIES[SHADOW]} for {name.removeprefix(f'{ONE_SIDED}_')}"
+    if policy != wanted:
         refuse(f"its rule in slot {SHADOW_SLOT} is {policy}: must be {wanted}")
     free = {SHADOW_SLOT, "parent"} if any_parent else {SHADOW_SLOT}
 

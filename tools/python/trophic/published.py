@@ -22,8 +22,8 @@ from typing import NamedTuple
 
 import numpy
 import pandas
-from scipy import special
 
+from . import controls
 from .statistics import (
     MIN_RUNS_FOR_TEST,
     Contrast,
@@ -39,12 +39,10 @@ from .statistics import (
     scatter_of,
     test_equivalence,
 )
-from .values import SHADOW, MeasuredSet, Metric
+from .values import MeasuredSet, Metric
 
 DURATION_S = 6000.0
 RUNS = 10
-MOST_RUNS = 1000
-"""If more would be needed, no number of runs is given."""
 TABLES = ("paper", "released")
 """The rule tables with whose runs the published numbers are compared."""
 
@@ -88,8 +86,6 @@ class ReadingConclusion(NamedTuple):
     conclusion: str = "no conclusion"
     """reproduced: two one-sided tests at 5 % place our system within the margin of the published one. not reproduced: they do not, and the 95 %
     interval of ours less the published one leaves out zero. inconclusive: neither. no conclusion: too few runs, or no margin is known"""
-    runs_needed: int | None = None
-    """of an inconclusive one; None if no number of runs would decide"""
 
 
 class ClaimConclusion(NamedTuple):
@@ -99,7 +95,7 @@ class ClaimConclusion(NamedTuple):
 
 
 class Question(NamedTuple):
-    """Whether something evolves: whether runs differ from their neutral shadow."""
+    """Whether something evolves: whether runs differ from the null that answers."""
 
     text: str
     above: str
@@ -111,11 +107,12 @@ class Question(NamedTuple):
 
 
 class Effect(NamedTuple):
-    """The difference from the neutral shadow under one reading."""
+    """The difference from the null that answers under one reading: the shadow where numbers are constant."""
 
     reading: ClaimReading
     difference: Difference
     """corrected for the family of the analysis, in which the reading stands in the place of the metric that it repeats"""
+    null: str
 
     @property
     def conclusion(self) -> str:
@@ -143,27 +140,22 @@ class Answer(NamedTuple):
             ),
         )
 
-    @property
-    def runs_needed(self) -> int | None:
-        """The runs in each set that would find every effect that is not significant, if all stay as they are; None if 1000 would not."""
-        needed = [
-            each.difference.runs_needed() or MOST_RUNS + 1 for each in self.effects if each.conclusion == "inconclusive"
-        ]
-        return max(needed) if needed and max(needed) <= MOST_RUNS else None
-
     def __str__(self) -> str:
-        """An answer of the question if all readings give it; "undecided" if none does; else the choice that it depends on."""
+        """An answer of the question if all readings give it; "undecided" if none does; else the choice that it depends on.
+
+        Readings are an intersection: the answer stands if each reading gives it, so that the choice of one cannot make it. By itself that needs no
+        correction [berger1982]. Holm's is over the questions and metrics of the analysis, of which any may give an answer.
+        """
         words = {"above": self.question.above, "below": self.question.below}
         found = {each.conclusion for each in self.effects}
         if found == {"inconclusive"}:
-            return f"undecided ({self.runs_needed or f'more than {MOST_RUNS}'} runs would decide)"
+            return "undecided"
         if len(found) == 1:
             return words[found.pop()]
         choices = [(words[side], *_condition_for(self.effects, side)) for side in words if side in found]
-        text = f"depends on {choices[0][1]}: " + "; ".join(
+        return f"depends on {choices[0][1]}: " + "; ".join(
             f"{answer} if {condition}" for answer, _, condition in choices
         )
-        return text + (f" ({self.runs_needed} runs would decide the rest)" if self.runs_needed else "")
 
 
 def _logs(deviation: float) -> Spread:
@@ -417,19 +409,6 @@ def conclusion_on(difference: Contrast, margin: float | None) -> str:
     }[test_equivalence(difference, margin).conclusion]
 
 
-def runs_to_decide(reading: ClaimReading, mean: float, deviation: float) -> int | None:
-    """Runs that would decide if our mean and spread stay as they are. None if a thousand would not: the published mean's error stays."""
-    margin = margin_of(reading)
-    if margin is None:
-        return None
-    runs = numpy.arange(MIN_RUNS_FOR_TEST, MOST_RUNS + 1)
-    own, theirs = deviation**2 / runs, margin**2 / RUNS
-    error, freedom = numpy.sqrt(own + theirs), (own + theirs) ** 2 / (theirs**2 / (RUNS - 1) + own**2 / (runs - 1))
-    off = abs(mean - reading.value)
-    decides = (off + error * special.stdtrit(freedom, 0.95) < margin) | (off > error * special.stdtrit(freedom, 0.975))
-    return int(runs[decides.argmax()]) if decides.any() else None
-
-
 def judge(reading: ClaimReading, values: Sequence[float] | numpy.ndarray) -> ReadingConclusion:
     """Compares values, one a run, with a reading of a claim."""
     ours, mean = estimate(values), contrast((1.0, values))
@@ -438,8 +417,7 @@ def judge(reading: ClaimReading, values: Sequence[float] | numpy.ndarray) -> Rea
         return ReadingConclusion(reading, ours, off)
     difference = less_published(mean, reading)
     conclusion = conclusion_on(difference, margin_of(reading))
-    needed = runs_to_decide(reading, mean.value, ours.deviation or 0.0) if conclusion == "inconclusive" else None
-    return ReadingConclusion(reading, ours, off, interval_of(difference), conclusion, needed)
+    return ReadingConclusion(reading, ours, off, interval_of(difference), conclusion)
 
 
 def _distinct(readings: Sequence[ClaimReading], *sets: MeasuredSet) -> list[ClaimReading]:
@@ -479,24 +457,30 @@ def judge_claims(of: MeasuredSet) -> list[ClaimConclusion]:
 
 
 def answers(of: MeasuredSet, frame: pandas.DataFrame) -> list[Answer]:
-    """The answer to every question whose readings all stand in `frame`, of judge.summarize. None without a shadow, and with too few runs."""
+    """The answer to every question whose readings all stand in `frame`, of judge.summarize, under the readings that `controls` can judge: where numbers
+    change, those of active members over the one-sided world. None without such a null, and with too few runs."""
     tested = frame[(frame["role"] == "null") & frame["p_holm"].notna()]
     names = frame["metric"] + ":" + frame["species"] + ":" + frame["group"]
-    shadowed = dict(zip(names[frame["null"] == SHADOW], frame.loc[frame["null"] == SHADOW, "same_as"]))
     found = []
     for question in QUESTIONS:
-        if of.shadow is None or not all(str(reading.metric) in shadowed for reading in question.readings):
+        if not all((reading.metric, "") in of.table for reading in question.readings):
             continue
+        if not set(names) >= {str(reading.metric) for reading in question.readings}:
+            continue
+        nulls = {reading.metric: controls.control_of(of, reading.metric).null for reading in question.readings}
+        judged = [reading for reading in question.readings if nulls[reading.metric]]
         effects = []
-        for reading in _distinct(question.readings, of, of.shadow):
-            ours, null = (of.table[reading.metric, ""], of.shadow.table[reading.metric, ""])
-            against = contrast((1.0, ours), (-1.0, null))
-            difference = difference_of(against and against.value, against, scatter_of(null, ours))
-            place = shadowed[str(reading.metric)] or str(reading.metric)
-            others = tested[(names[tested.index] != place) | (tested["null"] != SHADOW)]
+        for reading in _distinct(judged, of, *(of.nulls_of(one.metric)[nulls[one.metric]] for one in judged[:1])):
+            null = nulls[reading.metric]
+            ours, its = (of.table[reading.metric, ""], of.null_values(reading.metric, null))
+            against = contrast((1.0, ours), (-1.0, its))
+            difference = difference_of(against and against.value, against, scatter_of(its, ours))
+            is_its = (names == str(reading.metric)) & (frame["null"] == null)
+            place = next(iter(frame.loc[is_its & (frame["same_as"] != ""), "same_as"]), str(reading.metric))
+            others = tested[(names[tested.index] != place) | (tested["null"] != null)]
             adjust_together([difference, *(Difference(p=p) for p in others["p"])])
             if difference.adjusted is not None:
-                effects.append(Effect(reading, difference))
+                effects.append(Effect(reading, difference, null))
         if effects:
             found.append(Answer(question, tuple(effects)))
     return found

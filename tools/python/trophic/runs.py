@@ -8,6 +8,7 @@ import dataclasses
 import functools
 import html
 import io
+import itertools
 import json
 import os
 import pathlib
@@ -42,6 +43,7 @@ _TEXT = (
 )
 # Columns of whole numbers that are never empty. All other numbers may have empty cells or fractions in some run.
 _WHOLE = ("tick", "id", "body", "genome_id", "active", "tag", "tag_at_birth")
+_ONE_SIDED = "one_sided_"
 _CATEGORIES = ("event", "species", "cause", "cause_of_death", "origin", "tag_outcome", "run", "set")
 
 
@@ -154,12 +156,24 @@ class Run:
 
 @dataclasses.dataclass(frozen=True)
 class Runs:
-    """Replicates, which are runs that differ only in their seeds, and the runs of their neutral shadow and neutral null, if there are any."""
+    """Replicates, which are runs that differ only in their seeds, and the runs of their nulls, if there are any."""
 
     path: pathlib.Path
     runs: list[Run] = dataclasses.field(repr=False)
     shadow: "Runs | None" = None
     neutral: "Runs | None" = None
+    one_sided: "dict[str, Runs]" = dataclasses.field(default_factory=dict)
+    """by species: the worlds in which it alone inherits nothing"""
+
+    @property
+    def nulls(self) -> "dict[str, Runs]":
+        """Those that there are, by the names of their folders."""
+        one_sided = {one_sided_name(species): of for species, of in self.one_sided.items()}
+        return {
+            name: of
+            for name, of in {"shadow": self.shadow, **one_sided, "neutral": self.neutral}.items()
+            if of is not None
+        }
 
     def __len__(self) -> int:
         return len(self.runs)
@@ -188,7 +202,7 @@ class Runs:
         nothing is written.
         """
         tables = []
-        for run in [*self.runs, *(self.shadow or []), *(self.neutral or [])]:
+        for run in [*self.runs, *itertools.chain(*self.nulls.values())]:
             if (run.path / f"{name}.csv").exists():
                 raise RunError(f"{run.path / name}.csv: exists already; nothing is overwritten")
             try:
@@ -290,13 +304,22 @@ def read_runs(path: str | os.PathLike, *, incomplete: bool = False, accept_other
         raise RunError(
             f"{path}: made by different builds: {', '.join(' and '.join(each) or 'unknown' for each in sorted(builds))}; accept_other_build=True reads them"
         )
-    nulls = [
-        read_runs(path / name, incomplete=incomplete, accept_other_build=accept_other_build)
+    nulls = {
+        name: read_runs(path / name, incomplete=incomplete, accept_other_build=accept_other_build)
+        for name in ("shadow", "neutral", *map(one_sided_name, runs[0].manifest.get("species", [])))
         if (path / name).is_dir()
-        else None
-        for name in ("shadow", "neutral")
-    ]
-    return Runs(path, runs, *nulls)
+    }
+    shadow, neutral = nulls.pop("shadow", None), nulls.pop("neutral", None)
+    return Runs(path, runs, shadow, neutral, {name.removeprefix(_ONE_SIDED): of for name, of in nulls.items()})
+
+
+def one_sided_name(species: str) -> str:
+    """The name of the one-sided world of a species, and of the folder of its runs in that of the replicates."""
+    return _ONE_SIDED + species
+
+
+def _is_null(folder: str) -> bool:
+    return folder in ("shadow", "neutral", "clones") or folder.startswith(_ONE_SIDED)
 
 
 def read_study(
@@ -304,9 +327,7 @@ def read_study(
 ) -> dict[str, Runs]:
     """Reads every set of runs below this folder, by its path from there: a sweep."""
     path = pathlib.Path(path)
-    folders = sorted(
-        file.parent for file in path.rglob("replicates.json") if file.parent.name not in ("shadow", "neutral")
-    )
+    folders = sorted(file.parent for file in path.rglob("replicates.json") if not _is_null(file.parent.name))
     if not folders:
         raise RunError(f"{path}: no set of runs (replicates.json) below it")
     return {
@@ -458,24 +479,24 @@ def _table(path: pathlib.Path, columns: list[str] | None = None, expected: dict 
 
 
 def study_frames(study: Runs | dict[str, Runs], name: str) -> Iterator[pandas.DataFrame]:
-    """Yields a table of every run of replicates, or of a study as read_study returns it, with the columns set, shadow, run and seed in front;
-    those of neutral nulls are left out.
+    """Yields a table of every run of replicates, or of a study as read_study returns it, and of its nulls, with the columns set, null, run
+    and seed in front; `null` is "none" or the name of the null's folder.
 
     All frames have the same columns of the same types, so they can be written one after another into one file. A column that a run lacks,
     such as the weights of a larger brain, is empty there. Raises RunError, naming the file, for a run without the table.
     """
     sets = study if isinstance(study, dict) else {study.path.name: study}
     runs = [
-        (label, is_shadow, run)
+        (label, null, run)
         for label, of in sets.items()
-        for is_shadow, part in ((False, of), (True, of.shadow))
-        for run in part or []
+        for null, part in {"none": of, **of.nulls}.items()
+        for run in part
     ]
     types: dict[str, str] = {}
     for _, _, run in runs:
         for column, its_type in _types(run, name).items():
             types[column] = max(types.get(column, ""), its_type, key=("", "int64", "float64", "object").index)
-    for label, is_shadow, run in runs:
+    for label, null, run in runs:
         frame = run.table(name).reindex(columns=list(types))
         for column, its_type in types.items():
             frame[column] = (
@@ -484,7 +505,7 @@ def study_frames(study: Runs | dict[str, Runs], name: str) -> Iterator[pandas.Da
         for place, (column, value, its_type) in enumerate(
             (
                 ("set", label, "object"),
-                ("shadow", is_shadow, "bool"),
+                ("null", null, "object"),
                 ("run", run.path.name, "object"),
                 ("seed", run.seed, "uint64"),
             )

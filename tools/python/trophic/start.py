@@ -27,6 +27,7 @@ def run(
     replicates: int | None = None,
     shadow: bool = False,
     neutral: bool = False,
+    one_sided: bool = False,
     jobs: int | None = None,
     threads: int | None = None,
     options: list[str] | None = None,
@@ -59,6 +60,8 @@ def run(
         arguments.append("--shadow")
     if neutral:
         arguments.append("--neutral")
+    if one_sided:
+        arguments.append("--one-sided")
     if pathlib.Path(out).exists():
         raise ProgramError(f"out={out}: exists already; nothing is overwritten")
     call(program, [*arguments, *(options or []), "--out", out], f"{program} into {out}")

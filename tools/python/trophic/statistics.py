@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Means over runs, their intervals and tests by Student's t, corrections for many comparisons, equivalence, effect sizes and power.
+"""Means over runs, their intervals and tests by Student's t, survival, corrections for many comparisons, equivalence, effect sizes and power.
 
 Values are numbers, one a run; nan is a value that could not be computed and is left out. Functions that need more values than there are
 return None.
@@ -21,7 +21,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import NamedTuple, Union
 
 import numpy
@@ -103,15 +103,22 @@ def contrast(*terms: tuple[float, Values]) -> Contrast | None:
     """The contrast of (weight, values) terms: for one set Student's t with n - 1 degrees of freedom, for several Welch's approximation
     [welch1947], which lets every set have its own spread. None if a set has fewer than MIN_RUNS_FOR_TEST values.
     """
-    value = variance = squares = 0.0
+    value, parts = 0.0, []
     for weight, values in terms:
         array = known(values)
         if len(array) < MIN_RUNS_FOR_TEST:
             return None
-        part = weight * weight * float(array.var(ddof=1)) / len(array)
         value += weight * float(array.mean())
+        parts.append((weight * weight * float(array.var(ddof=1)) / len(array), len(array) - 1.0))
+    return _welch(value, parts)
+
+
+def _welch(value: float, parts: Iterable[tuple[float, float]]) -> Contrast:
+    """A sum of independent estimates, each given as the square of its error and its degrees of freedom."""
+    variance = squares = 0.0
+    for part, freedom in parts:
         variance += part
-        squares += part * part / (len(array) - 1)
+        squares += part * part / freedom
     if is_rounding(math.sqrt(variance), value):
         return Contrast(value, 0.0, 1.0)
     return Contrast(value, math.sqrt(variance), variance * variance / squares)
@@ -190,7 +197,14 @@ def share_difference(a: Values, b: Values, level: float = 0.95) -> Difference:
         chance = special.binom(len(a), k) * special.binom(len(b), both - k)
         here = chance[int(a.sum()) - k[0]]
         p = float(min(1.0, chance[chance <= here * (1.0 + 1e-9)].sum() / chance.sum()))
-    return Difference(value, Interval(value - low, value + high), p, None, scatter_of(a, b))
+    return Difference(
+        value,
+        Interval(value - low, value + high),
+        p,
+        None,
+        scatter_of(a, b),
+        at=lambda level: share_difference(a, b, level).interval,
+    )
 
 
 def is_by_chance(many: int, count: int) -> bool:
@@ -214,6 +228,88 @@ def survival(ends: Values, died: Sequence[bool] | numpy.ndarray) -> list[tuple[f
             bounds = (share**spread, share ** (1.0 / spread))
         rows.append((float(time), at_risk, deaths, share, *bounds))
     return rows
+
+
+class Lives(NamedTuple):
+    """When something ended in each of several runs, or until when it was watched: censored values."""
+
+    ends_s: numpy.ndarray
+    """of the death, or of the run"""
+    died: numpy.ndarray
+    """whether it died; if not, it lived at the end of the run"""
+    planned_s: float
+    """the planned end; who died stays dead until then"""
+
+    @property
+    def known_until_s(self) -> float:
+        """The time up to which the share of survivors is known."""
+        return float(numpy.where(self.died, self.planned_s, self.ends_s).max(initial=0.0))
+
+    def until(self, end_s: float) -> Lives:
+        """As if every run ended there: who dies later is censored."""
+        return Lives(numpy.minimum(self.ends_s, end_s), self.died & (self.ends_s <= end_s), end_s)
+
+
+def common_end(*sets: Lives) -> float:
+    """The time up to which the survival of all sets is known: that of the shortest. 0 if a set has no run."""
+    return min(of.known_until_s for of in sets)
+
+
+def restricted_mean(of: Lives, end_s: float) -> Contrast | None:
+    """The mean survival up to `end_s`, which is the area under Kaplan and Meier's estimate [royston2013], and its error by Greenwood's formula, times
+    n / (n - 1). If no life is cut off before `end_s`, it is the mean of min(life, end_s) with its usual error. None without a run; an error
+    needs MIN_RUNS_FOR_TEST runs."""
+    of = of.until(end_s)
+    n = len(of.ends_s)
+    if n == 0:
+        return None
+    rows = survival(of.ends_s, of.died)
+    times, shares = [0.0, *(row[0] for row in rows), end_s], [1.0, *(row[3] for row in rows)]
+    areas = [share * (to - at) for share, at, to in zip(shares, times, times[1:])]
+    value, variance, rest = sum(areas), 0.0, sum(areas[1:])
+    for (_, at_risk, deaths, *_), area in zip(rows, areas[1:]):
+        variance += rest * rest * deaths / (at_risk * (at_risk - deaths)) if at_risk > deaths else 0.0
+        rest -= area
+    return Contrast(value, math.sqrt(variance * n / max(1, n - 1)), max(1.0, n - 1.0))
+
+
+def log_rank(a: Lives, b: Lives) -> float | None:
+    """The log-rank test of two sets of lives up to their common end [mantel1966]: how often deaths fall so unequally if both die at the same rate.
+    Two-sided, by the chi-square distribution. None if nothing died, or if a set has fewer than MIN_RUNS_FOR_TEST runs.
+    """
+    end_s = common_end(a, b)
+    a, b = a.until(end_s), b.until(end_s)
+    if min(len(a.ends_s), len(b.ends_s)) < MIN_RUNS_FOR_TEST:
+        return None
+    excess = variance = 0.0
+    for time in numpy.unique(numpy.concatenate([a.ends_s[a.died], b.ends_s[b.died]])):
+        (risk_a, dead_a), (risk, dead) = (
+            (
+                sum(int((of.ends_s >= time).sum()) for of in sets),
+                sum(int((of.died & (of.ends_s == time)).sum()) for of in sets),
+            )
+            for sets in ((a,), (a, b))
+        )
+        share = risk_a / risk
+        excess += dead_a - dead * share
+        variance += dead * share * (1.0 - share) * (risk - dead) / (risk - 1) if risk > 1 else 0.0
+    return float(special.chdtrc(1.0, excess * excess / variance)) if variance > 0.0 else None
+
+
+def survival_difference(a: Lives, b: Lives, end_s: float | None = None) -> Difference:
+    """The difference a - b of the restricted mean survivals up to the common end, or to an earlier `end_s`, with Welch's interval, and the p value of
+    the log-rank test."""
+    end_s = common_end(a, b) if end_s is None else end_s
+    a, b = a.until(end_s), b.until(end_s)
+    ours, theirs = restricted_mean(a, end_s), restricted_mean(b, end_s)
+    if ours is None or theirs is None:
+        return Difference()
+    value = ours.value - theirs.value
+    if min(len(a.ends_s), len(b.ends_s)) < MIN_RUNS_FOR_TEST:
+        return Difference(value)
+    of = _welch(value, [(ours.error**2, ours.freedom), (theirs.error**2, theirs.freedom)])
+    scatter = Scatter(len(a.ends_s) * ours.error**2 + len(b.ends_s) * theirs.error**2)
+    return Difference(value, interval_of(of), log_rank(a, b), None, scatter, at=lambda level: interval_of(of, level))
 
 
 def holm(p_values: Values) -> numpy.ndarray:
@@ -315,9 +411,9 @@ def detectable_difference(of: Contrast, level: float, power: float = USUAL_POWER
 
 def runs_for_power(difference: float, scatter: Scatter, level: float, power: float = USUAL_POWER) -> int | None:
     """The fewest runs in each set (or pairs), MIN_RUNS_FOR_TEST at least, with which a difference is found with `power` at `level`, two-sided,
-    if it and the scatter are what they are said to be. None for no difference, and where MOST_RUNS are too few. Asked of a difference that was
-    observed this says no more than its p value does [hoenig2001]: it is for the next study. Raises ValueError unless level and power lie
-    between 0 and 1."""
+    if the scatter is what it is said to be. `difference`: the smallest effect of interest, which a design names before the runs. A difference that
+    was observed would say no more than its p value does [hoenig2001]. None for no difference, and where MOST_RUNS are too few. Raises ValueError
+    unless level and power lie between 0 and 1."""
     for name, value in (("level", level), ("power", power)):
         if not 0.0 < value < 1.0:
             raise ValueError(f"{name} = {value}: must be > 0 and < 1")
@@ -348,39 +444,40 @@ def runs_for_power(difference: float, scatter: Scatter, level: float, power: flo
 
 @dataclasses.dataclass
 class Difference:
-    """A difference of sets. The interval and `p` are of this difference alone; `adjusted` is p corrected for all that are compared."""
+    """A difference of sets. The interval and `p` are of this difference alone; `adjusted` and `corrected` hold for all that are compared."""
 
     value: float | None = None
     interval: Interval | None = None
     p: float | None = None
     adjusted: float | None = None
+    """p corrected for all comparisons (Holm)"""
     scatter: Scatter | None = None
     """run by run; None if it was not asked for"""
-    level: float | None = None
-    """that Bonferroni leaves to this one of so many comparisons; Holm finds a little more"""
+    at: Callable[[float], Interval | None] | None = None
+    """its interval at another level"""
+    corrected: Interval | None = None
+    """the interval of a family in which all hold at once with 95 % (Bonferroni)"""
 
     def differs(self) -> bool:
         return is_significant(self.adjusted)
 
-    def runs_needed(self) -> int | None:
-        """The runs in each set with which a difference of this size is found in 80 % of studies, at `level`. None if it is significant, if it
-        cannot be known, or if MOST_RUNS are too few."""
-        if self.level is None or self.scatter is None or self.value is None or self.differs():
-            return None
-        return runs_for_power(self.value, self.scatter, self.level)
-
 
 def difference_of(value: float | None, of: Contrast | None, scatter: Scatter | None = None) -> Difference:
     """`value` is given by the caller, as a contrast needs more runs than a difference does."""
-    return Difference(value, interval_of(of), p_value(of), None, scatter)
+    return Difference(value, interval_of(of), p_value(of), None, scatter, at=lambda level: interval_of(of, level))
 
 
 def adjust_together(differences: Iterable[Difference]) -> None:
-    """Holm's correction over all of `differences` together. One without a p value, in which nothing varies, is not a comparison."""
+    """Holm's correction over all of `differences` together, and the intervals that hold for all of them at once. One without a p value, in which
+    nothing varies, is not a comparison.
+
+    The intervals are Bonferroni's: with m comparisons each has level 1 - 0.05 / m. Holm's test finds all that these intervals show and sometimes
+    more: its simultaneous intervals would say of such a difference no more than its sign [strassburger2008], so its interval may reach over zero.
+    """
     differences = list(differences)
     p_values = [each.p for each in differences if each.p is not None]
     adjusted = iter(holm(p_values))
     for each in differences:
-        each.adjusted, each.level = (
-            (None, None) if each.p is None else (float(next(adjusted)), SIGNIFICANCE / len(p_values))
-        )
+        is_compared = each.p is not None
+        each.adjusted = float(next(adjusted)) if is_compared else None
+        each.corrected = each.at(1.0 - SIGNIFICANCE / len(p_values)) if is_compared and each.at else None

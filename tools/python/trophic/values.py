@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 class Metric(NamedTuple):
     """The name of a number, written METRIC:SPECIES:GROUP.
 
-    `species` of a metric of two is "prey+predator". `group`: all, random, inherited, active, inherited_active; of deaths a cause, of ticks_at a
-    number of members. `unit` is "1" for shares and counts."""
+    `species` of a metric of two is "prey+predator". `group`: all, random, inherited, active, inactive, inherited_active, inherited_inactive; of
+    deaths a cause, of ticks_at a number of members. `unit` is "1" for shares and counts."""
 
     metric: str
     species: str
@@ -29,8 +29,9 @@ class Metric(NamedTuple):
 
 
 METRIC = list(Metric._fields)
-SHADOW, NEUTRAL, CLONES = "shadow", "neutral", "clones"
-"""The names of the baselines that a set's neutral shadow, its neutral null and its clones give, and of their folders."""
+SHADOW, NEUTRAL, CLONES, ONE_SIDED = "shadow", "neutral", "clones", "one_sided"
+"""The names of the baselines that a set's neutral shadow, its neutral null, its clones and its one-sided worlds give. Those of the first three are
+also their folders; the world in which prey inherit nothing is in one_sided_prey."""
 VALUE_COLUMNS = [*METRIC, "baseline", "role", "value"]
 CURVE_COLUMNS = [*METRIC, "baseline", "time_s", "value"]
 
@@ -67,26 +68,36 @@ class MeasuredSet:
     inherited: frozenset[str] = frozenset()
     """the names of its metrics of genomes, bodies and brains"""
 
+    one_sided: "dict[str, MeasuredSet]" = dataclasses.field(default_factory=dict)
+    """by species the world in which it alone inherits nothing"""
+
     @property
     def nulls(self) -> "dict[str, MeasuredSet]":
-        """The shadow, the neutral null and the clones, as far as there are any."""
-        return {
-            name: one
-            for name, one in ((SHADOW, self.shadow), (NEUTRAL, self.neutral), (CLONES, self.clones))
-            if one is not None
-        }
+        """The sets of the shadow, the one-sided worlds, the neutral null and the clones, as far as there are any, by the names of their folders."""
+        sides = ((f"{ONE_SIDED}_{species}", one) for species, one in self.one_sided.items())
+        every = ((SHADOW, self.shadow), *sides, (NEUTRAL, self.neutral), (CLONES, self.clones))
+        return {name: one for name, one in every if one is not None}
 
-    def null_of(self, metric: Metric) -> str:
-        """The null that answers for a metric: the neutral one for what is inherited, if there is one, else the shadow. Empty without it."""
-        name = NEUTRAL if metric.metric in self.inherited and self.neutral is not None else SHADOW
-        return name if name in self.nulls else ""
+    def nulls_of(self, metric: Metric) -> "dict[str, MeasuredSet]":
+        """The nulls of runs that a metric stands next to, by baseline: of the one-sided worlds that of its species, and the neutral null for what is
+        inherited."""
+        return {
+            ONE_SIDED if name.startswith(ONE_SIDED) else name: one
+            for name, one in self.nulls.items()
+            if (
+                one is self.one_sided.get(metric.species)
+                if name.startswith(ONE_SIDED)
+                else name != NEUTRAL or metric.metric in self.inherited
+            )
+        }
 
     def null_values(self, metric: Metric, name: str) -> numpy.ndarray:
         """The values of a metric in a null, one a run of it; those of the neutral null by the runs that they repeat, nan if there is none."""
-        values = self.nulls[name].baseline(metric, "")
+        null = self.nulls_of(metric)[name]
+        values = null.baseline(metric, "")
         if name != NEUTRAL:
             return values
-        of_seed = dict(zip((run.seed for run in self.nulls[name].runs), values))
+        of_seed = dict(zip((run.seed for run in null.runs), values))
         return numpy.array([of_seed.get(run.seed, numpy.nan) for run in self.runs])
 
     @functools.cached_property

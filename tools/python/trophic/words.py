@@ -7,7 +7,7 @@ import unicodedata
 from collections.abc import Iterable, Sequence
 
 from .statistics import MOST_RUNS, Estimate
-from .values import CLONES, NEUTRAL, SHADOW, Metric
+from .values import CLONES, NEUTRAL, ONE_SIDED, SHADOW, Metric
 
 _PLAIN_UNITS = (
     "",
@@ -16,19 +16,24 @@ _PLAIN_UNITS = (
 )  # shares and counts; hunger in ticks is a metric of trophic's own, whose unit the glossary gives
 _DECIMALS = {
     **dict.fromkeys(
-        ("deaths", "population", "period", "generation_time", "handling_time", "lineage_depth", "stock"), 1
+        ("deaths", "population", "extinct_at", "period", "generation_time", "handling_time", "lineage_depth", "stock"),
+        1,
     ),
     "birth_rate": 5,
     "search_rate": 4,
     "search_rate_holling": 4,
 }
-NULLS = {SHADOW: "shadow", NEUTRAL: "neutral null", CLONES: "clones"}
+NULLS = {SHADOW: "shadow", ONE_SIDED: "one-sided world", NEUTRAL: "neutral null", CLONES: "clones"}
 """The nulls that are runs of their own. A null that each run has by itself has its own name."""
 NO_NEUTRAL = (
     "no neutral null: what is inherited changes by mutation alone, so a difference from the shadow need not be selection (--replicates with "
     "--neutral makes one)"
 )
-_SHOWN = {SHADOW: "what inheritance does", NEUTRAL: "what selection does"}
+_SHOWN = {
+    SHADOW: "what inheritance does",
+    ONE_SIDED: "what the inheritance of each species does",
+    NEUTRAL: "what selection does",
+}
 
 
 def over_nulls(compared: Iterable[str]) -> tuple[str, str, str]:
@@ -38,6 +43,12 @@ def over_nulls(compared: Iterable[str]) -> tuple[str, str, str]:
     short = "" if not titles else "over nulls" if len(titles) > 1 else f"over {[*titles.values()][0]}s"
     whole = ", ".join(f"over {title}s: (b - {title}) - (a - {title})" for title in titles.values())
     return whole, short, ", ".join(_SHOWN[name] for name in titles)
+
+
+def null_title(name: str) -> str:
+    """The title of a null by the name of its baseline or folder: "shadow", "one-sided world (prey)"; its own name for any other."""
+    kind, _, species = name.partition(f"{ONE_SIDED}_")
+    return NULLS.get(name, name) if kind or not species else f"{NULLS[ONE_SIDED]} ({species})"
 
 
 def over_text(compared: str) -> str:
@@ -85,13 +96,25 @@ class Reading:
     def __call__(self, value: float | None, sign: bool = False) -> str:
         if value is None or value != value:
             return "missing"
-        return f"{self.factor * value:{'+' * sign}.{self.decimals}f}"
+        return self._written(value, self.decimals, sign)
 
     def with_interval(self, value: float | None, interval: Sequence[float] | None, sign: bool = False) -> str:
-        """ "+1.10 [+0.85, +1.35]"; an interval of None or nan is left out."""
+        """ "+1.10 [+0.85, +1.35]"; an interval of None or nan is left out. Decimals are added, six at most, if a part would be written as
+        zero that is not."""
         if interval is None or value is None or value != value or interval[0] is None or interval[0] != interval[0]:
             return self(value, sign)
-        return f"{self(value, sign)} [{self(interval[0], sign)}, {self(interval[1], sign)}]"
+        parts, decimals = (value, *interval[:2]), self.decimals
+        while decimals < self.decimals + 6 and any(
+            part and float(self._written(part, decimals)) == 0.0 for part in parts
+        ):
+            decimals += 1
+        middle, low, high = (self._written(part, decimals, sign) for part in parts)
+        return f"{middle} [{low}, {high}]"
+
+    def _written(self, value: float, decimals: int, sign: bool = False) -> str:
+        """A number that rounds to zero has no sign."""
+        text = f"{self.factor * value:{'+' * sign}.{decimals}f}"
+        return text.lstrip("+-") if float(text) == 0.0 else text
 
     def of(self, estimate: Estimate | Sequence) -> str:
         """A mean with its interval, or with the spread between runs if there are too few for one."""

@@ -148,9 +148,10 @@ def shipped(
         free=is_free,
         is_open=walls.to_wall_m(robots, floor) > walls.REACH_M,
         is_upright=motion.is_upright(robots),
+        is_constant=is_constant,
     )
     for rows, suffix in ((robots, ""), (free, "_not_locked")):
-        walls.measure(rows, web, floor, results, suffix)
+        walls.measure(rows, web, floor, results, suffix, is_constant)
         tags.measure(rows, web, tag_values, results, suffix)
     locked.measure(robots, web, locks, results)
     motion.measure(robots, web, floor, results)
@@ -283,14 +284,18 @@ def chosen(of: Iterable[Metric], choices: Sequence[str]) -> list[Metric]:
 
 def kept(has_value: Mapping[Metric, bool], choices: Sequence[str]) -> list[Metric]:
     """The metrics that are shown, given whether any run has a value of each: not the extinction of a species that dies out in no run, nor one of
-    OPTIONAL without a value, unless a choice names it."""
+    OPTIONAL or of inactive members without a value, unless a choice names it."""
     asked = {choice.split(":")[0] for choice in choices}
     gone = {of.species for of, value in has_value.items() if of.metric == "extinct_at" and value}
     return [
         of
         for of, value in has_value.items()
         if of.metric in asked
-        or (of.species in gone if of.metric in demography.EXTINCTION else value or of.metric not in OPTIONAL)
+        or (
+            of.species in gone
+            if of.metric in demography.EXTINCTION
+            else value or of.metric not in OPTIONAL and "inactive" not in of.group
+        )
     ]
 
 
@@ -299,11 +304,11 @@ def same_metrics(runs: Sequence[RunValues], choices: Sequence[str] = ()) -> None
     values = pandas.concat([run.values for run in runs])
     has_value = values[values.baseline == ""].groupby(METRIC, sort=False).value.count() > 0
     its = {Metric(*name): value for name, value in has_value.items()}
-    stay = {of[:2] for of in kept(its, choices)}
-    if leave := [of[:2] for of in its if of[:2] not in stay]:
+    stay = {of[:3] for of in kept(its, choices)}
+    if leave := [of[:3] for of in its if of[:3] not in stay]:
         for run in runs:
             run.values, run.curves = (
-                frame[~pandas.MultiIndex.from_frame(frame[METRIC[:2]]).isin(leave)].reset_index(drop=True)
+                frame[~pandas.MultiIndex.from_frame(frame[METRIC[:3]]).isin(leave)].reset_index(drop=True)
                 for frame in (run.values, run.curves)
             )
     keys = [*METRIC, "baseline", "role"]

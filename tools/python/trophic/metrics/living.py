@@ -28,8 +28,6 @@ OPTIONAL = (
     "handling_time",
     "trophic_efficiency",
 )
-SHARES = ("persists", "cycles")
-"""0 or 1 in each run, so that means are shares of runs."""
 MEAN_FIELD = "mean_field"
 """The baseline: the mean over simulated runs without space."""
 

@@ -16,6 +16,8 @@ from ..values import METRIC, RunValues
 WINDOW_S = 200.0
 """The paper's curves "are population averages measured every 200 seconds, resulting in 30 points"."""
 GROUPS = ("all", "random", "inherited", "active")
+APART = ("inactive", "inherited_active", "inherited_inactive")
+"""Groups of behaviour where numbers change, and with them the shares of active and inactive members."""
 
 
 class Web(NamedTuple):
@@ -113,13 +115,17 @@ class Agents:
         self._bodies = _Places(self.at, self.body)
 
     def of(self, species: str | None = None, group: str = "all") -> numpy.ndarray:
-        """The rows of a species, or of all, that belong to a group at that tick: all, random, inherited, active or inherited_active."""
+        """The rows of a species, or of all, that belong to a group at that tick: one of GROUPS or APART."""
         mask = numpy.ones(len(self.at), bool) if species is None else self.species == self.names.index(species)
-        if group == "random":
-            mask &= ~self.inherited
-        elif group in ("inherited", "inherited_active"):
-            mask &= self.inherited
-        return mask & self.active if group in ("active", "inherited_active") else mask
+        if group != "all":
+            for part in group.split("_"):
+                mask &= {
+                    "random": ~self.inherited,
+                    "inherited": self.inherited,
+                    "active": self.active,
+                    "inactive": ~self.active,
+                }[part]
+        return mask
 
     def count(self, rows: numpy.ndarray, weights: numpy.ndarray | None = None) -> numpy.ndarray:
         """The number, or the sum of the weights, of these rows at each tick."""

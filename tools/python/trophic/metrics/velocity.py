@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy
 import pandas
 
-from .tables import GROUPS, Agents, Means, Results, Web, means
+from .tables import APART, GROUPS, Agents, Means, Results, Web, means
 
 TICKS = 6
 """A stretch of the paper: 12 s."""
@@ -74,8 +74,10 @@ def measure(
     free: numpy.ndarray,
     is_open: numpy.ndarray,
     is_upright: numpy.ndarray,
+    is_constant: bool = True,
 ) -> None:
-    """`simulated_s_per_s`: simulated seconds in a second of the clock. The others: rows that are not locked, away from walls, and upright."""
+    """`simulated_s_per_s`: simulated seconds in a second of the clock. The others: rows that are not locked, away from walls, and upright. Unless
+    numbers are constant, the plain velocity is of the active and inactive apart as well."""
     walks = samples(agents)
     kinds = {
         "velocity": walks,
@@ -90,7 +92,7 @@ def measure(
     }
     for metric, of in kinds.items():
         for species in web.species:
-            for group in GROUPS:
+            for group in GROUPS + APART * (metric == "velocity" and not is_constant):
                 found = velocity(of, agents, species, group)
                 results.add_means(metric, species, group, "m/s", found, found.mean_of_points, (("zero", "paper", 0.0),))
 

@@ -59,12 +59,14 @@ def share_of_floor(floor: Floor, reach_m: float = REACH_M) -> float:
     return float(numpy.mean(from_wall[from_wall > 0.0] <= reach_m))
 
 
-def measure(agents: Agents, web: Web, floor: Floor, results: Results, suffix: str = "") -> None:
-    """`suffix`: of the metrics' names."""
+def measure(
+    agents: Agents, web: Web, floor: Floor, results: Results, suffix: str = "", is_constant: bool = True
+) -> None:
+    """`suffix`: of the metrics' names. Unless numbers are constant, the inactive are a group of their own."""
     uniform = (("uniform_density", "reference", share_of_floor(floor)),)
     shares = {}
     for species in web.species:
-        for group in GROUPS:
+        for group in GROUPS + ("inactive",) * (not is_constant):
             share = wall_sticking(agents, species, group, floor)
             shares[species, group] = share.mean
             results.add_means(f"wall_sticking{suffix}", species, group, "1", share, baselines=uniform)

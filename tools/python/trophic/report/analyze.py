@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import math
 import os
 import pathlib
 import sys
@@ -17,6 +18,7 @@ from ..errors import RunError
 from ..metrics import Measuring
 from ..runs import Analysis
 from ..values import MeasuredSet
+from ..words import number_text
 from . import tables, tex, text
 from .measuring import measuring_of
 
@@ -85,7 +87,7 @@ def _check(request: Mapping[str, Any]) -> None:
     for folder in filter(is_sweep, compare):
         raise RunError(f"--compare {folder}: is a sweep; name two of its cells")
     if not (sweeps := [folder for folder in runs if is_sweep(folder)]):
-        for option in ("reference", "difference", "allow_missing"):
+        for option in ("reference", "allow_missing"):
             if request.get(option) not in (None, False):
                 raise RunError(f"--{option.replace('_', '-')}: only with a sweep, a folder with plan.jsonl")
     elif len(runs) > 1:
@@ -110,6 +112,11 @@ def run(request: Mapping[str, Any]) -> int:
 
         return report.run(request)
     how = measuring_of(request)
+    asked = request.get("difference")
+    if asked is not None and not (math.isfinite(asked) and asked > 0.0):
+        raise RunError(f"--difference {number_text(asked)}: must be > 0")
+    if asked is not None and not how.metrics:
+        raise RunError("--difference: needs --metric, which names what is to differ")
     if request.get("html"):
         from . import page
 
@@ -127,6 +134,8 @@ def run(request: Mapping[str, Any]) -> int:
             print(f"{request['who']}: {remark}", file=sys.stderr)
         whole, brief = texts(outcome, bool(request.get("published")))
         print(whole if request.get("all") or how.metrics else brief, end="")
+        if asked is not None:
+            print(text.runs_for(outcome.answer, asked), end="")
         if folder is not None:
             print(f"files   {folder.with_suffix('')}/{{{','.join(write_tables(folder, outcome))}}}")
         if request.get("html"):

@@ -14,6 +14,10 @@ species text: of whom; of a metric of two: prey+predator
 group text: as in metrics.csv
 unit text: of means, differences and intervals
 p: of this comparison alone
+lower_corrected: of the interval that holds in all comparisons at once with 95 % (Bonferroni)
+upper_corrected: of the same interval
+scatter: deviation of the difference, of one run: with n runs in each set its error is scatter / sqrt(n); a design computes its runs from it
+not_tested text: why the difference is described and not tested; empty if it is tested, or if another null answers
 significant text: yes where p_holm <= 0.05, else no; empty without a p value
 """
 # The content of each file, and a line for each column, "name cells unit: meaning"; cells are exact numbers or empty, and there is no unit, unless
@@ -27,8 +31,8 @@ run text: name of the run's folder
 seed whole: of the run
 metric
 species
-group text: all, random, inherited, active (at that tick) or inherited_active; of deaths a cause, of ticks_at a number of members
-baseline text: empty: observed; shadow, neutral or clones: observed in that null of the set
+group text: all, random, inherited, active or inactive (at that tick), inherited_active, inherited_inactive; of deaths a cause, of ticks_at a number of members
+baseline text: empty: observed; shadow, one_sided_SPECIES, neutral or clones: observed in that null of the set
 time_s exact? s: of a curve the end of its window; empty: of the whole run
 value: in `unit`; empty: could not be computed
 unit text: of the value; 1 for shares and counts
@@ -43,20 +47,23 @@ species
 group
 unit
 n whole: runs in which it could be measured
-mean: over these runs
+mean: over these runs; of extinct_at the restricted mean: how long the species lasts, up to the common end of the set and its nulls
 deviation: between these runs
 lower: of the mean's 95 % interval; empty for fewer than 6 runs
 upper: of the mean's 95 % interval
 published: the paper's mean, for its own rule tables; empty if it has none
-null text: shadow, neutral or clones, which are runs, or the name of a null that each run has of its own; empty: no null
+null text: shadow, one_sided (of this species), neutral or clones, which are runs, or the name of a null that each run has of its own; empty: no null
 null_n whole: runs that give the null
 null_mean: over these runs
 difference: mean - null_mean; of neutral and of a run's own null over the runs that have both
 difference_lower: of its own 95 % interval
 difference_upper: of its own 95 % interval
-p
-p_holm: corrected for all comparisons of the set; at most 0.05: significant; empty next to clones, and to the shadow if the neutral null answers
-runs_needed whole?: if p_holm > 0.05: runs in each set that would find a difference of this size in 80 % of studies
+p: of this comparison alone; of extinct_at the log-rank test's; empty if it is not tested
+p_holm: corrected for all comparisons of the set; at most 0.05: significant; empty if another null answers
+lower_corrected
+upper_corrected
+scatter
+not_tested
 same_as text: an earlier metric that says the same (other reading, or the same in every run); then not compared again
 """,
     ),
@@ -64,7 +71,7 @@ same_as text: an earlier metric that says the same (other reading, or the same i
         "Survival of species in worlds whose numbers change (Kaplan and Meier): a row for each time at which one dies out in a run.",
         """
 set text: name of the rule table, with what differs from it
-null text: empty: of the set; shadow, neutral or clones: of that null
+null text: empty: of the set; shadow, one_sided_SPECIES, neutral or clones: of that null
 species text: that dies out
 time_s exact s: of the extinction
 at_risk whole: runs in which it lived until then
@@ -81,17 +88,20 @@ metric
 species
 group
 unit
-compared text: over_shadow: (b - its shadow) - (a - its shadow), the answer; over_neutral: the same of neutral nulls; raw: b - a
+compared text: over_shadow: (b - its shadow) - (a - its shadow), the answer; over_one_sided, over_neutral: the same of these nulls; raw: b - a
 n_a whole: runs of the first set
 n_b whole: runs of the second set
-mean_a: of the first set, raw
+mean_a: of the first set, raw; of extinct_at the restricted mean up to the common end of both sets
 mean_b: of the second set, raw
 difference: as `compared` says
 lower: of this comparison's own 95 % interval; empty for fewer than 6 runs
 upper: of this comparison's own 95 % interval
-p
+p: of this comparison alone; of extinct_at the log-rank test's; empty if it is not tested
 p_holm: corrected for all comparisons; at most 0.05: significant; raw differences next to answers over nulls are corrected apart
-runs_needed whole?: if p_holm > 0.05: runs in each set that would find a difference of this size in 80 % of studies
+lower_corrected
+upper_corrected
+scatter
+not_tested
 same_as text: an earlier metric that says the same (other reading, or the same in every run); then not compared again
 """,
     ),
@@ -113,7 +123,7 @@ until_s exact s: how much of each run was measured
 run whole: its index in the plan
 cell whole: the number of its cell
 replicate whole: its number in the cell
-shadow flag: 1: a run of the cell's neutral shadow
+null text: none, or shadow or one_sided_SPECIES: a run of the cell's null of that name
 seed whole: of the run
 metric text: what was measured; what could not be has no row
 species
@@ -160,13 +170,12 @@ mean_reference: over the reference cell's
 difference: mean - mean_reference
 lower: of this comparison's own 95 % interval; empty for fewer than 6 runs
 upper: of this comparison's own 95 % interval
-lower_corrected: of the interval that holds in all comparisons at once with 95 % (Bonferroni)
-upper_corrected: of the same interval
+lower_corrected
+upper_corrected
 p
 p_holm: corrected for all comparisons of the analysis; raw differences next to an answer apart
 significant
 hedges_g: the difference over the pooled standard deviation between runs of both cells, corrected for small numbers
-runs_needed whole?: runs in each cell that would show this difference with 80 % power at the corrected level, if it and the spread are what they seem
 smallest_detectable: the difference that the runs at hand would show with 80 % power at the corrected level
 """,
     ),
@@ -190,6 +199,8 @@ lower: of this effect's own 95 % interval, over seeds; empty for fewer than 6
 upper: of this effect's own 95 % interval
 p: of this effect alone
 p_holm: corrected for all effects of the analysis; raw differences next to an answer apart
+lower_corrected
+upper_corrected
 significant
 """,
     ),
@@ -230,6 +241,8 @@ over_shadow_lower_s exact? s: 95 % interval of that difference, uncorrected
 over_shadow_upper_s exact? s: its other end
 p: of that difference, two-sided
 p_holm: corrected for both roles of a link, period and kind of opponents (Holm)
+lower_corrected_s exact? s: of the interval that holds for both roles at once with 95 % (Bonferroni)
+upper_corrected_s exact? s: its other end
 """,
     ),
     "selection.csv": (
@@ -237,7 +250,7 @@ p_holm: corrected for both roles of a link, period and kind of opponents (Holm)
         """
 trait text: as --selection names it
 species text: whose trait it is
-term text: start, end, change, survival, survival_CAUSE, parenthood, mutation, newcomers, lives, lives_length, lives_rate, offspring_on_parent or mutation_a_birth
+term text: start, end, change, survival, survival_CAUSE, parenthood, mutation, newcomers, cohorts, lives, lives_length, lives_rate, offspring_on_parent or mutation_a_birth
 period all,first,second,third: the run or a third of it; of lives and births the third of the birth
 unit text: of all means
 missing whole: individuals of the runs without the trait, which are left out
@@ -253,12 +266,14 @@ neutral_n whole: runs of the neutral null that have the term
 neutral_mean: over these runs
 neutral_lower: of the mean's 95 % interval
 neutral_upper: of the mean's 95 % interval
-null neutral,zero: with what the runs are compared; empty: not tested
+null text: neutral: the runs are compared with the neutral null; empty: not tested
 difference: runs_mean less that of the null
 difference_lower: of its own 95 % interval
 difference_upper: of its own 95 % interval
 p
 p_holm: corrected for survival, parenthood and mutation of every trait and species (Holm)
+lower_corrected
+upper_corrected
 """,
     ),
     "cross_check.csv": (

@@ -17,11 +17,11 @@ from typing import Any, Dict, List, Tuple
 import jinja2
 import pandas
 
-from .. import description, judge
+from .. import controls, description, judge
 from ..errors import ProgramError, RunError
 from ..programs import call, find_program
 from ..values import METRIC, MeasuredSet, Metric
-from ..words import NO_NEUTRAL, NULLS, Reading, metric_title, over_text, p_text
+from ..words import Reading, metric_title, null_title, over_text, p_text
 from .tables import write_new
 from .text import answers_of
 
@@ -147,6 +147,11 @@ def _told(sets: Sequence[MeasuredSet], facts: Sequence[Mapping[str, str]]) -> li
 def _question(sets: Sequence[MeasuredSet]) -> str:
     if len(sets) > 1:
         return f"In what do {' and '.join(one.label for one in sets)} differ?"
+    if sets[0].one_sided and not sets[0].inherited:
+        return (
+            f"Does inheritance matter under the rules of {sets[0].label}? Each species is compared with its one-sided world: the same rules and seeds, in which it alone "
+            "inherits nothing."
+        )
     if sets[0].neutral and sets[0].inherited:
         return (
             f"What is selected under the rules of {sets[0].label}? Measures of genomes, bodies and brains are compared with the neutral null: the births, deaths "
@@ -166,10 +171,13 @@ def _sentences(
     sentences = [f"{sentence[0].upper()}{sentence[1:]}." for one in sets for sentence in judge.too_few(one)]
     if len(sets) == 1:
         sentences += [
-            f"{question} {answer[0].upper()}{answer[1:]}: {effect} over the shadow."
-            for question, answer, effect, _ in answers_of(sets[0], frames[0])
+            f"{question} {answer[0].upper()}{answer[1:]}: {effect} {over}."
+            for question, answer, effect, _, over in answers_of(sets[0], frames[0])
         ]
-    sentences += [f"{one.label}: {NO_NEUTRAL}." for one in sets if one.inherited and not one.neutral]
+    told = (
+        [controls.sentences(one, judge.metrics_of(frame)) for one, frame in zip(sets, frames)] if len(sets) == 1 else []
+    )
+    sentences += [f"{sentence[0].upper()}{sentence[1:]}." for its in told for sentence in its]
     sentences += [
         (f"{one.set}: " if one.set and len(sets) > 1 else "") + one.sentence for one in findings[: judge.MOST_FINDINGS]
     ]
@@ -235,7 +243,7 @@ def _table(frame: pandas.DataFrame) -> dict[str, Any]:
             continue  # no individual died of it
         metric = Metric(*(getattr(row, column) for column in METRIC))
         reading = Reading(metric)
-        lower, upper = (row.lower, row.upper) if compares else (row.difference_lower, row.difference_upper)
+        lower, upper = judge.interval_of_row(row)
         if compares:
             cells = [
                 _cell(metric_title(metric)),
@@ -248,7 +256,7 @@ def _table(frame: pandas.DataFrame) -> dict[str, Any]:
                 *([_cell(row.set)] if len(sets) > 1 else []),
                 _cell(metric_title(metric)),
                 _cell(reading.of(_estimate(row)), row.mean),
-                _cell(f"{NULLS.get(row.null, row.null)} {reading(row.null_mean)}" if row.null else ""),
+                _cell(f"{null_title(row.null)} {reading(row.null_mean)}" if row.null else ""),
             ]
         cells += [
             _cell(
@@ -257,7 +265,13 @@ def _table(frame: pandas.DataFrame) -> dict[str, Any]:
             ),
             {"text": "", "key": None, "bar": _bar(row.difference, lower, upper)},
             _cell(p_text(row.p_holm), row.p_holm) if row.role == "null" else _cell(""),
-            _cell(f"tested as {row.same_as}" if row.conclusion == "same" else row.conclusion),
+            _cell(
+                f"tested as {row.same_as}"
+                if row.conclusion == "same"
+                else f"not tested: {row.not_tested}"
+                if row.not_tested
+                else row.conclusion
+            ),
         ]
         rows.append({"cells": cells, "side": row.conclusion if row.conclusion in ("above", "below") else "neither"})
     return {"headings": headings, "rows": rows}

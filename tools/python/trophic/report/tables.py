@@ -14,10 +14,10 @@ from typing import Any
 import numpy
 import pandas
 
-from .. import __version__, judge, published
+from .. import __version__, controls, judge, published
 from ..errors import RunError
 from ..statistics import MIN_RUNS_FOR_TEST, is_significant, survival
-from ..values import CLONES, METRIC, NEUTRAL, SHADOW, MeasuredSet
+from ..values import METRIC, NEUTRAL, ONE_SIDED, SHADOW, MeasuredSet
 from ..words import number_text
 from .columns import names
 
@@ -101,9 +101,7 @@ def csv_text(frame: pandas.DataFrame) -> str:
     """A frame as trophic's CSV: exact numbers, empty cells for nan and None, and texts in quotes if they have a comma."""
     columns = []
     for name in frame:
-        if name == "runs_needed":
-            columns.append(["" if value != value else str(int(value)) for value in frame[name].tolist()])
-        elif frame[name].dtype.kind in "fiu":
+        if frame[name].dtype.kind in "fiu":
             columns.append([number_text(value) for value in frame[name].tolist()])
         else:
             texts = ["" if value is None or value != value else str(value) for value in frame[name].tolist()]
@@ -224,8 +222,9 @@ def _set(of: MeasuredSet, frame: pandas.DataFrame) -> dict[str, Any]:
         "runs": _runs(of),
         **{
             f"{name}_runs": _runs(of.nulls[name]) if name in of.nulls else []
-            for name in (SHADOW, NEUTRAL, *({CLONES} & {*of.nulls}))
+            for name in {SHADOW: 0, NEUTRAL: 0, **of.nulls}
         },
+        "controls": controls.sentences(of, judge.metrics_of(frame)),
         "metrics": [_metric(rows) for _, rows in frame.groupby(METRIC, sort=False)],
         "answers": [_answer(one) for one in published.answers(of, frame)],
         "claims": _claims(of) if published.applies_to(of) else [],
@@ -254,7 +253,10 @@ def _test(row: Any) -> dict[str, Any]:
         "p": row.p,
         "p_adjusted": row.p_holm,
         "differs": is_significant(row.p_holm) if tested else None,
-        "runs_needed": None if row.runs_needed != row.runs_needed else int(row.runs_needed),
+        "lower_corrected": row.lower_corrected,
+        "upper_corrected": row.upper_corrected,
+        "scatter": row.scatter,
+        "not_tested": row.not_tested or None,
     }
 
 
@@ -298,7 +300,10 @@ def _difference(rows: pandas.DataFrame) -> dict[str, Any]:
         "p": None,
         "p_adjusted": None,
         "differs": None,
-        "runs_needed": None,
+        "lower_corrected": None,
+        "upper_corrected": None,
+        "scatter": None,
+        "not_tested": None,
         "conclusion": None,
     }
     return {
@@ -321,7 +326,7 @@ def _difference(rows: pandas.DataFrame) -> dict[str, Any]:
             }
             if (row := parts.get(kind))
             else nothing
-            for kind in ("raw", f"over_{SHADOW}", f"over_{NEUTRAL}")
+            for kind in ("raw", f"over_{SHADOW}", f"over_{ONE_SIDED}", f"over_{NEUTRAL}")
         },
     }
 
@@ -332,11 +337,13 @@ def _answer(one: published.Answer) -> dict[str, Any]:
             **each.reading.metric._asdict(),
             "members": each.reading.members,
             "counting": each.reading.counting,
+            "null": each.null,
             "difference": each.difference.value,
             **(each.difference.interval._asdict() if each.difference.interval else {}),
             "p": each.difference.p,
             "p_adjusted": each.difference.adjusted,
-            "runs_needed": each.difference.runs_needed(),
+            "lower_corrected": each.difference.corrected and each.difference.corrected.lower,
+            "upper_corrected": each.difference.corrected and each.difference.corrected.upper,
             "conclusion": each.conclusion,
         }
         for each in one.effects
@@ -344,7 +351,6 @@ def _answer(one: published.Answer) -> dict[str, Any]:
     return {
         "question": one.question.text,
         "answer": str(one),
-        "runs_needed": one.runs_needed,
         "shown": one.effects.index(one.shown),
         "readings": effects,
     }
@@ -381,7 +387,6 @@ def _reading(each: published.ReadingConclusion) -> dict[str, Any]:
         "difference_lower": lower,
         "difference_upper": upper,
         "conclusion": each.conclusion,
-        "runs_needed": each.runs_needed,
     }
 
 

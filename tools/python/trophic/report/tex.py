@@ -8,9 +8,9 @@ from typing import Any
 import pandas
 
 from ..description import describe
-from ..judge import count, runs_of
+from ..judge import count, interval_of_row, runs_of
 from ..values import SHADOW, MeasuredSet, Metric
-from ..words import NULLS, Reading, latex_text, metric_title, one_line, over_nulls, p_text
+from ..words import Reading, latex_text, metric_title, null_title, one_line, over_nulls, p_text
 from .text import answers_of, estimate_of
 
 _PACKAGES = "% \\usepackage{booktabs,tabularx}; \\input{} this file in a table, or in a table* of two columns.\n"
@@ -24,13 +24,13 @@ def means(of: MeasuredSet, frame: pandas.DataFrame) -> str:
     ):
         metric = Metric(row.metric, row.species, row.group, row.unit)
         reading = Reading(metric)
-        null = "" if row.null == SHADOW else f" (null: {NULLS.get(row.null, row.null)})"
+        null = "" if row.null == SHADOW else f" (null: {null_title(row.null)})"
         rows.append(
             [
                 latex_text(metric_title(metric) + null),
                 math(reading.of(estimate_of(row))),
                 math(reading(row.null_mean)),
-                math(reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True)),
+                math(reading.with_interval(row.difference, interval_of_row(row), True)),
                 math(p_text(row.p_holm)),
                 math(runs_of(row).replace("+", "{+}")),
             ]
@@ -51,11 +51,11 @@ def answers(of: MeasuredSet, frame: pandas.DataFrame) -> str:
             latex_text(answer),
             math(effect.removesuffix(" cm/s")) + " cm/s" * effect.endswith("cm/s"),
         ]
-        for question, answer, effect, _ in answers_of(of, frame)
+        for question, answer, effect, *_ in answers_of(of, frame)
     ]
     return (
         _PACKAGES
-        + f"% {heading(of)}. Effects: over the neutral shadow.\n"
+        + f"% {heading(of)}. Effects: {', '.join(dict.fromkeys(over for *_, over in answers_of(of, frame)))}; their intervals hold for all comparisons at once (Bonferroni).\n"
         + _table(["question", "answer", "effect [95\\,\\%]"], rows, 2)
     )
 
@@ -74,7 +74,7 @@ def differences(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:
                 latex_text(metric_title(metric)),
                 math(reading(row.mean_a)),
                 math(reading(row.mean_b)),
-                math(reading.with_interval(row.difference, (row.lower, row.upper), True)),
+                math(reading.with_interval(row.difference, interval_of_row(row), True)),
                 math(p_text(row.p_holm)),
                 math(runs_of(row).replace("+", "{+}")),
             ]
@@ -97,7 +97,7 @@ def math(text: Any) -> str:
 
 
 def _family(frame: pandas.DataFrame) -> str:
-    return f"p: Holm, corrected for {count(frame).comparisons} comparisons."
+    return f"p: Holm, corrected for {count(frame).comparisons} comparisons; their intervals hold at once (Bonferroni)."
 
 
 def _table(head: Sequence[str], rows: Sequence[Sequence[str]], texts: int = 1) -> str:

@@ -7,16 +7,26 @@ from typing import Any
 
 import pandas
 
-from .. import judge, published
+from .. import controls, judge, published
 from ..description import describe
 from ..statistics import Estimate, Interval, mean_of
-from ..values import MeasuredSet, Metric
-from ..words import NULLS, Reading, columns, metric_title, number_text, over_nulls, p_text, runs_text
+from ..values import CLONES, MeasuredSet, Metric
+from ..words import (
+    NULLS,
+    Reading,
+    columns,
+    metric_title,
+    null_title,
+    number_text,
+    over_nulls,
+    over_text,
+    p_text,
+    runs_text,
+)
 
 MOST_INCONCLUSIVE = 3
-_NEEDED = (
-    "runs needed: in each set, to find a difference of this size in 80 % of studies. Inconclusive does not mean equal\n"
-)
+_INCONCLUSIVE = "inconclusive does not mean equal: all differences in the interval remain possible\n"
+_AT_ONCE = "intervals of what is corrected hold for all of them at once (Bonferroni), others alone\n"
 _UNATTRIBUTED = "without a shadow of each set no difference can be attributed to inheritance\n"
 
 
@@ -45,15 +55,13 @@ def _rules(of: MeasuredSet) -> str:
     return f"rules: {said.rules}\n" if said.label != said.table else ""
 
 
-def _heading(of: MeasuredSet) -> str:
+def _heading(of: MeasuredSet, frame: pandas.DataFrame) -> str:
     text = f"{described(of)}, fingerprint {describe(of).identity}\n{_rules(of)}"
     if (locked := mean_of(of.table.get((Metric("locked", "all", "all", "1"), ""), ()))) is not None:
         text += f"locked: {locked:.3f} of robots are within 0.3 m of another for 12 s or longer; --all has the metrics without them\n"
-    text += "".join(f"{NULLS[name]}: {described(null)}\n" for name, null in of.nulls.items())
+    text += "".join(f"{null_title(name)}: {described(null)}\n" for name, null in of.nulls.items())
     text += "".join(f"{sentence}\n" for sentence in judge.living_sentences(of))
-    return text + (
-        "" if of.shadow else "no shadow: attribution and velocity have no null (--replicates with --shadow makes one)\n"
-    )
+    return text + "".join(f"{sentence}\n" for sentence in controls.sentences(of, judge.metrics_of(frame)))
 
 
 def _too_few(*sets: MeasuredSet) -> str:
@@ -61,10 +69,10 @@ def _too_few(*sets: MeasuredSet) -> str:
 
 
 def _conclusion(row: Any) -> str:
-    """ "above", "below", or "inconclusive, 34 runs needed"."""
-    if row.conclusion == "inconclusive":
-        return f"inconclusive, {runs_text(row.runs_needed)} runs needed"
-    return row.conclusion if row.conclusion in ("above", "below") else ""
+    """ "above", "below" or "inconclusive"; of what is not tested only that."""
+    if row.conclusion in ("above", "below", "inconclusive"):
+        return row.conclusion
+    return "not tested" if row.not_tested and row.null != CLONES else ""
 
 
 def findings_text(frame: pandas.DataFrame, most: int | None = None) -> str:
@@ -77,21 +85,22 @@ def findings_text(frame: pandas.DataFrame, most: int | None = None) -> str:
 
 
 def answers_of(of: MeasuredSet, frame: pandas.DataFrame) -> list[list[str]]:
-    """The paper's questions about evolution, each with its answer, the plainest reading's effect over the shadow, and the number of readings."""
+    """The paper's questions about evolution, each with its answer, the plainest reading's effect, the number of readings and the null."""
     rows = []
     for one in published.answers(of, frame):
         reading, difference = Reading(one.shown.reading.metric), one.shown.difference
-        effect = reading.with_interval(difference.value, difference.interval, True) + f" {reading.unit}" * bool(
+        effect = reading.with_interval(difference.value, difference.corrected, True) + f" {reading.unit}" * bool(
             reading.unit
         )
-        rows.append([one.question.text, str(one), effect, f"{len(one.effects)} reading{'s' * (len(one.effects) > 1)}"])
+        count = f"{len(one.effects)} reading{'s' * (len(one.effects) > 1)}"
+        rows.append([one.question.text, str(one), effect, count, f"over the {null_title(one.shown.null)}"])
     return rows
 
 
 def _answers(of: MeasuredSet, frame: pandas.DataFrame) -> str:
     rows = answers_of(of, frame)
     return (
-        "The paper's questions; an answer stands under every reading of the text (undecided: under none):\n"
+        "The paper's questions; an answer must hold under every reading of the text, corrected for all comparisons (undecided: under none):\n"
         + columns(rows, "  ")
         if rows
         else ""
@@ -99,21 +108,18 @@ def _answers(of: MeasuredSet, frame: pandas.DataFrame) -> str:
 
 
 def _inconclusive(frame: pandas.DataFrame, head: Sequence[str], cells: Any) -> str:
-    """The inconclusive facts that need the fewest runs; `cells` gives those of a row in front of p and the runs needed."""
+    """The inconclusive facts of the smallest p values; `cells` gives those of a row in front of p."""
     rows = judge.inconclusive(frame)
     if not rows:
         return ""
-    lines = [["inconclusive", *head, "p", "runs needed"]]
-    lines += [
-        [metric_title(_metric(row)), *cells(row), p_text(row.p_holm), runs_text(row.runs_needed)]
-        for row in rows[:MOST_INCONCLUSIVE]
-    ]
+    lines = [["inconclusive", *head, "p"]]
+    lines += [[metric_title(_metric(row)), *cells(row), p_text(row.p_holm)] for row in rows[:MOST_INCONCLUSIVE]]
     more = f"  and {len(rows) - MOST_INCONCLUSIVE} more (--all)\n" if len(rows) > MOST_INCONCLUSIVE else ""
-    return columns(lines, "  ") + more + _NEEDED
+    return columns(lines, "  ") + more + _INCONCLUSIVE
 
 
 def findings(of: MeasuredSet, frame: pandas.DataFrame) -> str:
-    """The findings about a set, then the inconclusive comparisons that would need the fewest runs. The whole table if there is no null of runs or nothing
+    """The findings about a set, then the inconclusive comparisons of the smallest p values. The whole table if there is no null of runs or nothing
     was tested."""
     if not of.nulls or judge.count(frame).comparisons == 0:
         return table(of, frame)
@@ -125,12 +131,12 @@ def findings(of: MeasuredSet, frame: pandas.DataFrame) -> str:
             NULLS.get(row.null, row.null),
             reading(row.null_mean),
             judge.runs_of(row),
-            reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True),
+            reading.with_interval(row.difference, judge.interval_of_row(row), True),
         ]
 
     head = ["ours [95 %]", "null", "its mean", "runs", "ours - null [95 %]"]
     return (
-        _heading(of)
+        _heading(of, frame)
         + _answers(of, frame)
         + findings_text(frame, judge.MOST_FINDINGS)
         + _inconclusive(frame, head, cells)
@@ -168,15 +174,15 @@ def table(of: MeasuredSet, frame: pandas.DataFrame) -> str:
         if row.role == "null" or row.null in NULLS:
             line += [
                 *gap,
-                reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True),
+                reading.with_interval(row.difference, judge.interval_of_row(row), True),
                 p_text(row.p_holm),
                 _conclusion(row),
             ]
         lines.append(line)
     size = judge.count(frame)
-    return _heading(of) + columns(
+    return _heading(of, frame) + columns(
         lines
-    ) + "= a null: what the rules give without the effect   * the paper's own baseline, for reference: not tested against\n" f"p: corrected for {size.comparisons} comparisons (Holm); intervals are those of single comparisons\n" + _answers(
+    ) + "= a null: what the rules give without the effect   * the paper's own baseline, for reference: not tested against\n" f"p: corrected for {size.comparisons} comparisons (Holm); {_AT_ONCE}" + _answers(
         of, frame
     ) + (
         findings_text(frame) if size.comparisons else ""
@@ -193,13 +199,13 @@ def _title_of(frame: pandas.DataFrame, choice: str) -> str:
 
 def _sets(a: MeasuredSet, b: MeasuredSet) -> str:
     return "".join(
-        f"{letter}: {described(of)}{''.join(f'; {NULLS[name]}: {len(null.runs)} runs' for name, null in of.nulls.items())}\n{_rules(of)}"
+        f"{letter}: {described(of)}{''.join(f'; {null_title(name)}: {len(null.runs)} runs' for name, null in of.nulls.items())}\n{_rules(of)}"
         for letter, of in (("a", a), ("b", b))
     )
 
 
 def difference_findings(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:
-    """The findings of a comparison, then the inconclusive differences that would need the fewest runs."""
+    """The findings of a comparison, then the inconclusive differences of the smallest p values."""
     over, short, shown = over_nulls(frame["compared"])
 
     def cells(row: Any) -> list[str]:
@@ -208,7 +214,7 @@ def difference_findings(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame)
             reading(row.mean_a),
             reading(row.mean_b),
             judge.runs_of(row),
-            reading.with_interval(row.difference, (row.lower, row.upper), True),
+            reading.with_interval(row.difference, judge.interval_of_row(row), True),
         ]
 
     about = (
@@ -232,34 +238,43 @@ def difference_table(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) ->
     over, short, shown = over_nulls(frame["compared"])
     lines = [["metric", "a", "b", "raw: b - a [95 %]", *([f"{over} [95 %]"] if over else []), "p", ""]]
     rows = list(frame.itertuples(index=False))
-    answers = {_metric(row): row for row in rows if row.role == "null"}
+    answers = {_metric(row): row for row in rows if row.compared != "raw" or row.role != ""}
     for row in rows:
         if row.compared != "raw" or (row.metric == "deaths" and row.mean_a == row.mean_b == 0.0):
             continue
         reading, answer = Reading(_metric(row)), answers.get(_metric(row))
         line = [metric_title(_metric(row)), reading(row.mean_a), reading(row.mean_b)]
-        line.append(reading.with_interval(row.difference, (row.lower, row.upper), True))
+        line.append(reading.with_interval(row.difference, judge.interval_of_row(row), True))
         if over:
             line.append(
-                reading.with_interval(answer.difference, (answer.lower, answer.upper), True) if answer else "missing"
+                reading.with_interval(answer.difference, judge.interval_of_row(answer), True) if answer else "missing"
             )
         note = f"tested as {_title_of(frame, row.same_as)}" if row.same_as else ""
         if answer and not note:
-            note = (
-                f"{runs_text(answer.runs_needed)} runs"
-                if answer.conclusion == "inconclusive"
-                else "*"
-                if _conclusion(answer)
-                else ""
-            )
+            note = "*" if answer.conclusion in ("above", "below") else "not tested" if answer.not_tested else ""
         lines.append([*line, p_text(answer.p_holm) if answer else "", note])
     about = f"those {short} are the answer: {shown}\n" if over else _UNATTRIBUTED
+    return _sets(a, b) + columns(
+        lines
+    ) + f"p: corrected for {judge.count(frame).comparisons} comparisons (Holm); * significant, p <= 0.05; {_AT_ONCE}" f"raw differences also show how the populations are composed; {about}" + findings_text(
+        frame
+    ) + _too_few(
+        a, b
+    )
+
+
+def runs_for(frame: pandas.DataFrame, difference: float) -> str:
+    """A line for each tested comparison: how many runs a difference of a size would need."""
+    text = "".join(
+        f"a difference of {Reading(_metric(row))(difference)} in {metric_title(_metric(row))}"
+        f"{' ' + over_text(getattr(row, 'compared', '')) if hasattr(row, 'compared') else f' over the {null_title(row.null)}'} needs "
+        f"{runs_text(runs)} runs in each set for 80 % power\n"
+        for row, runs in judge.runs_for_difference(frame, difference)
+    )
     return (
-        _sets(a, b)
-        + columns(lines)
-        + f"p: corrected for {judge.count(frame).comparisons} comparisons (Holm); * significant, p <= 0.05, "
-        "else the runs in each set that would find a difference of this size in 80 % of studies; intervals are those of single comparisons\n"
-        f"raw differences also show how the populations are composed; {about}" + findings_text(frame) + _too_few(a, b)
+        text
+        and text
+        + f"at the level of one of {judge.count(frame).comparisons} comparisons; by the spread of the runs at hand\n"
     )
 
 
@@ -299,11 +314,6 @@ def claims(of: MeasuredSet) -> str:
 
 def _claim_line(each: published.ReadingConclusion) -> list[str]:
     reading, margin = Reading(each.reading.metric), published.margin_of(each.reading)
-    conclusion = each.conclusion
-    if each.conclusion == "inconclusive":
-        conclusion += (
-            f" (about {each.runs_needed} runs would decide)" if each.runs_needed else " (1000 runs would not decide)"
-        )
     return [
         f"  {metric_title(each.reading.metric)}",
         reading(each.reading.value),
@@ -312,7 +322,7 @@ def _claim_line(each: published.ReadingConclusion) -> list[str]:
         each.reading.spread.origin if each.reading.spread else "unknown",
         reading.of(each.ours),
         reading.with_interval(each.difference, each.interval, True),
-        conclusion,
+        each.conclusion,
     ]
 
 

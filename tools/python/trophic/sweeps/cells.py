@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The cells of a sweep, metric by metric, compared with one of them: differences corrected for their number, how large they are, and how many
-runs they would need."""
+runs a difference of a given size needs."""
 from __future__ import annotations
 
 import dataclasses
@@ -9,8 +9,8 @@ from collections.abc import Iterable, Sequence
 import numpy
 import pandas
 
+from ..controls import SHARES
 from ..judge import Count, conclusions
-from ..metrics.living import SHARES
 from ..statistics import SIGNIFICANCE, holm, share_difference
 from ..values import METRIC, Metric
 from . import arrays
@@ -30,6 +30,8 @@ class SweepValues:
     """(planned runs, metrics); nan in a run that is missing, and where there is no value"""
     is_there: Sequence[bool]
     """of each planned run: it is measured"""
+    is_constant: bool = True
+    """numbers are constant in all cells; if not, shadows are no control of one species, and differences are raw"""
 
     def of(self, cell: Cell) -> tuple[Array, Array]:
         """Values of a cell's runs and of their shadows: (replicates in the order of their seeds, metrics) each."""
@@ -50,7 +52,9 @@ class SweepValues:
         return numpy.array([metric.metric in SHARES for metric in self.metrics])
 
     def have_shadows(self, grid: Grid) -> bool:
-        """Whether every cell has a run and its shadow, so that the difference over the shadows is the answer."""
+        """Whether every cell has a run and its shadow, and numbers are constant, so that the difference over the shadows is the answer."""
+        if not self.is_constant:
+            return False
 
         def is_there(place: int | None) -> bool:
             return place is not None and self.is_there[place]
@@ -59,7 +63,10 @@ class SweepValues:
 
     def only(self, metrics: Sequence[Metric]) -> "SweepValues":
         return SweepValues(
-            list(metrics), self.runs[:, [self.metrics.index(metric) for metric in metrics]], self.is_there
+            list(metrics),
+            self.runs[:, [self.metrics.index(metric) for metric in metrics]],
+            self.is_there,
+            self.is_constant,
         )
 
 
@@ -127,9 +134,16 @@ def exact(
     return frame
 
 
+def _lacks(values: Array) -> Array:
+    """Whether each metric lacks a value in some run that has others: it did not happen there, and a mean over the rest is not tested, as in
+    controls.lack. `values`: (runs, metrics)."""
+    return (numpy.isnan(values) & ~numpy.isnan(values).all(axis=1, keepdims=True)).any(axis=0)
+
+
 def _compared(base: Cell, of_base: Array, cell: Cell, of_cell: Array, metrics: Sequence[Metric]) -> pandas.DataFrame:
     """Two cells in all metrics, without a correction. `of_base`, `of_cell`: (replicates by seed, metrics)."""
     paired = is_paired(base, cell)
+    lacks = numpy.any([_lacks(each) for each in (of_base, of_cell)], axis=0)
     if paired:
         places = [{one.seed: place for place, one in enumerate(by_seed(each))} for each in (base, cell)]
         seeds = [seed for seed in places[0] if seed in places[1]]
@@ -148,7 +162,7 @@ def _compared(base: Cell, of_base: Array, cell: Cell, of_cell: Array, metrics: S
     varies = ~arrays.is_rounding(numpy.sqrt(scatter.variance), b.mean) | ~arrays.is_rounding(
         numpy.abs(difference), b.mean
     )
-    is_comparison = varies & ~numpy.isnan(scatter.variance) & ~numpy.isnan(difference)
+    is_comparison = varies & ~numpy.isnan(scatter.variance) & ~numpy.isnan(difference) & ~lacks
     interval = arrays.interval_of(of)
     columns = {
         "cell": cell.number,
@@ -172,24 +186,23 @@ def _compared(base: Cell, of_base: Array, cell: Cell, of_cell: Array, metrics: S
 
 def judged(frame: pandas.DataFrame) -> pandas.DataFrame:
     """A family with its correction: Holm's over all comparisons, of which one with fewer runs than a test needs has no p value, but counts, as
-    more runs would give it one; intervals that all hold at once with 95 % (Bonferroni); conclusions; and the runs for USUAL_POWER at that level.
+    more runs would give it one; intervals that all hold at once with 95 % (Bonferroni); conclusions; and what is detected with USUAL_POWER.
     The frame's columns `is_comparison`, `p` and _STATISTICS are used."""
-    frame = corrected(frame)
+    frame = with_intervals(corrected(frame))
     tested = frame[frame["is_comparison"]]
-    level = level_of(frame)
-    of, scatter = (
-        kind(*(tested[column].to_numpy() for column in columns))
-        for kind, columns in ((Contrast, _STATISTICS[:3]), (Scatter, _STATISTICS[3:]))
-    )
-    interval = arrays.interval_of(of, 1.0 - level)
-    new = {
-        "lower_corrected": interval.lower,
-        "upper_corrected": interval.upper,
-        "runs_needed": arrays.runs_for_power(tested["difference"].to_numpy(), scatter, level),
-        "smallest_detectable": arrays.detectable_difference(of, level),
-    }
-    frame = frame.assign(**{column: pandas.Series(values, tested.index) for column, values in new.items()})
-    return exact(frame, ("lower_corrected", "upper_corrected"), 1.0 - level)
+    of = Contrast(*(tested[column].to_numpy() for column in _STATISTICS[:3]))
+    detectable = arrays.detectable_difference(of, level_of(frame))
+    return frame.assign(smallest_detectable=pandas.Series(detectable, tested.index))
+
+
+def with_intervals(frame: pandas.DataFrame) -> pandas.DataFrame:
+    """The frame with the intervals of its comparisons that all hold at once with 95 % (Bonferroni)."""
+    level, bounds = 1.0 - level_of(frame), ("lower_corrected", "upper_corrected")
+    tested = frame[frame["is_comparison"]]
+    of = Contrast(*(tested[column].to_numpy(float) for column in ("difference", "error", "freedom")))
+    interval = arrays.interval_of(of, level)
+    frame = frame.assign(**{name: pandas.Series(of, tested.index) for name, of in zip(bounds, interval)})
+    return exact(frame, bounds, level)
 
 
 def corrected(frame: pandas.DataFrame) -> pandas.DataFrame:

@@ -7,7 +7,7 @@ import pandas
 
 from ..values import METRIC
 from . import arrays
-from .cells import ANSWER, RAW, SweepValues, as_family, by_seed, corrected, exact
+from .cells import ANSWER, RAW, SweepValues, as_family, by_seed, corrected, exact, with_intervals
 from .grid import Axis, Grid, is_paired
 
 
@@ -42,9 +42,10 @@ def axis_effects(grid: Grid, values: SweepValues, reference: int) -> pandas.Data
             if blocks:
                 frame = pandas.concat(blocks).sort_index(kind="stable").reset_index(drop=True)  # by metrics first
                 frame = as_family(exact(frame), family, families)
-                parts.append(corrected(frame.assign(is_comparison=frame["p"].notna())))
+                parts.append(with_intervals(corrected(frame.assign(is_comparison=frame["p"].notna()))))
     if not parts:
-        return pandas.DataFrame(columns=[*columns, "p_holm", "role", "level", "conclusion", "is_comparison"])
+        more = ["p_holm", "lower_corrected", "upper_corrected", "role", "level", "conclusion", "is_comparison"]
+        return pandas.DataFrame(columns=[*columns, *more])
     return pandas.concat(parts).sort_index(kind="stable").reset_index(drop=True)
 
 
@@ -85,6 +86,8 @@ def _effects(grid: Grid, values: SweepValues, place: int, over_shadow: bool) -> 
                         "lower": interval.lower,
                         "upper": interval.upper,
                         "p": arrays.p_value(contrast),
+                        "error": contrast.error,
+                        "freedom": contrast.freedom,
                     },
                     index=range(len(values.metrics)),
                 )

@@ -6,11 +6,13 @@ import dataclasses
 import json
 import math
 import pathlib
+import re
 from collections.abc import Callable, Sequence
 from typing import Any
 
 from ..errors import RunError
 from ..pool import MOST_TIME_S
+from ..runs import one_sided_name
 
 PLAN = "plan.jsonl"
 
@@ -24,7 +26,7 @@ class PlannedRun:
     cell: int
     replicate: int
     null: str
-    """none or shadow"""
+    """none, shadow or one_sided_SPECIES"""
     rule_table: str
     engine: str
     settings: dict[str, Any]
@@ -47,11 +49,12 @@ class PlannedRun:
 
 @dataclasses.dataclass
 class Replicate:
-    """Places in the plan of a run and of its shadow."""
+    """Places in the plan of a run, of its shadow and, by species, of its one-sided worlds."""
 
     seed: int
     run: int | None = None
     shadow: int | None = None
+    one_sided: dict[str, int] = dataclasses.field(default_factory=dict)
 
 
 @dataclasses.dataclass
@@ -111,7 +114,10 @@ def grid_of(plan: Sequence[PlannedRun]) -> Grid:
     for run in plan:
         first.setdefault(run.cell, run)
         replicate = replicates.setdefault((run.cell, run.replicate), Replicate(run.seed))
-        setattr(replicate, "shadow" if run.shadow else "run", run.index)
+        if run.null in ("none", "shadow"):
+            setattr(replicate, "shadow" if run.shadow else "run", run.index)
+        else:
+            replicate.one_sided[run.null.removeprefix(one_sided_name(""))] = run.index
         names.update(dict.fromkeys(run.settings))
     cells = [
         Cell(number, first[number], [replicates[place] for place in sorted(replicates) if place[0] == number])
@@ -182,16 +188,16 @@ def _conflicts(runs: Sequence[PlannedRun], so_far: dict[Any, Any]):
 
     if not is_new("folder", run.folder):
         yield "folder", "another for each run"
-    if not is_new(run.cell, run.shadow, "replicate", run.replicate):
+    if not is_new(run.cell, run.null, "replicate", run.replicate):
         yield "replicate", f"another for each run of {cell}"
-    if not is_new(run.cell, run.shadow, "seed", run.seed):
+    if not is_new(run.cell, run.null, "seed", run.seed):
         yield "seed", f"another for each replicate of {cell}"
-    beside = so_far.get((run.cell, not run.shadow, "replicate", run.replicate))
-    if beside is not None and runs[beside].seed != run.seed:
-        yield "seed", f"{runs[beside].seed}, as a replicate and its shadow have one"
+    beside = so_far.setdefault((run.cell, "replicate", run.replicate), run.index)
+    if runs[beside].seed != run.seed:
+        yield "seed", f"{runs[beside].seed}, as a replicate and its nulls have one"
     for key, fields in (
         ((run.cell,), ("rule_table", "engine", "settings", "until_s", "replay_hz", "agents_every", "senses", "states")),
-        ((run.cell, run.shadow), ("fingerprint",)),
+        ((run.cell, run.null), ("fingerprint",)),
     ):
         first = runs[so_far.setdefault(key, run.index)]
         for field in fields:
@@ -231,13 +237,17 @@ def _is_folder(value: Any) -> bool:
     )
 
 
+def _is_null(value: Any) -> bool:
+    return value in ("none", "shadow") or _is_text(value) and re.fullmatch(one_sided_name(".+"), value) is not None
+
+
 _WHOLE = _is_whole, "be a whole number >= 0"
 _SWITCH = (lambda value: isinstance(value, bool)), "be true or false"
 _TEXT = _is_text, "be a text that is not empty, without control characters"
 _FIELDS: dict[str, tuple[Callable[[Any], bool], str]] = {
     "cell": _WHOLE,
     "replicate": _WHOLE,
-    "null": ((lambda value: value in ("none", "shadow")), "be none or shadow"),
+    "null": (_is_null, "be none, shadow or one_sided_SPECIES"),
     "rule_table": _TEXT,
     "engine": _TEXT,
     "settings": (_are_settings, "be an object of settings by their paths: numbers, texts, true or false"),

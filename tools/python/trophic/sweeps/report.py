@@ -215,7 +215,7 @@ def runs_table(sweep: Sweep, values: SweepValues) -> pandas.DataFrame:
     """One row a value of a run, none for what could not be computed."""
     places, numbers = numpy.nonzero(~numpy.isnan(values.runs))
     planned = pandas.DataFrame(
-        {"run": run.index, "cell": run.cell, "replicate": run.replicate, "shadow": int(run.shadow), "seed": run.seed}
+        {"run": run.index, "cell": run.cell, "replicate": run.replicate, "null": run.null, "seed": run.seed}
         for run in sweep.plan
     )
     named = pandas.DataFrame(values.metrics, columns=METRIC)
@@ -367,7 +367,7 @@ def compared_title(row: Any) -> str:
 
 
 def _with_interval(row: Any) -> str:
-    return Reading(metric_of(row)).with_interval(row.difference, (row.lower, row.upper), True)
+    return Reading(metric_of(row)).with_interval(row.difference, judge.interval_of_row(row), True)
 
 
 def _effect_size(row: Any) -> str:
@@ -413,8 +413,8 @@ def differences_text(analysis: SweepAnalysis) -> str:
         text += f"too few runs for a test in {too_few} of them: {MIN_RUNS_FOR_TEST} in each cell are needed\n"
     if inconclusive > 0:
         text += (
-            "runs_needed and smallest_detectable in sweep_differences.csv say what more runs would show; fewer metrics (--metric), chosen before looking, "
-            "need fewer runs\n"
+            "smallest_detectable in sweep_differences.csv is what these runs find in 80 % of studies; --difference computes the runs for another effect; "
+            "fewer metrics (--metric), chosen before looking, need fewer runs\n"
         )
     return text
 
@@ -433,7 +433,7 @@ def named_text(analysis: SweepAnalysis) -> str:
         "p",
         "g",
         "runs",
-        "runs needed",
+        "detectable",
     ]
     rows, constant = [], []
     of = answers(differences)
@@ -455,7 +455,7 @@ def named_text(analysis: SweepAnalysis) -> str:
                 p_text(row.p_holm),
                 _effect_size(row),
                 f"{row.runs}+{row.runs_reference}",
-                runs_text(row.runs_needed) if row.conclusion in ("inconclusive", "too few runs") else "",
+                reading(row.smallest_detectable) if row.conclusion in ("inconclusive", "too few runs") else "",
             )
         )
     lines = [f"the same in all runs, or without a value: {title}\n" for title in dict.fromkeys(constant)]
@@ -463,7 +463,7 @@ def named_text(analysis: SweepAnalysis) -> str:
         columns([head, *rows])
         + "".join(lines)
         + (
-            "p: corrected for all comparisons (Holm); runs needed: in each cell, to find a difference of this size in "
+            "p: corrected for all comparisons (Holm), with intervals that hold for all at once (Bonferroni); detectable: what these runs find in "
             "80 % of studies\n"
         )
     )
