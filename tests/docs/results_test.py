@@ -132,6 +132,7 @@ INTERVALS = (
     ("contact_s", "lower", "upper"),
     ("difference", "lower", "upper"),
     ("difference", "difference_lower", "difference_upper"),
+    ("difference", "together_lower", "together_upper"),
     ("effect", "lower", "upper"),
     ("over_shadow", "lower", "upper"),
     ("over_shadow", "over_lower", "over_upper"),
