@@ -596,12 +596,12 @@ class Refusals(Sweeps):
                 )
         grown = [json.loads(line) for line in (self.folder / "small/plan.jsonl").read_text().splitlines()]
         self.assertEqual([run["folder"] for run in grown[: len(plan)]], [run["folder"] for run in plan])
-        self.assertEqual(len(grown), 12)
+        self.assertEqual(len(grown), 24)
         for before, after, sentence in (
             (
                 "0.2, ",
                 "",
-                "small/plan.jsonl:3: the folder holds another plan, whose run the sweep lacks: rules.mutation.sd = 0.2 there",
+                "small/plan.jsonl:5: the folder holds another plan, whose run the sweep lacks: rules.mutation.sd = 0.2 there",
             ),
             ("40.0", "30.0", "until_s = 40.0 there, 30.0 here"),
             ("replicates = 2", "replicates = 1", "replicate = 1 there, 0 here"),

@@ -63,7 +63,7 @@ class Notebook(unittest.TestCase):
             "caught",
             "n = 6 runs and 6 of the shadow",
             "image/png",
-            "runs_needed",
+            "lower_corrected",
             ")n",
         ):
             self.assertIn(text, outputs)

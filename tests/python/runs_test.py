@@ -15,6 +15,7 @@ sys.path[:0] = [str(ROOT / "tests/program"), str(ROOT / "tools/python")]
 import figures_python  # noqa: E402
 
 figures_python.continue_with_pandas()
+import pandas  # noqa: E402
 import trophic.runs as runs  # noqa: E402
 from in_folder import run_ok, sealed_text  # noqa: E402
 
@@ -128,6 +129,8 @@ class Runs(unittest.TestCase):
         for species, world in two.one_sided.items():
             self.assertEqual([run.seed for run in world], [run.seed for run in two])
             self.assertEqual(world[0].manifest["rules"]["heredity"], f"shared_copy, nothing_inherited for {species}")
+        nulls = pandas.concat(runs.study_frames(two, "events"))["null"]
+        self.assertEqual(list(nulls.unique()), ["none", "shadow", "one_sided_prey", "one_sided_predator"])
         two.measure("rows", lambda run: len(run.events))
         for folder in (".", "shadow", "one_sided_prey", "one_sided_predator"):
             self.assertTrue((two.path / folder / "replicate-00/rows.csv").is_file())

@@ -134,18 +134,18 @@ class Start(InFolder):
                     pandas.testing.assert_series_equal(frame.dtypes, frames[0].dtypes)
                 whole = pandas.concat(frames, ignore_index=True)
                 for label, runs in study.items():
-                    for is_shadow, part in ((False, runs), (True, runs.shadow)):
+                    for null, part in (("none", runs), ("shadow", runs.shadow)):
                         ours = (
-                            whole[(whole["set"] == label) & (whole.shadow == is_shadow)]
-                            .drop(columns=["set", "shadow"])
+                            whole[(whole["set"] == label) & (whole.null == null)]
+                            .drop(columns=["set", "null"])
                             .reset_index(drop=True)
                         )
                         its = part.table(name)
                         pandas.testing.assert_frame_equal(ours[list(its.columns)], its, check_dtype=False)
                         self.assertTrue(ours.drop(columns=list(its.columns)).isna().all(axis=None))
         self.assertEqual(
-            whole.dtypes[["set", "shadow", "run", "seed", "id", "time_s"]].astype(str).tolist(),
-            ["object", "bool", "object", "uint64", "int64", "float64"],
+            whole.dtypes[["set", "null", "run", "seed", "id", "time_s"]].astype(str).tolist(),
+            ["object", "object", "object", "uint64", "int64", "float64"],
         )
 
     def test_frames_of_an_own_table_have_texts_if_one_run_has(self):

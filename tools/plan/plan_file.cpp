@@ -17,7 +17,7 @@ class PlanLine {
   PlanLine(std::string where, std::string_view text) : where_{std::move(where)}, json_(parse_json_or_null(text)) {
     if (!json_.is_object()) throw std::invalid_argument{where_ + "must be a JSON object on a line of its own"};
     constexpr std::array known{"rule_table", "engine", "settings", "seed", "null",        "folder", "replay_hz", "agents_every",
-                               "senses",     "states", "until_s",  "work", "fingerprint", "cell",   "replicate"};
+                               "senses",     "states", "until_s",  "work", "fingerprint", "cell",   "replicate", "species"};
     for (const auto& [field, value] : json_.items()) {
       if (std::ranges::find(known, std::string_view{field}) == known.end()) reject(field, "not be there: no such field");
     }

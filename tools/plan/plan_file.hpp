@@ -29,7 +29,7 @@ enum class Lines { described, drafts };
 
 /// Reads a plan. Throws std::invalid_argument: "PATH: ..." for a file that cannot be read or lists nothing, and "PATH:LINE: FIELD
 /// = VALUE: must ..." for a line that is not a JSON object, lacks a field, or has a bad or unknown one. Folders lie within the
-/// plan's, and each is there once. `cell` and `replicate` are of the study that the runs belong to and are not read.
+/// plan's, and each is there once. `cell`, `replicate` and `species` are for those who make plans and are not read.
 [[nodiscard]] std::vector<PlannedRun> read_plan(const std::filesystem::path& path, Lines lines = Lines::described);
 
 /// "PATH:LINE: ", the beginning of an error about a run. `index`: its place in the plan, from 0.

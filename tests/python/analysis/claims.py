@@ -83,7 +83,7 @@ def of_table(text: str) -> Output:
         ):
             title, same = row["metric"], row["conclusion"].startswith("tested as")
         elif row["metric"].startswith("= ") or row["metric"] == "shadow":  # a reference next to a neutral null
-            conclusion = "same" if same else row["conclusion"].split(",")[0]
+            conclusion = "same" if same else row["conclusion"].replace("not tested", "not compared")
             claims.append(
                 Claim(
                     label,
@@ -111,15 +111,7 @@ def of_difference_table(text: str) -> Output:
     headings = ["metric", "a", "b", "raw: b - a [95 %]", *([over] if answer == over else []), "p", ""]
     claims = []
     for row in slices(lines[start:end], headings):
-        conclusion = (
-            "same"
-            if row[""].startswith("tested as")
-            else "significant"
-            if row[""] == "*"
-            else "inconclusive"
-            if row[""].endswith("runs")
-            else ""
-        )
+        conclusion = "same" if row[""].startswith("tested as") else "significant" if row[""] == "*" else ""
         claims.append(
             Claim("", row["metric"], "over_shadow" if answer == over else "raw", row[answer], row["p"], conclusion)
         )
@@ -202,7 +194,13 @@ def of_page(text: str) -> Output:
                 )
             )
     claims = [
-        claim._replace(conclusion="same" if claim.conclusion.startswith("tested as") else claim.conclusion)
+        claim._replace(
+            conclusion="same"
+            if claim.conclusion.startswith("tested as")
+            else "not compared"
+            if claim.conclusion.startswith("not tested: ")
+            else claim.conclusion
+        )
         for claim in claims
     ]
     items = "\n".join(page.items)
@@ -246,7 +244,8 @@ def of_json(text: str, title_of, reading_of) -> Output:
     claims = []
 
     def add(label: str, metric: dict, null: str, difference: dict, value: str) -> None:
-        shown = reading_of(metric, difference[value], difference["lower"], difference["upper"])
+        at_once = "_corrected" if difference["lower_corrected"] is not None else ""
+        shown = reading_of(metric, difference[value], difference[f"lower{at_once}"], difference[f"upper{at_once}"])
         p = difference["p_adjusted"]
         conclusion = difference["conclusion"]
         if difference["differs"] is not None and difference["differs"] != (conclusion in ("above", "below")):
@@ -298,7 +297,9 @@ def of_csv(text: str, title_of, reading_of) -> Output:
         value, lower, upper = (
             float(row[name]) if row.get(name) else None
             for name in (
-                ("difference", "difference_lower", "difference_upper")
+                ("difference", "lower_corrected", "upper_corrected")
+                if row["lower_corrected"]
+                else ("difference", "difference_lower", "difference_upper")
                 if "null" in row
                 else ("difference", "lower", "upper")
             )

@@ -7,7 +7,7 @@ import numpy
 import pytest
 from hand_written import event, refusal, robot, write_run, write_set
 from sets import around, metric, quick_set, run_of, set_of
-from trophic import controls, judge, pool, statistics
+from trophic import controls, judge, pool, published, statistics
 from trophic.metrics import Measuring
 from trophic.report import analyze, tables, text
 from trophic.runs import Run
@@ -102,6 +102,24 @@ def test_two_worlds_are_compared_over_their_one_sided_worlds():
     assert list(frame[frame.metric == "population"].compared) == ["over_one_sided", "raw"]
     assert "in runs of paper, each over its one-sided world" in judge.findings(frame)[0].sentence
     assert "over one-sided worlds: (b - one-sided world)" in text.difference_table(a, b, frame)
+
+
+def test_the_papers_questions_are_answered_under_the_readings_that_the_world_can_judge():
+    question = published.QUESTIONS[1]
+    names = [reading.metric for reading in question.readings] + [INACTIVE]
+    rng = numpy.random.default_rng(3)
+
+    def of(shift):
+        return world({name: list(rng.normal(shift, 0.001, 6)) for name in names})
+
+    made = of(-0.05)
+    made.shadow, made.one_sided = of(-0.02), {"prey": of(0.0), "predator": of(0.0)}
+    (answer,) = published.answers(made, judge.summarize(made))
+    assert {effect.reading.metric.group for effect in answer.effects} == {"active"}
+    assert answer.effects[0].null == "one_sided" and str(answer) == "yes, they move away faster"
+    assert answer.shown.difference.value == pytest.approx(-0.05, abs=0.002)
+    made.one_sided = {}
+    assert published.answers(made, judge.summarize(made)) == []
 
 
 # Folders

@@ -115,5 +115,5 @@ def test_the_terminal_prints_what_differs_from_the_table(tmp_path, said, line):
     )
     shown = text.table(of, judge.summarize(of))
     assert shown.startswith(
-        f"{said['name']} on kinematic 1, a run of 20 s, fingerprint 0123456789abcdef+01234567\n{line}no shadow"
+        f"{said['name']} on kinematic 1, a run of 20 s, fingerprint 0123456789abcdef+01234567\n{line}not tested: behaviour and counts: no shadow"
     )

@@ -104,7 +104,8 @@ def test_runs_for_the_smallest_effect_of_interest_depend_on_the_scatter_and_not_
 def test_what_rounds_to_zero_has_more_digits_and_no_sign():
     reading = text.Reading(VELOCITY)
     assert reading.with_interval(0.0027, (0.00002, 0.0054), True) == "+0.270 [+0.002, +0.540]"
-    assert reading.with_interval(-0.0000001, (-0.0013, 0.0014), True) == "0.0000 [-0.1300, +0.1400]"
+    assert reading.with_interval(-0.0000001, (-0.0013, 0.0014), True) == "-0.00001 [-0.13000, +0.14000]"
+    assert reading.with_interval(0.0, (-0.0013, 0.0014), True) == "0.00 [-0.13, +0.14]"
     assert reading.with_interval(0.011, (0.0085, 0.0135), True) == "+1.10 [+0.85, +1.35]"
     assert reading(-0.00001, True) == "0.00"
 

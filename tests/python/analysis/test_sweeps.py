@@ -389,6 +389,10 @@ def test_with_shadows_in_every_cell_the_answer_is_over_them_and_the_raw_differen
     values.is_there = [run.cell != 2 or not run.shadow for run in plan]
     without = compare_cells(grid_of(plan), values, 0)
     assert set(without["compared"]) == {"raw"} and set(without["role"]) == {"null"}
+    values.is_there, values.is_constant = [True] * len(
+        plan
+    ), False  # numbers change: the shadow is no control of one species
+    assert set(compare_cells(grid_of(plan), values, 0)["compared"]) == {"raw"}
 
 
 def test_too_few_runs_have_no_test_but_count_and_nothing_that_varies_does_not():
@@ -396,6 +400,15 @@ def test_too_few_runs_have_no_test_but_count_and_nothing_that_varies_does_not():
     frame = compare_cells(grid_of(plan), values_of(plan, lambda run: (run.cell == 2) * (1.0 + run.replicate)), 0)
     assert list(frame["conclusion"]) == ["not compared", "too few runs"]
     assert cells.count(frame) == (1, 0) and frame["p_holm"].isna().all()
+
+
+def test_a_metric_that_some_runs_lack_is_described_and_not_compared():
+    plan = plan_of(2, 8)
+    values = values_of(plan, lambda run: run.cell + 0.01 * run.replicate * (-1) ** run.cell)
+    assert compare_cells(grid_of(plan), values, 0)["conclusion"].tolist() == ["above"]
+    both = SweepValues([HUNGER, HUNGER._replace(metric="period")], numpy.hstack([values.runs] * 2), values.is_there)
+    both.runs[9, 1] = numpy.nan  # a run of the second cell has no period
+    assert compare_cells(grid_of(plan), both, 0)["conclusion"].tolist() == ["above", "not compared"]
 
 
 def test_a_difference_needs_so_many_runs_by_the_scatter_of_cells():

@@ -80,28 +80,18 @@ class Description:
 
     def length(self) -> str:
         """ "10 runs of 6000 s", "A run of 20 s"."""
-        cut = (
-            "" if self.until_s == self.whole_s else f"the first {self.until_s:.10g} of "
-        )
+        cut = "" if self.until_s == self.whole_s else f"the first {self.until_s:.10g} of "
         return f"{'A run' if self.replicates == 1 else f'{self.replicates} runs'} of {cut}{self.whole_s:.10g} s"
 
     def sentence(self, made: str = "") -> str:
         """One sentence; `made`: what comes behind the engine, such as version and seed."""
-        builds = (
-            f"; {len(self.builds)} builds of the program made them"
-            if len(self.builds) > 1
-            else ""
-        )
+        builds = f"; {len(self.builds)} builds of the program made them" if len(self.builds) > 1 else ""
         return f"{self.length()} on {self.engine}{made and ' '}{made}, with the {self.rules}{builds}."
 
     def facts(self) -> dict[str, str]:
         """(what, which) for cards and pages."""
         nulls = [f", {count} of the {title}" for title, count in self.nulls.items()]
-        facts = {
-            "runs": self.length() + "".join(nulls),
-            "rules": self.rules,
-            "engine": self.engine,
-        }
+        facts = {"runs": self.length() + "".join(nulls), "rules": self.rules, "engine": self.engine}
         facts["fingerprint"] = self.identity
         facts[
             "program"
@@ -110,10 +100,7 @@ class Description:
 
 
 def _nulls(of: SetOfRuns) -> list[tuple[str, Any]]:
-    one_sided = [
-        (f"one-sided world of {species}", its)
-        for species, its in getattr(of, "one_sided", {}).items()
-    ]
+    one_sided = [(f"one-sided world of {species}", its) for species, its in getattr(of, "one_sided", {}).items()]
     return [("shadow", of.shadow), *one_sided, ("neutral null", of.neutral)]
 
 
@@ -126,13 +113,12 @@ def describe(of: SetOfRuns) -> Description:
     begins = _begins(manifest)
     name, rules = said.get("name"), said.get("sentence")
     if name is None:  # made by a program that did not describe it
-        parts = (
-            [f"{len(changes)} change{'s'[: len(changes) != 1]}"] if changes else []
-        ) + ([f"from {manifest['origin']['at_s']} s"] if begins else [])
+        parts = ([f"{len(changes)} change{'s'[: len(changes) != 1]}"] if changes else []) + (
+            [f"from {manifest['origin']['at_s']} s"] if begins else []
+        )
         name = manifest["rule_table"] + (f" ({'; '.join(parts)})" if parts else "")
         rules = f"rule table `{manifest['rule_table']}`" + "".join(
-            f"; at {c.time_s:.10g} s {c.number} changes from {c.before} to {c.value}"
-            for c in changes
+            f"; at {c.time_s:.10g} s {c.number} changes from {c.before} to {c.value}" for c in changes
         )
         rules += f"; begins {begins}" if begins else ""
     whole_s = float(manifest["clock"]["until_s"])
@@ -142,17 +128,12 @@ def describe(of: SetOfRuns) -> Description:
         rules=rules,
         table=manifest["rule_table"],
         engine=manifest.get("backend", "unknown"),
-        parameters=tuple(
-            Parameter(one["path"], one["value"], one["table"])
-            for one in said.get("parameters", ())
-        ),
+        parameters=tuple(Parameter(one["path"], one["value"], one["table"]) for one in said.get("parameters", ())),
         changes=changes,
         begins=begins,
         identity=identity(first),
         builds=tuple(sorted({build for run in of.runs for build in run.builds})),
-        versions=tuple(
-            sorted({run.manifest.get("trophic", "unknown") for run in of.runs})
-        ),
+        versions=tuple(sorted({run.manifest.get("trophic", "unknown") for run in of.runs})),
         replicates=len(of.runs),
         nulls={title: len(its.runs) for title, its in _nulls(of) if its},
         until_s=until_s,
@@ -163,9 +144,7 @@ def describe(of: SetOfRuns) -> Description:
 def distinct(labels: Sequence[str]) -> list[str]:
     """The labels; those that several sets have are distinguished by (a), (b), ..."""
     return [
-        label
-        if list(labels).count(label) == 1
-        else f"{label} ({chr(ord('a') + list(labels[:i]).count(label))})"
+        label if list(labels).count(label) == 1 else f"{label} ({chr(ord('a') + list(labels[:i]).count(label))})"
         for i, label in enumerate(labels)
     ]
 
@@ -177,47 +156,30 @@ def identity(run: Any) -> str:
         return manifest["identity"]
     # The program's `identity` (trophic/observe/run_description.hpp), for runs made before manifests had it.
     origin = manifest.get("origin")
-    text = (
-        f"{origin['at_s']} {origin['seed']} {origin['fingerprint']}\n" if origin else ""
-    )
-    text += "".join(
-        f"{row.tick} {row.number}={row.value}\n" for row in _effective(run).itertuples()
-    )
-    return manifest["fingerprint"] + (
-        f"+{zlib.crc32(text.encode()):08x}" if text else ""
-    )
+    text = f"{origin['at_s']} {origin['seed']} {origin['fingerprint']}\n" if origin else ""
+    text += "".join(f"{row.tick} {row.number}={row.value}\n" for row in _effective(run).itertuples())
+    return manifest["fingerprint"] + (f"+{zlib.crc32(text.encode()):08x}" if text else "")
 
 
 def card(title: str, facts: dict[str, Any]) -> str:
     """A few facts as a small table for notebooks."""
     rows = "".join(
-        f"<tr><td>{html.escape(str(name))}</td><td>{html.escape(str(value))}</td></tr>"
-        for name, value in facts.items()
+        f"<tr><td>{html.escape(str(name))}</td><td>{html.escape(str(value))}</td></tr>" for name, value in facts.items()
     )
     return f"<b>{html.escape(title)}</b><table>{rows}</table>"
 
 
 def _begins(manifest: dict) -> str:
     origin = manifest.get("origin")
-    return (
-        f"at {origin['at_s']} s of {origin['run']} (seed {origin['seed']})"
-        if origin
-        else ""
-    )
+    return f"at {origin['at_s']} s of {origin['run']} (seed {origin['seed']})" if origin else ""
 
 
 def changes_of(run: Any) -> tuple[Change, ...]:
     """The changes of a run's parameters that had an effect, in the order of time."""
     said = run.manifest.get("description", {})
     if "changes" in said:
-        return tuple(
-            Change(one["time_s"], one["number"], one["value"], one["before"])
-            for one in said["changes"]
-        )
-    return tuple(
-        Change(row.time_s, row.number, row.value, row.before)
-        for row in _effective(run).itertuples()
-    )
+        return tuple(Change(one["time_s"], one["number"], one["value"], one["before"]) for one in said["changes"])
+    return tuple(Change(row.time_s, row.number, row.value, row.before) for row in _effective(run).itertuples())
 
 
 def _effective(run: Any) -> pandas.DataFrame:
@@ -225,9 +187,7 @@ def _effective(run: Any) -> pandas.DataFrame:
     file = run.path / "changes.csv"
     if not file.exists():
         return pandas.DataFrame(columns=["time_s", "tick", "number", "value", "before"])
-    rows = pandas.read_csv(file, dtype=str, keep_default_na=False).astype(
-        {"time_s": float, "tick": int}
-    )
+    rows = pandas.read_csv(file, dtype=str, keep_default_na=False).astype({"time_s": float, "tick": int})
     rows = rows.groupby(["tick", "number"], as_index=False).agg(
         time_s=("time_s", "first"), value=("value", "last"), before=("before", "first")
     )

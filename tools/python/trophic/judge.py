@@ -166,12 +166,12 @@ def summarize(of: MeasuredSet, choices: Sequence[str] = ()) -> pandas.DataFrame:
                 count, mean = len(known(paired)), mean_of(paired)
             lacks = _lack(metric, of, null)
             difference = _described(_over_null(of, metric, name, end_s, is_null), bool(lacks))
-            why = (lacks if is_null else "") or control.not_tested
+            why = (lacks if is_null and not row["same_as"] else "") or control.not_tested
             baselines.append((name, "null" if is_null and not why else "reference", mean, count, difference, why))
         for (other, name), role in of.roles.items():
             if other == metric:
                 its_values = of.table[metric, name]
-                why = controls.lack(values, its_values) if role == "null" else ""
+                why = controls.lack(values, its_values) if role == "null" and not row["same_as"] else ""
                 own = _paired(values - its_values) if role == "null" else None
                 role = "reference" if why else role
                 baselines.append(
@@ -214,7 +214,7 @@ def compare(a: MeasuredSet, b: MeasuredSet, choices: Sequence[str] = ()) -> pand
         if null != controls.control_of(b, metric).null or metric.metric in SHARES + SURVIVAL:
             null = ""  # no exact test and no log-rank test compares two differences
         if null:
-            why = _lack(metric, a, b, a.nulls_of(metric)[null], b.nulls_of(metric)[null])
+            why = "" if row["same_as"] else _lack(metric, a, b, a.nulls_of(metric)[null], b.nulls_of(metric)[null])
             over = _difference(metric, [*_over(a, metric, null, -1.0), *_over(b, metric, null)])
             if over.value is not None:
                 role = "reference" if why else "null"
@@ -223,7 +223,7 @@ def compare(a: MeasuredSet, b: MeasuredSet, choices: Sequence[str] = ()) -> pand
         if metric.metric in SURVIVAL:
             why, raw = "", survival_difference(controls.lives_of(b, metric), controls.lives_of(a, metric), end_s)
         else:
-            why = _lack(metric, a, b)
+            why = "" if row["same_as"] else _lack(metric, a, b)
             raw = _difference(metric, [(1.0, b.baseline(metric, "")), (-1.0, a.baseline(metric, ""))])
         role = "" if null else "reference" if why else "null"
         rows.append({**row, "compared": "raw", "role": role, "not_tested": why})

@@ -234,7 +234,7 @@ def _analyze(parser: argparse.ArgumentParser) -> None:
         "--difference",
         type=_number,
         metavar="X",
-        help="how many runs in each set a difference of this size in --metric, in the tables' unit, needs for 80 % power: the smallest effect of "
+        help="how many runs in each set a difference of this size in --metric, in the tables' unit, needs for 80 %% power: the smallest effect of "
         "interest of the next study",
     )
     add("--allow-missing", **_FLAG, help="for a sweep: leave out runs that are missing or incomplete")
@@ -405,7 +405,7 @@ VERBS = {
     ),
     "plan": Verb(
         "plan",
-        "Writes the list of runs that a sweep file describes: settings by [grid], [zip] and [[runs]], with replicates and shadows. PROGRAM --plan "
+        "Writes the list of runs that a sweep file describes: settings by [grid], [zip] and [[runs]], with replicates and nulls. PROGRAM --plan "
         "FOLDER/plan.jsonl makes the runs. Needs Python with numpy and pandas.",
         _plan,
         ["trophic plan sweep.toml --out runs/sweep", "trophic plan sweep.toml --dry-run"],

@@ -23,6 +23,7 @@ from typing import NamedTuple
 import numpy
 import pandas
 
+from . import controls
 from .statistics import (
     MIN_RUNS_FOR_TEST,
     Contrast,
@@ -38,7 +39,7 @@ from .statistics import (
     scatter_of,
     test_equivalence,
 )
-from .values import SHADOW, MeasuredSet, Metric
+from .values import MeasuredSet, Metric
 
 DURATION_S = 6000.0
 RUNS = 10
@@ -94,7 +95,7 @@ class ClaimConclusion(NamedTuple):
 
 
 class Question(NamedTuple):
-    """Whether something evolves: whether runs differ from their neutral shadow. Numbers are constant in the paper's tables."""
+    """Whether something evolves: whether runs differ from the null that answers."""
 
     text: str
     above: str
@@ -106,11 +107,12 @@ class Question(NamedTuple):
 
 
 class Effect(NamedTuple):
-    """The difference from the neutral shadow under one reading."""
+    """The difference from the null that answers under one reading: the shadow where numbers are constant."""
 
     reading: ClaimReading
     difference: Difference
     """corrected for the family of the analysis, in which the reading stands in the place of the metric that it repeats"""
+    null: str
 
     @property
     def conclusion(self) -> str:
@@ -455,24 +457,30 @@ def judge_claims(of: MeasuredSet) -> list[ClaimConclusion]:
 
 
 def answers(of: MeasuredSet, frame: pandas.DataFrame) -> list[Answer]:
-    """The answer to every question whose readings all stand in `frame`, of judge.summarize. None without a shadow, and with too few runs."""
+    """The answer to every question whose readings all stand in `frame`, of judge.summarize, under the readings that `controls` can judge: where numbers
+    change, those of active members over the one-sided world. None without such a null, and with too few runs."""
     tested = frame[(frame["role"] == "null") & frame["p_holm"].notna()]
     names = frame["metric"] + ":" + frame["species"] + ":" + frame["group"]
-    shadowed = dict(zip(names[frame["null"] == SHADOW], frame.loc[frame["null"] == SHADOW, "same_as"]))
     found = []
     for question in QUESTIONS:
-        if of.shadow is None or not all(str(reading.metric) in shadowed for reading in question.readings):
+        if not all((reading.metric, "") in of.table for reading in question.readings):
             continue
+        if not set(names) >= {str(reading.metric) for reading in question.readings}:
+            continue
+        nulls = {reading.metric: controls.control_of(of, reading.metric).null for reading in question.readings}
+        judged = [reading for reading in question.readings if nulls[reading.metric]]
         effects = []
-        for reading in _distinct(question.readings, of, of.shadow):
-            ours, null = (of.table[reading.metric, ""], of.shadow.table[reading.metric, ""])
-            against = contrast((1.0, ours), (-1.0, null))
-            difference = difference_of(against and against.value, against, scatter_of(null, ours))
-            place = shadowed[str(reading.metric)] or str(reading.metric)
-            others = tested[(names[tested.index] != place) | (tested["null"] != SHADOW)]
+        for reading in _distinct(judged, of, *(of.nulls_of(one.metric)[nulls[one.metric]] for one in judged[:1])):
+            null = nulls[reading.metric]
+            ours, its = (of.table[reading.metric, ""], of.null_values(reading.metric, null))
+            against = contrast((1.0, ours), (-1.0, its))
+            difference = difference_of(against and against.value, against, scatter_of(its, ours))
+            is_its = (names == str(reading.metric)) & (frame["null"] == null)
+            place = next(iter(frame.loc[is_its & (frame["same_as"] != ""), "same_as"]), str(reading.metric))
+            others = tested[(names[tested.index] != place) | (tested["null"] != null)]
             adjust_together([difference, *(Difference(p=p) for p in others["p"])])
             if difference.adjusted is not None:
-                effects.append(Effect(reading, difference))
+                effects.append(Effect(reading, difference, null))
         if effects:
             found.append(Answer(question, tuple(effects)))
     return found

@@ -165,6 +165,16 @@ class Runs:
     one_sided: "dict[str, Runs]" = dataclasses.field(default_factory=dict)
     """by species: the worlds in which it alone inherits nothing"""
 
+    @property
+    def nulls(self) -> "dict[str, Runs]":
+        """Those that there are, by the names of their folders."""
+        one_sided = {one_sided_name(species): of for species, of in self.one_sided.items()}
+        return {
+            name: of
+            for name, of in {"shadow": self.shadow, **one_sided, "neutral": self.neutral}.items()
+            if of is not None
+        }
+
     def __len__(self) -> int:
         return len(self.runs)
 
@@ -192,8 +202,7 @@ class Runs:
         nothing is written.
         """
         tables = []
-        nulls = [self.shadow or [], self.neutral or [], *self.one_sided.values()]
-        for run in [*self.runs, *itertools.chain(*nulls)]:
+        for run in [*self.runs, *itertools.chain(*self.nulls.values())]:
             if (run.path / f"{name}.csv").exists():
                 raise RunError(f"{run.path / name}.csv: exists already; nothing is overwritten")
             try:
@@ -470,24 +479,24 @@ def _table(path: pathlib.Path, columns: list[str] | None = None, expected: dict 
 
 
 def study_frames(study: Runs | dict[str, Runs], name: str) -> Iterator[pandas.DataFrame]:
-    """Yields a table of every run of replicates, or of a study as read_study returns it, with the columns set, shadow, run and seed in front;
-    those of neutral nulls and one-sided worlds are left out.
+    """Yields a table of every run of replicates, or of a study as read_study returns it, and of its nulls, with the columns set, null, run
+    and seed in front; `null` is "none" or the name of the null's folder.
 
     All frames have the same columns of the same types, so they can be written one after another into one file. A column that a run lacks,
     such as the weights of a larger brain, is empty there. Raises RunError, naming the file, for a run without the table.
     """
     sets = study if isinstance(study, dict) else {study.path.name: study}
     runs = [
-        (label, is_shadow, run)
+        (label, null, run)
         for label, of in sets.items()
-        for is_shadow, part in ((False, of), (True, of.shadow))
-        for run in part or []
+        for null, part in {"none": of, **of.nulls}.items()
+        for run in part
     ]
     types: dict[str, str] = {}
     for _, _, run in runs:
         for column, its_type in _types(run, name).items():
             types[column] = max(types.get(column, ""), its_type, key=("", "int64", "float64", "object").index)
-    for label, is_shadow, run in runs:
+    for label, null, run in runs:
         frame = run.table(name).reindex(columns=list(types))
         for column, its_type in types.items():
             frame[column] = (
@@ -496,7 +505,7 @@ def study_frames(study: Runs | dict[str, Runs], name: str) -> Iterator[pandas.Da
         for place, (column, value, its_type) in enumerate(
             (
                 ("set", label, "object"),
-                ("shadow", is_shadow, "bool"),
+                ("null", null, "object"),
                 ("run", run.path.name, "object"),
                 ("seed", run.seed, "uint64"),
             )

@@ -4,13 +4,20 @@
 Each birth and each death changes the mean trait of the n living members of a species, mean z. With z the trait of who is born or dies and z_p
 that of its parent, of several parents their mean, the change is exactly
 
-    death        -(z - mean z) / (n - 1)        survival
-    birth        (z_p - mean z) / (n + 1)       parenthood, and (z - z_p) / (n + 1)   mutation
+    death        -(z - E z) / (n - 1)        survival
+    birth        (z_p - E z_p) / (n + 1)     parenthood, and (z - z_p) / (n + 1)   mutation
     birth without a parent of its species   (z - mean z) / (n + 1)   newcomers
+    the rest     (mean z - E z) / (n - 1) of deaths and (E z_p - mean z) / (n + 1) of births   cohorts
 
-so that the sums over a run add up to what the mean changes by from the founders to the end. Lives that the end of the run cuts off bias none
-of them. Over whole lives, with w the offspring and L the length of a life, cov(w, z) / mean w = (z_L - mean z) + (z_w - z_L): means weighted by
-L and by w, so length of life and offspring a second. There the end of the run cuts lives off, and a trend of the mean counts as length of life."""
+so that the sums over a run add up to what the mean changes by from the founders to the end. E is the mean over the living, weighted by how often
+their age and origin die of this cause, or become parents. Who dies is not a random member: the young and the old, the inherited and the random
+die at other rates, and under selection of either kind their traits differ. Without E the choice of parents looks like survival.
+
+Lives that the end of the run cuts off bias none of these. Over whole lives, with w the offspring and L the length of a life, cov(w, z) / mean w =
+(z_L - mean z) + (z_w - z_L): means weighted by L and by w, so length of life and offspring a second. There the end of the run cuts lives off, and
+a trend of the mean counts as length of life.
+
+Terms are tested over the neutral null, which repeats births, deaths and parents with other genomes. A term over zero is no test, and is not made."""
 from __future__ import annotations
 
 import concurrent.futures
@@ -34,12 +41,14 @@ from .pool import PooledRun
 from .report.columns import names
 from .report.tables import csv_text, result_folder, write_new
 from .runs import verify
-from .values import MeasuredSet, Metric
+from .values import NEUTRAL, MeasuredSet, Metric
 from .words import Reading, columns, number_text, p_text
 
 PERIODS = ("all", "first", "second", "third")
-KINDS = ("survival", "parenthood", "mutation", "newcomers")
+KINDS = ("survival", "parenthood", "mutation", "newcomers", "cohorts")
 TESTED = KINDS[:3]
+AGES, LEAST_CHOSEN = 6, 10
+"""Classes of age at most, and those that die of a cause, or become parents, in each at least. Origins are apart if twice as many do."""
 DISTANCES = (0.05, 0.15, 0.25, 0.35, 0.45)
 TAG_RATIOS = (-0.2, 0.0, 0.2)
 """The inputs of turns_to: an adversary on either side, so far away in sides of the arena, at these tag ratios."""
@@ -55,7 +64,7 @@ class Trait(NamedTuple):
     read: Callable[[PooledRun], pandas.Series]
     """the trait of each individual that has it, by id"""
     is_behaviour: bool = False
-    """measured during a life, so that what befalls an individual is part of it and the neutral null does not fit"""
+    """measured during a life, so that luck is part of it"""
 
 
 def trait_of(text: str) -> Trait:
@@ -140,11 +149,14 @@ def _behaviour(kind: str, run: PooledRun) -> pandas.Series:
 # Price's equation
 
 
-def price(step: numpy.ndarray, z: numpy.ndarray, parent_z: numpy.ndarray) -> tuple[numpy.ndarray, numpy.ndarray]:
-    """The change of the mean trait of the living at each event, by KINDS, shape (4, ..., events), and the mean after it, (..., events).
+def price(
+    step: numpy.ndarray, z: numpy.ndarray, parent_z: numpy.ndarray, expected: numpy.ndarray | None = None
+) -> tuple[numpy.ndarray, numpy.ndarray]:
+    """The change of the mean trait of the living at each event, by KINDS, shape (5, ..., events), and the mean after it, (..., events).
 
-    `step`: 1 of a birth, -1 of a death; `z`: of the newborn or the dead; `parent_z`: of a newborn's parent, nan without one. The first birth changes
-    the mean by nan. An empty species keeps the mean of its last member."""
+    `step`: 1 of a birth, -1 of a death; `z`: of the newborn or the dead; `parent_z`: of a newborn's parent, nan without one; `expected`: of the dead,
+    or of the parent, by age and origin, as `expected_of` returns it; the mean of the living without it. The first birth changes the mean by nan. An
+    empty species keeps the mean of its last member."""
     origin = z[..., :1]  # means of a trait that does not vary are exact
     z, parent_z, living = z - origin, parent_z - origin, numpy.cumsum(step, axis=-1)
     total = numpy.cumsum(step * z, axis=-1)
@@ -153,14 +165,76 @@ def price(step: numpy.ndarray, z: numpy.ndarray, parent_z: numpy.ndarray) -> tup
         last = numpy.maximum.accumulate(numpy.where(living > 0, numpy.arange(step.shape[-1]), 0), axis=-1)
         mean = numpy.take_along_axis(mean, last, axis=-1)
         before = numpy.concatenate([numpy.full_like(mean[..., :1], numpy.nan), mean[..., :-1]], axis=-1)
+        due = before if expected is None else numpy.where(numpy.isnan(expected), before, expected - origin)
         is_birth, has_parent = step > 0, ~numpy.isnan(parent_z)
+        is_death, is_descended = ~is_birth & (living > 0), is_birth & has_parent
         parts = (
-            numpy.where(is_birth, 0.0, numpy.where(living > 0, (before - z) / living, 0.0)),
-            numpy.where(is_birth & has_parent, (parent_z - before) / living, 0.0),
-            numpy.where(is_birth & has_parent, (z - parent_z) / living, 0.0),
+            numpy.where(is_death, (due - z) / living, 0.0),
+            numpy.where(is_descended, (parent_z - due) / living, 0.0),
+            numpy.where(is_descended, (z - parent_z) / living, 0.0),
             numpy.where(is_birth & ~has_parent, (z - before) / living, 0.0),
+            numpy.where(is_death, (before - due) / living, numpy.where(is_descended, (due - before) / living, 0.0)),
         )
     return (numpy.where(numpy.isnan(before), numpy.nan, numpy.stack(parts)), mean + origin)
+
+
+def expected_of(
+    step: numpy.ndarray,
+    place: numpy.ndarray,
+    time_s: numpy.ndarray,
+    is_inherited: numpy.ndarray,
+    z: numpy.ndarray,
+    choices: Sequence[tuple[numpy.ndarray, numpy.ndarray, numpy.ndarray]],
+) -> numpy.ndarray:
+    """The mean trait of the living before each event of a run, weighted by how often their age and origin are chosen in events of its kind, shape
+    (..., events); nan at events of no kind. Weights have the greatest conditional likelihood.
+
+    `step`: as in price; `place`: the number of who is born or dies, in the order of births; `time_s`: of each event; `is_inherited`: of each individual;
+    `z`: of each individual, (..., individuals); `choices`: of each kind its events, who is chosen there, -1 for nobody who lives, and with what
+    share."""
+    born_s = time_s[step > 0]
+    kind_of = numpy.full(len(step), -1)
+    edges: list[numpy.ndarray | None] = []
+    for kind, (event, who, _) in enumerate(choices):
+        kind_of[event] = kind
+        ages_s = (time_s[event] - born_s[who])[who >= 0]
+        classes = min(AGES, len(ages_s) // LEAST_CHOSEN)
+        edges.append(numpy.unique(numpy.quantile(ages_s, numpy.arange(1, classes) / classes)) if classes > 1 else None)
+
+    def stratum(kind: int, at_s: Any, who: numpy.ndarray) -> numpy.ndarray:
+        if (limits := edges[kind]) is None:
+            return numpy.zeros(len(who), int)
+        return numpy.searchsorted(limits, at_s - born_s[who]) * 2 + is_inherited[who]
+
+    strata = 2 * AGES
+    counts, sums = numpy.zeros((len(step), strata)), numpy.zeros((*z.shape[:-1], len(step), strata))
+    living, at, n = numpy.zeros(len(born_s), int), numpy.zeros(len(born_s), int), 0
+    for event, (its_step, who, kind) in enumerate(zip(step.tolist(), place.tolist(), kind_of.tolist())):
+        if kind >= 0 and n:
+            those = living[:n]
+            of = stratum(kind, time_s[event], those)
+            counts[event] = numpy.bincount(of, minlength=strata)
+            sums[..., event, :] = z[..., those] @ numpy.eye(strata)[of]
+        if its_step > 0:
+            living[n], at[who], n = who, n, n + 1
+        else:
+            n -= 1
+            living[at[who]], at[living[n]] = living[n], at[who]
+    expected = numpy.full((*z.shape[:-1], len(step)), numpy.nan)
+    for kind, (event, who, share) in enumerate(choices):
+        is_there = who >= 0
+        chosen = numpy.bincount(
+            stratum(kind, time_s[event[is_there]], who[is_there]), share[is_there], minlength=strata
+        )
+        its, weights = numpy.unique(event[is_there]), numpy.ones(strata)
+        shares = numpy.bincount(event[is_there], share[is_there], minlength=len(step))[its]
+        with numpy.errstate(divide="ignore", invalid="ignore"):
+            for _ in range(30):
+                due = (shares[:, None] * counts[its] * weights / (counts[its] @ weights)[:, None]).sum(axis=0)
+                weights = weights * (chosen + 0.5) / (due + 0.5)
+            every = numpy.unique(event)
+            expected[..., every] = (sums[..., every, :] @ weights) / (counts[every] @ weights)
+    return expected
 
 
 def events_of(run: PooledRun) -> pandas.DataFrame:
@@ -207,8 +281,26 @@ def terms(events: pandas.DataFrame, z: pandas.Series, species: str, end_s: float
     descent["z"] = descent["share"] * descent["parent"].where(descent["parent"].isin(births["id"])).map(z)
     means = descent.groupby("id")["z"].sum().where(~descent["z"].isna().groupby(descent["id"]).any())
     its_z, parent_z = of["id"].map(z).to_numpy(float), of["id"].map(means).where(is_birth).to_numpy(float)
-    parts, mean = price(numpy.where(is_birth, 1, -1), its_z, parent_z)
-    time_s, cause = of["time_s"].to_numpy(), of["cause"].to_numpy()
+    time_s, cause, step = of["time_s"].to_numpy(float), of["cause"].to_numpy(), numpy.where(is_birth, 1, -1)
+    place = of["id"].map({one: number for number, one in enumerate(of["id"][is_birth])}).to_numpy(int)
+    event_of = pandas.Series(numpy.flatnonzero(is_birth), of["id"][is_birth])
+    parents = descent[descent["id"].isin(of["id"][is_birth & ~numpy.isnan(parent_z)])]
+    choices = [
+        *(
+            (event, place[event], numpy.ones(len(event)))
+            for one in sorted(set(cause[~is_birth]))
+            for event in [numpy.flatnonzero(~is_birth & (cause == one))]
+        ),
+        (
+            event_of[parents["id"]].to_numpy(int),
+            parents["parent"].map(dict(zip(of["id"], place))).to_numpy(int),
+            parents["share"].to_numpy(float),
+        ),
+    ]
+    is_inherited = ~numpy.isnan(parent_z[is_birth])
+    origin = its_z[0] if len(of) else 0.0  # means of a trait that does not vary are exact
+    expected = expected_of(step, place, time_s, is_inherited.astype(int), its_z[is_birth] - origin, choices)
+    parts, mean = price(step, its_z, parent_z, expected + origin)
     founds = (
         is_birth & (of["tick"] == events["tick"].iloc[0]).to_numpy() | numpy.isnan(parts[0]) if len(of) else is_birth
     )
@@ -303,23 +395,23 @@ def table(texts: Sequence[str], sets: Mapping[str, pandas.DataFrame]) -> pandas.
                         for part, value in zip(("n", "mean", "lower", "upper"), (n, mean, *(interval or (None, None))))
                     }
                 tested = statistics.Difference()
-                if term in TESTED and period == "all":
-                    neutral = values["neutral"] if len(values["neutral"]) and not trait.is_behaviour else None
-                    row["null"] = "zero" if neutral is None else "neutral"
-                    against = () if neutral is None else ((-1.0, neutral),)
-                    value = row["runs_mean"] - (0.0 if neutral is None else row["neutral_mean"])
-                    tested = statistics.difference_of(value, statistics.contrast((1.0, values["runs"]), *against))
+                if term in TESTED and period == "all" and row["neutral_n"] and row["runs_n"]:
+                    row["null"] = NEUTRAL
+                    against = statistics.contrast((1.0, values["runs"]), (-1.0, values["neutral"]))
+                    tested = statistics.difference_of(row["runs_mean"] - row["neutral_mean"], against)
                     differences.append(tested)
                 rows.append((row, tested))
     statistics.adjust_together(differences)
     for row, tested in rows:
-        lower, upper = tested.interval or (None, None)
+        (lower, upper), at_once = tested.interval or (None, None), tested.corrected or (None, None)
         row |= {
             "difference": tested.value,
             "difference_lower": lower,
             "difference_upper": upper,
             "p": tested.p,
             "p_holm": tested.adjusted,
+            "lower_corrected": at_once[0],
+            "upper_corrected": at_once[1],
         }
     frame = pandas.DataFrame([row for row, _ in rows], columns=names("selection.csv"))
     texts_of = ("trait", "species", "term", "period", "unit", "null")
@@ -370,10 +462,14 @@ def text(frame: pandas.DataFrame) -> str:
         said += _sentence(of)
     tested = int(frame["p"].notna().sum())
     about = (
-        f"p and sentences: over the neutral null; of behaviour, and without that null, over zero. Corrected for {tested} comparisons (Holm)\n"
+        f"p and sentences: over the neutral null, corrected for {tested} comparisons (Holm), with intervals that hold at once (Bonferroni)\n"
         if tested
+        else "no neutral null: --neutral makes one; terms are described and not tested, as over zero there is no test\n"
+        if not frame["neutral_n"].any()
         else f"fewer than {statistics.MIN_RUNS_FOR_TEST} runs: no intervals and no tests\n"
     )
+    if any(trait_of(one).is_behaviour for one in frame["trait"].unique()):
+        about += "traits of behaviour have luck in them: what selects them need not be inherited; the slope of offspring on parent shows how much is\n"
     return columns(lines) + said + about
 
 
@@ -381,7 +477,7 @@ def _sentence(of: pandas.DataFrame) -> str:
     first = of.iloc[0]
     reading, words = (Reading(Metric(first["trait"], first["species"], "all", first["unit"])), [])
     for row in of[of["p_holm"].notna()].itertuples():
-        amount = reading.with_interval(row.difference, (row.difference_lower, row.difference_upper), True)
+        amount = reading.with_interval(row.difference, (row.lower_corrected, row.upper_corrected), True)
         does = (
             ("raises it," if row.difference > 0 else "lowers it,")
             if statistics.is_significant(row.p_holm)

@@ -99,12 +99,12 @@ class Reading:
         return self._written(value, self.decimals, sign)
 
     def with_interval(self, value: float | None, interval: Sequence[float] | None, sign: bool = False) -> str:
-        """ "+1.10 [+0.85, +1.35]"; an interval of None or nan is left out. So many more decimals, two at most, that no part is written as a zero that
-        is none."""
+        """ "+1.10 [+0.85, +1.35]"; an interval of None or nan is left out. Decimals are added, six at most, if a part would be written as
+        zero that is not."""
         if interval is None or value is None or value != value or interval[0] is None or interval[0] != interval[0]:
             return self(value, sign)
         parts, decimals = (value, *interval[:2]), self.decimals
-        while decimals < self.decimals + 2 and any(
+        while decimals < self.decimals + 6 and any(
             part and float(self._written(part, decimals)) == 0.0 for part in parts
         ):
             decimals += 1

@@ -250,7 +250,7 @@ upper_corrected_s exact? s: its other end
         """
 trait text: as --selection names it
 species text: whose trait it is
-term text: start, end, change, survival, survival_CAUSE, parenthood, mutation, newcomers, lives, lives_length, lives_rate, offspring_on_parent or mutation_a_birth
+term text: start, end, change, survival, survival_CAUSE, parenthood, mutation, newcomers, cohorts, lives, lives_length, lives_rate, offspring_on_parent or mutation_a_birth
 period all,first,second,third: the run or a third of it; of lives and births the third of the birth
 unit text: of all means
 missing whole: individuals of the runs without the trait, which are left out
@@ -266,12 +266,14 @@ neutral_n whole: runs of the neutral null that have the term
 neutral_mean: over these runs
 neutral_lower: of the mean's 95 % interval
 neutral_upper: of the mean's 95 % interval
-null neutral,zero: with what the runs are compared; empty: not tested
+null text: neutral: the runs are compared with the neutral null; empty: not tested
 difference: runs_mean less that of the null
 difference_lower: of its own 95 % interval
 difference_upper: of its own 95 % interval
 p
 p_holm: corrected for survival, parenthood and mutation of every trait and species (Holm)
+lower_corrected
+upper_corrected
 """,
     ),
     "cross_check.csv": (

@@ -171,8 +171,8 @@ def _sentences(
     sentences = [f"{sentence[0].upper()}{sentence[1:]}." for one in sets for sentence in judge.too_few(one)]
     if len(sets) == 1:
         sentences += [
-            f"{question} {answer[0].upper()}{answer[1:]}: {effect} over the shadow."
-            for question, answer, effect, _ in answers_of(sets[0], frames[0])
+            f"{question} {answer[0].upper()}{answer[1:]}: {effect} {over}."
+            for question, answer, effect, _, over in answers_of(sets[0], frames[0])
         ]
     told = (
         [controls.sentences(one, judge.metrics_of(frame)) for one, frame in zip(sets, frames)] if len(sets) == 1 else []

@@ -337,6 +337,7 @@ def _answer(one: published.Answer) -> dict[str, Any]:
             **each.reading.metric._asdict(),
             "members": each.reading.members,
             "counting": each.reading.counting,
+            "null": each.null,
             "difference": each.difference.value,
             **(each.difference.interval._asdict() if each.difference.interval else {}),
             "p": each.difference.p,

@@ -51,11 +51,11 @@ def answers(of: MeasuredSet, frame: pandas.DataFrame) -> str:
             latex_text(answer),
             math(effect.removesuffix(" cm/s")) + " cm/s" * effect.endswith("cm/s"),
         ]
-        for question, answer, effect, _ in answers_of(of, frame)
+        for question, answer, effect, *_ in answers_of(of, frame)
     ]
     return (
         _PACKAGES
-        + f"% {heading(of)}. Effects: over the neutral shadow; their intervals hold for all comparisons at once (Bonferroni).\n"
+        + f"% {heading(of)}. Effects: {', '.join(dict.fromkeys(over for *_, over in answers_of(of, frame)))}; their intervals hold for all comparisons at once (Bonferroni).\n"
         + _table(["question", "answer", "effect [95\\,\\%]"], rows, 2)
     )
 

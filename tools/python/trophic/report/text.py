@@ -85,14 +85,15 @@ def findings_text(frame: pandas.DataFrame, most: int | None = None) -> str:
 
 
 def answers_of(of: MeasuredSet, frame: pandas.DataFrame) -> list[list[str]]:
-    """The paper's questions about evolution, each with its answer, the plainest reading's effect over the shadow, and the number of readings."""
+    """The paper's questions about evolution, each with its answer, the plainest reading's effect, the number of readings and the null."""
     rows = []
     for one in published.answers(of, frame):
         reading, difference = Reading(one.shown.reading.metric), one.shown.difference
         effect = reading.with_interval(difference.value, difference.corrected, True) + f" {reading.unit}" * bool(
             reading.unit
         )
-        rows.append([one.question.text, str(one), effect, f"{len(one.effects)} reading{'s' * (len(one.effects) > 1)}"])
+        count = f"{len(one.effects)} reading{'s' * (len(one.effects) > 1)}"
+        rows.append([one.question.text, str(one), effect, count, f"over the {null_title(one.shown.null)}"])
     return rows
 
 

@@ -30,6 +30,8 @@ class SweepValues:
     """(planned runs, metrics); nan in a run that is missing, and where there is no value"""
     is_there: Sequence[bool]
     """of each planned run: it is measured"""
+    is_constant: bool = True
+    """numbers are constant in all cells; if not, shadows are no control of one species, and differences are raw"""
 
     def of(self, cell: Cell) -> tuple[Array, Array]:
         """Values of a cell's runs and of their shadows: (replicates in the order of their seeds, metrics) each."""
@@ -50,7 +52,9 @@ class SweepValues:
         return numpy.array([metric.metric in SHARES for metric in self.metrics])
 
     def have_shadows(self, grid: Grid) -> bool:
-        """Whether every cell has a run and its shadow, so that the difference over the shadows is the answer."""
+        """Whether every cell has a run and its shadow, and numbers are constant, so that the difference over the shadows is the answer."""
+        if not self.is_constant:
+            return False
 
         def is_there(place: int | None) -> bool:
             return place is not None and self.is_there[place]
@@ -59,7 +63,10 @@ class SweepValues:
 
     def only(self, metrics: Sequence[Metric]) -> "SweepValues":
         return SweepValues(
-            list(metrics), self.runs[:, [self.metrics.index(metric) for metric in metrics]], self.is_there
+            list(metrics),
+            self.runs[:, [self.metrics.index(metric) for metric in metrics]],
+            self.is_there,
+            self.is_constant,
         )
 
 

@@ -12,6 +12,7 @@ import numpy
 from .. import metrics, pool
 from ..errors import RunError
 from ..metrics import Measuring, kept, own
+from ..metrics.living import changes_numbers
 from ..pool import PooledRun
 from ..values import METRIC, Metric, RunValues
 from ..words import number_text
@@ -193,9 +194,14 @@ def measure_sweep(sweep: Sweep, how: Measuring) -> tuple[SweepValues, list[str]]
         values[place, [names[name] for name in of_run]] = list(of_run.values())
         remarks += its
     has_value = {name: not numpy.isnan(values[:, number]).all() for name, number in names.items()}
-    return SweepValues(list(names), values, sweep.is_there).only(kept(has_value, how.metrics)), list(
-        dict.fromkeys(remarks)
-    )
+    first = {run.cell: run.index for run in reversed(sweep.plan) if sweep.is_there[run.index]}
+    is_constant = not any(changes_numbers(pool.read_pooled(sweep.folder_of(place))) for place in first.values())
+    if not is_constant and any(run.shadow for run in sweep.plan):
+        remarks.append(
+            "numbers change: shadows are no control of one species, so cells are compared raw; trophic analyze judges a cell over its one-sided worlds"
+        )
+    measured = SweepValues(list(names), values, sweep.is_there, is_constant)
+    return measured.only(kept(has_value, how.metrics)), list(dict.fromkeys(remarks))
 
 
 def _observed(run: RunValues) -> tuple[dict[Metric, float], list[str]]:
