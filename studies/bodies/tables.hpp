@@ -66,7 +66,7 @@ using Brains = with_params<with_brain<Base, control::brain::GrowingBrain>, turno
 
 using EvolvingBodies = named<with_params<Bodies<Lineages>, turnover>, "evolving_bodies">;
 using EvolvingBodiesBySurvival = named<with_params<Bodies<LineagesBySurvival>, turnover>, "evolving_bodies_by_survival">;
-/// No criterion selects: energy decides who lives and who has offspring.
+/// Energy decides who lives and, among the active, who has offspring.
 using EvolvingPond = named<Bodies<worlds::Pond>, "evolving_pond">;
 using EvolvingBrains = named<Brains<Lineages>, "evolving_brains">;
 using EvolvingBrainsBySurvival = named<Brains<LineagesBySurvival>, "evolving_brains_by_survival">;

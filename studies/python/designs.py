@@ -406,7 +406,7 @@ def over_neutral(rows):
     """Price's terms that are tested, each with its difference from the neutral null by Welch's interval, corrected for them all (Holm). Terms
     without that null have no difference and no p: another null, or zero, does not show selection."""
     found = []
-    for row in (row for row in rows if row["p"]):
+    for row in (row for row in rows if row["term"] in ("survival", "parenthood", "mutation")):
         of = dict.fromkeys(("difference", "difference_lower", "difference_upper", "p"), "")
         if row["neutral_mean"]:
             means = [float(row[f"{of_set}_mean"]) for of_set in ("runs", "neutral")]

@@ -132,6 +132,7 @@ INTERVALS = (
     ("contact_s", "lower", "upper"),
     ("difference", "lower", "upper"),
     ("difference", "difference_lower", "difference_upper"),
+    ("difference", "together_lower", "together_upper"),
     ("effect", "lower", "upper"),
     ("over_shadow", "lower", "upper"),
     ("over_shadow", "over_lower", "over_upper"),
@@ -196,7 +197,14 @@ class Rows(unittest.TestCase):
 
     def test_prices_terms_are_tested_over_the_neutral_null_alone(self):
         def term(mean, neutral):
-            of = {"runs_n": 6, "runs_mean": mean, "runs_lower": mean - 1.0, "runs_upper": mean + 1.0, "p": 0.001}
+            of = {
+                "term": "survival",
+                "runs_n": 6,
+                "runs_mean": mean,
+                "runs_lower": mean - 1.0,
+                "runs_upper": mean + 1.0,
+                "p": 0.001,
+            }
             null = {"neutral_n": 6, "neutral_mean": neutral}
             null |= {
                 f"neutral_{end}": "" if neutral == "" else neutral + by for end, by in (("lower", -1), ("upper", 1))

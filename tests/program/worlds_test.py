@@ -309,6 +309,41 @@ class Worlds(InFolder):
         self.assertGreater(len(rescued.query("cause == 'sacrificed'")), 0)
         self.assertLess(*(len(one.query("event == 'birth' and species == 'prey'")) for one in (escaping, free)))
 
+    def test_activity_protects_and_lets_breed_in_the_pond_until_parameters_say_otherwise(self):
+        def run(rules, *settings):
+            words = [word for setting in settings for word in ("--set", f"rules.{setting}")]
+            self.number = getattr(self, "number", 0) + 1
+            folder = self.folder / str(self.number)
+            options = ("--duration", 1000, "--replay-hz", 0, "--out", folder, *words)
+            self.run_ok(WORLDS, "--rules", rules, "--backend", "kinematic", *options)
+            return [pandas.read_csv(folder / f"{table}.csv").query("tick > 0") for table in ("events", "agents")]
+
+        def parents_active(events):
+            born = events.query("event == 'birth' and species == 'prey'")
+            at_birth = born.merge(agents, left_on=["tick", "parent_id"], right_on=["tick", "id"])
+            return len(at_birth), at_birth.active_y.mean()
+
+        events, agents = run("pond")
+        count, share = parents_active(events)
+        self.assertGreater(count, 20)
+        self.assertEqual(share, 1)
+        events, agents = run("pond", "recruitment.only_active=false")
+        count, share = parents_active(events)
+        self.assertGreater(count, 20)
+        self.assertLess(share, 1)
+        at_once = ["activation.distance_m=0", "activation.min_age_s=0"]
+        of_age = [at_once[0], "activation.min_age_s=100"]
+        waits = []
+        for settings in (at_once, of_age):
+            events, agents = run("pond_with_conditions", *settings)
+            born = events.query("event == 'birth' and species == 'prey'").set_index("id").time_s
+            age_s = agents.time_s - agents.id.map(born)
+            waits.append(age_s[agents.active == 0].max())
+            caught = events.query("cause == 'caught'")
+            self.assertGreater((caught.time_s - caught.id.map(born)).min(), waits[-1])
+        self.assertLessEqual(waits[0], 2)
+        self.assertEqual(waits[1], 98)
+
     def test_three_levels_of_the_food_chain_live_on_and_each_has_less_than_the_one_below(self):
         energies = self.pyramid("food_chain", 4000, "grazer", "hunter", "apex")
         self.assertEqual(energies, sorted(energies, reverse=True))

@@ -55,6 +55,29 @@ struct AtEnergyAfterEscapes {
 };
 static_assert(reproduction::Recruitment<AtEnergyAfterEscapes>);
 
+/// Rule: as ActiveAwayFromHunters, and only from `min_age_s` on: age alone protects the newborn if `distance_m` is 0.   Reads: as
+/// it, ages.   Random draws: 0.
+struct AwayFromHuntersAtAge {
+  static constexpr std::string_view name = "away_from_hunters_at_age";
+  static constexpr std::string_view source = "not in the paper";
+
+  struct Params {
+    double distance_m = Pond::params().activation.distance_m;
+    double min_age_s = 0.0;
+    static constexpr auto fields() {
+      return std::tuple{field("distance_m", &Params::distance_m, at_least(0.0), "farther than this from every hunter"),
+                        field("min_age_s", &Params::min_age_s, at_least(0.0), "younger newborn stay inactive")};
+    }
+  };
+  Params params;
+
+  [[nodiscard]] death::Activates activates(BodyIndex body, const View& view) const {
+    if (!view.passed(view.robots[body].age_from_s, params.min_age_s)) return death::Activates::no;
+    return death::activation::ActiveAwayFromHunters{{params.distance_m}}.activates(body, view);
+  }
+};
+static_assert(death::Activation<AwayFromHuntersAtAge>);
+
 template <class Base>
 using WithFloor =
     with_minimum_predators<with_floor<Base, death::floor::VictimFloor>, death::minimum_predators::SacrificeRandomVictim>;
@@ -62,16 +85,18 @@ inline constexpr auto as_the_pond = [](auto& params) {
   params.recruitment.energy = Pond::params().recruitment;
   params.floor.floor = params.minimum_predators.below = 0;
 };
+template <class Base>
+using WithAges = with_activation<Base, AwayFromHuntersAtAge>;
 
 }  // namespace conditions
 
 /// Rules: as Pond, to the byte, until parameters give the paper's floor (`rules.floor.floor`) and rescue
-/// (`rules.minimum_predators.below`), a criterion for births of prey (`rules.recruitment.escapes`), or a species' pace
-/// (`rules.pace.SPECIES.factor`).   Source: not in the literature as such.
-using PondWithConditions =
-    named<with_params<with_pace<conditions::WithFloor<with_recruitment<Pond, conditions::AtEnergyAfterEscapes>>,
-                                rules::by_species<control::pace::ConstantPace>>,
-                      conditions::as_the_pond>,
-          "pond_with_conditions">;
+/// (`rules.minimum_predators.below`), a criterion for births of prey (`rules.recruitment.escapes`), an age of activation
+/// (`rules.activation.min_age_s`), or a species' pace (`rules.pace.SPECIES.factor`).   Source: not in the literature as such.
+using PondWithConditions = named<
+    with_params<with_pace<conditions::WithAges<conditions::WithFloor<with_recruitment<Pond, conditions::AtEnergyAfterEscapes>>>,
+                          rules::by_species<control::pace::ConstantPace>>,
+                conditions::as_the_pond>,
+    "pond_with_conditions">;
 
 }  // namespace trophic::worlds

@@ -26,3 +26,11 @@ TEST_CASE("at energy: active with enough -> one birth, a share of the energy han
   CHECK(rule.spare_bodies() == 4);
   CHECK(rule.leaves_spare({.body = 0, .cause = Cause::caught}, robots.view()));
 }
+
+TEST_CASE("at energy: the inactive have enough -> a birth only if not only the active reproduce") {
+  HandPopulation robots{{{.species = prey, .active = false}}};
+  robots.individuals[0].energy_J = 90.0;
+  Rng rng{1, Stream::user};
+  CHECK(AtEnergy{{.birth_J = 60.0}}.recruits(robots.view(), rng).empty());
+  CHECK(AtEnergy{{.birth_J = 60.0, .only_active = false}}.recruits(robots.view(), rng).size() == 1);
+}

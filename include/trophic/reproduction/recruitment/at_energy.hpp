@@ -7,7 +7,8 @@
 namespace trophic::reproduction::recruitment {
 
 /// Rule: an active individual with at least `birth` energy has an offspring of its species next to it and hands over `share` of
-/// its energy, the oldest first. The dead have no successor. `spare_bodies` start without an individual. All parameters are free.
+/// its energy, the oldest first. If activation depends on behaviour, so do births; `only_active` = false lets the inactive breed.
+/// The dead have no successor. `spare_bodies` start without an individual. All parameters are free.
 /// Reads: energies, activity.   Random draws: 0.
 struct AtEnergy {
   static constexpr std::string_view name = "at_energy";
@@ -18,10 +19,12 @@ struct AtEnergy {
     std::size_t spare_bodies = 0;
     double birth_J = 100.0;
     double share = 0.5;
+    bool only_active = true;
     static constexpr auto fields() {
       return std::tuple{field("spare_bodies", &Params::spare_bodies, at_least(0), "bodies without an individual at the start"),
                         field("birth_J", &Params::birth_J, above(0.0), "energy of a parent"),
-                        field("share", &Params::share, above_to(0.0, 1.0), "of its energy, for the offspring")};
+                        field("share", &Params::share, above_to(0.0, 1.0), "of its energy, for the offspring"),
+                        field("only_active", &Params::only_active, "false: the inactive reproduce as well")};
     }
   };
   Params params;
@@ -31,7 +34,8 @@ struct AtEnergy {
   [[nodiscard]] std::vector<Recruit> recruits(const View& view, Rng&) const {
     std::vector<Recruit> births;
     for (const Individual& one : view.robots) {
-      if (!one.lives() || !one.active || one.energy_J < params.birth_J) continue;
+      const bool may = one.lives() && (one.active || !params.only_active);
+      if (!may || one.energy_J < params.birth_J) continue;
       births.push_back({.species = one.species, .parents = {one.as_ancestor()}, .endowment_J = params.share * one.energy_J});
     }
     std::ranges::sort(births, {}, [](const Recruit& birth) { return birth.parents.front().id; });
