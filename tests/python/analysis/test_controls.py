@@ -9,7 +9,7 @@ from hand_written import event, refusal, robot, write_run, write_set
 from sets import around, metric, quick_set, run_of, set_of
 from trophic import controls, judge, pool, published, statistics
 from trophic.metrics import Measuring
-from trophic.report import analyze, tables, text
+from trophic.report import analyze, tables, tex, text
 from trophic.runs import Run
 from trophic.statistics import Lives, common_end, log_rank, restricted_mean, survival_difference
 from trophic.sweeps import arrays
@@ -88,6 +88,7 @@ def test_without_one_sided_worlds_the_shadow_is_described_and_said_to_be_no_cont
         assert f"not tested: measures of one species: {why}\n" in said
         assert "\ntested: measures of several species over the shadow: none inherits there, " in said
         assert "not tested: genomes, bodies and brains: no neutral null: --neutral makes one; " in said
+    assert f"% not tested: measures of one species: {why}\n" in tex.means(of, frame)
     outcome = analyze.Outcome([of], [frame], None)
     content = outcome.analysis(None).summary["sets"][0]
     assert content["controls"] == controls.sentences(of, of.metrics()) and len(content["controls"]) == 3
@@ -185,6 +186,7 @@ def test_a_mean_over_the_runs_in_which_something_happened_is_described_and_not_t
     many = {period: around(90.0, 10), cycles: [1.0] * 10}
     a, b = world(few), world(many)
     rows = {row.metric: row for row in judge.compare(a, b).itertuples()}
+    assert "not tested: 1 metric that some runs lack" in text.difference_findings(a, b, judge.compare(a, b))
     assert rows["period"].not_tested == (
         "only 8 of 10 and 10 of 10 runs have a value: a mean over runs in which it happened is described"
     )

@@ -274,7 +274,7 @@ def test_comparison_shows_the_raw_difference_next_to_the_answer_over_the_shadows
     assert "the answer is the difference over shadows" in findings and judge.findings(frame)[0].sentence in findings
     a, b = example(shadow=False), example(catches=0.0, label="released", shadow=False)
     for show in (text.difference_table, text.difference_findings):
-        assert "without a shadow of each set no difference can be attributed to inheritance" in show(
+        assert "without its control in both sets no difference can be attributed to inheritance" in show(
             a, b, judge.compare(a, b)
         )
     assert "attribution_catches predator 1.000 0.000 -1.000 [-1.000, -1.000] <0.001 *\n" in squeezed(

@@ -16,7 +16,8 @@ from ..errors import RunError
 from ..metrics import Web, names_of
 from ..runs import Analysis, read_analysis
 from ..sweeps import arrays
-from ..words import over_nulls
+from ..values import ONE_SIDED, SHADOW
+from ..words import null_title, over_nulls
 from .pictures import catches, film_strip, phylogeny, trajectories
 from .style import COLOURS, NULL_COLOUR, Missing, caption, colour, legend_above, line, width_in, wrapped
 
@@ -81,6 +82,12 @@ class Data:
     def has_shadow(self):
         return (self.metrics.baseline == "shadow").any()
 
+    def null_of(self, species):
+        """The baseline of the null of what a species does: its one-sided world, if the analysis has one, as `trophic.controls` asks for where numbers
+        change; else the shadow."""
+        one_sided = f"{ONE_SIDED}_{species}"
+        return one_sided if (self.metrics.baseline == one_sided).any() else SHADOW
+
     @property
     def n(self):
         """The number of runs and of their shadows, in words."""
@@ -114,9 +121,11 @@ class Data:
 
 
 def draw_shadow(ax, data, metric, species, group="all", label=None, scale=1.0):
-    """The mean over the shadow's runs and its 95 % interval as a band."""
-    if data.has_shadow and not data.rows(metric, species, group, "shadow").empty:
-        mean, lower, upper = (scale * x[0] for x in interval(data.values(metric, species, group, "shadow")[:, None]))
+    """The mean over the runs of the shadow, or of the one-sided world, and its 95 % interval as a band."""
+    null = data.null_of(species)
+    if not data.rows(metric, species, group, null).empty:
+        mean, lower, upper = (scale * x[0] for x in interval(data.values(metric, species, group, null)[:, None]))
+        label = label and label.replace("shadow", null_title(null))
         ax.axhspan(lower, upper, color="black", alpha=0.15, linewidth=0)
         ax.axhline(mean, color="black", linestyle=":", linewidth=1, label=label)
 
@@ -151,8 +160,9 @@ def attribution(data):
             if np.isfinite(lower):
                 ax.errorbar(place - 0.18, mean, [[mean - lower], [upper - mean]], color="black", capsize=2, linewidth=1)
             ax.plot(place + np.linspace(-0.08, 0.08, len(values)), values, "o", ms=2, color="black", alpha=0.6)
-            if data.has_shadow:
-                mean, lower, upper = (x[0] for x in interval(data.values(metric, species, baseline="shadow")[:, None]))
+            if not data.rows(metric, species, baseline=data.null_of(species)).empty:
+                null = data.values(metric, species, baseline=data.null_of(species))
+                mean, lower, upper = (x[0] for x in interval(null[:, None]))
                 ax.fill_between([place - 0.31, place + 0.31], lower, upper, color="black", alpha=0.25, linewidth=0)
                 ax.plot(
                     [place - 0.31, place + 0.31],
@@ -228,9 +238,10 @@ def wall_sticking(data):
         time_s, runs = data.curve("wall_sticking", species)
         style = line(species, data.species)
         draw_curve(ax, time_s, runs, species, shade, style)
-        if data.has_shadow:
-            mean = data.values("wall_sticking", species, "all", "shadow").mean()
-            ax.axhline(mean, color=shade, linestyle="-.", linewidth=0.8, label=f"{species}, shadow's mean")
+        null = data.null_of(species)
+        if not data.rows("wall_sticking", species, "all", null).empty:
+            mean = data.values("wall_sticking", species, "all", null).mean()
+            ax.axhline(mean, color=shade, linestyle="-.", linewidth=0.8, label=f"{species}, {null_title(null)}'s mean")
         if (published := data.published("wall_sticking", species)) is not None:
             ax.plot(
                 [1.0],
@@ -328,11 +339,13 @@ def population(data):
 
 
 def with_and_without(data):
-    """Numbers, and velocities of the inherited, of a set and of its shadow."""
+    """Numbers, and velocities of the inherited, of a set and of the null of each species; where numbers change, of the active among them."""
     fig, axes = plt.subplots(2, 1, figsize=(width_in(), 3.2), sharex=True)
-    for ax, metric, group, scale in ((axes[0], "population", "all", 1), (axes[1], "velocity", "inherited", 100)):
+    whose = "inherited" if data.rows("velocity", group="inherited_active").empty else "inherited_active"
+    for ax, metric, group, scale in ((axes[0], "population", "all", 1), (axes[1], "velocity", whose, 100)):
         for species in data.species:
-            for baseline, style, words in (("", "-", "inheritance"), ("shadow", (0, (1, 1)), "nothing inherited")):
+            null = data.null_of(species)
+            for baseline, style, words in (("", "-", "inheritance"), (null, (0, (1, 1)), "nothing inherited")):
                 time_s, runs = data.curve(metric, species, group, baseline)
                 draw_curve(
                     ax,
@@ -350,7 +363,7 @@ def with_and_without(data):
     legend_above(axes[0])
     return caption(
         fig,
-        f"{data.subject('Numbers, and velocity of the inherited towards the closest perceived adversary')} Windows of {window_s(time_s):g} s. {data.intervals('bands')}",
+        f"{data.subject(f'Numbers, and velocity of the {whose.replace(chr(95), chr(32))} towards the closest perceived adversary')} Windows of {window_s(time_s):g} s. {data.intervals('bands')}",
     )
 
 
@@ -368,7 +381,8 @@ def own_metric(data, metric):
             draw_curve(ax, time_s, runs, label, shade, style=["-", "--", ":", "-."][place % 4], average=False)
             draw_shadow(ax, data, metric, part.species, part.group, f"{label}, shadow")
             continue
-        for shift, baseline, look in ((-0.1, "", shade), (0.1, "shadow", NULL_COLOUR)):
+        null = data.null_of(part.species)
+        for shift, baseline, look in ((-0.1, "", shade), (0.1, null, NULL_COLOUR)):
             if data.rows(metric, part.species, part.group, baseline).empty:
                 continue
             values = data.values(metric, part.species, part.group, baseline)
@@ -383,7 +397,7 @@ def own_metric(data, metric):
                 ms=4,
                 color=look,
                 capsize=2.5,
-                label=("shadow" if baseline else "ours") if place == 0 else None,
+                label=(null_title(null) if baseline else "ours") if place == 0 else None,
             )
     if not has_curve:
         ax.set_xticks(range(len(parts)), [" ".join(filter(None, [p.species, p.group])) for p in parts])
@@ -397,8 +411,9 @@ MOST_LINES_OF_A_FOREST = 30
 
 
 def forest(summary):
-    """The differences of two sets that were compared, each in standard deviations between runs, with 95 % intervals; filled: significant."""
-    kinds = ("over_neutral", "over_shadow", "raw")
+    """The differences of two sets that were compared, each in standard deviations between runs, with intervals; filled: significant. Intervals of what
+    is corrected hold for all at once with 95 %."""
+    kinds = ("over_neutral", "over_one_sided", "over_shadow", "raw")
     answers = [
         next(kind for kind in kinds if kind == "raw" or d.get(kind, {}).get("value") is not None)
         for d in summary["differences"]
@@ -411,7 +426,8 @@ def forest(summary):
         if d["same_as"] or of["lower"] is None or of["differs"] is None or None in spread or not any(spread):
             continue
         unit = (sum(s * s for s in spread) / 2) ** 0.5
-        rows.append((d, of, [of[key] / unit for key in ("value", "lower", "upper")]))
+        at_once = "_corrected" if of.get("lower_corrected") is not None else ""
+        rows.append((d, of, [of[key] / unit for key in ("value", f"lower{at_once}", f"upper{at_once}")]))
     if not rows:
         raise Missing("no difference with an interval: six runs of each set are needed")
     left_out = len(rows) - MOST_LINES_OF_A_FOREST
@@ -439,7 +455,7 @@ def forest(summary):
         f"Differences {second} - {first}"
         + (f", {over}" if over else " (raw)")
         + f", n = {len(summary['sets'][0]['runs'])} and "
-        f"{len(summary['sets'][1]['runs'])} runs, in pooled standard deviations between runs; bars: 95 % intervals of single comparisons. "
+        f"{len(summary['sets'][1]['runs'])} runs, in pooled standard deviations between runs; bars: intervals that hold for all at once with 95 % (Bonferroni). "
         f"Filled: p <= 0.05 after Holm's correction for all metrics.{rest}",
     )
 

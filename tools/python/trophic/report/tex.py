@@ -7,8 +7,9 @@ from typing import Any
 
 import pandas
 
+from .. import controls
 from ..description import describe
-from ..judge import count, interval_of_row, runs_of
+from ..judge import count, interval_of_row, metrics_of, runs_of
 from ..values import SHADOW, MeasuredSet, Metric
 from ..words import Reading, latex_text, metric_title, null_title, one_line, over_nulls, p_text
 from .text import answers_of, estimate_of
@@ -36,6 +37,7 @@ def means(of: MeasuredSet, frame: pandas.DataFrame) -> str:
             ]
         )
     about = f"% {heading(of)}. Null: the neutral shadow, unless another is named. {_family(frame)}\n"
+    about += "".join(f"% {one_line(sentence)}\n" for sentence in controls.sentences(of, metrics_of(frame)))
     return (
         _PACKAGES
         + about

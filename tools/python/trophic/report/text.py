@@ -27,7 +27,7 @@ from ..words import (
 MOST_INCONCLUSIVE = 3
 _INCONCLUSIVE = "inconclusive does not mean equal: all differences in the interval remain possible\n"
 _AT_ONCE = "intervals of what is corrected hold for all of them at once (Bonferroni), others alone\n"
-_UNATTRIBUTED = "without a shadow of each set no difference can be attributed to inheritance\n"
+_UNATTRIBUTED = "without its control in both sets no difference can be attributed to inheritance\n"
 
 
 def estimate_of(row: Any, side: str = "") -> Estimate:
@@ -204,6 +204,15 @@ def _sets(a: MeasuredSet, b: MeasuredSet) -> str:
     )
 
 
+def _not_tested(frame: pandas.DataFrame) -> str:
+    """How many metrics of a comparison are described alone, if any are."""
+    many = int((frame["role"] == "reference").sum())
+    return (
+        f"not tested: {many} metric{'s' * (many > 1)} that some runs lack: means over runs in which something happened are described (--all)\n"
+        * bool(many)
+    )
+
+
 def difference_findings(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) -> str:
     """The findings of a comparison, then the inconclusive differences of the smallest p values."""
     over, short, shown = over_nulls(frame["compared"])
@@ -226,6 +235,7 @@ def difference_findings(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame)
     return (
         _sets(a, b)
         + about
+        + _not_tested(frame)
         + findings_text(frame, judge.MOST_FINDINGS)
         + _inconclusive(frame, head, cells)
         + _too_few(a, b)
