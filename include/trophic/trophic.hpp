@@ -29,6 +29,7 @@
 #include <trophic/ecology/simulations_of.hpp>
 #include <trophic/energy/metabolism/fixed_gains.hpp>
 #include <trophic/energy/metabolism/grazing_and_hunting.hpp>
+#include <trophic/energy/order/by_turns.hpp>
 #include <trophic/energy/resource/delayed_patches.hpp>
 #include <trophic/energy/resource/logistic_field.hpp>
 #include <trophic/initialization/community/food_chain.hpp>

@@ -4,6 +4,7 @@
 
 #include <conformance/policy_suite.hpp>
 #include <trophic/energy/metabolism/contract.hpp>
+#include <trophic/energy/order/contract.hpp>
 #include <trophic/energy/resource/contract.hpp>
 
 TEST_CASE_TEMPLATE_DEFINE("metabolism", Policy, trophic_metabolism_suite) {
@@ -47,6 +48,17 @@ TEST_CASE_TEMPLATE_DEFINE("metabolism", Policy, trophic_metabolism_suite) {
     });
   });
   conformance::check_params_used_on_populations<Policy>(all_of);
+}
+
+TEST_CASE_TEMPLATE_DEFINE("order", Policy, trophic_order_suite) {
+  using namespace trophic;
+  static_assert(energy::Order<Policy>);
+  conformance::check_policy<Policy>();
+  conformance::check_params_used<Policy>([](const Policy& made) {
+    conformance::Answers answers;
+    answers.add(made.in_turn());
+    return answers;
+  });
 }
 
 TEST_CASE_TEMPLATE_DEFINE("resource", Policy, trophic_resource_suite) {

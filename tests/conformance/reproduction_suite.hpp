@@ -196,8 +196,7 @@ TEST_CASE_TEMPLATE_DEFINE("heredity", Policy, trophic_heredity_suite) {
   const auto other = std::make_shared<Genome>(Genome{.id = 4, .weights = {0.0, 1.0, 2.0}});
   const std::vector<Ancestor> parents{{.id = 1, .species = 0, .genome = parent}, {.id = 2, .species = 0, .genome = other}};
   Rng rng{1, Stream::user};
-  const std::shared_ptr<Genome> offspring =
-      reproduction::ask::inherit(policy, std::span{parents}, std::vector<std::size_t>{0, 0, 1}, rng);
+  const std::shared_ptr<Genome> offspring = reproduction::ask::inherit(policy, std::span{parents}, rng, {.neurons = {0, 0, 1}});
   // a part that is left empty is drawn anew
   if (offspring != nullptr && !offspring->weights.empty()) CHECK(offspring->weights.size() == weights.size());
   CHECK(parent->weights == weights);

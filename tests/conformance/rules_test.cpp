@@ -43,6 +43,8 @@
 #include <trophic/energy/metabolism/fixed_gains.hpp>
 #include <trophic/energy/metabolism/grazing_and_hunting.hpp>
 #include <trophic/energy/metabolism/no_metabolism.hpp>
+#include <trophic/energy/order/by_turns.hpp>
+#include <trophic/energy/order/together.hpp>
 #include <trophic/energy/resource/delayed_patches.hpp>
 #include <trophic/energy/resource/logistic_field.hpp>
 #include <trophic/energy/resource/no_resource.hpp>
@@ -178,6 +180,7 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_metabolism_suite, energy::metabolism::GrazingA
                           energy::metabolism::NoMetabolism);
 TEST_CASE_TEMPLATE_INVOKE(trophic_resource_suite, energy::resource::LogisticField, energy::resource::DelayedPatches,
                           energy::resource::NoResource);
+TEST_CASE_TEMPLATE_INVOKE(trophic_order_suite, energy::order::ByTurns, energy::order::Together);
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_heredity_suite, reproduction::heredity::Crossover, reproduction::heredity::CrossoverByNeuron,
                           reproduction::heredity::OwnCopy, reproduction::heredity::SharedCopy,

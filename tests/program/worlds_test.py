@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: MIT
 """worlds_test.py WORLDS: living worlds against independent programs, and what a run of changing numbers writes. Needs pandas: skipped without."""
 
+import math
+import random
 import re
 import sys
 import unittest
@@ -19,65 +21,67 @@ WORLDS = sys.argv.pop(1)
 
 
 def wolf_sheep(seed, ticks, side=51, delay=30):
-    """NetLogo's wolves, sheep and grass with its numbers, an independent program: sheep, wolves and grown patches after each tick."""
-    rng = numpy.random.default_rng(seed)
+    """NetLogo's wolves, sheep and grass with its numbers and in its order, an independent program: sheep, wolves and grown patches after each tick.
+    In random order each sheep walks, eats, dies or reproduces before the next one does, then each wolf; then grass grows.
+    """
+    chance = random.Random(seed)
 
-    def animals(count, gain):
-        return numpy.array(
-            [
-                rng.uniform(0, side, count),
-                rng.uniform(0, side, count),
-                rng.uniform(0, 360, count),
-                rng.integers(0, 2 * gain, count),
-            ],
-            float,
-        )
+    def born(count, gain):
+        return [
+            [chance.uniform(0, side), chance.uniform(0, side), chance.uniform(0, 360), chance.randrange(2 * gain)]
+            for _ in range(count)
+        ]
 
-    def walk(herd):
-        herd[2] += rng.uniform(0, 50, herd.shape[1]) - rng.uniform(0, 50, herd.shape[1])
-        herd[0] = (herd[0] + numpy.cos(numpy.radians(herd[2]))) % side
-        herd[1] = (herd[1] + numpy.sin(numpy.radians(herd[2]))) % side
-        herd[3] -= 1
+    def step(animal):
+        animal[0] = (animal[0] + math.cos(math.radians(animal[2]))) % side
+        animal[1] = (animal[1] + math.sin(math.radians(animal[2]))) % side
 
-    def patch(herd):
-        return numpy.minimum(herd[0].astype(int), side - 1) * side + numpy.minimum(herd[1].astype(int), side - 1)
+    def walk(animal):
+        animal[2] += chance.randrange(50) - chance.randrange(50)
+        step(animal)
+        animal[3] -= 1
 
-    def reproduce(herd, chance):
-        bears = rng.random(herd.shape[1]) < chance
-        herd[3, bears] /= 2
-        young = herd[:, bears].copy()
-        young[2] = rng.uniform(0, 360, young.shape[1])
-        young[0] = (young[0] + numpy.cos(numpy.radians(young[2]))) % side
-        young[1] = (young[1] + numpy.sin(numpy.radians(young[2]))) % side
-        return numpy.concatenate([herd, young], axis=1)
+    def patch(animal):
+        return min(int(animal[0]), side - 1) * side + min(int(animal[1]), side - 1)
 
-    sheep, wolves = animals(100, 4), animals(50, 20)
-    grown = rng.random(side * side) < 0.5
-    wait = rng.integers(0, delay, side * side)
+    def survivors(animal, births):
+        """Those who are left of an animal that has eaten: none, itself, or also its offspring."""
+        if animal[3] < 0:
+            return []
+        if chance.random() >= births:
+            return [animal]
+        animal[3] /= 2
+        young = animal[:]
+        young[2] += chance.uniform(0, 360)
+        step(young)
+        return [animal, young]
+
+    sheep, wolves = born(100, 4), born(50, 20)
+    grown = [chance.random() < 0.5 for _ in range(side * side)]
+    wait = [delay if is_grown else chance.randrange(delay) for is_grown in grown]
     counts = []
     for _ in range(ticks):
-        walk(sheep)
-        walk(wolves)
-        grown, wait = grown | (wait <= 0), wait - 1
-        where = patch(sheep)
-        for one in rng.permutation(sheep.shape[1]):
-            if grown[where[one]]:
-                grown[where[one]], wait[where[one]] = False, delay
-                sheep[3, one] += 4
-        here = {}
-        for one, at in enumerate(where):
-            here.setdefault(at, []).append(one)
-        eaten, places = set(), patch(wolves)
-        for wolf in rng.permutation(wolves.shape[1]):
-            candidates = here.get(places[wolf])
-            if candidates:
-                eaten.add(candidates.pop(rng.integers(len(candidates))))
-                wolves[3, wolf] += 20
-        kept = numpy.ones(sheep.shape[1], bool)
-        kept[list(eaten)] = False
-        sheep, wolves = sheep[:, kept & (sheep[3] >= 0)], wolves[:, wolves[3] >= 0]
-        sheep, wolves = reproduce(sheep, 0.04), reproduce(wolves, 0.05)
-        counts.append([sheep.shape[1], wolves.shape[1], int(grown.sum())])
+        here, pack = {}, []
+        chance.shuffle(sheep)
+        for one in sheep:
+            walk(one)
+            if grown[patch(one)]:
+                grown[patch(one)] = False
+                one[3] += 4
+            for left in survivors(one, 0.04):
+                here.setdefault(patch(left), []).append(left)
+        chance.shuffle(wolves)
+        for wolf in wolves:
+            walk(wolf)
+            if victims := here.get(patch(wolf)):
+                victims.pop(chance.randrange(len(victims)))
+                wolf[3] += 20
+            pack += survivors(wolf, 0.05)
+        sheep, wolves = [one for flock in here.values() for one in flock], pack
+        for at in range(side * side):
+            if not grown[at]:
+                grown[at], wait[at] = wait[at] <= 0, wait[at] - 1 if wait[at] > 0 else delay
+        counts.append([len(sheep), len(wolves), sum(grown)])
     return counts
 
 
@@ -110,6 +114,21 @@ def statistics(runs, steady=400):
     late = runs[:, steady:]
     both = [runs.max(1), runs.argmax(1), runs.min(1), runs.argmin(1), late.mean(1), late.std(1)]
     return numpy.concatenate(both, axis=1)
+
+
+def late_differences(ours, theirs, steady=400):
+    """Of the means of each output in the steady state between two lists of runs, in shares of theirs: the ends of their 95 % intervals."""
+    ours, theirs = (numpy.array(runs, float)[:, steady:].mean(1) for runs in (ours, theirs))
+    error = numpy.sqrt(ours.var(0, ddof=1) / len(ours) + theirs.var(0, ddof=1) / len(theirs))
+    half = error * scipy.stats.t.ppf(0.975, min(len(ours), len(theirs)) - 1)
+    middle = ours.mean(0) - theirs.mean(0)
+    return (middle - half) / theirs.mean(0), (middle + half) / theirs.mean(0)
+
+
+def are_equivalent(ours, theirs, margin=0.05):
+    """Whether the means of all outputs are: each interval lies within the margin, which the intervals of two equal programs do."""
+    low, high = late_differences(ours, theirs)
+    return bool(low.min() > -margin and high.max() < margin)
 
 
 def least_p(ours, theirs):
@@ -167,11 +186,28 @@ class Worlds(InFolder):
             runs.append(numbers.reindex(range(ticks + 1)).ffill()[["prey", "predator"]].iloc[1:].to_numpy())
         return numpy.array(runs)
 
-    def test_wolves_sheep_and_grass_are_those_of_an_independent_program(self):
-        theirs = [wolf_sheep(seed, 700) for seed in range(1, 31)]
-        self.assertGreater(least_p(self.wolf_sheep(30, 700), theirs), 0.01)
-        # The comparison can tell: a birth rate of 5 instead of 4 per cent is seen.
+    def test_wolves_sheep_and_grass_are_those_of_an_independent_program_in_the_order_of_netlogo(self):
+        theirs, others = ([wolf_sheep(seed + first, 700) for seed in range(30)] for first in (1, 31))
+        self.assertTrue(are_equivalent(others, theirs), late_differences(others, theirs))
+        ours = self.wolf_sheep(30, 700)
+        self.assertGreater(least_p(ours, theirs), 0.01)
+        self.assertTrue(are_equivalent(ours, theirs), late_differences(ours, theirs))
+        # The comparison can tell: the other order is seen, and a birth rate of 5 instead of 4 per cent.
+        together = self.wolf_sheep(30, 700, "--set", "rules.order.acts=together")
+        self.assertFalse(are_equivalent(together, theirs), late_differences(together, theirs))
+        self.assertLess(least_p(together, theirs), 0.01)
         self.assertLess(least_p(self.wolf_sheep(10, 700, "--set", "rules.recruitment.sheep.chance=0.05"), theirs), 0.01)
+
+    def test_neutral_null_repeats_wolves_and_sheep_that_act_in_turn(self):
+        folder, _ = self.run_world("wolf_sheep", "torus", "--replicates", 1, "--neutral", "--duration", 150)
+        events = [
+            pandas.read_csv(
+                folder / null / "replicate-00" / "events.csv", usecols=["tick", "event", "id", "species", "body"]
+            )
+            for null in ("", "neutral")
+        ]
+        self.assertTrue(events[0].equals(events[1]))
+        self.assertGreater(len(events[0]), 1000)
 
     def test_sheep_without_grass_to_eat_die_out_and_wolves_after_them(self):
         for run in self.wolf_sheep(30, 150, "--set", "rules.resource.patch_J=0"):

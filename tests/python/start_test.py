@@ -107,6 +107,9 @@ class Start(InFolder):
                 tips[name] = depth
         self.assertEqual(set(tips), {str(i) for i in tree.id})
         parent = dict(zip(tree.id, tree.ancestor_id))
+        tree.loc[5, "ancestor_list"] = "[0,1]"
+        with self.assertRaisesRegex(trophic.RunError, "must be one parent at most: Newick has no second parent"):
+            run.to_newick()
         born = dict(zip(tree.id, tree.origin_time))
         for one in tree.id:
             root = one

@@ -28,11 +28,10 @@ void check_taxon(const io::TaxonRow& row, const RunManifest& run) {
            "destruction_time = " + number_text(death_s) + ": must be >= its origin_time, " + number_text(row.origin_time) +
                ", and <= " + number_text(end_s) + ", the run's end");
   }
-  const std::string parent = row.ancestor == row.id ? "[none" : "[" + std::to_string(row.ancestor);
-  const std::string more = row.ancestor_list.substr(std::min(parent.size(), row.ancestor_list.size()));
-  const bool fits = row.ancestor_list.starts_with(parent) && (more == "]" || (row.ancestor != row.id && more.starts_with(',')));
-  if (!fits || !parents_in(row.ancestor_list))
-    refuse(run, row.id, "ancestor_list = " + row.ancestor_list + ": must be " + parent + "], as its ancestor_id");
+  const std::string list = "ancestor_list = " + row.ancestor_list + ": must be ";
+  const std::string parent = "[" + (row.ancestor == row.id ? "none" : std::to_string(row.ancestor.value_or(0))) + "]";
+  if (row.ancestor && row.ancestor_list != parent) refuse(run, row.id, list + parent + ", as its ancestor_id");
+  if (!parents_in(row.ancestor_list)) refuse(run, row.id, list + "[none] or its parents, as [7,9]");
 }
 
 std::optional<std::vector<IndividualId>> parents_in(std::string_view ancestor_list) {

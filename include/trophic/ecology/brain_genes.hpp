@@ -18,7 +18,7 @@ class BrainGenes {
   using Brain = AnswersForSpecies<PolicyIn<Rules, RuleSlot::brain>>;
   static constexpr bool grow = control::GrowingBrain<Brain>;  ///< whether their number may change
   static constexpr bool mix_neurons =
-      reproduction::HeredityByNeuron<AnswersForSpecies<PolicyIn<Rules, RuleSlot::heredity>>>;  ///< of several parents
+      reproduction::MixesNeurons<AnswersForSpecies<PolicyIn<Rules, RuleSlot::heredity>>>;  ///< of several parents
   static_assert(!mix_neurons || control::NamesNeurons<Brain>,
                 "the policy in Rules::Heredity mixes brains by neuron, so the policy in Rules::Brain needs "
                 "std::vector<std::size_t> neurons(std::size_t inputs, std::size_t outputs) const; see "
@@ -68,11 +68,12 @@ class BrainGenes {
     }
   }
 
-  /// The neuron that each weight of a species' brain enters; empty unless the table mixes brains by neuron.
-  [[nodiscard]] std::vector<std::size_t> neurons(Species species) const {
+  /// Sets the structure of a species' weights.
+  void describe(reproduction::GenomeStructure& structure, Species species, const std::vector<double>& weights) const {
+    const Brain& brain = brain_of(species);
+    structure.weights = control::ask::weight_structure(brain, weights);
     if constexpr (mix_neurons && control::NamesNeurons<Brain>)
-      return brain_of(species).neurons(shape_of(species).inputs, shape_of(species).outputs);
-    return {};
+      structure.neurons = brain.neurons(shape_of(species).inputs, shape_of(species).outputs);
   }
 
   /// The distance between the weights of a parent and of its offspring.

@@ -15,8 +15,8 @@ namespace trophic {
 
 /// Steps an ecology by the rules of its table. Within a tick, after the bodies have moved: activation of newborn, catches,
 /// senescence, hunger by the rule Metabolism, starvation, the minimum-predators rule, births without a death, perception and
-/// brains, log. Energy is spent and taken from the resource before them all. Tick 0 is the start. A policy that returns a value
-/// that does not exist or violates its contract causes a RuleError.
+/// brains, log. Energy is spent and taken from the resource before them all; the rule Order may let species act in turn. Tick 0
+/// is the start. A policy that returns a value that does not exist or violates its contract causes a RuleError.
 template <class Rules>
 class Dynamics final : public TableSimulation<Rules> {
  public:
@@ -79,7 +79,12 @@ class Dynamics final : public TableSimulation<Rules> {
     repetition_.bring_back();
     if (!all_.bodies.move(audience, view(), [&](BodyIndex body) { end_diverged(audience, body); })) return false;
     ++all_.tick;
-    population().walk(all_.bodies.poses_before(), view());
+    const View now = view();
+    population().walk(all_.bodies.poses_before(), now);
+    if (in_turn()) return true;
+    population().spend(all_.bodies.poses_before(), now, AllAct{});
+    population().grow(now);
+    population().bite(now, AllAct{});
     return true;
   }
 
@@ -94,19 +99,52 @@ class Dynamics final : public TableSimulation<Rules> {
 
   void tick(observe::Audience& audience) {
     const bool rules_act = time_s() >= all_.params.ecology.first_tick_s;
-    if (repetition_) {
-      repetition_.tick(audience);
-    } else if (rules_act && all_.params.lineup.empty()) {
-      activate(audience);
-      capture(audience);
-      age(audience);
-      if constexpr (has_energy<Rules>) exhaust(audience);
+    const bool lives_end = rules_act && !repetition_ && all_.params.lineup.empty();
+    if (lives_end) activate(audience);
+    if (in_turn()) {
+      act_in_turn(audience, lives_end);
+    } else if (lives_end) {
+      kill(audience, AllAct{});
+    }
+    if (repetition_) repetition_.tick(audience);
+    if (lives_end) {
       starve(audience);
       minimum_predators(audience);
-      if constexpr (grows<Rules>) recruit(all_, turnover_, audience);
+      if (!in_turn()) recruit(audience, AllAct{});
     }
     if (rules_act) decisions_.make(audience, view());
     audience.tick(view());
+  }
+
+  /// Whether species act in turn.
+  [[nodiscard]] bool in_turn() const {
+    if constexpr (is_neutral<Rules, RuleSlot::order>) return false;
+    return all_.rules.order.in_turn();
+  }
+
+  /// All acts of one species after another. `lives_end`: whether there are deaths and births.
+  void act_in_turn(observe::Audience& audience, bool lives_end) {
+    for (Species species = 0; species < all_.web.size(); ++species) {
+      const SpeciesActs acting{species};
+      if (all_.tick > 0) population().spend(all_.bodies.poses_before(), view(), acting);
+      if (all_.tick > 0) population().bite(view(), acting);
+      if (!lives_end) continue;
+      kill(audience, acting);
+      recruit(audience, acting);
+    }
+    if (all_.tick > 0) population().grow(view());
+  }
+
+  /// Catches, deaths of age and of hunger.
+  void kill(observe::Audience& audience, const auto& acting) {
+    capture(audience, acting);
+    age(audience, acting);
+    if constexpr (has_energy<Rules>) exhaust(audience, acting);
+  }
+
+  void recruit(observe::Audience& audience, const auto& acting) {
+    if constexpr (grows<Rules>)
+      if (have_decided()) trophic::recruit(all_, turnover_, audience, acting);
   }
 
   void activate(observe::Audience& audience) {
@@ -120,14 +158,16 @@ class Dynamics final : public TableSimulation<Rules> {
     }
   }
 
-  void capture(observe::Audience& audience) {
-    Rng rng{all_.params.seed, Stream::captures, 0, tick_number()};
+  /// Catches by those who act.
+  void capture(observe::Audience& audience, const auto& acting) {
+    Rng rng{all_.params.seed, Stream::captures, acting.turn, tick_number()};
     const IndividualId first_newborn = population().next_id();
     const auto captors = population().states().capture.all();
     const auto captures = death::ask::captures(all_.rules.capture, captors, all_.view(), rng);
     detail::check_captures(captures, population().individuals());
     for (const death::Capture& capture : captures) {
       const Individual& hunter = population()[capture.hunter];
+      if (!acting(hunter)) continue;
       if (std::max(hunter.id, population()[capture.victim].id) >= first_newborn) continue;  // one was caught
       detail::check_prey(all_.web, capture.hunter, hunter.species, capture.victim, population()[capture.victim].species);
       if (!death::ask::may_die(all_.rules.floor, population()[capture.victim].species, all_.view())) continue;
@@ -138,10 +178,10 @@ class Dynamics final : public TableSimulation<Rules> {
     }
   }
 
-  void age(observe::Audience& audience) {
+  void age(observe::Audience& audience, const auto& acting) {
     for (BodyIndex body = 0; body < population().individuals().size(); ++body) {
       const Individual& individual = population()[body];
-      if (!individual.lives()) continue;
+      if (!acting(individual)) continue;
       Rng rng{all_.params.seed, Stream::senescence, individual.id, tick_number()};
       if (!death::ask::dies(all_.rules.senescence, population().states().senescence[body], individual, all_.view(), rng))
         continue;
@@ -152,11 +192,11 @@ class Dynamics final : public TableSimulation<Rules> {
   }
 
   /// Deaths of hunger by the rule Metabolism.
-  void exhaust(observe::Audience& audience) requires has_energy<Rules> {
+  void exhaust(observe::Audience& audience, const auto& acting) requires has_energy<Rules> {
     const IndividualId first_newborn = population().next_id();
     for (BodyIndex body = 0; body < population().individuals().size(); ++body) {
       const Individual& self = population()[body];
-      if (!self.lives() || self.id >= first_newborn || !population().economy().starves(self, body, all_.view())) continue;
+      if (!acting(self) || self.id >= first_newborn || !population().economy().starves(self, body, all_.view())) continue;
       turnover_.replace_occupant(audience, {.body = body, .cause = Cause::starved, .killer = {}, .successor = {}});
     }
   }
@@ -191,6 +231,12 @@ class Dynamics final : public TableSimulation<Rules> {
       turnover_.replace_occupant(
           audience, {.body = sacrifice.victim, .cause = Cause::sacrificed, .killer = {}, .successor = sacrifice.successor});
     }
+  }
+
+  /// Whether there was a tick at which brains could decide before this one: the first decisions come after births.
+  [[nodiscard]] bool have_decided() const {
+    const EcologyParams& ecology = all_.params.ecology;
+    return all_.tick > 0 && clock_s(all_.tick - 1, ecology.tick_s) >= ecology.first_tick_s;
   }
 
   [[nodiscard]] Population<Rules>& population() { return all_.population; }

@@ -139,18 +139,41 @@ class Economy {
     food_.open_ledger();
   }
 
-  /// All individuals spend, having walked from `before`, the resource grows, and all bite.
-  void spend_and_bite(std::span<Individual> robots, std::span<const GroundPose> before, const View& view) {
+  /// Those who act spend, having walked from `before`.
+  template <class Acting>
+  void spend(std::span<Individual> robots, std::span<const GroundPose> before, const View& view, const Acting& acting) {
     for (BodyIndex body = 0; body < robots.size(); ++body) {
       Individual& self = robots[body];
-      if (!self.lives()) continue;
+      if (!acting(self)) continue;
       const double upkeep_J = rule_of(self).upkeep_J(body, view.distance_m(before[body], view.poses[body]), view);
       check("upkeep_J", upkeep_J, 0.0, std::numeric_limits<double>::max());
       self.energy_J -= upkeep_J;
       flows_[self.species].upkeep_J += upkeep_J;
     }
-    food_.grow(view);
-    if constexpr (has_field<Rules>) bite(robots, view);
+  }
+  void grow(const View& view) { food_.grow(view); }
+
+  /// Those who act bite, in random order.
+  template <class Acting>
+  void bite(std::span<Individual> robots, const View& view, const Acting& acting) {
+    if constexpr (has_field<Rules>) {
+      std::vector<BodyIndex> order;
+      for (BodyIndex body = 0; body < robots.size(); ++body) {
+        if (acting(robots[body])) order.push_back(body);
+      }
+      Rng rng{seed_, Stream::bites, acting.turn, static_cast<std::uint64_t>(view.tick)};
+      rng.shuffle(std::span{order});
+      for (const BodyIndex body : order) {
+        Individual& self = robots[body];
+        const double taken_J = food_.bite(body, view, [&](double there_J) {
+          const double bite_J = rule_of(self).bite_J(body, there_J, view);
+          check("bite_J", bite_J, 0.0, there_J);
+          return bite_J;
+        });
+        self.energy_J += taken_J;
+        flows_[self.species].field_J += taken_J;
+      }
+    }
   }
 
   /// A hunter gets its part of what its victim has.
@@ -197,26 +220,6 @@ class Economy {
                         (most < std::numeric_limits<double>::max() ? " and <= " + number_text(most) : " and finite")};
   }
 
-  /// All bite, in random order.
-  void bite(std::span<Individual> robots, const View& view) {
-    std::vector<BodyIndex> order;
-    for (BodyIndex body = 0; body < robots.size(); ++body) {
-      if (robots[body].lives()) order.push_back(body);
-    }
-    Rng rng{seed_, Stream::bites, 0, static_cast<std::uint64_t>(view.tick)};
-    rng.shuffle(std::span{order});
-    for (const BodyIndex body : order) {
-      Individual& self = robots[body];
-      const double taken_J = food_.bite(body, view, [&](double there_J) {
-        const double bite_J = rule_of(self).bite_J(body, there_J, view);
-        check("bite_J", bite_J, 0.0, there_J);
-        return bite_J;
-      });
-      self.energy_J += taken_J;
-      flows_[self.species].field_J += taken_J;
-    }
-  }
-
   const Policies<Rules>& rules_;
   std::uint64_t seed_;
   Food<Rules> food_;
@@ -235,7 +238,9 @@ class Economy<Rules, false> {
     throw RuleError{"recruitment", "endowment_J = " + number_text(energy_J) + ": must be 0 in a table without a rule Metabolism"};
   }
   void open_ledger() { food_.open_ledger(); }
-  void spend_and_bite(std::span<Individual>, std::span<const GroundPose>, const View& view) { food_.grow(view); }
+  void spend(std::span<Individual>, std::span<const GroundPose>, const View&, const auto&) {}
+  void grow(const View& view) { food_.grow(view); }
+  void bite(std::span<Individual>, const View&, const auto&) {}
   void eat(BodyIndex, BodyIndex, std::span<Individual>, const View&) {}
   void lose(const Vacancy& death, Individual&, const View& view) { food_.take_death(death, 0.0, view); }
   void persist(Archive& archive) { archive(food_); }

@@ -36,6 +36,16 @@ class GaitGenes {
     }
   }
 
+  /// The indices of those genes that are structure.
+  [[nodiscard]] std::vector<std::size_t> structure(Species species, std::span<const double> genes) const {
+    if constexpr (are_inherited) {
+      std::vector<std::size_t> indices = control::ask::gait_structure(for_species(rules_.gait, species), genes);
+      for (const std::size_t gene : indices) check_index("gait", "a gene of the structure", gene, genes.size());
+      return indices;
+    }
+    return {};
+  }
+
   /// The gait of these genes. Throws std::invalid_argument for genes of other rules.
   [[nodiscard]] std::shared_ptr<const Gait> express(Species species, std::span<const double> genes,
                                                     const RobotModel& robot) const {

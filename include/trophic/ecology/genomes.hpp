@@ -50,18 +50,16 @@ class Genomes {
     if (parents.empty() || null_ == Null::shadow || null_ == Null::clones || one_sided_ == born.species) return nullptr;
     Rng rng{seed_, Stream::crossover, born.id};
     auto genome =
-        reproduction::ask::inherit(for_species(rules_.heredity, born.species), parents, brains_.neurons(born.species), rng);
+        reproduction::ask::inherit(for_species(rules_.heredity, born.species), parents, rng, structure_of(born.species, parents));
     if (const auto demand = genome && !genome->weights.empty() ? misfit(born.species, genome.get()) : std::nullopt)
       throw RuleError{"heredity", "a genome of " + std::to_string(genome->weights.size()) + " weights: must have " + *demand};
     return genome;
   }
 
   /// Sets origin, parents and genome of a newborn with parents. `genome` is the inherited one, mutated here, with parts that are
-  /// empty drawn; if null, a genome is drawn. `own`: its state of the rule Mutation. `before`: the weights of each parent before
-  /// all this.
+  /// empty drawn; if null, a genome is drawn. `own`: its state of the rule Mutation.
   template <class State>
-  void descend(Individual& born, BodyIndex body, std::span<const Ancestor> parents, std::shared_ptr<Genome> genome, State& own,
-               std::span<const std::vector<double>> before) {
+  void descend(Individual& born, BodyIndex body, std::span<const Ancestor> parents, std::shared_ptr<Genome> genome, State& own) {
     born.origin = Origin::inherited;
     for (const Ancestor& parent : parents) born.parents.push_back(parent.id);
     if (!genome) {
@@ -69,14 +67,13 @@ class Genomes {
     } else {
       const bool is_shared = std::ranges::any_of(parents, [&](const Ancestor& parent) { return parent.genome == genome; });
       if (!is_shared) genome->id = next_id_++;
+      const std::vector<double> inherited = genome->weights;
       brains_.draw_or_mutate(*genome, own, born);
+      if (!inherited.empty()) born.mutation_distance = brains_.distance(born.species, inherited, genome->weights);
       traits_.draw_or_mutate(*genome, born, born.id);
       phenotypes_.develop(body, born, *genome, born.id);
       born.genome = std::move(genome);
     }
-    born.mutation_distance = std::numeric_limits<double>::infinity();
-    for (const std::vector<double>& weights : before)
-      born.mutation_distance = std::min(born.mutation_distance, brains_.distance(born.species, weights, born.genome->weights));
   }
 
   /// Gives an individual of a contest its genome. Throws std::invalid_argument for one that the brain does not take, or without
@@ -104,6 +101,17 @@ class Genomes {
   void persist(Archive& archive, std::size_t species) { phenotypes_.persist(archive, species); }
 
  private:
+  /// The structure of the first of several parents, if the rule Heredity takes it.
+  [[nodiscard]] reproduction::GenomeStructure structure_of(Species species, std::span<const Ancestor> parents) const {
+    reproduction::GenomeStructure structure;
+    if (!reproduction::HeredityByStructure<AnswersForSpecies<PolicyIn<Rules, RuleSlot::heredity>>> || parents.size() < 2)
+      return structure;
+    const Genome& first = *parents.front().genome;
+    brains_.describe(structure, species, first.weights);
+    phenotypes_.describe(structure, species, first);
+    return structure;
+  }
+
   const Policies<Rules>& rules_;
   std::uint64_t seed_;
   Null::Kind null_;

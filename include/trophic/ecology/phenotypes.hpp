@@ -8,6 +8,7 @@
 #include <trophic/params/archive.hpp>
 #include <trophic/population/individual.hpp>
 #include <trophic/population/phenotype.hpp>
+#include <trophic/reproduction/heredity/contract.hpp>
 #include <trophic/reproduction/viability/contract.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/support/rng.hpp>
@@ -80,6 +81,12 @@ class Phenotypes {
   /// Expresses the genes of an individual in its body as they are.
   void express(BodyIndex body, const Individual& born, const Genome& genome) {
     if (differ) keep(body, born, genome, expressed(born.species, genome.body_genes, genome.gait_genes));
+  }
+
+  /// Sets the structure of the genes of gait and body.
+  void describe(reproduction::GenomeStructure& structure, Species species, const Genome& genome) const {
+    if (!genome.gait_genes.empty()) structure.gait_genes = gaits_.structure(species, genome.gait_genes);
+    structure.has_modules = reproduction::genes_are_modules<typename BodyGenes<Rules>::Plan>;
   }
 
   /// Adds a body that starts without an individual: it is as the first one.

@@ -101,11 +101,14 @@ class Population {
   /// Begins the ledger of energy of a tick.
   void open_ledger() { economy_.open_ledger(); }
 
-  /// Notes that all bodies have moved, from `before`, and lets all spend and bite.
-  void walk(std::span<const GroundPose> before, const View& view) {
-    notify_walk(rules_, states_, before, view);
-    economy_.spend_and_bite(census_.change_all(), before, view);
+  /// Notes that all bodies have moved, from `before`.
+  void walk(std::span<const GroundPose> before, const View& view) { notify_walk(rules_, states_, before, view); }
+  /// Lets those who act spend; lets the resource grow; lets those who act bite.
+  void spend(std::span<const GroundPose> before, const View& view, const auto& acting) {
+    economy_.spend(census_.change_all(), before, view, acting);
   }
+  void grow(const View& view) { economy_.grow(view); }
+  void bite(const View& view, const auto& acting) { economy_.bite(census_.change_all(), view, acting); }
 
   /// Feeds the hunter. Its victim is still there; `replace` removes it.
   void feed(BodyIndex hunter, BodyIndex victim, const View& view) {
@@ -182,13 +185,11 @@ class Population {
   void replace(BodyIndex body, Species species, const Parentage& parentage, const View& view) {
     const std::span parents{parentage.parents};
     Individual born = newborn(species, view.time_s, view.tick, &census_[body]);
-    std::vector<std::vector<double>> before;  // a heredity may share a parent's genome and change it
-    for (const Ancestor& parent : parents) before.push_back(parent.genome->weights);
     auto genome = genomes_.inherit(born, parents);
     const std::vector<BodyIndex> living = bodies_of(parents);
     create_states(born, body, genome && !living.empty() ? std::optional{living.front()} : std::nullopt);
     if (!parents.empty()) {
-      genomes_.descend(born, body, parents, std::move(genome), states_.mutation[body], before);
+      genomes_.descend(born, body, parents, std::move(genome), states_.mutation[body]);
     } else {
       born.genome = genomes_.draw(born, body);
       if (parentage.descent == reproduction::Descent::of_parent_in_name) born.origin = Origin::inherited;

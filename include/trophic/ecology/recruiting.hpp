@@ -16,14 +16,15 @@ template <class Rules>
 }
 
 /// Asks the rule Recruitment for the births of a tick. Each takes the first spare body; one without a body, without room, or
-/// whose parents have too little energy is refused and counted.
+/// whose parents have too little energy is refused and counted. `acting`: those of whose species newborns are.
 template <class Rules>
-void recruit(EcologyState<Rules>& all, Turnover<Rules>& turnover, observe::Audience& audience) {
+void recruit(EcologyState<Rules>& all, Turnover<Rules>& turnover, observe::Audience& audience, const auto& acting) {
   auto& population = all.population;
-  Rng rng{all.params.seed, Stream::recruitment, 0, static_cast<std::uint64_t>(all.tick)};
+  Rng rng{all.params.seed, Stream::recruitment, acting.turn, static_cast<std::uint64_t>(all.tick)};
   const auto recruiting = population.states().recruitment.all();
   BodyIndex spare = 0;
   for (const auto& recruit : reproduction::ask::recruits(all.rules.recruitment, recruiting, all.view(), rng)) {
+    if (!acting.has(recruit.species) && recruit.species < all.web.size()) continue;
     detail::check_recruit(all.web, all.habitat.arena, recruit,
                           [&](const Ancestor& parent) { return population.misfit(recruit.species, parent.genome.get()); });
     while (spare < population.individuals().size() && population[spare].lives()) ++spare;

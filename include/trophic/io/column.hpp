@@ -14,7 +14,7 @@ struct Written {
   int decimals = -1;
   std::string_view none = {};  ///< what stands for an optional that is none
   bool plain = false;          ///< never with an exponent: 100000, not 1e+05
-  bool if_any = false;         ///< of an optional: a file has the column only if its rows have values; stands at the end
+  bool if_any = false;         ///< of an optional: a file has the column only if its rows have values
 };
 
 /// Seconds of the ecology's clock.

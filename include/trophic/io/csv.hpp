@@ -122,17 +122,17 @@ inline constexpr std::string_view type_name = std::integral<Cell>         ? "int
 template <class Cell>
 inline constexpr std::string_view type_name<std::optional<Cell>> = type_name<Cell>;
 
-/// The types of a table's columns, of a list as one; `more` follow. Lists stand at the end.
+/// The types of the columns of a table of rows as `like`, of a list as one. Lists stand at the end.
 template <TableRow Row>
-[[nodiscard]] std::vector<std::string_view> column_types(std::vector<std::string_view> more = {}) {
+[[nodiscard]] std::vector<std::string_view> column_types(const Row& like) {
   std::vector<std::string_view> types;
   for_each_column<Row>([&](const auto& column) {
     using Kind = std::remove_cvref_t<decltype(column)>;
     using Cell = std::remove_cvref_t<decltype(Row{}.*column.member)>;
+    if (is_left_out(column, like)) return;
     constexpr bool has_many = is_list_columns<Kind> || is_named_columns<Kind>;
     types.push_back(is_species_column<Kind> ? "string" : has_many ? "double" : type_name<Cell>);
   });
-  types.insert(types.end(), more.begin(), more.end());
   return types;
 }
 

@@ -65,10 +65,13 @@ class CsvFile {
  public:
   /// Writes the header at once into a new file; `like`: as header_of; none: `begin` writes the header.
   explicit CsvFile(const std::filesystem::path& path, const std::optional<Row>& like = Row{}, Opening opening = Opening::created)
-      : file_{path, like ? header_of(*like) : "", opening}, lacks_header_{!like && opening == Opening::created} {}
+      : file_{path, like ? header_of(*like) : "", opening},
+        lacks_header_{!like && opening == Opening::created},
+        types_{column_types(like.value_or(Row{}))} {}
   CsvFile(const std::filesystem::path& path, Opening opening) : CsvFile{path, Row{}, opening} {}
 
   void begin(const Row& like) {
+    types_ = column_types(like);
     if (std::exchange(lacks_header_, false)) file_.buffer() = header_of(like);
   }
 
@@ -77,11 +80,12 @@ class CsvFile {
   void flush() { file_.flush(); }
   void finish() { file_.finish(); }
   void persist(Archive& archive) { archive(file_); }
-  [[nodiscard]] TableSum sum() const { return file_.sum(column_types<Row>()); }
+  [[nodiscard]] TableSum sum() const { return file_.sum(types_); }
 
  private:
   LineFile file_;
   bool lacks_header_;
+  std::vector<std::string_view> types_;  ///< of its columns
 };
 
 }  // namespace trophic::io

@@ -21,7 +21,9 @@ class Phylogeny : public CsvFile<TaxonRow> {
 
   void on_start(const observe::RunDescription& run, const View&) {
     bodies_differ_ = run.bodies_differ;
-    begin({.modules_text = bodies_differ_ ? std::optional{""} : std::nullopt});
+    several_parents_ = run.several_parents;
+    begin({.ancestor = several_parents_ ? std::nullopt : std::optional{IndividualId{}},
+           .modules_text = bodies_differ_ ? std::optional{""} : std::nullopt});
   }
   void on_event(const observe::Event& event, const View& view) {
     if (event.kind == observe::EventKind::birth) {
@@ -54,7 +56,7 @@ class Phylogeny : public CsvFile<TaxonRow> {
   [[nodiscard]] TaxonRow row_of(const Individual& self, BodyIndex body) const {
     return {.id = self.id,
             .ancestor_list = ancestor_list_of(self),
-            .ancestor = self.parent().value_or(self.id),
+            .ancestor = several_parents_ ? std::nullopt : std::optional{self.parent().value_or(self.id)},
             .origin_time = self.born_s,
             .destruction_time = {},
             .species = self.species,
@@ -74,6 +76,7 @@ class Phylogeny : public CsvFile<TaxonRow> {
   }
 
   bool bodies_differ_ = false;
+  bool several_parents_ = false;  ///< the ALife standard then allows no ancestor_id
   std::vector<int> tag_at_birth_;
 };
 

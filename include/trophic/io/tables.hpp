@@ -158,7 +158,7 @@ struct SenseRow {
 struct TaxonRow {
   IndividualId id = 0;
   std::string ancestor_list = {};
-  IndividualId ancestor = 0;
+  std::optional<IndividualId> ancestor = {};
   double origin_time = 0.0;
   std::optional<double> destruction_time = {};
   Species species = 0;
@@ -173,25 +173,26 @@ struct TaxonRow {
   std::optional<std::string> modules_text = {};
 
   static constexpr auto columns() {
-    return std::tuple{
-        column("id", &TaxonRow::id, "", "the individual"),
-        column("ancestor_list", &TaxonRow::ancestor_list, "", "[none], or its parents: [7], [7,9]"),
-        column("ancestor_id", &TaxonRow::ancestor, "", "its first parent as a plain number; a root's is its own id"),
-        column("origin_time", &TaxonRow::origin_time, "s", "birth, by the ecology's clock", seconds),
-        column("destruction_time", &TaxonRow::destruction_time, "s", "death; inf for who lives at the end",
-               {.none = "inf", .plain = true}),
-        species_column("species", &TaxonRow::species, "its species"),
-        column("origin", &TaxonRow::origin, "", "whether its genome is labelled random or inherited"),
-        column("body", &TaxonRow::body, "", "the robot body that it lived in"),
-        column("genome_id", &TaxonRow::genome, "", "its genome, which several share where the rules share genomes"),
-        column("mutation_distance", &TaxonRow::mutation_distance, "",
-               "Euclidean, between its weights and its nearest parent's at birth"),
-        column("tag_at_birth", &TaxonRow::tag_at_birth, "", "the tag that it showed first"),
-        column("tag_at_death", &TaxonRow::tag_at_death, "", "the tag that it showed last; empty while it lives"),
-        column("cause_of_death", &TaxonRow::cause_of_death, "", "empty while it lives"),
-        column("killer_id", &TaxonRow::killer, "", "of a death by being caught: the hunter"),
-        column("modules_text", &TaxonRow::modules_text, "", "the plan of its body, as in bodies.csv; only if bodies differ",
-               {.if_any = true})};
+    return std::tuple{column("id", &TaxonRow::id, "", "the individual"),
+                      column("ancestor_list", &TaxonRow::ancestor_list, "", "[none], or its parents: [7], [7,9]"),
+                      column("ancestor_id", &TaxonRow::ancestor, "",
+                             "its parent as a plain number; a root's is its own id; only if no rule Recruitment may name several",
+                             {.if_any = true}),
+                      column("origin_time", &TaxonRow::origin_time, "s", "birth, by the ecology's clock", seconds),
+                      column("destruction_time", &TaxonRow::destruction_time, "s", "death; inf for who lives at the end",
+                             {.none = "inf", .plain = true}),
+                      species_column("species", &TaxonRow::species, "its species"),
+                      column("origin", &TaxonRow::origin, "", "whether its genome is labelled random or inherited"),
+                      column("body", &TaxonRow::body, "", "the robot body that it lived in"),
+                      column("genome_id", &TaxonRow::genome, "", "its genome, which several share where the rules share genomes"),
+                      column("mutation_distance", &TaxonRow::mutation_distance, "",
+                             "by which mutation moved the weights that it inherited, Euclidean; 0 if they were drawn"),
+                      column("tag_at_birth", &TaxonRow::tag_at_birth, "", "the tag that it showed first"),
+                      column("tag_at_death", &TaxonRow::tag_at_death, "", "the tag that it showed last; empty while it lives"),
+                      column("cause_of_death", &TaxonRow::cause_of_death, "", "empty while it lives"),
+                      column("killer_id", &TaxonRow::killer, "", "of a death by being caught: the hunter"),
+                      column("modules_text", &TaxonRow::modules_text, "",
+                             "the plan of its body, as in bodies.csv; only if bodies differ", {.if_any = true})};
   }
 };
 

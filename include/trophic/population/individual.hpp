@@ -60,7 +60,7 @@ struct Individual {
   Origin origin = Origin::random;
   std::vector<IndividualId> parents = {};  ///< none, one or more; the first one is also the `parent_id` of tables
   std::shared_ptr<Genome> genome = {};
-  double mutation_distance = 0.0;  ///< Euclidean distance of its weights at birth from those of the nearest parent before that
+  double mutation_distance = 0.0;  ///< by which mutation moved its inherited weights, Euclidean; 0 if they are drawn
   double energy_J = 0.0;           ///< 0 in a table without a rule Metabolism
 
   double born_s = 0.0;

@@ -22,6 +22,8 @@
 #include <trophic/death/starvation/no_starvation.hpp>
 #include <trophic/energy/metabolism/contract.hpp>
 #include <trophic/energy/metabolism/no_metabolism.hpp>
+#include <trophic/energy/order/contract.hpp>
+#include <trophic/energy/order/together.hpp>
 #include <trophic/energy/resource/contract.hpp>
 #include <trophic/energy/resource/no_resource.hpp>
 #include <trophic/initialization/community/contract.hpp>
@@ -88,7 +90,8 @@
   SLOT(MinimumPredators, minimum_predators, death, MinimumPredators, death::minimum_predators::NoMinimum, false)     \
   SLOT(Senescence, senescence, death, Senescence, death::senescence::NoSenescence, true)                             \
   SLOT(Metabolism, metabolism, energy, Metabolism, energy::metabolism::NoMetabolism, true)                           \
-  SLOT(Resource, resource, energy, Resource, energy::resource::NoResource, false)
+  SLOT(Resource, resource, energy, Resource, energy::resource::NoResource, false)                                    \
+  SLOT(Order, order, energy, Order, energy::order::Together, false)
 
 namespace trophic {
 

@@ -36,7 +36,7 @@ struct Births {
   [[nodiscard]] std::vector<reproduction::Recruit> recruits(const View& view, Rng& rng) const {
     const double of_prey = params.r * std::max(0.0, 1.0 - static_cast<double>(view.count(0)) / params.K);
     std::vector<reproduction::Recruit> births;
-    for (BodyIndex body = 0; view.tick > 0 && body < view.robots.size(); ++body) {
+    for (BodyIndex body = 0; body < view.robots.size(); ++body) {
       const Individual& one = view.robots[body];
       if (!one.lives() || !rng.chance(one.species == 0 ? of_prey : view.hunger_ticks(one) == 0 ? params.e : 0.0)) continue;
       births.push_back({.species = one.species, .parents = {one.as_ancestor()}, .place = view.poses[body]});

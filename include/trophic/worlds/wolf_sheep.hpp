@@ -4,6 +4,7 @@
 
 #include <trophic/control/brain/turns_by_input.hpp>
 #include <trophic/energy/metabolism/fixed_gains.hpp>
+#include <trophic/energy/order/by_turns.hpp>
 #include <trophic/energy/resource/delayed_patches.hpp>
 #include <trophic/perception/sensors/random_turn.hpp>
 #include <trophic/perception/visibility/within_range.hpp>
@@ -55,11 +56,12 @@ static_assert(death::CaptureRule<OnItsPatch>);
 
 }  // namespace wolf_sheep
 
-/// Rules: 100 sheep and 50 wolves on a torus of 51 x 51 patches. A tick: all turn at random and walk one patch, which costs 1;
-/// sheep eat a grown patch, worth 4, which is bare for 30 ticks; a wolf eats a sheep on its patch and gains 20; who has less than
-/// 0 dies; each sheep has an offspring with 4 %, each wolf with 5 %, and halves its energy. The gain of a wolf comes from
-/// outside, whatever its sheep had.   Source: NetLogo's model Wolf Sheep Predation with grass, and its numbers [wilensky1997].
-/// Units: a patch is 1 m, a tick 1 s.   For the backend `torus`.
+/// Rules: 100 sheep and 50 wolves on a torus of 51 x 51 patches. A tick: all turn at random and walk one patch, which costs 1.
+/// Sheep eat a grown patch, worth 4; who has less than 0 dies; each has an offspring with 4 % and halves its energy. Then each
+/// wolf eats a sheep on its patch and gains 20, dies with less than 0, and has an offspring with 5 %. Then patches grow, 30 ticks
+/// after they were eaten. The gain of a wolf comes from outside, whatever its sheep had. `rules.order.acts = together` lets both
+/// species eat, die and reproduce together.   Source: NetLogo's model Wolf Sheep Predation with grass, and its numbers
+/// [wilensky1997]. Units: a patch is 1 m, a tick 1 s.   For the backend `torus`.
 struct WolfSheep final {
   static constexpr std::string_view name = "wolf_sheep";
 
@@ -77,6 +79,7 @@ struct WolfSheep final {
   using Resource = energy::resource::DelayedPatches;
   using Metabolism = rules::by_species<energy::metabolism::FixedGains>;
   using Recruitment = rules::by_species<reproduction::recruitment::ByChance>;
+  using Order = energy::order::ByTurns;
 
   static TableParams<WolfSheep> params() {
     TableParams<WolfSheep> own{.community = {.predators = 50},

@@ -142,8 +142,8 @@ def test_a_run_has_individuals_in_the_order_of_births(tmp_path):
             "id 7: destruction_time = 9: must be >= its origin_time, 10, and <= 40",
         ),
         (
-            {"phylogeny.csv": PHYLOGENY.replace("7,[0],0", "7,[5],0")},
-            "id 7: ancestor_list = [5]: must be [0], as its ancestor_id",
+            {"phylogeny.csv": PHYLOGENY.replace("7,[0],0", '7,"[0,]",0')},
+            "id 7: ancestor_list = [0,]: must be [none] or its parents, as [7,9]",
         ),
         ({"phylogeny.csv": PHYLOGENY + "5,[none],5,10,inf,prey\n"}, "id 5: has two rows"),
     ],

@@ -41,7 +41,7 @@ def write_run(folder, species, with_bodies):
     lives = pandas.DataFrame(
         {
             "id": range(count),
-            "ancestor_id": [max(0, i - 5) for i in range(count)],
+            "ancestor_list": ["[none]"] + [f"[{max(0, i - 5)}]" for i in range(1, count)],
             "origin_time": births,
             "destruction_time": births + 400.0,
             "species": [species[i % len(species)] for i in range(count)],

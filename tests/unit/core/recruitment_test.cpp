@@ -81,7 +81,7 @@ std::string error_of(std::vector<reproduction::Recruit> births, std::size_t spar
   Told::spare = spare;
   return message_of<RuleError>([] {
     Ecology<with_recruitment<rules::Paper, Told>> ecology{{.seed = 1}, backend::Kinematic::Params{}};
-    ecology.run_until(0.0);
+    ecology.run_until(2.0);
   });
 }
 
@@ -176,6 +176,26 @@ TEST_CASE("recruitment: invalid birth -> error that names it") {
   CHECK(error_of({{.species = prey, .parents = {ancestor(1, prey)}}})
             .ends_with("individual 1 as a parent: must have a genome of 15 weights"));
   CHECK(error_of({}, 30).ends_with("spare_bodies = 30: must be < 30, the number of robots"));
+}
+
+TEST_CASE("recruitment: at the tick of the first decisions -> no births, then births") {
+  Told::births = {{.species = prey}};
+  Told::spare = 25;
+  struct FirstBirth {
+    void on_event(const observe::Event& event, const View& view) {
+      if (event.kind == observe::EventKind::birth && event.individual.id >= 5) at_s = std::min(at_s, view.time_s);
+    }
+    double at_s = 1e9;
+  };
+  for (const auto& [first_tick_s, expected_s] : {std::pair{0.0, 2.0}, {6.0, 8.0}, {5.0, 8.0}}) {
+    Ecology<with_recruitment<rules::Paper, Told>>::Params params{.seed = 1};
+    params.ecology.first_tick_s = first_tick_s;
+    params.rules.community.predators = params.rules.minimum_predators.below = 0;
+    Ecology<with_recruitment<rules::Paper, Told>> ecology{params, backend::Kinematic::Params{}};
+    FirstBirth first;
+    ecology.run_until(20.0, first);
+    CHECK(first.at_s == expected_s);
+  }
 }
 
 TEST_CASE("recruitment: table without it -> not named, no spare bodies") {

@@ -236,7 +236,7 @@ TEST_CASE("rules: visit of slots -> each one that is not neutral, once, in order
   std::vector<std::pair<std::string, std::string>> slots;
   for (const auto& rule : rules::slot_rules<rules::Paper>()) slots.emplace_back(rule.slot, rule.policy);
   REQUIRE(slots.size() == 19);
-  CHECK(rules::slot_names.size() == 30);  // Paper leaves out those of bodies and gaits, recruitment and senescence
+  CHECK(rules::slot_names.size() == 31);  // Paper leaves out those of bodies and gaits, recruitment and senescence
   CHECK(slots.front() == std::pair<std::string, std::string>{"community", "predator_prey"});
   CHECK(slots.back() == std::pair<std::string, std::string>{"minimum_predators", "sacrifice_random_victim"});
   for (std::size_t i = 0; i < slots.size(); ++i) {

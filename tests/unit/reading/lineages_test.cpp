@@ -13,9 +13,9 @@ using test::message_of;
 
 namespace {
 
-const std::string lineage_header =
-    "id,ancestor_list,ancestor_id,origin_time,destruction_time,species,origin,body,genome_id,mutation_distance,tag_at_birth,"
-    "tag_at_death,cause_of_death,killer_id\n";
+const std::string further_columns =
+    "origin_time,destruction_time,species,origin,body,genome_id,mutation_distance,tag_at_birth,tag_at_death,cause_of_death,"
+    "killer_id\n";
 
 }  // namespace
 
@@ -23,20 +23,25 @@ TEST_CASE("lineages: a row of phylogeny.csv that no run writes -> error that nam
   struct Case {
     const char* row;
     const char* what;
+    const char* first_columns = "id,ancestor_list,ancestor_id,";
   };
   for (const Case& one :
        {Case{"7,[0],0,-1,inf,prey,inherited,2,7,0.5,1,,,", "id 7: origin_time = -1: must be >= 0 and <= 30, the run's end"},
         Case{"7,[0],0,31,inf,prey,inherited,2,7,0.5,1,,,", "id 7: origin_time = 31: must be >= 0 and <= 30, the run's end"},
         Case{"7,[0],0,10,9,prey,inherited,2,7,0.5,1,,,", "id 7: destruction_time = 9: must be >= its origin_time, 10, and <= 30"},
         Case{"7,[0],0,10,31,prey,inherited,2,7,0.5,1,,,", "id 7: destruction_time = 31: must be >= its origin_time, 10"},
-        Case{"7,[5],0,10,inf,prey,inherited,2,7,0.5,1,,,", "id 7: ancestor_list = [5]: must be [0], as its ancestor_id"}}) {
+        Case{"7,[5],0,10,inf,prey,inherited,2,7,0.5,1,,,", "id 7: ancestor_list = [5]: must be [0], as its ancestor_id"},
+        Case{"7,\"[0,5]\",0,10,inf,prey,inherited,2,7,0.5,1,,,", "id 7: ancestor_list = [0,5]: must be [0], as its ancestor_id"},
+        Case{"7,\"[0,]\",10,inf,prey,inherited,2,7,0.5,1,,,",
+             "id 7: ancestor_list = [0,]: must be [none] or its parents, as [7,9]", "id,ancestor_list,"},
+        Case{"7,\"[0,5]\",10,9,prey,inherited,2,7,0.5,1,,,", "id 7: destruction_time = 9: must be", "id,ancestor_list,"}}) {
     CAPTURE(one.row);
     const test::TemporaryFolder folder;
     RunManifest run;
     run.folder = folder.path();
     run.reached_s = 30.0;
     run.web = FoodWeb{{"prey", "predator"}, {{.hunter = 1, .victim = 0}}};
-    std::ofstream{folder.path() / "phylogeny.csv"} << lineage_header << one.row << "\n";
+    std::ofstream{folder.path() / "phylogeny.csv"} << one.first_columns << further_columns << one.row << "\n";
     const auto check = [&](const io::TaxonRow& row) { check_taxon(row, run); };
     const std::string error = message_of<std::invalid_argument>([&] { for_each_row<io::TaxonRow>(run, "phylogeny.csv", check); });
     CHECK(error.find((folder.path() / "phylogeny.csv").string() + ": " + one.what) == 0);

@@ -30,13 +30,6 @@ TEST_CASE(
   }
 }
 
-TEST_CASE("by chance: at the start -> no births") {
-  HandPopulation robots{{{}, {}}};
-  Rng rng{1, Stream::user};
-  CHECK(ByChance{{.chance = 1.0}}.recruits(robots.view(), rng).empty());
-  CHECK(ByChance{{.chance = 1.0}}.recruits(robots.at_tick(1).view(), rng).size() == 2);
-}
-
 TEST_CASE("by chance: by species -> each species' own births, spare bodies summed") {
   using Rule = rules::by_species<ByChance, initialization::community::PredatorPrey>;
   Rule::Params params;

@@ -91,9 +91,17 @@ class Run:
 
     def to_newick(self) -> str:
         """Returns the phylogeny in Newick format for ape and ggtree, one tree a line for each founder or random newcomer. Branch lengths are
-        times between births in seconds; a terminal branch ends with the individual's death, or with the run.
+        times between births in seconds; a terminal branch ends with the individual's death, or with the run. Raises RunError if an individual has
+        several parents, which Newick cannot have.
         """
-        return _newick(self.phylogeny)
+        tree = self.phylogeny
+        several = tree[tree.ancestor_list.str.contains(",")]
+        if not several.empty:
+            raise RunError(
+                f"{self.path / 'phylogeny.csv'}: id {several.id.iloc[0]}: ancestor_list = {several.ancestor_list.iloc[0]}: must be one parent at most: "
+                "Newick has no second parent"
+            )
+        return _newick(tree)
 
     def show(self, out: str | os.PathLike | None = None):
         """Makes a page of the run (`trophic show`), which a notebook displays; `out` is a new file for it."""
@@ -573,17 +581,22 @@ def _categorised(frame: pandas.DataFrame, categories: bool) -> pandas.DataFrame:
     return frame.astype({column: "category" for column in frame.columns if column in _CATEGORIES})
 
 
+def first_parents(tree: pandas.DataFrame) -> pandas.Series:
+    """Of each individual of a phylogeny.csv, by its ancestor_list; <NA> without a parent."""
+    return tree.ancestor_list.str.extract(r"\[(\d+)", expand=False).astype("Int64")
+
+
 def _newick(tree: pandas.DataFrame) -> str:
     """Each individual is a node at its birth; below it its offspring in order of birth and the end of its own life, a leaf."""
     born = dict(zip(tree.id, tree.origin_time))
     ends = tree.destruction_time.replace(float("inf"), float("nan"))
     last_s = max(ends.max() if ends.notna().any() else 0.0, tree.origin_time.max())
     died = dict(zip(tree.id, ends.fillna(last_s)))
-    parents = dict(zip(tree.id, tree.ancestor_id))
+    parents = dict(zip(tree.id, first_parents(tree)))
     children: dict = {}
     roots = []
-    for child, parent in zip(tree.id, tree.ancestor_id):
-        if pandas.isna(parent) or parent == child or parent not in born:
+    for child, parent in parents.items():
+        if parent not in born:
             roots.append(child)
         else:
             children.setdefault(parent, []).append(child)

@@ -64,7 +64,7 @@ export class Inspector {
     } else {
       rows.push(["now", time < one.birth ? "not yet born" : "dead"]);
     }
-    if (!Number.isNaN(one.mutation) && one.parents.length > 0) rows.push(["mutation", `${fixed(one.mutation, 3)} from ${one.parents.length > 1 ? "the nearer" : "its"} parent's genome`]);
+    if (!Number.isNaN(one.mutation) && one.parents.length > 0) rows.push(["mutation", `${fixed(one.mutation, 3)} from the weights that it inherited`]);
     const name = run.index.species[one.species] ?? "?";
     this.element.innerHTML =
       `<h2><i style="background:${colourOf(one.species)}"></i>${plain(name)} ${id}</h2><dl>` +

@@ -28,7 +28,8 @@ struct BrainShape {
 };
 
 /// A brain whose number of genes may change. `first(inputs, outputs, rng)`: returns the genes of an individual without a parent,
-/// with any weights. `weights_of(genes)`: returns those genes that are weights, which InitialGenome draws and Mutation changes.
+/// with any weights. `weights_of(genes)`: returns those genes that are weights, which InitialGenome draws and Mutation changes;
+/// all others are the structure, which parents must share for a crossover to mix them.
 /// `mutate_structure(genes, inputs, outputs, rng)`: changes the structure of an inherited genome after Mutation. `fits(genes,
 /// inputs, outputs)`: returns whether the brain takes these genes. Optional: `double distance(std::span<const double> a,
 /// std::span<const double> b) const`, for mutation_distance; without it missing genes count as 0.
@@ -102,6 +103,21 @@ template <class P>
 [[nodiscard]] std::span<double> weights_of([[maybe_unused]] const P& policy, std::span<double> genes) {
   if constexpr (GrowingBrain<P>) return policy.weights_of(genes);
   return genes;
+}
+
+/// The indices of those genes that are no weights.
+template <class P>
+[[nodiscard]] std::vector<std::size_t> weight_structure([[maybe_unused]] const P& policy,
+                                                        [[maybe_unused]] std::vector<double> genes) {
+  std::vector<std::size_t> indices;
+  if constexpr (GrowingBrain<P>) {
+    const std::span<const double> weights = policy.weights_of(genes);
+    for (std::size_t gene = 0; gene < genes.size(); ++gene) {
+      const double* const at = &genes[gene];
+      if (std::less<>{}(at, weights.data()) || !std::less<>{}(at, weights.data() + weights.size())) indices.push_back(gene);
+    }
+  }
+  return indices;
 }
 
 template <class P>

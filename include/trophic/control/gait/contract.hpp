@@ -24,12 +24,20 @@ concept GaitRule = requires(const P policy, std::span<const double> genes, const
 
 /// A gait with genes of its own, the genome's part `gait`. `draw(robot, habitat, rng)`: returns those of an individual without a
 /// parent, at least one. `mutate(genes, offspring, rng)`: changes inherited genes in place, also their number; the body may have
-/// changed, so `express` takes the genes for any robot.
+/// changed, so `express` takes the genes for any robot. Optional: `std::vector<std::size_t> structure(std::span<const double>
+/// genes) const` returns the indices of those genes that are structure, such as the links of a network, which parents must share
+/// for a crossover to mix the others; without it all genes are values.
 template <class P>
 concept InheritedGait = GaitRule<P> && requires(const P policy, const RobotModel& robot, const Habitat& habitat,
                                                 std::vector<double>& genes, const Individual& offspring, Rng& rng) {
   { policy.draw(robot, habitat, rng) } -> std::same_as<std::vector<double>>;
   { policy.mutate(genes, offspring, rng) } -> std::same_as<void>;
+};
+
+/// An inherited gait with genes that are structure.
+template <class P>
+concept StructuredGait = InheritedGait<P> && requires(const P policy, std::span<const double> genes) {
+  { policy.structure(genes) } -> std::same_as<std::vector<std::size_t>>;
 };
 
 /// An inherited gait that newborns improve before birth. `learn(genes, robot, habitat, newborn, nursery, rng)`: changes the genes
@@ -47,6 +55,14 @@ namespace ask {
 template <class P>
 [[nodiscard]] std::vector<std::string> gaits([[maybe_unused]] const P& policy) {
   if constexpr (requires { policy.gaits(); }) return policy.gaits();
+  return {};
+}
+
+/// The indices of those genes that are structure.
+template <class P>
+[[nodiscard]] std::vector<std::size_t> gait_structure([[maybe_unused]] const P& policy,
+                                                      [[maybe_unused]] std::span<const double> genes) {
+  if constexpr (StructuredGait<P>) return policy.structure(genes);
   return {};
 }
 

@@ -65,6 +65,15 @@ struct InheritedCppn {
     genes = network.genes();
   }
 
+  /// All but the weights of the links.
+  [[nodiscard]] std::vector<std::size_t> structure(std::span<const double> genes) const {
+    const std::size_t first_link = 1 + Cppn::of(genes).hidden.size();
+    std::vector<std::size_t> indices;
+    for (std::size_t gene = 0; gene < genes.size(); ++gene)
+      if (gene < first_link || (gene - first_link) % 3 != 2) indices.push_back(gene);
+    return indices;
+  }
+
   [[nodiscard]] Gait express(std::span<const double> genes, const RobotModel& robot, const Habitat& habitat) const {
     Gait gait = Cppn::of(genes).gait_of(robot);
     gait.name = gait.provenance = "inherited";

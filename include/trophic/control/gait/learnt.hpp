@@ -73,6 +73,16 @@ struct Learnt {
     genes = joined(inherited, best);
   }
 
+  /// The number of inherited genes, and the structure of both gaits.
+  [[nodiscard]] std::vector<std::size_t> structure(std::span<const double> genes) const {
+    std::vector<std::size_t> indices{0};
+    for (const std::span<const double> part : {inherited_in(genes), learnt_in(genes)}) {
+      const auto first = static_cast<std::size_t>(part.data() - genes.data());
+      for (const std::size_t gene : ask::gait_structure(rule(), part)) indices.push_back(first + gene);
+    }
+    return indices;
+  }
+
   [[nodiscard]] Gait express(std::span<const double> genes, const RobotModel& robot, const Habitat& habitat) const {
     return rule().express(learnt_in(genes), robot, habitat);
   }

@@ -32,7 +32,9 @@ concept TakesDeaths = requires(const P policy, ResourceField& field, const Vacan
 /// rule Metabolism. Checkpoints hold it.
 ///
 /// - `start(arena, rng)`: returns the field at the start
-/// - `grow(field, view, rng)`: changes it once a tick, after the robots have moved and before they bite
+/// - `grow(field, view, rng)`: changes it once a tick, after the robots have moved and before they bite; by the rule Order in
+/// turn
+///   after all acts
 /// Optional hooks, at their moments in a tick:
 /// - `void on_bite(ResourceField&, std::size_t cell, double taken_J, BodyIndex self, const View&) const`; may change that cell
 ///   only

@@ -23,12 +23,19 @@ concept BodyPlan = requires(const P policy, std::span<const double> genes, Speci
 
 /// A body with genes of its own, the genome's part `body`. `draw(species, habitat, rng)`: returns those of an individual without
 /// a parent, at least one. `mutate(genes, offspring, habitat, rng)`: changes inherited genes in place, also their number. Both
-/// are repeated if the result cannot be built or the rule Viability refuses it.
+/// are repeated if the result cannot be built or the rule Viability refuses it. A policy whose genes are those of
+/// habitat/body/plan.hpp declares `static constexpr bool genes_are_modules = true;`: a crossover then mixes bodies by subtrees.
 template <class P>
 concept InheritedBody = BodyPlan<P> && requires(const P policy, Species species, const Habitat& habitat,
                                                 std::vector<double>& genes, const Individual& offspring, Rng& rng) {
   { policy.draw(species, habitat, rng) } -> std::same_as<std::vector<double>>;
   { policy.mutate(genes, offspring, habitat, rng) } -> std::same_as<void>;
+};
+
+/// Whether the genes of a body are a plan of modules.
+template <class P>
+inline constexpr bool genes_are_modules = requires {
+  requires P::genes_are_modules;
 };
 
 namespace ask {

@@ -18,6 +18,7 @@ namespace trophic::reproduction::body_plan {
 struct InheritedModules {
   static constexpr std::string_view name = "inherited_modules";
   static constexpr std::string_view source = "not in the paper; operators of [sims1994]";
+  static constexpr bool genes_are_modules = true;
 
   struct Params {
     std::size_t first_modules = 0;

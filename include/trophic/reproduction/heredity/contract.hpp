@@ -8,10 +8,18 @@
 
 #define TROPHIC_SENTENCE_Heredity                                                                                       \
   "std::shared_ptr<Genome> inherit(const std::shared_ptr<Genome>& parent) const, or inherit(std::span<const Ancestor> " \
-  "parents, Rng&) const, or with std::span<const std::size_t> neurons before Rng&; see "                                \
-  "trophic/reproduction/heredity/contract.hpp"
+  "parents, Rng&) const, or with const GenomeStructure& after Rng&; see trophic/reproduction/heredity/contract.hpp"
 
 namespace trophic::reproduction {
+
+/// What the policies of its parts say of a genome: the indices of its numbers that are structure, such as the links of a network
+/// that grows. All other numbers are values, traits always. Genomes of equal structure have equal numbers there.
+struct GenomeStructure {
+  std::vector<std::size_t> weights = {};     ///< by the rule Brain: all but `weights_of`
+  std::vector<std::size_t> gait_genes = {};  ///< by the rule Gait: `structure`
+  bool has_modules = false;                  ///< by the rule BodyPlan: `genes_are_modules`
+  std::vector<std::size_t> neurons = {};     ///< the neuron that each weight enters (NamesNeurons in control/brain/contract.hpp)
+};
 
 /// A heredity of all parents, one or more.
 template <class P>
@@ -19,29 +27,34 @@ concept HeredityOfAll = requires(const P policy, std::span<const Ancestor> paren
   { policy.inherit(parents, rng) } -> std::same_as<std::shared_ptr<Genome>>;
 };
 
-/// A heredity of all parents that also gets the neuron that each weight of their brains enters.
+/// A heredity of all parents that also gets the structure of the first one's genome.
 template <class P>
-concept HeredityByNeuron = requires(const P policy, std::span<const Ancestor> parents, std::span<const std::size_t> neurons,
-                                    Rng& rng) {
-  { policy.inherit(parents, neurons, rng) } -> std::same_as<std::shared_ptr<Genome>>;
+concept HeredityByStructure = requires(const P policy, std::span<const Ancestor> parents, Rng& rng,
+                                       const GenomeStructure& structure) {
+  { policy.inherit(parents, rng, structure) } -> std::same_as<std::shared_ptr<Genome>>;
+};
+
+/// A heredity for brains that name the neurons of their weights: `static constexpr bool mixes_neurons = true;`.
+template <class P>
+concept MixesNeurons = HeredityByStructure<P> && requires {
+  requires P::mixes_neurons;
 };
 
 /// `inherit(parent)`: returns the offspring's genome before mutation: the parent's own object or a new one. Null: no genome is
 /// passed on; the offspring's is drawn like one without a parent and does not mutate. It gets the first of several parents.
-/// `inherit(parents, rng)` gets all; `inherit(parents, neurons, rng)` also the neurons of weights (NamesNeurons in
-/// control/brain/contract.hpp).
+/// `inherit(parents, rng)` gets all; `inherit(parents, rng, structure)` also the structure of the first one's genome.
 template <class P>
-concept Heredity = HeredityOfAll<P> || HeredityByNeuron<P> || requires(const P policy, const std::shared_ptr<Genome>& parent) {
+concept Heredity = HeredityOfAll<P> || HeredityByStructure<P> || requires(const P policy, const std::shared_ptr<Genome>& parent) {
   { policy.inherit(parent) } -> std::same_as<std::shared_ptr<Genome>>;
 };
 
 namespace ask {
 
 template <class P>
-[[nodiscard]] std::shared_ptr<Genome> inherit(const P& policy, std::span<const Ancestor> parents,
-                                              [[maybe_unused]] std::span<const std::size_t> neurons, [[maybe_unused]] Rng& rng) {
-  if constexpr (HeredityByNeuron<P>) {
-    return policy.inherit(parents, neurons, rng);
+[[nodiscard]] std::shared_ptr<Genome> inherit(const P& policy, std::span<const Ancestor> parents, [[maybe_unused]] Rng& rng,
+                                              [[maybe_unused]] const GenomeStructure& structure) {
+  if constexpr (HeredityByStructure<P>) {
+    return policy.inherit(parents, rng, structure);
   } else if constexpr (HeredityOfAll<P>) {
     return policy.inherit(parents, rng);
   } else {

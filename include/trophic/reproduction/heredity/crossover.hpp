@@ -8,28 +8,30 @@
 namespace trophic::reproduction::heredity {
 
 /// Rule: one parent, at random, is the pattern of the offspring; parts are then mixed:
-/// - weights, gait and traits: each number is that of one of the parents, at random (uniform crossover [syswerda1989]). A part in
-///   which parents differ in length or in a whole number, as the structures of brains and networks that grow do, is the
-///   pattern's.
-/// - bodies: the subtree at a face that the pattern and another parent have is that parent's [sims1994]; the pattern's own body
-///   if modules would overlap or genes are not those of InheritedModules.
+/// - weights, gait and traits: each number is that of one of the parents, at random (uniform crossover [syswerda1989]), if the
+///   part's structure is equal in all of them, as its policy says (GenomeStructure). Otherwise the part is the pattern's.
+/// - bodies of modules: the subtree at a face that the pattern and another parent have is that parent's [sims1994]; the pattern's
+///   own body if modules would overlap. Other bodies are the pattern's.
 /// The offspring of one parent has a copy.   Reads: parents' genomes.   Random draws: with several parents one for the pattern,
-/// one for each number, two for bodies.
+/// one for each number of a part that is mixed, two for bodies of modules.
 struct Crossover {
   static constexpr std::string_view name = "crossover";
   static constexpr std::string_view source = "not in the paper; [syswerda1989]";
 
-  [[nodiscard]] std::shared_ptr<Genome> inherit(std::span<const Ancestor> parents, Rng& rng) const {
+  [[nodiscard]] std::shared_ptr<Genome> inherit(std::span<const Ancestor> parents, Rng& rng,
+                                                const GenomeStructure& structure = {}) const {
     const Genome& pattern = *parents[parents.size() == 1 ? 0 : rng.index(parents.size())].genome;
     auto child = std::make_shared<Genome>(pattern);
     if (parents.size() == 1) return child;
-    for (const auto part : {&Genome::weights, &Genome::gait_genes, &Genome::traits}) cross(parents, part, *child, rng);
-    if (pattern.body_genes.empty()) return child;
+    cross(parents, &Genome::weights, structure.weights, *child, rng);
+    cross(parents, &Genome::gait_genes, structure.gait_genes, *child, rng);
+    cross(parents, &Genome::traits, {}, *child, rng);
+    if (!structure.has_modules || pattern.body_genes.empty()) return child;
     const Genome& other = *parents[rng.index(parents.size())].genome;
     try {
       child->body_genes = body::genes_of(crossed(body::tree_of(pattern.body_genes), body::tree_of(other.body_genes), rng));
     } catch (const std::invalid_argument&) {
-      return child;  // modules overlap, or genes of a body in another encoding
+      return child;  // modules overlap
     }
     return child;
   }
@@ -62,17 +64,16 @@ struct Crossover {
     copy(copy, tree, 0, 0);
     return result;
   }
-  static void cross(std::span<const Ancestor> parents, std::vector<double> Genome::*part, Genome& child, Rng& rng) {
+  static void cross(std::span<const Ancestor> parents, std::vector<double> Genome::*part, std::span<const std::size_t> structure,
+                    Genome& child, Rng& rng) {
     std::vector<double>& genes = child.*part;
     for (const Ancestor& parent : parents) {
-      const bool is_alike = std::ranges::equal((*parent.genome).*part, genes, [](double one, double other) {
-        return one == other || (one != std::floor(one) && other != std::floor(other));
-      });
-      if (!is_alike) return;
+      const std::vector<double>& own = (*parent.genome).*part;
+      const auto is_alike = [&](std::size_t gene) { return own.at(gene) == genes.at(gene); };
+      if (own.size() != genes.size() || !std::ranges::all_of(structure, is_alike)) return;
     }
-    for (std::size_t gene = 0; gene < genes.size(); ++gene) {
+    for (std::size_t gene = 0; gene < genes.size(); ++gene)
       genes[gene] = ((*parents[rng.index(parents.size())].genome).*part)[gene];
-    }
   }
 };
 static_assert(Heredity<Crossover>);

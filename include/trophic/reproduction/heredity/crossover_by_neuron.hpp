@@ -15,9 +15,12 @@ struct CrossoverByNeuron {
   static constexpr std::string_view name = "crossover_by_neuron";
   static constexpr std::string_view source = "not in the paper; [montana1989]";
 
-  [[nodiscard]] std::shared_ptr<Genome> inherit(std::span<const Ancestor> parents, std::span<const std::size_t> neurons,
-                                                Rng& rng) const {
-    auto child = Crossover{}.inherit(parents, rng);
+  static constexpr bool mixes_neurons = true;
+
+  [[nodiscard]] std::shared_ptr<Genome> inherit(std::span<const Ancestor> parents, Rng& rng,
+                                                const GenomeStructure& structure) const {
+    auto child = Crossover{}.inherit(parents, rng, structure);
+    const std::span neurons{structure.neurons};
     const auto has_all = [&](const Ancestor& parent) { return parent.genome->weights.size() == neurons.size(); };
     if (parents.size() == 1 || neurons.empty() || !std::ranges::all_of(parents, has_all)) return child;
     std::vector<const Genome*> from(std::ranges::max(neurons) + 1);

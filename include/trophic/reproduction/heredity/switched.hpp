@@ -23,13 +23,11 @@ struct Switched {
   };
   Params params;
 
-  [[nodiscard]] std::shared_ptr<Genome> inherit(std::span<const Ancestor> parents, Rng& rng) const
-      requires(!HeredityByNeuron<Rule>) {
-    return params.inherited ? ask::inherit(Rule{}, parents, {}, rng) : nullptr;
-  }
-  [[nodiscard]] std::shared_ptr<Genome> inherit(std::span<const Ancestor> parents, std::span<const std::size_t> neurons,
-                                                Rng& rng) const requires HeredityByNeuron<Rule> {
-    return params.inherited ? ask::inherit(Rule{}, parents, neurons, rng) : nullptr;
+  static constexpr bool mixes_neurons = MixesNeurons<Rule>;
+
+  [[nodiscard]] std::shared_ptr<Genome> inherit(std::span<const Ancestor> parents, Rng& rng,
+                                                const GenomeStructure& structure) const {
+    return params.inherited ? ask::inherit(Rule{}, parents, rng, structure) : nullptr;
   }
 };
 

@@ -33,7 +33,7 @@ struct ByChance {
   [[nodiscard]] bool leaves_spare(const Vacancy&, const View&) const { return true; }
   [[nodiscard]] std::vector<Recruit> recruits(const View& view, Rng& rng) const {
     std::vector<BodyIndex> parents;
-    for (BodyIndex body = 0; view.tick > 0 && body < view.robots.size(); ++body) {
+    for (BodyIndex body = 0; body < view.robots.size(); ++body) {
       if (view.robots[body].lives()) parents.push_back(body);
     }
     std::ranges::sort(parents, {}, [&](BodyIndex body) { return view.robots[body].id; });

@@ -26,10 +26,10 @@ struct Recruit {
 ///
 /// `spare_bodies()`: returns how many bodies start without an individual, fewer than the robots; they are the last ones.
 /// `leaves_spare(vacancy, view)`: returns whether the body of a dying individual stays without one; otherwise the Parent rule
-/// replaces it at once. `recruits(view, rng)`: returns the births of this tick, after all deaths. A birth for which no body or no
-/// room is free, or whose parents have too little energy left, does not take place; it is counted (View::refused_births).
-/// GenomeSource is not applied to births: their parents are those that this rule names. If policies differ by species, spare
-/// bodies are summed.
+/// replaces it at once. `recruits(view, rng)`: returns the births of this tick, after all deaths, or a species' after its own
+/// (Order); it is first asked at the tick after that of the first decisions. A birth for which no body or no room is free, or
+/// whose parents have too little energy left, does not take place; it is counted (View::refused_births). GenomeSource is not
+/// applied to births: their parents are those that this rule names. If policies differ by species, spare bodies are summed.
 template <class P>
 concept Recruitment = requires(const P policy, const Vacancy& vacancy, const View& view) {
   { policy.spare_bodies() } -> std::same_as<std::size_t>;

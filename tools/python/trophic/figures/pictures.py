@@ -14,6 +14,7 @@ from matplotlib.colors import PowerNorm
 
 from ..errors import ProgramError
 from ..programs import find_program
+from ..runs import first_parents
 from .style import Missing, caption, colour, legend_above, line, width_in
 
 MOST_ROWS = 150
@@ -22,12 +23,12 @@ MOST_ROWS = 150
 def families(tree):
     """The individuals of each root's family, in drawing order; families by their root's birth."""
     children = {}
-    for child, parent in tree.ancestor_id.items():
-        if parent != child and parent in tree.index:
+    for child, parent in tree.parent.items():
+        if parent in tree.index:
             children.setdefault(parent, []).append(child)
     found = []
     for root in tree.index:
-        if tree.ancestor_id[root] != root and tree.ancestor_id[root] in tree.index:
+        if tree.parent[root] in tree.index:
             continue
         family, waiting = [], [root]
         while waiting:
@@ -52,10 +53,11 @@ def chosen_families(found):
 
 def phylogeny(data):
     folder = data.folders[data.run]
-    tree = data.table(folder, "phylogeny.csv", ["id", "ancestor_id", "origin_time", "destruction_time", "species"])
+    tree = data.table(folder, "phylogeny.csv", ["id", "ancestor_list", "origin_time", "destruction_time", "species"])
     if tree.empty:
         raise Missing(f"{folder / 'phylogeny.csv'}: no robot in it")
-    tree = tree.sort_values("origin_time", kind="stable").set_index("id")
+    has_couples = tree.ancestor_list.str.contains(",").any()
+    tree = tree.assign(parent=first_parents(tree)).sort_values("origin_time", kind="stable").set_index("id")
     end_s = max(tree.destruction_time.replace(np.inf, 0).max(), tree.origin_time.max())
     found, children = families(tree)
     chosen = chosen_families(found)
@@ -116,7 +118,7 @@ def phylogeny(data):
     return caption(
         fig,
         f"{folder.name}: the {len(chosen)} largest of {len(found)} families, {len(rows)} of {len(tree)} individuals. Black: from "
-        f"parent to offspring, at the birth (dotted: the parent is dead); arrow: alive at the end.{rest}",
+        f"{'the first ' if has_couples else ''}parent to offspring, at the birth (dotted: the parent is dead); arrow: alive at the end.{rest}",
     )
 
 

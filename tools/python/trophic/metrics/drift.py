@@ -81,9 +81,7 @@ def read_descent(run: PooledRun) -> Descent:
     """Reads phylogeny.csv and genomes.csv. Raises RunError as `check`, and for a table that is cut, was changed since the run, or lacks a genome or a
     parent."""
     check(run)
-    table = _whole(
-        run, "phylogeny.csv", ["id", "ancestor_list", "ancestor_id", "origin_time", "destruction_time", "species"]
-    )
+    table = _whole(run, "phylogeny.csv", ["id", "ancestor_list", "origin_time", "destruction_time", "species"])
     path, end_s = run.path / "phylogeny.csv", run.reached_s or 0.0
     try:
         table = table.assign(
@@ -100,7 +98,7 @@ def read_descent(run: PooledRun) -> Descent:
     def refuse(one: int, what: str) -> None:
         raise RunError(f"{path}: id {one}: {what}")
 
-    for place, (one, text, first, born_s, died_s, species) in enumerate(
+    for place, (one, text, born_s, died_s, species) in enumerate(
         zip(*(table[name].tolist() for name in table.columns))
     ):
         if not 0.0 <= born_s <= end_s + _ROUNDING_S:
@@ -112,9 +110,8 @@ def read_descent(run: PooledRun) -> Descent:
             )
         if species not in run.web.species:
             refuse(one, f'species = "{species}": must be a species of the run\'s manifest')
-        begin = "[none" if first == str(one) else f"[{first}"
-        if not (text == f"{begin}]" or (begin != "[none" and re.fullmatch(rf"{re.escape(begin)}(,\d+)+\]", text))):
-            refuse(one, f"ancestor_list = {text}: must be {begin}], as its ancestor_id")
+        if not re.fullmatch(r"\[(none|\d+(,\d+)*)\]", text):
+            refuse(one, f"ancestor_list = {text}: must be [none] or its parents, as [7,9]")
         named = [] if text == "[none]" else [int(word) for word in re.findall(r"\d+", text)]
         if unknown := [other for other in named if other not in places]:
             refuse(one, f"its parent {unknown[0]} is not among those born before it")
