@@ -881,7 +881,7 @@ def draw_worlds(rows, runs, end_s, path):
                 row for row in rows if (row["set"], row["family"], row["species"]) == (world, "behaviour", species)
             )
             middle, low, high = (
-                100.0 * float(row[name]) for name in ("difference", "together_lower", "together_upper")
+                100.0 * float(row[name] or "nan") for name in ("difference", "together_lower", "together_upper")
             )
             ax.errorbar(middle, -number, xerr=[[middle - low], [high - middle]], fmt="o", color=color, capsize=3)
     axes[0].set(xlabel="time [s]", ylabel="share of runs with both species", ylim=(0, 1.03))

@@ -84,7 +84,9 @@ def test_a_table_shows_the_intervals_that_hold_for_the_whole_family():
     row = next(
         row for row in rows if (row["set"], row["family"], row["species"]) == (ponds.BY_AGE, "behaviour", "prey")
     )
-    cell = f"{100 * float(row['difference']):+.3g} [{100 * float(row['together_lower']):+.3g}, {100 * float(row['together_upper']):+.3g}]"
+    cell = "{:+.2f} [{:+.2f}, {:+.2f}]".format(
+        *(100 * float(row[name]) for name in ("difference", "together_lower", "together_upper"))
+    )
     assert cell in pages.worlds(rows)
 
 

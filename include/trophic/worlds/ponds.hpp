@@ -59,7 +59,7 @@ static_assert(reproduction::Recruitment<AtEnergyAfterEscapes>);
 /// it, ages.   Random draws: 0.
 struct AwayFromHuntersAtAge {
   static constexpr std::string_view name = "away_from_hunters_at_age";
-  static constexpr std::string_view source = "not in the literature as such";
+  static constexpr std::string_view source = "not in the paper";
 
   struct Params {
     double distance_m = Pond::params().activation.distance_m;
