@@ -3,6 +3,7 @@
 #pragma once
 
 #include <trophic/backend/backend_choice.hpp>
+#include <trophic/ecology/births.hpp>
 #include <trophic/ecology/body_genes.hpp>
 #include <trophic/ecology/brain_genes.hpp>
 #include <trophic/ecology/economy.hpp>
