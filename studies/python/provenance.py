@@ -25,8 +25,9 @@ def facts(folder):
     """Of each run under a folder: its revision, engine, rule table, seed and null, from its manifest, and its master seed."""
     found, folder = [], pathlib.Path(folder)
     for path in sorted(folder.rglob("manifest.json")):
-        manifest = json.loads(path.read_text())
-        parts = path.relative_to(folder).parts
+        manifest, parts = json.loads(path.read_text()), path.relative_to(folder).parts
+        if "contests" in parts or "rule_table" not in manifest:
+            continue  # not a run of an ecology
         null = next((null for null in NULLS for part in parts if part == null or part.startswith(f"{null}_")), "")
         found.append(
             {
