@@ -20,7 +20,7 @@ from typing import Any
 import pandas
 
 from . import metrics, runs
-from .description import changes_of, describe
+from .description import changes_of, describe, lived_s
 from .errors import RunError
 from .metrics import Measuring, Web, bodies, own, walls
 from .runs import Run
@@ -86,9 +86,9 @@ class PooledRun(Run):
 
     @property
     def lived_s(self) -> float:
-        """How much of `until_s` the run lived: less if it ended early, by ecology.ends_when or a signal. No rate, window or half of a metric goes
+        """How much of `until_s` the run lived: less if it ended early, by ecology.ends_when, a signal or a kill. No rate, window or half of a metric goes
         beyond it."""
-        return self.until_s if self.end_s is None else min(self.until_s, self.end_s)
+        return min(self.until_s, lived_s(self))
 
     @property
     def begins(self) -> str:
@@ -154,7 +154,8 @@ def read_set(
     name that is taken, and a choice that names no metric; and for a run that cannot be read.
     """
     how = how or Measuring()
-    (pooled, remarks), nulls = pooled_sets(paths, shadow, how)
+    folders = [pathlib.Path(path) for path in paths]
+    (pooled, remarks), nulls = pooled_sets(folders, shadow, how)
     every = [*pooled, *(run for its_runs, _ in nulls.values() for run in its_runs)]
     shipped = metrics.names(pooled[0], how)
     inherited = metrics.inherited(shipped, how)
@@ -183,12 +184,15 @@ def read_set(
         )
 
     found = measured(pooled, remarks)
-    found.inherited = inherited
+    found.inherited, found.planned = inherited, sum(map(planned_in, folders))
     for name, (its_runs, its_remarks) in nulls.items():
         if name.startswith(ONE_SIDED):
             found.one_sided[name.removeprefix(f"{ONE_SIDED}_")] = measured(its_runs, its_remarks)
         else:
             setattr(found, name, measured(its_runs, its_remarks))
+    for name, each in found.nulls.items():
+        is_named = name == SHADOW and shadow is not None
+        each.planned = sum(map(planned_in, [pathlib.Path(shadow)] if is_named else null_folders(folders, name)))  # type: ignore[arg-type]
     for each in (found, *found.nulls.values()):
         each.label = describe(found).label
     return found
@@ -285,7 +289,9 @@ def pooled_runs(paths: Iterable[pathlib.Path], how: Measuring) -> tuple[list[Poo
             f"all runs begin {found[0].begins}: they share that past, so that intervals are over its futures, not over runs"
         )
     found = [run if how.until_s is None else _cut(run, how.until_s) for run in found]
-    if early := sorted(run.lived_s for run in found if run.lived_s < run.until_s and "ended" in run.manifest["result"]):
+    if early := sorted(
+        run.lived_s for run in found if run.lived_s < run.until_s and "ended" in run.manifest.get("result", {})
+    ):
         between = number_text(early[0]) + (f" to {number_text(early[-1])}" if early[-1] > early[0] else "")
         remarks.append(
             f"{len(early)} of {len(found)} runs ended early, by ecology.ends_when, after {between} s: metrics, their windows and "
@@ -300,20 +306,15 @@ def run_folders(path: pathlib.Path, remarks: list[str]) -> list[pathlib.Path]:
     """
     if not path.is_dir():
         raise RunError(f"{path}: {'is not a folder' if path.exists() else 'does not exist'}")
-    listing = path / "replicates.json"
-    if not listing.exists():
+    if (names := runs.listed(path)) is None:
         return [path]
-    try:
-        names = [replicate["folder"] for replicate in runs.sealed(listing)["replicates"]]
-    except (TypeError, KeyError):
-        raise RunError(f"{listing}: replicates: must be a list of folders, as trophic writes it") from None
-    for name in names:
-        if not isinstance(name, str) or not _is_plain(name):
-            raise RunError(f"{listing}: folder = {json.dumps(name)}: must be text without control characters")
-        if pathlib.PurePath(name).name != name or name in ("", ".."):
-            raise RunError(f"{listing}: folder = {name}: must be the name of a folder next to it")
     remarks += [f"{path / name}: missing, the replicate was not run" for name in names if not (path / name).is_dir()]
     return [path / name for name in names if (path / name).is_dir()]
+
+
+def planned_in(path: pathlib.Path) -> int:
+    """How many runs a path stands for, those that are missing included."""
+    return 1 if (names := runs.listed(path)) is None else len(names)
 
 
 def read_pooled(folder: pathlib.Path) -> PooledRun:

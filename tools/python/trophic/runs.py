@@ -172,6 +172,8 @@ class Runs:
     neutral: "Runs | None" = None
     one_sided: "dict[str, Runs]" = dataclasses.field(default_factory=dict)
     """by species: the worlds in which it alone inherits nothing"""
+    planned: int = 0
+    """how many runs replicates.json lists; 0 without it"""
 
     @property
     def nulls(self) -> "dict[str, Runs]":
@@ -318,7 +320,25 @@ def read_runs(path: str | os.PathLike, *, incomplete: bool = False, accept_other
         if (path / name).is_dir()
     }
     shadow, neutral = nulls.pop("shadow", None), nulls.pop("neutral", None)
-    return Runs(path, runs, shadow, neutral, {name.removeprefix(_ONE_SIDED): of for name, of in nulls.items()})
+    one_sided = {name.removeprefix(_ONE_SIDED): of for name, of in nulls.items()}
+    return Runs(path, runs, shadow, neutral, one_sided, len(listed(path) or runs))
+
+
+def listed(path: pathlib.Path) -> list[str] | None:
+    """The folders that replicates.json lists in a folder; None without that file. Raises RunError for a broken list."""
+    listing = path / "replicates.json"
+    if not listing.exists():
+        return None
+    try:
+        names = [replicate["folder"] for replicate in sealed(listing)["replicates"]]
+    except (TypeError, KeyError):
+        raise RunError(f"{listing}: replicates: must be a list of folders, as trophic writes it") from None
+    for name in names:
+        if not isinstance(name, str) or any(ord(letter) < 32 or 127 <= ord(letter) < 160 for letter in name):
+            raise RunError(f"{listing}: folder = {json.dumps(name)}: must be text without control characters")
+        if pathlib.PurePath(name).name != name or name in ("", ".."):
+            raise RunError(f"{listing}: folder = {name}: must be the name of a folder next to it")
+    return names
 
 
 def one_sided_name(species: str) -> str:

@@ -70,6 +70,8 @@ class MeasuredSet:
 
     one_sided: "dict[str, MeasuredSet]" = dataclasses.field(default_factory=dict)
     """by species the world in which it alone inherits nothing"""
+    planned: int = 0
+    """how many runs the lists of their folders name; 0 without a list"""
 
     @property
     def nulls(self) -> "dict[str, MeasuredSet]":
