@@ -13,6 +13,8 @@ from typing import Any, NamedTuple, Protocol, Sequence
 
 import pandas
 
+from .errors import printable
+
 
 class Parameter(NamedTuple):
     """A parameter that is not the rule table's."""
@@ -137,8 +139,8 @@ def describe(of: SetOfRuns) -> Description:
     until_s = float(getattr(of, "until_s", whole_s))
     lived = [lived_s(run) for run in of.runs]
     return Description(
-        label=name,
-        rules=rules,
+        label=printable(name),
+        rules=printable(rules),
         table=manifest["rule_table"],
         engine=manifest.get("backend", "unknown"),
         parameters=tuple(Parameter(one["path"], one["value"], one["table"]) for one in said.get("parameters", ())),
@@ -221,7 +223,7 @@ def card(title: str, facts: dict[str, Any]) -> str:
 
 def _begins(manifest: dict) -> str:
     origin = manifest.get("origin")
-    return f"at {origin['at_s']} s of {origin['run']} (seed {origin['seed']})" if origin else ""
+    return printable(f"at {origin['at_s']} s of {origin['run']} (seed {origin['seed']})") if origin else ""
 
 
 def changes_of(run: Any) -> tuple[Change, ...]:

@@ -21,10 +21,10 @@ import pandas
 
 from . import metrics, runs
 from .description import changes_of, describe, lived_s
-from .errors import RunError
+from .errors import RunError, printable
 from .metrics import Measuring, Web, bodies, own, walls
 from .runs import Run
-from .values import CLONES, NEUTRAL, ONE_SIDED, SHADOW, MeasuredSet, RunValues
+from .values import CLONES, MOST_NUMBER, NEUTRAL, ONE_SIDED, SHADOW, MeasuredSet, RunValues
 from .words import NO_NEUTRAL, excerpt, number_text
 
 SHADOW_SLOT, POLICIES = "heredity", {SHADOW: "nothing_inherited", CLONES: "one_genome_for_all"}
@@ -94,7 +94,7 @@ class PooledRun(Run):
     def begins(self) -> str:
         """ "at 700 s of runs/a (seed 7)" for a run that begins at a moment of another one, else empty."""
         origin = self.manifest.get("origin")
-        return "" if origin is None else f"at {origin['at_s']} s of {origin['run']} (seed {origin['seed']})"
+        return "" if origin is None else f"at {origin['at_s']} s of {printable(origin['run'])} (seed {origin['seed']})"
 
     def table(self, name: str, columns: list[str] | None = None, *, categories: bool = False) -> pandas.DataFrame:
         """As Run.table, without the rows after `until_s`, if the table has times."""
@@ -118,6 +118,10 @@ class PooledRun(Run):
                 float_precision="high",
                 na_values={name: [""] for name in columns if types[name] == "float64"},
             )
+            for name in columns:
+                if types[name] == "float64" and (wrong := frame[name].abs() > MOST_NUMBER).any():
+                    cell = number_text(frame[name][place := wrong.idxmax()])
+                    raise RunError(f"{self.path / file}:{place + 2}: {name} = {cell}: must be >= -1e60 and <= 1e60")
             frame["time_s"] = frame.time_s.astype("category").cat.rename_categories(float).astype(float)
         else:
             frame = _checked(
@@ -344,7 +348,9 @@ def read_pooled(folder: pathlib.Path) -> PooledRun:
             if type(value) is not str:
                 refuse(f"{key} = {json.dumps(value)}: must be text")
 
-    if text := _not_plain({key: value for key, value in manifest.items() if key not in ("command_line", "error")}):
+    # Those that may have a path, and are printed as such.
+    free = ("command_line", "error", "origin", "description", "continued")
+    if text := _not_plain({key: value for key, value in manifest.items() if key not in free}):
         refuse(f"{json.dumps(text)}: must be text without control characters")
     try:
         whole(manifest["seed"], "seed", 0, 2**64 - 1)
@@ -430,6 +436,20 @@ def why_not_pooled(run: PooledRun, other: PooledRun, is_cut: bool, any_build: bo
             "cut all with --until"
         )
     return ""
+
+
+def check_apart(first: Sequence[Run], second: Sequence[Run]) -> None:
+    """Raises RunError, naming both, for a run that is in both of two sets that are compared."""
+
+    def kept(run: Run) -> tuple:
+        tables = run.manifest.get("tables", {})
+        return run.identity, run.seed, *sorted((name, one["crc32"]) for name, one in tables.items())
+
+    for run in second:
+        for other in first:
+            is_copy = run.manifest.get("tables") and kept(run) == kept(other)
+            if is_copy or run.path.resolve() == other.path.resolve():
+                raise RunError(f"{run.path}: must not be in both sets that are compared: it is the run {other.path}")
 
 
 def lasted_text(run: PooledRun) -> str:
@@ -593,6 +613,7 @@ def _checked(run: PooledRun, file: str, texts: pandas.DataFrame) -> pandas.DataF
                 cells.str.lower().isin(["nan", "-nan", "inf", "-inf"]) | (numbers.abs() == float("inf")), "finite"
             )
             refuse_first(numbers.isna(), "a number")
+            refuse_first((numbers.abs() > MOST_NUMBER) & (name != "time_s"), ">= -1e60 and <= 1e60")
         else:
             is_whole = cells.str.fullmatch(r"-?\d{1,18}" if name == "tag" else r"\d{1,18}")
             refuse_first(~(is_whole | ((cells == "") & (name in _OPTIONAL))), "a whole number in range")
