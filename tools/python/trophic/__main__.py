@@ -7,6 +7,7 @@ import sys
 for number in (signal.SIGINT, signal.SIGTERM):  # until the command begins: an exception in an import may be lost
     if signal.getsignal(number) != signal.SIG_IGN:
         signal.signal(number, lambda *_: os._exit(3))
+signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
 if not __package__:
     sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
 elif sys.path[0] == os.getcwd():

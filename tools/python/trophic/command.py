@@ -50,6 +50,7 @@ def _continue_with_system() -> None:
     """Begins again in the system's Python unless TROPHIC_PYTHON names another: python3 may be one of a virtual environment that lacks packages."""
     if "TROPHIC_PYTHON" not in os.environ and os.access(SYSTEM, os.X_OK):
         os.environ["TROPHIC_PYTHON"] = SYSTEM
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # until it has begun (__main__.py)
         os.execv(SYSTEM, [SYSTEM, *_again])
 
 
