@@ -246,6 +246,11 @@ def cells_of(sweep: Sweep) -> list[Settings]:
     ]
 
 
+def settings_of(sweep: Sweep) -> list[Settings]:
+    """The `settings` of the runs of each cell in the plan."""
+    return [{key: value for key, value in cell.items() if key not in _CHOICES} for cell in cells_of(sweep)]
+
+
 def text_of(cell: Settings, sweep: Sweep) -> str:
     """ "rules.capture.reach_m=0.5 rules.mutation.sd=0.1": those settings of a cell that are not in [set]."""
     return " ".join(
