@@ -9,6 +9,7 @@ import math
 import os
 import pathlib
 import re
+import shlex
 import sys
 import tempfile
 from collections.abc import Mapping, Sequence
@@ -113,7 +114,7 @@ def write(
 
 def command_of(request: Mapping[str, Any]) -> str:
     """The command line that makes the page of a request again: the options that were given."""
-    words = [str(request["who"]), *(request.get("runs") or [])]
+    words = [*(request.get("runs") or [])]
     for name, value in request.items():
         if name in ("who", "runs", "replays", "jobs", "out", "all") or value in (None, False, [], ""):
             continue
@@ -128,7 +129,7 @@ def command_of(request: Mapping[str, Any]) -> str:
                 for one in (value if isinstance(value, list) else [value])
                 for word in (option, f"{one:.15g}" if isinstance(one, float) else str(one))
             ]
-    return " ".join(words)
+    return " ".join([str(request["who"]), *map(shlex.quote, words)])
 
 
 def _told(sets: Sequence[MeasuredSet], facts: Sequence[Mapping[str, str]]) -> list[tuple[str, str]]:
