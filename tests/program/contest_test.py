@@ -115,7 +115,7 @@ class Contest(InFolder):
         short = ["study", "--duration", 40, "--team-size", 5, "--epochs", "0,120"]
         self.contest("study/one_sided_prey", *short[1:], "--out", "sided")
         self.assertEqual(len(self.rows("sided/contests.csv")), 3 * 6 * 4)
-        self.assertIn("no shadow", self.contest(*short, "--out", "here").stderr)
+        self.assertIn("no shadow", self.contest(*short, "--out", "here").stdout)
         self.contest(*short, "--out", "there", "--program", PREDATOR_PREY)
         for table in ("contests.csv", "progress.csv"):
             self.assertEqual((self.folder / "here" / table).read_bytes(), (self.folder / "there" / table).read_bytes())
