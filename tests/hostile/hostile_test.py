@@ -199,18 +199,21 @@ class Killed(Hostile):
         contest = (TROPHIC, "contest", "set", "--duration", 300, "--teams", 20, "--jobs", 1)
         self.run_ok(*contest, "--out", "whole")
         program = subprocess.Popen(
-            [str(word) for word in (*contest, "--out", "parts")], cwd=self.folder, stdout=subprocess.PIPE, text=True
+            [str(word) for word in (*contest, "--out", "parts")], cwd=self.folder, stderr=subprocess.PIPE, text=True
         )
         played = self.folder / "parts.part/played.jsonl"
         while program.poll() is None and not (played.exists() and played.read_bytes().count(b"\n") > 5):
             time.sleep(0.001)
         program.terminate()
-        said = program.communicate()[0]
+        said = program.communicate()[1]
         self.assertEqual(program.returncode, 3, said)
         self.assertIn("stopped; the same command with --out parts continues", said)
         with open(played, "ab") as file:
             file.write(b"[7, 1")  # of a line that was cut
-        self.assertRegex(self.run_ok(*contest, "--out", "parts").stdout, r"^\d+ of \d+ contests were played already\n")
+        self.assertRegex(
+            self.run_ok(*contest, "--out", "parts").stderr,
+            r"^trophic contest: \d+ of \d+ contests were played already\n",
+        )
         for name in ("contests.csv", "progress.csv"):
             self.assertEqual((self.folder / "parts" / name).read_bytes(), (self.folder / "whole" / name).read_bytes())
         self.assertEqual(

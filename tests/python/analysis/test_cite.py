@@ -10,6 +10,7 @@ from trophic.runs import RunError
 
 MANIFEST = {
     "trophic": "0.1.0",
+    "trophic_revision": "abc",
     "source_revision": "abc",
     "status": "complete",
     "fingerprint": "0123456789abcdef",
@@ -78,8 +79,8 @@ def test_a_run(tmp_path, capsys):
             ],
         ),
         (
-            [{}, {"code": "beef", "source_revision": "def"}],
-            ["revision abc and def", "; 2 builds of the program made them."],
+            [{}, {"code": "beef", "trophic_revision": "def", "source_revision": "def"}],
+            ["(revision abc and def, f", "; 2 builds of the program made them."],
         ),
         ([{"description": {}}], ["with the rule table `paper`."]),
     ],
@@ -89,6 +90,29 @@ def test_what_a_set_is_stands_in_the_sentence(tmp_path, capsys, entries, parts):
     sentence, _ = cited(tmp_path / "set", capsys)
     for part in parts:
         assert part in sentence
+
+
+@pytest.mark.parametrize(
+    "entries, words, note",
+    [
+        ({"source_revision": "mine"}, "(revision abc, program of revision mine, fingerprint", "0.1.0, revision abc}"),
+        ({"trophic_revision": "unknown"}, "0.1.0 (program of revision abc, fingerprint", "version 0.1.0}"),
+    ],
+)
+def test_the_revision_of_somebody_s_program_is_not_trophic_s(tmp_path, capsys, entries, words, note):
+    write(tmp_path / "run", **entries)
+    sentence, bibtex = cited(tmp_path / "run", capsys)
+    assert words in sentence and note in bibtex and "mine" not in bibtex
+
+
+def test_what_is_cited_is_what_ran(tmp_path, capsys):
+    write(tmp_path / "run", status="stopped", result={"reached_s": 5.0})
+    assert cited(tmp_path / "run", capsys)[0].startswith("A run of 5 s (stopped; 20 s planned) on kinematic 1")
+    replicates(tmp_path / "set", {}, {}, {"status": "failed", "result": {"reached_s": 3.0}})
+    (tmp_path / "set/replicate-00/manifest.json").unlink()  # was not begun
+    assert cited(tmp_path / "set", capsys)[0].startswith(
+        "2 of 3 planned runs of 3 to 20 s (1 failed; 20 s planned) on kinematic 1"
+    )
 
 
 def test_an_older_run_names_the_file_with_its_parameters(tmp_path, capsys):

@@ -14,7 +14,7 @@ import pandas
 import pytest
 from in_folder import planned
 from sets import around, metric, set_of
-from trophic import cite, judge
+from trophic import cite, judge, writing
 from trophic.published import QUESTIONS, answers
 from trophic.metrics import own
 from trophic.report import analyze, page, tables, tex, text
@@ -78,7 +78,7 @@ def outputs_of(outcome, folder):
         )
         found[f"{name} in a notebook"] = claims.Output([], claims.counts_in(shown), claims.findings_in(shown), [])
         of = analysis.differences if compares else analysis.means
-        found[f"{name} as frames"] = claims.of_csv(tables.csv_text(of), title_of, reading_of)
+        found[f"{name} as frames"] = claims.of_csv(writing.csv_text(of), title_of, reading_of)
     return found
 
 

@@ -180,12 +180,11 @@ def test_epochs_are_printed_with_one_decimal():
     assert "  333.3  " in shown and "333.33" not in shown
 
 
-def test_the_command_writes_a_row_for_each_and_prints_them(tmp_path, capsys):
+def test_the_command_writes_a_row_for_each_and_prints_them(tmp_path):
     frame = study(6)
     frame["hunters_run"] = "runs, all/" + frame["hunters_run"]
     frame.to_csv(tmp_path / "contests.csv", index=False)
-    assert report(tmp_path, str(tmp_path), {"split": None, "duration": 300.0}, 3.14) == 0
-    shown = capsys.readouterr().out
+    shown = report(tmp_path, {"split": None, "duration": 300.0}, 3.14)
     assert re.search(
         r"\npredator +own prey +0 +1000 +40\.0 \[40\.0, 40\.0\] .* \+40\.0 \[\+40\.0, \+40\.0\] +<0\.001 +above the shadow\n",
         shown,

@@ -88,6 +88,43 @@ def test_replicates_have_one_identity(tmp_path):
         read_runs(tmp_path)
 
 
+@pytest.mark.parametrize(
+    "status, result, rows, until_s, length",
+    [
+        ("complete", {"reached_s": 21.0}, "", 20.0, "A run of 20 s"),  # the last tick ends later
+        ("complete", {"reached_s": 20.0}, "", 5.0, "A run of the first 5 of 20 s"),
+        ("stopped", {"reached_s": 5.0}, "", 20.0, "A run of 5 s (stopped; 20 s planned)"),
+        ("stopped", {"reached_s": 5.0}, "", 3.0, "A run of the first 3 of 5 s (stopped; 20 s planned)"),
+        ("failed", {"reached_s": 0.0}, "", 20.0, "A run of 0 s (failed; 20 s planned)"),
+        ("running", None, "4,2,x\n7.5,3,x\n8,", 20.0, "A run of 7.5 s (killed or still running; 20 s planned)"),
+        ("running", None, "", 20.0, "A run of 0 s (killed or still running; 20 s planned)"),
+        (
+            "complete",
+            {"reached_s": 9.0, "ended": "prey"},
+            "",
+            20.0,
+            "A run of 9 s (ended early, by ecology.ends_when; 20 s planned)",
+        ),
+    ],
+)
+def test_a_run_is_as_long_as_it_lived(tmp_path, status, result, rows, until_s, length):
+    run = run_in(tmp_path / "a", status=status, **({"result": result} if result else {}))
+    (run.path / "events.csv").write_text("time_s,tick,event\n" + rows)
+    assert description.describe(MeasuredSet("", [run], [], until_s=until_s)).length() == length
+
+
+def test_runs_that_are_not_there_are_planned(tmp_path):
+    for seed in (1, 2):
+        run_in(tmp_path / f"replicate-0{seed}", seed=seed, **({"status": "stopped"} if seed == 2 else {}))
+    (tmp_path / "replicates.json").write_text(
+        json.dumps({"replicates": [{"folder": f"replicate-0{i}"} for i in range(4)]})
+    )
+    assert description.describe(read_runs(tmp_path)).length() == "1 of 4 planned runs of 20 s"
+    assert description.describe(read_runs(tmp_path, incomplete=True)).length() == (
+        "2 of 4 planned runs of 0 to 20 s (1 stopped; 20 s planned)"
+    )
+
+
 def test_several_builds_are_counted(tmp_path):
     runs = [run_in(tmp_path / "a"), run_in(tmp_path / "b", seed=8, code="beef")]
     assert description.describe(Runs(tmp_path, runs)).sentence().endswith("; 2 builds of the program made them.")

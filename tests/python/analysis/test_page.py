@@ -91,7 +91,7 @@ def test_findings_conclusions_and_counts_are_the_judge_s(tmp_path, paper):
     assert [row[0] for row in rows] == ["velocity prey, cm/s"]  # nobody starved
     assert [row[-1] for row in rows] == ["above"]
     assert "<title>paper on kinematic 1</title>" in text and "10 runs of 600 s, 10 of the shadow" in text
-    assert "trophic analyze runs/a&lt;b --until 600 --metric velocity --html page.html\n" in text
+    assert "trophic analyze &#39;runs/a&lt;b&#39; --until 600 --metric velocity --html page.html\n" in text
     assert "a &lt; b" in text and "http" not in text.replace("http-equiv", "")
     files = dict(re.findall(r'<a download="([^"]*)" href="data:text/csv;base64,([^"]*)"', text))
     assert (

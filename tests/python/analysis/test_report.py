@@ -6,7 +6,7 @@ import re
 
 import pytest
 from sets import around, metric, set_of
-from trophic import judge
+from trophic import judge, writing
 from trophic.report import analyze, tables, tex, text
 from trophic.runs import RunError
 
@@ -41,7 +41,7 @@ def squeezed(of):
 
 
 def test_means_csv_has_each_metric_next_to_each_of_its_nulls():
-    lines = tables.csv_text(tables.means(judge.summarize(example()))).splitlines()
+    lines = writing.csv_text(tables.means(judge.summarize(example()))).splitlines()
     assert lines[0] == (
         "set,metric,species,group,unit,n,mean,deviation,lower,upper,published,null,null_n,null_mean,difference,difference_lower,difference_upper,p,"
         "p_holm,lower_corrected,upper_corrected,scatter,not_tested,same_as"
@@ -64,7 +64,7 @@ def test_means_csv_has_one_row_for_a_metric_without_a_null_and_none_of_the_paper
 def test_metrics_csv_has_one_value_a_row_and_the_shadows_values_as_a_baseline():
     of = example(label="mine, all")
     of.values[0].curves = of.values[0].values.iloc[:1].drop(columns="role").assign(time_s=200.0, baseline="")
-    lines = tables.csv_text(tables.metrics([of])).splitlines()
+    lines = writing.csv_text(tables.metrics([of])).splitlines()
     assert lines[0] == "set,run,seed,metric,species,group,baseline,time_s,value,unit"
     for row in (
         "replicate-00,0,attribution_catches,predator,all,,,1,1",
@@ -79,7 +79,7 @@ def test_metrics_csv_has_one_value_a_row_and_the_shadows_values_as_a_baseline():
 
 def test_differences_csv_has_the_answer_first_and_the_raw_difference_behind_it():
     frame = judge.compare(example(), example(catches=0.0, label="released"))
-    lines = tables.csv_text(tables.differences(frame)).splitlines()
+    lines = writing.csv_text(tables.differences(frame)).splitlines()
     assert lines[1:3] == [
         "attribution_catches,predator,all,1,over_shadow,6,6,1,0,-1,-1,-1,0,0,-1,-1,0,,",
         "attribution_catches,predator,all,1,raw,6,6,1,0,-1,-1,-1,0,0,-1,-1,0,,",
@@ -117,7 +117,7 @@ def test_summary_json_has_null_for_what_could_not_be_computed_and_no_conclusion_
             {(CATCHES, "two_thirds", "paper"): [2 / 3], (TAGS, "permuted_tags", "null"): [0.4]},
         )
     )
-    content = json.loads(tables.json_text(one.analysis(None).summary))
+    content = json.loads(writing.json_text(one.analysis(None).summary))
     (its,) = content["sets"]
     assert (
         its["set"] == "paper" and its["runs"][0]["seed"] == 0 and its["shadow_runs"] == [] and content["findings"] == []
@@ -164,28 +164,28 @@ def test_claims_are_left_out_for_a_table_that_is_not_published():
 def test_result_folder_is_new_and_goes_again_if_the_work_fails(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for name in ("analysis", "analysis-1"):
-        with tables.result_folder(None) as folder:
+        with writing.result_folder(None) as folder:
             assert folder.name == f"{name}.part"
             (folder / "tables").write_text("")
-    with pytest.raises(RunError, match="--out analysis: exists already; nothing is overwritten"), tables.result_folder(
+    with pytest.raises(RunError, match="--out analysis: exists already; nothing is overwritten"), writing.result_folder(
         "analysis"
     ):
         pass
-    with pytest.raises(RuntimeError), tables.result_folder("broken") as folder:
+    with pytest.raises(RuntimeError), writing.result_folder("broken") as folder:
         (folder / "x").write_text("")
         raise RuntimeError
     (tmp_path / "killed.part").mkdir()
     (tmp_path / "killed.part/half").write_text("")
-    with tables.result_folder("killed") as folder, pytest.raises(
+    with writing.result_folder("killed") as folder, pytest.raises(
         RunError, match="killed.part: another program is running in it"
     ):
         assert not list(folder.iterdir())
-        with tables.result_folder("killed"):
+        with writing.result_folder("killed"):
             pass
     assert sorted(path.name for path in tmp_path.iterdir()) == ["analysis", "analysis-1", "killed"]
-    tables.write_new("new", "1")
+    writing.write_new("new", "1")
     with pytest.raises(RunError, match="new: exists already"):
-        tables.write_new("new", "2")
+        writing.write_new("new", "2")
     assert (tmp_path / "new").read_text() == "1" and not (tmp_path / "new.part").exists()
 
 

@@ -10,9 +10,11 @@ import numpy
 import pandas
 import pytest
 from hand_written import refusal, write_run
+from in_folder import sealed_text
 from pytest import approx
 from trophic import statistics
 from trophic.metrics import Measuring
+from trophic.plan import seed_of
 from trophic.report.columns import names as column_names
 from trophic.runs import RunError
 from trophic.sweeps import analyze_sweep, arrays, cells, is_sweep, report
@@ -69,6 +71,49 @@ def plan_of_two_axes(replicates=6, with_shadow=False, paired=True):
 
 def values_of(plan, value, metric=HUNGER):
     return SweepValues([metric], numpy.array([[float(value(run))] for run in plan]), [True] * len(plan))
+
+
+# Files beside the runs
+
+TOML = """rule_table = "paper"
+engine = "kinematic"
+replicates = 2
+seed = 5
+[set]
+ecology.duration_s = 6000.0
+[grid]
+x.y = [0.0, 0.5]
+"""
+
+
+@pytest.mark.parametrize(
+    "file, old, new, why",
+    [
+        ("sweep.toml", "0.5]", "0.7]", "sweep.toml: has other settings than plan.jsonl: it was changed after"),
+        ("sweep.toml", "seed = 5", "seed = 6", "sweep.toml: has other replicates, seeds or tables than plan.jsonl"),
+        ("sweep.toml", "replicates = 2", "replicates = 1", "sweep.toml: has other replicates, seeds or tables"),
+        ("sweep.toml", "[grid]", "[grid", "sweep.toml: is not TOML"),
+        ("cell-1/replicates.json", "f1", "f2", "replicates.json: was cut short or changed after trophic wrote it"),
+        ("cell-1/replicates.json", "}\n", "", "replicates.json: is not a JSON object"),
+        ("cell-1/replicates.json", None, {"fingerprint": "f2"}, "must list replicate-0 with its seed and fingerprint"),
+        ("cell-1/replicates.json", None, {"replicates": []}, "must list replicate-0 with its seed and fingerprint"),
+        ("cell-1/replicates.json", None, {"replicates": 1}, "replicates: must be a list of folders"),
+    ],
+)
+def test_files_beside_the_runs_are_those_of_the_plan(tmp_path, file, old, new, why):
+    pytest.importorskip("tomllib")
+    plan = [dataclasses.replace(run, seed=seed_of(5, run.replicate)) for run in plan_of()]
+    (tmp_path / "sweep.toml").write_text(TOML)
+    listed = {}
+    for cell in (0, 1):
+        (tmp_path / f"cell-{cell}").mkdir()
+        runs = [{"folder": f"replicate-{k}", "seed": seed_of(5, k)} for k in (0, 1)]
+        listed = {"format": 2, "fingerprint": f"f{cell}", "replicates": runs}
+        (tmp_path / f"cell-{cell}/replicates.json").write_text(sealed_text(listed))
+    sweep_runs._check_beside(tmp_path, plan)
+    text = (tmp_path / file).read_text()
+    (tmp_path / file).write_text(sealed_text({**listed, **new}) if old is None else text.replace(old, new))
+    assert why in refusal(sweep_runs._check_beside, tmp_path, plan)
 
 
 # Grids

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 
 from . import description
 from .errors import RunError
-from .pool import read_pooled, run_folders
+from .pool import planned_in, read_pooled, run_folders
 from .runs import Runs, verify
 from .words import latex_text
 
@@ -15,7 +15,7 @@ ENTRIES = """@misc{trophic,
   title = {trophic: ecologies of simulated robots with rules at compile time and physics behind an adapter},
   author = {{The trophic authors}},
   year = {2026},
-  note = {Software, version %s, revision %s}
+  note = {Software, %s}
 }
 @article{kachler2023,
   title = {Open-endedness induced through a predator-prey scenario using modular robots},
@@ -46,16 +46,18 @@ def run(request: dict) -> int:
             f"{folder}: runs of different fingerprints: {', '.join([runs[0].identity, *others])}; cite them one by one"
         )
     first = runs[0].manifest
-    versions, revisions = (
-        sorted({one.manifest.get(key, "unknown") for one in runs}) for key in ("trophic", "source_revision")
+    versions, revisions, sources = (
+        sorted({one.manifest.get(key, "unknown") for one in runs})
+        for key in ("trophic", "trophic_revision", "source_revision")
     )
     seed = f"master seed {first['master_seed']}" if "master_seed" in first else f"seed {first['seed']}"
-    one = description.describe(Runs(folder, list(runs)))
-    made = f"in trophic {_all(versions)} (revision {_all(revisions)}, fingerprint {one.identity}, {seed})"
+    one = description.describe(Runs(folder, list(runs), planned=planned_in(folder)))
+    its = [] if revisions == ["unknown"] else [f"revision {_all(revisions)}"]
+    by = [] if sources == revisions else [f"program of revision {_all(sources)}"]
+    made = f"in trophic {_all(versions)} ({', '.join([*its, *by, f'fingerprint {one.identity}', seed])})"
+    note = ", ".join([f"version {latex_text(_all(versions))}", *map(latex_text, its)])
     also = "" if "description" in first else " The parameters are in manifest.json."
-    print(
-        f"{one.sentence(made)}{also}\n\n{ENTRIES % (latex_text(_all(versions)), latex_text(_all(revisions)))}", end=""
-    )
+    print(f"{one.sentence(made)}{also}\n\n{ENTRIES % note}", end="")
     return 0
 
 

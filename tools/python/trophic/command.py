@@ -5,22 +5,25 @@ from __future__ import annotations
 import importlib
 import os
 import pathlib
-import re
 import signal
 import sys
+from collections.abc import Callable
 from typing import NoReturn
 
-from .errors import ProgramError, RunError
+from .errors import ProgramError, RunError, remark
 from .options import VERBS, parsed
 
 STOPPED = 3  # the exit code of a command that a signal ends
 SYSTEM = "/usr/bin/python3"  # has the packages of apt-get
 
 
-def run(module: str, request: dict) -> int:
-    """Does what a request asks and returns the exit code; errors are one line on standard error that begins with the request's `who`."""
+def run(module: str, request: dict, begins: Callable[[], None] = lambda: None) -> int:
+    """Does what a request asks and returns the exit code; errors are one line on standard error that begins with the request's `who`. `begins` is
+    called when all modules are there."""
     try:
-        code = importlib.import_module(f".{module}", __package__).run(request)
+        work = importlib.import_module(f".{module}", __package__).run
+        begins()
+        code = work(request)
         sys.stdout.flush()
         return code
     except ModuleNotFoundError as error:
@@ -39,21 +42,15 @@ def run(module: str, request: dict) -> int:
         return STOPPED
     except (RunError, ProgramError) as error:
         code, why = 2, str(error)
-    print(f"{request['who']}: {one_line(why)}", file=sys.stderr)
+    remark(request["who"], why)
     return code
-
-
-def one_line(text: str) -> str:
-    """Writes control characters, which the name of a file may have, as \\x0a."""
-    return re.sub(
-        r"[\x00-\x1f\x7f-\x9f\u2028\u2029]", lambda found: "".join(f"\\x{byte:02x}" for byte in found[0].encode()), text
-    )
 
 
 def _continue_with_system() -> None:
     """Begins again in the system's Python unless TROPHIC_PYTHON names another: python3 may be one of a virtual environment that lacks packages."""
     if "TROPHIC_PYTHON" not in os.environ and os.access(SYSTEM, os.X_OK):
         os.environ["TROPHIC_PYTHON"] = SYSTEM
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # until it has begun (__main__.py)
         os.execv(SYSTEM, [SYSTEM, *_again])
 
 
@@ -62,7 +59,9 @@ _again: list[str] = []  # the arguments of Python that begin again
 
 def main(words: list[str]) -> NoReturn:
     """A verb and its arguments, as the shell passes them."""
-    _again[:] = ["-I", str(pathlib.Path(__file__).with_name("__main__.py")), *words]
+    for stream in (sys.stdout, sys.stderr):  # whatever the locale
+        stream.reconfigure(encoding="utf-8", errors="surrogateescape")  # type: ignore[union-attr]
+    _again[:] = ["-I", "-X", "utf8", str(pathlib.Path(__file__).with_name("__main__.py")), *words]
     verb, *rest = words or ["help"]
     request, why = None, ""
     try:
@@ -70,8 +69,8 @@ def main(words: list[str]) -> NoReturn:
     except RunError as error:
         why = str(error)
     if request is not None:
-        _end(lambda: run(VERBS[verb].module, request))
-    print(f"trophic {verb}: {one_line(why)}", file=sys.stderr)
+        _end(lambda: run(VERBS[verb].module, request, _begins))
+    remark(f"trophic {verb}", why)
     sys.exit(2)
 
 
@@ -80,9 +79,15 @@ def script() -> NoReturn:
     main([pathlib.Path(sys.argv[0]).name.removeprefix("trophic-"), *sys.argv[1:]])
 
 
+def _begins() -> None:
+    """Signals are exceptions from now on, so that temporary folders go; before, they end the program at once (__main__.py)."""
+    if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit(STOPPED))
+
+
 def _end(work) -> NoReturn:
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(STOPPED))  # an exit, which removes temporary folders
     code = work()
     sys.stderr.flush()
     os._exit(code)  # standard output was flushed; a second failure to write it would be reported again

@@ -24,14 +24,14 @@ import numpy
 import pandas
 
 from . import contests, pool
-from .errors import RunError
+from .errors import RunError, remark
 from .metrics import Measuring
 from .pool import MOST_TIME_S, PooledRun
 from .programs import chosen_program
-from .report.tables import csv_text, result_folder, write_new
 from .runs import verify
 from .sweeps.runs import is_sweep
 from .words import number_text
+from .writing import csv_text, result_folder, write_new
 
 PLAYED = "played.jsonl"
 """Outcomes while contests are played, a line each, so that the same command continues what was killed."""
@@ -337,7 +337,7 @@ def _check_epochs(epochs_s: Sequence[float], split_s: float | None) -> None:
 def _played(path: pathlib.Path, head: str) -> dict[int, list[float]]:
     """The outcomes that a program left that played the same plan; what was cut short is not one."""
     found: dict[int, list[float]] = {}
-    if path.exists() and (whole := path.read_text()).startswith(head):
+    if path.exists() and (whole := path.read_text(encoding="utf-8")).startswith(head):
         for line in whole[len(head) :].splitlines(keepends=True):
             if not line.endswith("\n"):
                 break
@@ -345,7 +345,8 @@ def _played(path: pathlib.Path, head: str) -> dict[int, list[float]]:
             found[match] = outcome
     path.unlink(missing_ok=True)
     if found:
-        path.write_text(head + "".join(json.dumps([match, *outcome]) + "\n" for match, outcome in found.items()))
+        played = "".join(json.dumps([match, *outcome]) + "\n" for match, outcome in found.items())
+        path.write_text(head + played, encoding="utf-8")
     return found
 
 
@@ -356,13 +357,13 @@ def play(plan: dict, program: str, jobs: int, folder: pathlib.Path) -> list[list
     known = _played(folder / PLAYED, head)
     left = [match for match in range(len(plan["matches"])) if match not in known]
     if known:
-        print(f"{len(known)} of {len(plan['matches'])} contests were played already", flush=True)
+        remark("trophic contest", f"{len(known)} of {len(plan['matches'])} contests were played already")
     size = 4 * jobs
     while left:
         batch, left = left[:size], left[size:]
         began = time.monotonic()
         found = dict(zip(batch, _play_some(plan, batch, program, jobs, folder)))
-        with (folder / PLAYED).open("a") as file:  # made when there is an outcome
+        with (folder / PLAYED).open("a", encoding="utf-8") as file:  # made when there is an outcome
             file.write(
                 ("" if known else head)
                 + "".join(json.dumps([match, *outcome]) + "\n" for match, outcome in found.items())
@@ -390,11 +391,16 @@ def _play_some(
                 "matches": [[teams[hunters], teams[victims], at] for hunters, victims, at in chosen],
             }
         )
-        + "\n"
+        + "\n",
+        encoding="utf-8",
     )
     try:
         process = subprocess.Popen(
-            [program, "--play", path, "--jobs", str(jobs)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
+            [program, "--play", path, "--jobs", str(jobs)],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            encoding="utf-8",
+            errors="surrogateescape",
         )
     except OSError as error:
         raise RunError(f"--program {program}: {error.strerror}") from None
@@ -408,7 +414,7 @@ def _play_some(
         raise KeyboardInterrupt
     if process.returncode != 0 or not outcomes.exists():
         raise RunError(said or f"--program {program}: did not play the contests: exit code {process.returncode}")
-    found = json.loads(outcomes.read_text())
+    found = json.loads(outcomes.read_text(encoding="utf-8"))
     for each in (path, outcomes):
         each.unlink()
     return iter(found)
@@ -432,17 +438,13 @@ def run(request: dict) -> int:
     if request["jobs"] == 0:
         raise RunError("--jobs 0: must be >= 1")
     plan, rows, remarks = plan_of(request)
-    for remark in remarks:
-        print(f"trophic contest: {remark}", flush=True)
+    for what in remarks:
+        remark(request["who"], what)
     program = chosen_program(request)
-    out = request["out"] or next(
-        free
-        for free in itertools.chain(["contests"], (f"contests-{i}" for i in itertools.count(1)))
-        if not os.path.lexists(free)
-    )
+    out = request["out"]
     try:
-        with result_folder(out, keeps=PLAYED) as folder:
-            began = time.monotonic()
+        with result_folder(out, keeps=PLAYED, name="contests") as folder:
+            out, began = str(folder.with_suffix("")), time.monotonic()
             outcomes = play(plan, program, request["jobs"] or os.cpu_count() or 1, folder)
             table = pandas.DataFrame(
                 [
@@ -452,7 +454,9 @@ def run(request: dict) -> int:
             )
             write_new(folder / "contests.csv", csv_text(table))
             (folder / PLAYED).unlink(missing_ok=True)
-            return contests.report(folder, out, request, time.monotonic() - began)
+            text = contests.report(folder, request, time.monotonic() - began)
     except (KeyboardInterrupt, SystemExit):
-        print(f"stopped; the same command with --out {out} continues", flush=True)
+        remark(request["who"], f"stopped; the same command with --out {out} continues")
         raise
+    print(text, end="")
+    return 0

@@ -9,11 +9,11 @@ from collections.abc import Sequence
 import numpy
 import pandas
 
-from .errors import RunError
-from .report.tables import csv_text, write_new
+from .errors import RunError, printable
 from .statistics import MIN_RUNS_FOR_TEST, Difference, Estimate, adjust_together, contrast, difference_of, estimate
 from .values import Metric
 from .words import Reading, columns, number_text, p_text
+from .writing import csv_text, write_new
 
 AGAINST = ("own", "others", "panel")
 """The origin of the opponents: the same run, another replicate, which they never met, or a panel that all runs meet."""
@@ -203,8 +203,8 @@ def text(progress: Sequence[Progress]) -> str:
     return columns(rows) + few
 
 
-def report(folder: pathlib.Path, out: str, request: dict, taken_s: float) -> int:
-    """Reads FOLDER/contests.csv, writes FOLDER/progress.csv and prints the progress. `taken_s`: the time that playing took."""
+def report(folder: pathlib.Path, request: dict, taken_s: float) -> str:
+    """Reads FOLDER/contests.csv, writes FOLDER/progress.csv and returns the progress as a text. `taken_s`: the time that playing took."""
     contests = pandas.read_csv(
         folder / "contests.csv",
         dtype={name: str for name in ("hunters_run", "victims_run", "hunter", "victim")},
@@ -213,8 +213,6 @@ def report(folder: pathlib.Path, out: str, request: dict, taken_s: float) -> int
     )
     progress = progress_of(contests, request["split"])
     write_new(folder / "progress.csv", csv_text(table(progress)))
-    print(text(progress), end="")
-    print(
-        f"tables  {out}/contests.csv, progress.csv: {len(contests)} contests of {number_text(request['duration'])} s in {number_text(round(taken_s, 1))} s"
+    return text(progress) + (
+        f"tables  {printable(str(folder.with_suffix('')))}/contests.csv, progress.csv: {len(contests)} contests of {number_text(request['duration'])} s in {number_text(round(taken_s, 1))} s\n"
     )
-    return 0

@@ -10,12 +10,12 @@ import numpy
 import pandas
 
 from . import pool
-from .errors import RunError
+from .errors import RunError, printable
 from .report.columns import names
-from .report.tables import csv_text, result_folder, write_new
 from .statistics import EquivalenceTest, contrast, estimate, test_equivalence
 from .values import MeasuredSet
 from .words import Reading, columns, metric_title, number_text
+from .writing import csv_text, result_folder, write_new
 
 MARGINS = {
     ("attribution_caught", "all"): 0.05,
@@ -41,12 +41,13 @@ def run(request: dict) -> int:
         raise RunError("runs: needs 2 values")
     with result_folder(request["out"]) as folder:
         sets = [pool.read_set([path]) for path in request["runs"]]
+        pool.check_apart(*(of.runs for of in sets))
         check(*sets)
         found = list(metrics(*sets))
         write_new(
             folder / _TABLE, csv_text(pandas.DataFrame([row for pair in found for row in pair], columns=names(_TABLE)))
         )
-    print(metrics_text(sets, found) + f"files   {request['out']}")
+    print(metrics_text(sets, found) + f"files   {printable(request['out'])}")
     return 0
 
 

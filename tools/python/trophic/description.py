@@ -7,10 +7,13 @@ from __future__ import annotations
 
 import dataclasses
 import html
+import pathlib
 import zlib
 from typing import Any, NamedTuple, Protocol, Sequence
 
 import pandas
+
+from .errors import printable
 
 
 class Parameter(NamedTuple):
@@ -67,21 +70,32 @@ class Description:
     """Codes of the programs that made the runs."""
     versions: tuple[str, ...]
     replicates: int
+    planned: int
+    """How many runs the lists of their folders name (replicates.json)."""
     nulls: dict[str, int]
     """How many runs of each null there are, by its name in a sentence: "shadow", "one-sided world of prey"."""
     until_s: float
-    """Simulated time, s."""
+    """Simulated time that is measured, s; less in a run that lived less."""
     whole_s: float
-    """Simulated time of the runs, of which `until_s` is measured, s."""
+    """Simulated time that was planned, s."""
+    lived_s: tuple[float, float]
+    """The least and the most simulated time that a run lived, s."""
+    ends: tuple[str, ...]
+    """How runs ended that did not live as long as planned, a text for each kind: "stopped", "2 ended early, by ecology.ends_when"."""
 
     def title(self) -> str:
         """ "paper on kinematic 1"."""
         return f"{self.label} on {self.engine}"
 
     def length(self) -> str:
-        """ "10 runs of 6000 s", "A run of 20 s"."""
-        cut = "" if self.until_s == self.whole_s else f"the first {self.until_s:.10g} of "
-        return f"{'A run' if self.replicates == 1 else f'{self.replicates} runs'} of {cut}{self.whole_s:.10g} s"
+        """ "10 runs of 6000 s", "A run of 20 s", "4 of 10 planned runs of 150 to 6000 s (1 stopped; 6000 s planned)"."""
+        runs = f"{self.replicates} runs" if self.replicates > 1 else "A run"
+        if self.planned > self.replicates:
+            runs = f"{self.replicates} of {self.planned} planned runs"
+        lived = " to ".join(f"{time_s:.10g}" for time_s in dict.fromkeys(self.lived_s))
+        cut = f"the first {self.until_s:.10g} of " if self.until_s < self.lived_s[1] else ""
+        ends = f" ({', '.join(self.ends)}; {self.whole_s:.10g} s planned)" if self.ends else ""
+        return f"{runs} of {cut}{lived} s{ends}"
 
     def sentence(self, made: str = "") -> str:
         """One sentence; `made`: what comes behind the engine, such as version and seed."""
@@ -123,9 +137,10 @@ def describe(of: SetOfRuns) -> Description:
         rules += f"; begins {begins}" if begins else ""
     whole_s = float(manifest["clock"]["until_s"])
     until_s = float(getattr(of, "until_s", whole_s))
+    lived = [lived_s(run) for run in of.runs]
     return Description(
-        label=name,
-        rules=rules,
+        label=printable(name),
+        rules=printable(rules),
         table=manifest["rule_table"],
         engine=manifest.get("backend", "unknown"),
         parameters=tuple(Parameter(one["path"], one["value"], one["table"]) for one in said.get("parameters", ())),
@@ -135,10 +150,47 @@ def describe(of: SetOfRuns) -> Description:
         builds=tuple(sorted({build for run in of.runs for build in run.builds})),
         versions=tuple(sorted({run.manifest.get("trophic", "unknown") for run in of.runs})),
         replicates=len(of.runs),
+        planned=max(len(of.runs), getattr(of, "planned", 0)),
         nulls={title: len(its.runs) for title, its in _nulls(of) if its},
         until_s=until_s,
         whole_s=whole_s,
+        lived_s=(min(lived), max(lived)),
+        ends=_ends(of.runs),
     )
+
+
+def lived_s(run: Any) -> float:
+    """Simulated time that a run lived, s: planned, if it reached its end, else where it ended; of a killed run that of the last row that it wrote."""
+    manifest = run.manifest
+    result = manifest.get("result", {})
+    if manifest["status"] == "complete" and "ended" not in result:
+        return float(manifest["clock"]["until_s"])
+    if "reached_s" in result:
+        return float(result["reached_s"])
+    return max(map(_last_time, (run.path / "events.csv", run.path / "agents.csv")))
+
+
+def _last_time(table: pathlib.Path) -> float:
+    """The time of the last whole row of a table, whose first column is time_s; 0 without one."""
+    try:
+        with table.open("rb") as file:
+            file.seek(max(0, file.seek(0, 2) - 10_000))
+            return float(file.read().split(b"\n")[-2].split(b",")[0])
+    except (OSError, IndexError, ValueError):
+        return 0.0
+
+
+_ENDS = {"running": "killed or still running"}
+
+
+def _ends(runs: Sequence[Any]) -> tuple[str, ...]:
+    kinds = []
+    for run in runs:
+        if (status := run.manifest["status"]) != "complete":
+            kinds.append(_ENDS.get(status, status))
+        elif "ended" in run.manifest.get("result", {}):
+            kinds.append("ended early, by ecology.ends_when")
+    return tuple(f"{kinds.count(one)} {one}" if len(runs) > 1 else one for one in dict.fromkeys(kinds))
 
 
 def distinct(labels: Sequence[str]) -> list[str]:
@@ -171,7 +223,7 @@ def card(title: str, facts: dict[str, Any]) -> str:
 
 def _begins(manifest: dict) -> str:
     origin = manifest.get("origin")
-    return f"at {origin['at_s']} s of {origin['run']} (seed {origin['seed']})" if origin else ""
+    return printable(f"at {origin['at_s']} s of {origin['run']} (seed {origin['seed']})") if origin else ""
 
 
 def changes_of(run: Any) -> tuple[Change, ...]:

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Exceptions whose message is one sentence, which names the file, the option or the folder."""
+"""Exceptions whose message is one sentence, which names the file, the option or the folder, and how a user's names are printed."""
+import re
+import sys
 
 
 class RunError(ValueError):
@@ -8,3 +10,15 @@ class RunError(ValueError):
 
 class ProgramError(RuntimeError):
     """A program that is not there or that failed; the message is the program's own sentence."""
+
+
+def printable(text: str) -> str:
+    """Writes control characters, which the name of a file may have, as \\x0a."""
+    return re.sub(
+        r"[\x00-\x1f\x7f-\x9f\u2028\u2029]", lambda found: "".join(f"\\x{byte:02x}" for byte in found[0].encode()), text
+    )
+
+
+def remark(who: str, text: object) -> None:
+    """A line on standard error."""
+    print(f"{who}: {printable(str(text))}", file=sys.stderr)

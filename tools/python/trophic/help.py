@@ -55,13 +55,17 @@ def include_folder() -> pathlib.Path:
 
 def slots_in(headers: pathlib.Path) -> dict[str, str]:
     """The slots of a rule table, in its order, with the folders of their kinds."""
-    return dict(re.findall(r"^  SLOT\(\w+, (\w+), (\w+),", (headers / "trophic/rules/slots.hpp").read_text(), re.M))
+    return dict(
+        re.findall(
+            r"^  SLOT\(\w+, (\w+), (\w+),", (headers / "trophic/rules/slots.hpp").read_text(encoding="utf-8"), re.M
+        )
+    )
 
 
 def slot_text(headers: pathlib.Path, slot: str, kind: str) -> str:
     """The decision of a slot, its policies, and how one is swapped."""
     folder = headers / "trophic" / kind / slot
-    about = re.search(r"^// The contract of a slot: (.*)$", (folder / "contract.hpp").read_text(), re.M)
+    about = re.search(r"^// The contract of a slot: (.*)$", (folder / "contract.hpp").read_text(encoding="utf-8"), re.M)
     is_list = (folder / "list.hpp").exists()
     parts = [
         f"{'' if path.parent == folder else f'{path.parent.relative_to(folder)}: '}"
@@ -77,7 +81,7 @@ def slot_text(headers: pathlib.Path, slot: str, kind: str) -> str:
 def card(policy: str, headers: pathlib.Path) -> str:
     """The docstring in the header of a policy, by the name that tables have; empty if no policy with a header of its own has it."""
     for path in sorted(headers.rglob("*.hpp")):
-        text = path.read_text()
+        text = path.read_text(encoding="utf-8")
         named = re.search(rf'static constexpr std::string_view name = "{re.escape(policy)}"', text)
         documented = [
             found

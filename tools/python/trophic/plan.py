@@ -156,7 +156,7 @@ def read_sweep(path: str | os.PathLike) -> Sweep:
 
     path = pathlib.Path(path)
     try:
-        text = path.read_text()
+        text = path.read_text(encoding="utf-8")
         return _sweep(path, text, tomllib.loads(text))
     except OSError as error:
         raise RunError(f"{path}: cannot be read: {error.strerror}") from None
@@ -246,6 +246,11 @@ def cells_of(sweep: Sweep) -> list[Settings]:
     ]
 
 
+def settings_of(sweep: Sweep) -> list[Settings]:
+    """The `settings` of the runs of each cell in the plan."""
+    return [{key: value for key, value in cell.items() if key not in _CHOICES} for cell in cells_of(sweep)]
+
+
 def text_of(cell: Settings, sweep: Sweep) -> str:
     """ "rules.capture.reach_m=0.5 rules.mutation.sd=0.1": those settings of a cell that are not in [set]."""
     return " ".join(
@@ -276,10 +281,14 @@ def described(program: str, drafts: Sequence[Line]) -> list[Line]:
     make."""
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "draft.jsonl"
-        path.write_text("".join(_json(draft) + "\n" for draft in drafts))
+        path.write_text("".join(_json(draft) + "\n" for draft in drafts), encoding="utf-8", errors="surrogateescape")
         try:
             done = subprocess.run(
-                [program, "--plan", path, "--describe"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+                [program, "--plan", path, "--describe"],
+                stdout=subprocess.PIPE,
+                stderr=subprocess.PIPE,
+                encoding="utf-8",
+                errors="surrogateescape",
             )
         except OSError as error:
             raise RunError(f"--program {program}: {error.strerror}") from None
@@ -452,7 +461,7 @@ def _list_text(sweep: Sweep, line: Line) -> str:
 def _replace(path: pathlib.Path, text: str) -> None:
     path.parent.mkdir(parents=True, exist_ok=True)
     part = path.with_name(path.name + ".part")
-    with part.open("w") as file:
+    with part.open("w", encoding="utf-8", errors="surrogateescape") as file:
         file.write(text)
         file.flush()
         os.fsync(file.fileno())
@@ -469,7 +478,7 @@ def make_plan(sweep: Sweep, program: str, out: pathlib.Path) -> list[Line]:
     there: list[Line] = []
     if path.exists():
         read_plan(path)
-        there = [json.loads(line) for line in path.read_text().splitlines()]
+        there = [json.loads(line) for line in path.read_text(encoding="utf-8").splitlines()]
     plan = plan_of(sweep, program, there)
     check_grown(path, there, plan)
     with contextlib.ExitStack() as stack:
@@ -565,13 +574,14 @@ def _probe(program: str, line: Line) -> float:
                 [*words, "--duration", repr(until_s), "--out", run],
                 stdout=subprocess.DEVNULL,
                 stderr=subprocess.PIPE,
-                text=True,
+                encoding="utf-8",
+                errors="surrogateescape",
             )
             if done.returncode == STOPPED:
                 raise KeyboardInterrupt
             if done.returncode != 0:
                 raise RunError(f"a short run of {line['folder']}: {done.stderr.strip()}")
-            wall_s = float(json.loads((run / "manifest.json").read_text())["wall_s"])
+            wall_s = float(json.loads((run / "manifest.json").read_text(encoding="utf-8"))["wall_s"])
         if wall_s > 0.5 or until_s >= line["until_s"]:
             return wall_s / (line["work"] * until_s / line["until_s"])
         until_s = min(line["until_s"], 4.0 * until_s)

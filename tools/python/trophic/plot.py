@@ -2,17 +2,29 @@
 """`trophic plot`: every figure of an analysis into a new folder, as PNG and PDF with captions.json and captions.tex."""
 from __future__ import annotations
 
+import os
 import pathlib
+
+
+def _import_matplotlib() -> None:
+    """Figures are of the analysis alone: no matplotlibrc of the user, of the working folder or of the environment is read."""
+    os.environ["MATPLOTLIBRC"] = os.devnull
+    os.environ.pop("MPLBACKEND", None)
+    here = os.getcwd()
+    os.chdir(pathlib.Path(__file__).parent)
+    try:
+        import matplotlib
+    finally:
+        os.chdir(here)
+    matplotlib.use("Agg")
 
 
 def run(request: dict) -> int:
     """Draws the figures of the folder `analysis`; the request has the options of `trophic plot`. Returns the exit code."""
-    import matplotlib
-
-    matplotlib.use("Agg")
+    _import_matplotlib()
     from .figures import bodies, contests, cross_check, paper, style, sweep
-    from .report.tables import check_new, result_folder
-    from .errors import RunError
+    from .writing import check_new, result_folder
+    from .errors import RunError, printable
     from .runs import read_analysis
 
     folder = pathlib.Path(request["analysis"])
@@ -51,5 +63,5 @@ def run(request: dict) -> int:
         drawn = style.save_all(figures, part, request["with_captions"])
         if not drawn:
             raise RunError(f"{folder}: has the data of no figure")
-    print(f"{drawn} figures in {out}, with captions.json and captions.tex")
+    print(f"{drawn} figures in {printable(str(out))}, with captions.json and captions.tex")
     return 0

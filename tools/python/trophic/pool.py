@@ -20,11 +20,11 @@ from typing import Any
 import pandas
 
 from . import metrics, runs
-from .description import changes_of, describe
-from .errors import RunError
+from .description import changes_of, describe, lived_s
+from .errors import RunError, printable
 from .metrics import Measuring, Web, bodies, own, walls
 from .runs import Run
-from .values import CLONES, NEUTRAL, ONE_SIDED, SHADOW, MeasuredSet, RunValues
+from .values import CLONES, MOST_NUMBER, NEUTRAL, ONE_SIDED, SHADOW, MeasuredSet, RunValues
 from .words import NO_NEUTRAL, excerpt, number_text
 
 SHADOW_SLOT, POLICIES = "heredity", {SHADOW: "nothing_inherited", CLONES: "one_genome_for_all"}
@@ -86,15 +86,15 @@ class PooledRun(Run):
 
     @property
     def lived_s(self) -> float:
-        """How much of `until_s` the run lived: less if it ended early, by ecology.ends_when or a signal. No rate, window or half of a metric goes
+        """How much of `until_s` the run lived: less if it ended early, by ecology.ends_when, a signal or a kill. No rate, window or half of a metric goes
         beyond it."""
-        return self.until_s if self.end_s is None else min(self.until_s, self.end_s)
+        return min(self.until_s, lived_s(self))
 
     @property
     def begins(self) -> str:
         """ "at 700 s of runs/a (seed 7)" for a run that begins at a moment of another one, else empty."""
         origin = self.manifest.get("origin")
-        return "" if origin is None else f"at {origin['at_s']} s of {origin['run']} (seed {origin['seed']})"
+        return "" if origin is None else f"at {origin['at_s']} s of {printable(origin['run'])} (seed {origin['seed']})"
 
     def table(self, name: str, columns: list[str] | None = None, *, categories: bool = False) -> pandas.DataFrame:
         """As Run.table, without the rows after `until_s`, if the table has times."""
@@ -118,6 +118,10 @@ class PooledRun(Run):
                 float_precision="high",
                 na_values={name: [""] for name in columns if types[name] == "float64"},
             )
+            for name in columns:
+                if types[name] == "float64" and (wrong := frame[name].abs() > MOST_NUMBER).any():
+                    cell = number_text(frame[name][place := wrong.idxmax()])
+                    raise RunError(f"{self.path / file}:{place + 2}: {name} = {cell}: must be >= -1e60 and <= 1e60")
             frame["time_s"] = frame.time_s.astype("category").cat.rename_categories(float).astype(float)
         else:
             frame = _checked(
@@ -154,7 +158,8 @@ def read_set(
     name that is taken, and a choice that names no metric; and for a run that cannot be read.
     """
     how = how or Measuring()
-    (pooled, remarks), nulls = pooled_sets(paths, shadow, how)
+    folders = [pathlib.Path(path) for path in paths]
+    (pooled, remarks), nulls = pooled_sets(folders, shadow, how)
     every = [*pooled, *(run for its_runs, _ in nulls.values() for run in its_runs)]
     shipped = metrics.names(pooled[0], how)
     inherited = metrics.inherited(shipped, how)
@@ -183,12 +188,15 @@ def read_set(
         )
 
     found = measured(pooled, remarks)
-    found.inherited = inherited
+    found.inherited, found.planned = inherited, sum(map(planned_in, folders))
     for name, (its_runs, its_remarks) in nulls.items():
         if name.startswith(ONE_SIDED):
             found.one_sided[name.removeprefix(f"{ONE_SIDED}_")] = measured(its_runs, its_remarks)
         else:
             setattr(found, name, measured(its_runs, its_remarks))
+    for name, each in found.nulls.items():
+        is_named = name == SHADOW and shadow is not None
+        each.planned = sum(map(planned_in, [pathlib.Path(shadow)] if is_named else null_folders(folders, name)))  # type: ignore[arg-type]
     for each in (found, *found.nulls.values()):
         each.label = describe(found).label
     return found
@@ -285,7 +293,9 @@ def pooled_runs(paths: Iterable[pathlib.Path], how: Measuring) -> tuple[list[Poo
             f"all runs begin {found[0].begins}: they share that past, so that intervals are over its futures, not over runs"
         )
     found = [run if how.until_s is None else _cut(run, how.until_s) for run in found]
-    if early := sorted(run.lived_s for run in found if run.lived_s < run.until_s and "ended" in run.manifest["result"]):
+    if early := sorted(
+        run.lived_s for run in found if run.lived_s < run.until_s and "ended" in run.manifest.get("result", {})
+    ):
         between = number_text(early[0]) + (f" to {number_text(early[-1])}" if early[-1] > early[0] else "")
         remarks.append(
             f"{len(early)} of {len(found)} runs ended early, by ecology.ends_when, after {between} s: metrics, their windows and "
@@ -300,20 +310,15 @@ def run_folders(path: pathlib.Path, remarks: list[str]) -> list[pathlib.Path]:
     """
     if not path.is_dir():
         raise RunError(f"{path}: {'is not a folder' if path.exists() else 'does not exist'}")
-    listing = path / "replicates.json"
-    if not listing.exists():
+    if (names := runs.listed(path)) is None:
         return [path]
-    try:
-        names = [replicate["folder"] for replicate in runs.sealed(listing)["replicates"]]
-    except (TypeError, KeyError):
-        raise RunError(f"{listing}: replicates: must be a list of folders, as trophic writes it") from None
-    for name in names:
-        if not isinstance(name, str) or not _is_plain(name):
-            raise RunError(f"{listing}: folder = {json.dumps(name)}: must be text without control characters")
-        if pathlib.PurePath(name).name != name or name in ("", ".."):
-            raise RunError(f"{listing}: folder = {name}: must be the name of a folder next to it")
     remarks += [f"{path / name}: missing, the replicate was not run" for name in names if not (path / name).is_dir()]
     return [path / name for name in names if (path / name).is_dir()]
+
+
+def planned_in(path: pathlib.Path) -> int:
+    """How many runs a path stands for, those that are missing included."""
+    return 1 if (names := runs.listed(path)) is None else len(names)
 
 
 def read_pooled(folder: pathlib.Path) -> PooledRun:
@@ -343,7 +348,9 @@ def read_pooled(folder: pathlib.Path) -> PooledRun:
             if type(value) is not str:
                 refuse(f"{key} = {json.dumps(value)}: must be text")
 
-    if text := _not_plain({key: value for key, value in manifest.items() if key not in ("command_line", "error")}):
+    # Those that may have a path, and are printed as such.
+    free = ("command_line", "error", "origin", "description", "continued")
+    if text := _not_plain({key: value for key, value in manifest.items() if key not in free}):
         refuse(f"{json.dumps(text)}: must be text without control characters")
     try:
         whole(manifest["seed"], "seed", 0, 2**64 - 1)
@@ -429,6 +436,20 @@ def why_not_pooled(run: PooledRun, other: PooledRun, is_cut: bool, any_build: bo
             "cut all with --until"
         )
     return ""
+
+
+def check_apart(first: Sequence[Run], second: Sequence[Run]) -> None:
+    """Raises RunError, naming both, for a run that is in both of two sets that are compared."""
+
+    def kept(run: Run) -> tuple:
+        tables = run.manifest.get("tables", {})
+        return run.identity, run.seed, *sorted((name, one["crc32"]) for name, one in tables.items())
+
+    for run in second:
+        for other in first:
+            is_copy = run.manifest.get("tables") and kept(run) == kept(other)
+            if is_copy or run.path.resolve() == other.path.resolve():
+                raise RunError(f"{run.path}: must not be in both sets that are compared: it is the run {other.path}")
 
 
 def lasted_text(run: PooledRun) -> str:
@@ -592,6 +613,7 @@ def _checked(run: PooledRun, file: str, texts: pandas.DataFrame) -> pandas.DataF
                 cells.str.lower().isin(["nan", "-nan", "inf", "-inf"]) | (numbers.abs() == float("inf")), "finite"
             )
             refuse_first(numbers.isna(), "a number")
+            refuse_first((numbers.abs() > MOST_NUMBER) & (name != "time_s"), ">= -1e60 and <= 1e60")
         else:
             is_whole = cells.str.fullmatch(r"-?\d{1,18}" if name == "tag" else r"\d{1,18}")
             refuse_first(~(is_whole | ((cells == "") & (name in _OPTIONAL))), "a whole number in range")

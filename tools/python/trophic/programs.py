@@ -31,7 +31,11 @@ def call(program: str, arguments: list, what: str) -> str:
     """Calls a program and returns what it remarks on standard error. Raises ProgramError with its sentence, or with `what` and the exit code, if it fails."""
     try:
         done = subprocess.run(
-            [program, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
+            [program, *map(str, arguments)],
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            encoding="utf-8",
+            errors="surrogateescape",
         )
     except OSError as error:
         raise ProgramError(f"{program}: {error.strerror}") from None
@@ -49,7 +53,7 @@ class Page:
     def _repr_html_(self) -> str:
         import html
 
-        text = html.escape(self.path.read_text(), quote=True)
+        text = html.escape(self.path.read_text(encoding="utf-8"), quote=True)
         return f'<iframe srcdoc="{text}" style="width: 100%; height: 640px; border: 1px solid #ccc"></iframe>'
 
     def open(self) -> None:

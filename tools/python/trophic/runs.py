@@ -4,6 +4,7 @@
 docs/files.md lists the files, docs/tables.md the columns. Needs pandas."""
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import functools
 import html
@@ -15,11 +16,13 @@ import pathlib
 import shutil
 import zlib
 from collections.abc import Iterator
+from typing import BinaryIO
 
 import pandas
 
 from . import description, programs
 from .errors import RunError
+from .values import MOST_NUMBER
 
 TABLES = ("events", "agents", "phylogeny", "genomes", "senses", "states")
 # Columns of texts, whose empty cells are empty texts.
@@ -112,11 +115,9 @@ class Run:
     def add_table(self, name: str, frame: pandas.DataFrame) -> pathlib.Path:
         """Writes an own table, NAME.csv, into the run's folder, for `trophic analyze --column NAME.csv:COLUMN`. Raises RunError if it exists."""
         path = self.path / f"{name}.csv"
-        try:
-            with open(path, "x", newline="") as file:
-                frame.to_csv(file, index=False, lineterminator="\n", na_rep="nan")
-        except FileExistsError:
-            raise RunError(f"{path}: exists already; nothing is overwritten") from None
+        from .writing import write_new
+
+        write_new(path, frame.to_csv(index=False, lineterminator="\n", na_rep="nan"))
         return path
 
     def _repr_html_(self) -> str:
@@ -172,6 +173,8 @@ class Runs:
     neutral: "Runs | None" = None
     one_sided: "dict[str, Runs]" = dataclasses.field(default_factory=dict)
     """by species: the worlds in which it alone inherits nothing"""
+    planned: int = 0
+    """how many runs replicates.json lists; 0 without it"""
 
     @property
     def nulls(self) -> "dict[str, Runs]":
@@ -318,7 +321,25 @@ def read_runs(path: str | os.PathLike, *, incomplete: bool = False, accept_other
         if (path / name).is_dir()
     }
     shadow, neutral = nulls.pop("shadow", None), nulls.pop("neutral", None)
-    return Runs(path, runs, shadow, neutral, {name.removeprefix(_ONE_SIDED): of for name, of in nulls.items()})
+    one_sided = {name.removeprefix(_ONE_SIDED): of for name, of in nulls.items()}
+    return Runs(path, runs, shadow, neutral, one_sided, len(listed(path) or runs))
+
+
+def listed(path: pathlib.Path) -> list[str] | None:
+    """The folders that replicates.json lists in a folder; None without that file. Raises RunError for a broken list."""
+    listing = path / "replicates.json"
+    if not listing.exists():
+        return None
+    try:
+        names = [replicate["folder"] for replicate in sealed(listing)["replicates"]]
+    except (TypeError, KeyError):
+        raise RunError(f"{listing}: replicates: must be a list of folders, as trophic writes it") from None
+    for name in names:
+        if not isinstance(name, str) or any(ord(letter) < 32 or 127 <= ord(letter) < 160 for letter in name):
+            raise RunError(f"{listing}: folder = {json.dumps(name)}: must be text without control characters")
+        if pathlib.PurePath(name).name != name or name in ("", ".."):
+            raise RunError(f"{listing}: folder = {name}: must be the name of a folder next to it")
+    return names
 
 
 def one_sided_name(species: str) -> str:
@@ -348,7 +369,9 @@ def read_analysis(path: str | os.PathLike) -> Analysis:
     """Reads the folder of `trophic analyze --out`. Raises RunError if it is not one."""
     path = pathlib.Path(path)
     try:
-        return Analysis(path, _table(path / "metrics.csv"), json.loads((path / "summary.json").read_text()))
+        return Analysis(
+            path, _table(path / "metrics.csv"), json.loads((path / "summary.json").read_text(encoding="utf-8"))
+        )
     except (FileNotFoundError, json.JSONDecodeError, pandas.errors.ParserError, KeyError, RunError) as error:
         raise RunError(f"{path}: not what trophic analyze writes: {error}") from None
 
@@ -362,7 +385,7 @@ def verify(path: str | os.PathLike) -> None:
             check_sum(run.path / name, content(run.path / name), expected)
         if "recording" in run.manifest:
             recording, expected = (run.path / "replay.trp", run.manifest["recording"]["crc32"])
-            if (found := zlib.crc32(content(recording))) != expected:
+            if (found := _sum_of(recording)) != expected:
                 raise RunError(
                     f"{recording}: has checksum {found}: must be {expected}, as its manifest says; the recording was cut or changed after "
                     "the run"
@@ -376,8 +399,12 @@ def verify(path: str | os.PathLike) -> None:
 def _check_checkpoint(run: Run) -> None:
     """Raises RunError unless checkpoint.bin is whole and of the run of the manifest."""
     path = run.path / "checkpoint.bin"
-    whole = content(path)
-    if zlib.crc32(whole[:-4]) != int.from_bytes(whole[-4:], "little"):
+    with _opened(path) as file:
+        whole = file.read(_PIECE)  # has the texts at the beginning
+        size = file.seek(0, os.SEEK_END)
+        file.seek(max(0, size - 4))
+        last = file.read()
+    if not whole.startswith(b"trophic checkpoint\n") or _sum_of(path, size - 4) != int.from_bytes(last, "little"):
         raise RunError(
             f"{path}: is cut short or damaged: its checksum is another; without this file the run can be read, but not continued"
         )
@@ -396,7 +423,7 @@ def _check_checkpoint(run: Run) -> None:
 def sealed(path: pathlib.Path) -> dict:
     """Reads a JSON object that trophic wrote with its own checksum as the last entry. Raises RunError if it was changed since. An object without
     `format` and `crc32` is of an older program and is taken as it is."""
-    whole = content(path)
+    whole = content(path, 1 << 28)
     try:
         value = json.loads(whole.decode())
     except (ValueError, RecursionError):
@@ -410,26 +437,48 @@ def sealed(path: pathlib.Path) -> dict:
     return value
 
 
-def content(path: pathlib.Path) -> bytes:
-    """Reads a whole file. Raises RunError if it cannot be read, or if it is a pipe, on which reading would wait."""
+_PIECE = 1 << 20  # bytes that are read at a time
+
+
+@contextlib.contextmanager
+def _opened(path: pathlib.Path) -> Iterator[BinaryIO]:
+    """A file to be read. Raises RunError if it cannot be, or if it is a pipe, on which reading would wait."""
     try:
         if path.exists() and not path.is_file():
             raise RunError(f"{path}: is not a regular file")
-        return path.read_bytes()
+        with path.open("rb") as file:
+            yield file
     except OSError as error:
         raise RunError(f"{path}: cannot be read: {error.strerror}") from None
 
 
+def _sum_of(path: pathlib.Path, size: int | None = None) -> int:
+    """The checksum of the first `size` bytes of a file, or of all of them, in the memory of a piece."""
+    found, left = 0, float("inf") if size is None else size
+    with _opened(path) as file:
+        while left > 0 and (piece := file.read(int(min(_PIECE, left)))):
+            found, left = zlib.crc32(piece, found), left - len(piece)
+    return found
+
+
+def content(path: pathlib.Path, most: int | None = None) -> bytes:
+    """Reads a whole file. Raises RunError if it cannot be read, if it is a pipe, on which reading would wait, or if it has more bytes than `most`."""
+    with _opened(path) as file:
+        if most is not None and (size := os.fstat(file.fileno()).st_size) > most:
+            raise RunError(f"{path}: has {size} bytes: must be <= {most}")
+        return file.read()
+
+
 def _check_rows(path: pathlib.Path, table: pandas.DataFrame, species: list[str] | None) -> None:
-    """Raises RunError for a number that is not finite, and for a species that the manifest does not name."""
+    """Raises RunError for a number that is not finite or beyond 1e60, and for a species that the manifest does not name."""
     for column in table.columns if len(table) > 0 else ():
         if column == "species" and species is not None:
             if unknown := sorted(set(table[column]) - set(species)):
                 raise RunError(f"{path}: species = {unknown[0]!r}: must be a species of the run's manifest")
         elif column not in _TEXT and not (
-            pandas.api.types.is_numeric_dtype(table[column]) and table[column].abs().max() != float("inf")
+            pandas.api.types.is_numeric_dtype(table[column]) and not table[column].abs().max() > MOST_NUMBER
         ):
-            raise RunError(f"{path}: {column}: must be finite numbers")
+            raise RunError(f"{path}: {column}: must be finite numbers, >= -1e60 and <= 1e60")
 
 
 def check_sum(path: pathlib.Path, whole: bytes, expected: dict) -> None:
@@ -527,7 +576,7 @@ def _types(run: Run, name: str) -> dict[str, str]:
     if name in TABLES and name != "states":
         path = run.path / f"{name}.csv"
         try:
-            with path.open() as file:
+            with path.open(encoding="utf-8", errors="replace") as file:
                 header = file.readline().rstrip("\n").split(",")
         except OSError as error:
             raise RunError(f"{path}: cannot be read: {error.strerror}") from None

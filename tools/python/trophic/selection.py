@@ -34,15 +34,15 @@ import pandas
 
 from . import pool, statistics
 from .description import describe
-from .errors import RunError
+from .errors import RunError, printable, remark
 from .metrics import AGENTS, Agents, Measuring, velocity, walls
 from .metrics.tables import numbers, ratio
 from .pool import PooledRun
 from .report.columns import names
-from .report.tables import csv_text, result_folder, write_new
 from .runs import verify
 from .values import NEUTRAL, MeasuredSet, Metric
 from .words import Reading, columns, number_text, p_text
+from .writing import csv_text, result_folder, write_new
 
 PERIODS = ("all", "first", "second", "third")
 KINDS = ("survival", "parenthood", "mutation", "newcomers", "cohorts")
@@ -537,12 +537,12 @@ def run(request: Mapping[str, Any]) -> int:
     )
     with result_folder(request.get("out")) as folder:
         frame, sets, remarks = analyse(request["runs"], request["selection"], request.get("shadow"), how)
-        for remark in remarks:
-            print(f"{request['who']}: {remark}", file=sys.stderr)
-        for name, of in sets.items():
-            said = describe(MeasuredSet("", list(of), [], until_s=of[0].until_s))
-            print(f"{name}: {said.label} on {said.engine}, {len(of)} runs of {number_text(of[0].until_s)} s")
-        print(text(frame), end="")
         write_new(folder / "selection.csv", csv_text(frame))
-        print(f"files   {folder.with_suffix('')}/selection.csv")
+    for what in remarks:
+        remark(request["who"], what)
+    for name, of in sets.items():
+        said = describe(MeasuredSet("", list(of), [], until_s=of[0].until_s))
+        length = said.length()
+        print(f"{name}: {said.label} on {said.engine}, {length[0].lower()}{length[1:]}")
+    print(text(frame) + f"files   {printable(str(folder.with_suffix('')))}/selection.csv")
     return 0

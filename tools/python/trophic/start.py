@@ -89,7 +89,7 @@ def analyze(
     RunError, with a sentence that names it, for what cannot be analysed."""
     from .metrics import Measuring
     from .report import analyze as report
-    from .report.tables import result_folder
+    from .writing import result_folder
 
     paths = [_path(each) for each in (runs if isinstance(runs, (list, tuple)) else [runs])]
     sets = [] if compare is None else [*paths, _path(compare)]

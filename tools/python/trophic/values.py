@@ -32,6 +32,8 @@ METRIC = list(Metric._fields)
 SHADOW, NEUTRAL, CLONES, ONE_SIDED = "shadow", "neutral", "clones", "one_sided"
 """The names of the baselines that a set's neutral shadow, its neutral null, its clones and its one-sided worlds give. Those of the first three are
 also their folders; the world in which prey inherit nothing is in one_sided_prey."""
+MOST_NUMBER = 1e60
+"""The largest absolute number of a table or of a metric that is analysed: sums of fourth powers of such numbers are finite."""
 VALUE_COLUMNS = [*METRIC, "baseline", "role", "value"]
 CURVE_COLUMNS = [*METRIC, "baseline", "time_s", "value"]
 
@@ -70,6 +72,8 @@ class MeasuredSet:
 
     one_sided: "dict[str, MeasuredSet]" = dataclasses.field(default_factory=dict)
     """by species the world in which it alone inherits nothing"""
+    planned: int = 0
+    """how many runs the lists of their folders name; 0 without a list"""
 
     @property
     def nulls(self) -> "dict[str, MeasuredSet]":

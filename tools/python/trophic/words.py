@@ -6,6 +6,7 @@ import decimal
 import unicodedata
 from collections.abc import Iterable, Sequence
 
+from .errors import printable
 from .statistics import MOST_RUNS, Estimate
 from .values import CLONES, NEUTRAL, ONE_SIDED, SHADOW, Metric
 
@@ -150,7 +151,9 @@ _LATEX = {
 
 
 def latex_text(text: str) -> str:
-    """The text as LaTeX shows it letter by letter. Quotation marks open and close, and a line may break after _ and /."""
+    """The text as LaTeX shows it letter by letter. Quotation marks open and close, a line may break after _ and /, and control characters are
+    written as \\x0a."""
+    text = printable(text)
     quotes = iter(("``", "''") * text.count('"'))
     return "".join(next(quotes) if letter == '"' else _LATEX.get(letter, letter) for letter in text)
 

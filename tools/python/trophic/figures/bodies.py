@@ -198,7 +198,7 @@ def picture_of(plan):
     """The picture of a plan by `trophic film`."""
     with tempfile.TemporaryDirectory() as name:
         robot = pathlib.Path(name) / "plan.toml"
-        robot.write_text(robot_file(plan))
+        robot.write_text(robot_file(plan), encoding="utf-8")
         return film("--robot", robot, "--size", "240x180", "--legend", "off")[0][24:174, 30:210]
 
 

@@ -74,7 +74,7 @@ class Data:
         """Seconds of a tick, from the manifest of a run."""
         path = self.folders[0] / "manifest.json"
         try:
-            return json.loads(path.read_text())["params"]["ecology"]["tick_s"]
+            return json.loads(path.read_text(encoding="utf-8"))["params"]["ecology"]["tick_s"]
         except (OSError, ValueError, KeyError) as error:
             raise Missing(f"{path}: {error}") from error
 
@@ -517,7 +517,7 @@ def figures_of(folder, run=0):
             (f"{prefix}own-{re.sub(r'[^A-Za-z0-9]+', '_', metric)}", functools.partial(own_metric, data, metric))
             for metric in own
         ]
-    summary = json.loads((pathlib.Path(folder) / "summary.json").read_text())
+    summary = json.loads((pathlib.Path(folder) / "summary.json").read_text(encoding="utf-8"))
     if "differences" in summary:
         figures.insert(0, ("forest", functools.partial(forest, summary)))
     return figures

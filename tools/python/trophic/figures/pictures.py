@@ -205,7 +205,8 @@ def film(*words):
             done = subprocess.run(
                 [find_program("trophic"), "film", *map(str, words), "-o", str(picture)],
                 capture_output=True,
-                text=True,
+                encoding="utf-8",
+                errors="surrogateescape",
                 timeout=120,
             )
         except ProgramError as error:

@@ -9,6 +9,7 @@ import textwrap
 import matplotlib.pyplot as plt
 
 from ..words import latex_text, one_line
+from ..writing import encoded
 
 # Okabe and Ito's colours, distinguishable with every common colour blindness and, with the line styles, in grey.
 COLOURS = {"prey": "#0072B2", "predator": "#D55E00"}
@@ -181,6 +182,6 @@ def save_all(figures, out, with_captions=False):
         captions[name] = getattr(figure, "caption", "")
         plt.close(figure)
         drawn += 1
-    (out / "captions.json").write_text(json.dumps(captions, indent=2) + "\n")
-    (out / "captions.tex").write_text(captions_tex(captions))
+    (out / "captions.json").write_text(json.dumps(captions, indent=2) + "\n", encoding="utf-8")
+    (out / "captions.tex").write_bytes(encoded(captions_tex(captions)))
     return drawn

@@ -75,7 +75,7 @@ class Sweep:
         differences = pd.read_csv(folder / "sweep_differences.csv", dtype={"unit": str, "significant": str})
         over = differences.compared == "over_shadow"
         self.differences = differences[over] if over.any() else differences  # the answers
-        summary = json.loads((folder / "summary.json").read_text())["sweep"]
+        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))["sweep"]
         self.reference = summary["reference"]
         self.cells["cell"] = self.cells.cell.astype(int)
         self.cells = self.cells.set_index("cell")

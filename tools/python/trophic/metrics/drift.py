@@ -132,7 +132,7 @@ def read_descent(run: PooledRun) -> Descent:
 def _weights(run: PooledRun, places: dict[int, int], species: Sequence[str]) -> tuple[numpy.ndarray, dict[str, int]]:
     """The weights and sizes of the individuals' genomes, as Descent has them."""
     path = run.path / "genomes.csv"
-    with open(path) as file:
+    with open(path, encoding="utf-8") as file:
         columns = [name for name in file.readline().rstrip("\r\n").split(",") if re.fullmatch(r"w\d+", name)]
     table = _whole(run, "genomes.csv", ["id", "genome_id", *columns])
     if (table.groupby("genome_id")["id"].nunique() > 1).any():
@@ -272,7 +272,9 @@ def ask(
                 file.writelines(
                     row[: of.sizes[name]].tobytes() for name, row in zip(of.species, of.weights.astype("<f8"))
                 )
-        done = subprocess.run([program, "--signatures", path], capture_output=True, text=True)
+        done = subprocess.run(
+            [program, "--signatures", path], capture_output=True, encoding="utf-8", errors="surrogateescape"
+        )
     if done.returncode != 0:
         raise RunError(done.stderr.strip() or f"{program} --signatures: exit code {done.returncode}")
     found = numpy.array(done.stdout.split(), dtype=int).reshape(-1, 2)

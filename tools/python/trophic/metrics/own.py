@@ -14,6 +14,7 @@ import pandas
 
 from ..errors import RunError
 from ..runs import Run
+from ..values import MOST_NUMBER
 from ..words import number_text
 from .tables import Results, means, numbers, window_of
 
@@ -183,6 +184,7 @@ def _check_samples(frame: pandas.DataFrame, run: PooledRun) -> None:
             raise RunError(f"{name} = {quote}{frame.loc[wrong.idxmax(), name]}{quote}: must be {must}")
 
     refuse_first(numpy.isinf(frame.value), "value", "finite, or nan if there is none")
+    refuse_first(frame.value.abs() > MOST_NUMBER, "value", ">= -1e60 and <= 1e60")
     if "time_s" in frame:
         refuse_first(~frame.time_s.between(0.0, run.until_s), "time_s", f">= 0 and <= {number_text(run.until_s)}")
     if "species" in frame:

@@ -11,7 +11,7 @@ import numpy
 import pandas
 
 from ..errors import RunError
-from ..values import METRIC, RunValues
+from ..values import METRIC, MOST_NUMBER, RunValues
 
 WINDOW_S = 200.0
 """The paper's curves "are population averages measured every 200 seconds, resulting in 30 points"."""
@@ -75,13 +75,14 @@ def mean_of(values: numpy.ndarray) -> float:
 
 def numbers(path: pathlib.Path, texts: pandas.Series, none: Sequence[str] = ()) -> numpy.ndarray:
     """The cells of a table's column as numbers; those of `none` are nan. Raises RunError, naming file and line, for the first other cell that
-    is not a finite number."""
+    is not a number from -1e60 to 1e60."""
     is_none = texts.isin(none).to_numpy()
     found = pandas.to_numeric(texts.where(~is_none, "nan"), errors="coerce").to_numpy(float)
-    wrong = ~numpy.isfinite(found) & ~is_none
+    wrong = ~(numpy.abs(found) <= MOST_NUMBER) & ~is_none
     if wrong.any():
         cell = texts.iloc[place := int(wrong.argmax())]
-        must = "finite" if numpy.isinf(found[place]) or cell.lower() in ("nan", "-nan") else "a number"
+        is_infinite = cell.lower() in ("nan", "-nan", "inf", "-inf")
+        must = "finite" if is_infinite else "a number" if numpy.isnan(found[place]) else ">= -1e60 and <= 1e60"
         raise RunError(f'{path}:{place + 2}: {texts.name} = "{cell}": must be {must}')
     return texts.where(~is_none, "nan").to_numpy().astype(float)  # exact, which to_numeric is not
 

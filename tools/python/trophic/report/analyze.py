@@ -6,7 +6,6 @@ import contextlib
 import math
 import os
 import pathlib
-import sys
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -14,11 +13,12 @@ import pandas
 
 from .. import judge, pool, published
 from ..description import describe, distinct
-from ..errors import RunError
+from ..errors import RunError, printable, remark
 from ..metrics import Measuring
 from ..runs import Analysis
 from ..values import MeasuredSet
 from ..words import number_text
+from ..writing import csv_text, json_text, result_folder, write_new
 from . import tables, tex, text
 from .measuring import measuring_of
 
@@ -60,7 +60,9 @@ def analyse(
     how = how or Measuring()
     groups = [[folder] for folder in compare] or [list(runs)]
     if compare:
-        first, second = (pool.pooled_runs([pathlib.Path(folder)], how)[0][0] for folder in compare)
+        both = [pool.pooled_runs([pathlib.Path(folder)], how)[0] for folder in compare]
+        pool.check_apart(*both)
+        first, second = (of[0] for of in both)
         if how.until_s is None and not pool.lasted_alike(first, second):
             raise RunError(
                 f"{second.path}: {pool.lasted_text(second)}, but {first.path} has {pool.lasted_text(first)}; runs of different length "
@@ -120,6 +122,8 @@ def run(request: Mapping[str, Any]) -> int:
     if request.get("html"):
         from . import page
 
+        if not request["html"].lower().endswith((".html", ".htm")):
+            raise RunError(f"--html {request['html']}: must end in .html")
         if os.path.lexists(request["html"]):
             raise RunError(f"--html {request['html']}: exists already; nothing is overwritten")
         if not pathlib.Path(request["html"]).absolute().parent.is_dir():
@@ -127,34 +131,35 @@ def run(request: Mapping[str, Any]) -> int:
         if request.get("figures"):
             page.read_figures(request["figures"])
     wants_tables = request.get("out") is not None or not request.get("html")
-    with tables.result_folder(request.get("out")) if wants_tables else contextlib.nullcontext() as folder:
+    files, about_page = [], ""
+    with result_folder(request.get("out")) if wants_tables else contextlib.nullcontext() as folder:
         outcome = analyse(request.get("runs") or (), request.get("compare") or (), request.get("shadow"), how)
         replays = page.replays_of(outcome.sets, request.get("replays"), request["who"]) if request.get("html") else None
-        for remark in outcome.remarks():
-            print(f"{request['who']}: {remark}", file=sys.stderr)
         whole, brief = texts(outcome, bool(request.get("published")))
-        print(whole if request.get("all") or how.metrics else brief, end="")
-        if asked is not None:
-            print(text.runs_for(outcome.answer, asked), end="")
         if folder is not None:
-            print(f"files   {folder.with_suffix('')}/{{{','.join(write_tables(folder, outcome))}}}")
+            files = write_tables(folder, outcome)
         if request.get("html"):
             frames = outcome.frames if outcome.compared is None else [outcome.compared]
-            downloads = {"metrics.csv": tables.csv_text(tables.metrics(outcome.sets))}
-            print(
-                page.write(
-                    request["html"],
-                    outcome.sets,
-                    frames,
-                    judge.findings(outcome.answer),
-                    request,
-                    text=whole,
-                    downloads=downloads,
-                    replays=replays,
-                ),
-                end="",
+            downloads = {"metrics.csv": csv_text(tables.metrics(outcome.sets))}
+            about_page = page.write(
+                request["html"],
+                outcome.sets,
+                frames,
+                judge.findings(outcome.answer),
+                request,
+                text=whole,
+                downloads=downloads,
+                replays=replays,
             )
-        sys.stdout.flush()
+    # Files first: the reader of the text may stop reading.
+    for what in outcome.remarks():
+        remark(request["who"], what)
+    print(whole if request.get("all") or how.metrics else brief, end="")
+    if asked is not None:
+        print(text.runs_for(outcome.answer, asked), end="")
+    if folder is not None:
+        print(f"files   {printable(str(folder.with_suffix('')))}/{{{','.join(files)}}}")
+    print(about_page, end="")
     return 0
 
 
@@ -174,20 +179,20 @@ def write_tables(folder: pathlib.Path, outcome: Outcome) -> list[str]:
     sets, compared = outcome.sets, outcome.compared
     made = outcome.analysis(folder)
     files = {
-        "metrics.csv": tables.csv_text(made.metrics),
-        "means.csv": tables.csv_text(made.means),
+        "metrics.csv": csv_text(made.metrics),
+        "means.csv": csv_text(made.means),
         "means.tex": "".join(tex.means(of, frame) for of, frame in zip(sets, outcome.frames)),
     }
     if compared is not None:
         files |= {
-            "differences.csv": tables.csv_text(made.differences),
+            "differences.csv": csv_text(made.differences),
             "differences.tex": tex.differences(sets[0], sets[1], compared),
         }
     elif published.answers(sets[0], outcome.frames[0]):
         files["answers.tex"] = tex.answers(sets[0], outcome.frames[0])
     if len(survivals := pandas.concat([tables.survivals(of) for of in sets])):
-        files["survival.csv"] = tables.csv_text(survivals)
-    files["summary.json"] = tables.json_text(made.summary)
+        files["survival.csv"] = csv_text(survivals)
+    files["summary.json"] = json_text(made.summary)
     for name, content in files.items():
-        tables.write_new(folder / name, content)
+        write_new(folder / name, content)
     return list(files)

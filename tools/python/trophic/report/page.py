@@ -9,6 +9,7 @@ import math
 import os
 import pathlib
 import re
+import shlex
 import sys
 import tempfile
 from collections.abc import Mapping, Sequence
@@ -18,11 +19,11 @@ import jinja2
 import pandas
 
 from .. import controls, description, judge
-from ..errors import ProgramError, RunError
+from ..errors import ProgramError, RunError, printable
 from ..programs import call, find_program
 from ..values import METRIC, MeasuredSet, Metric
 from ..words import Reading, metric_title, null_title, over_text, p_text
-from .tables import write_new
+from ..writing import csv_text, encoded, write_new
 from .text import answers_of
 
 Replays = Tuple[str, List[Dict[str, str]]]
@@ -37,7 +38,7 @@ def read_figures(folder: str | os.PathLike) -> list[dict[str, Any]]:
     """The figures that `trophic plot` drew into a folder: each PNG that its captions.json names. Raises RunError for a folder without them."""
     path = pathlib.Path(folder) / "captions.json"
     try:
-        captions = json.loads(path.read_text())
+        captions = json.loads(path.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         raise RunError(f"{path}: {getattr(error, 'strerror', None) or 'is not a JSON object'}") from None
     if not isinstance(captions, dict):
@@ -90,7 +91,7 @@ def write(
             sentences=_sentences(sets, frames, findings),
             facts=_told(sets, [its.facts() for its in described]),
             replays=parts,
-            viewer=_base64(viewer.encode()),
+            viewer=_base64(encoded(viewer)),
             tables=tables,
             text=text,
             figures=figures,
@@ -104,16 +105,16 @@ def write(
                 ),
                 command_of(request),
             ],
-            downloads=[(name, _base64(content.encode())) for name, content in files.items()],
+            downloads=[(name, _base64(encoded(content))) for name, content in files.items()],
         )
     )
     write_new(path, page)
-    return f"page    {path}: {len(figures)} figures, {len(parts)} replays, {len(page.encode()) / 1e6:.1f} MB\n"
+    return f"page    {printable(str(path))}: {len(figures)} figures, {len(parts)} replays, {len(encoded(page)) / 1e6:.1f} MB\n"
 
 
 def command_of(request: Mapping[str, Any]) -> str:
     """The command line that makes the page of a request again: the options that were given."""
-    words = [str(request["who"]), *(request.get("runs") or [])]
+    words = [*(request.get("runs") or [])]
     for name, value in request.items():
         if name in ("who", "runs", "replays", "jobs", "out", "all") or value in (None, False, [], ""):
             continue
@@ -128,7 +129,7 @@ def command_of(request: Mapping[str, Any]) -> str:
                 for one in (value if isinstance(value, list) else [value])
                 for word in (option, f"{one:.15g}" if isinstance(one, float) else str(one))
             ]
-    return " ".join(words)
+    return " ".join([str(request["who"]), *map(shlex.quote, words)])
 
 
 def _told(sets: Sequence[MeasuredSet], facts: Sequence[Mapping[str, str]]) -> list[tuple[str, str]]:
@@ -196,7 +197,7 @@ def replays_of(sets: Sequence[MeasuredSet], most: int | None, who: str) -> Repla
                     find_program("trophic"), ["show", run.path, "-o", made], "trophic show"
                 ).splitlines():
                     print(remark.replace("trophic show", who, 1), file=sys.stderr)
-                before, part, after = _PART.fullmatch(made.read_text()).groups()  # type: ignore[union-attr]
+                before, part, after = _PART.fullmatch(made.read_text(encoding="utf-8", errors="surrogateescape")).groups()  # type: ignore[union-attr]
                 viewer, name = f"{before}<!--RUNS-->{after}", run.path.resolve().name
                 parts.append({"label": f"{label} {name}" if len(sets) > 1 else name, "part": part})
         except ProgramError as error:
@@ -304,7 +305,7 @@ def _csv(tables: Sequence[Mapping[str, Any]]) -> str:
     for table in tables:
         headings = [heading or "bar" for heading in table["headings"]]
         frame = pandas.DataFrame([[cell["text"] for cell in row["cells"]] for row in table["rows"]], columns=headings)
-        texts.append(frame.drop(columns="bar").to_csv(index=False, lineterminator="\n"))
+        texts.append(csv_text(frame.drop(columns="bar")))
     return "\n".join(texts)
 
 

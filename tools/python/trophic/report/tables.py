@@ -1,112 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""Results for machines: metrics.csv, means.csv, differences.csv and summary.json, and the folder that they are in."""
+"""Results for machines: metrics.csv, means.csv, differences.csv and summary.json."""
 from __future__ import annotations
 
-import contextlib
-import fcntl
-import json
 import os
-import pathlib
-import shutil
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy
 import pandas
 
 from .. import __version__, controls, judge, published
-from ..errors import RunError
 from ..statistics import MIN_RUNS_FOR_TEST, is_significant, survival
 from ..values import METRIC, NEUTRAL, ONE_SIDED, SHADOW, MeasuredSet
-from ..words import number_text
+from ..writing import without_nan
 from .columns import names
-
-
-# Files
-
-
-@contextlib.contextmanager
-def result_folder(out: str | os.PathLike | None, keeps: str = "") -> Iterator[pathlib.Path]:
-    """A folder OUT.part for results, which gets the name `out`, or "analysis", "analysis-1", ... when the work is done. It goes again if the work
-    fails; what a killed program left there is removed, but for a file called `keeps`. Raises RunError if the folder exists, or if another program works in OUT.part.
-    """
-    path = pathlib.Path(out if out is not None else "analysis")
-    if out is None and os.path.lexists(path):
-        path = next(
-            free for free in (pathlib.Path(f"analysis-{i}") for i in range(1, 1_000_000)) if not os.path.lexists(free)
-        )
-    check_new(path)
-    part = path.with_name(path.name + ".part")
-    try:
-        part.mkdir(parents=True, exist_ok=True)
-        lock = os.open(part, os.O_RDONLY | os.O_NOFOLLOW | os.O_DIRECTORY)
-    except OSError as error:
-        raise RunError(f"--out {path}: cannot be made: {error.strerror}") from None
-    try:
-        fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        os.close(lock)
-        raise RunError(f"{part}: another program is running in it") from None
-    except OSError:
-        pass  # a file system without locks
-    try:
-        _clear(part, keeps)
-        yield part
-        publish(part, path)
-    except BaseException:
-        with contextlib.suppress(OSError):
-            _clear(part, keeps)
-            part.rmdir()
-        raise
-    finally:
-        os.close(lock)
-
-
-def check_new(path: pathlib.Path) -> None:
-    """Raises RunError if a folder exists."""
-    if os.path.lexists(path):
-        raise RunError(f"--out {path}: exists already; nothing is overwritten")
-
-
-def _clear(part: pathlib.Path, keeps: str) -> None:
-    for left in part.iterdir():
-        if left.name != keeps:
-            shutil.rmtree(left) if left.is_dir() and not left.is_symlink() else left.unlink()
-
-
-def publish(part: pathlib.Path, path: pathlib.Path) -> None:
-    """Gives a folder of results its name. Raises RunError if something has it."""
-    check_new(path)
-    part.rename(path)
-
-
-def write_new(path: str | os.PathLike, content: str | bytes) -> None:
-    """Writes a new file, whole or not at all. Raises RunError if it exists, and OSError if it cannot be written; both name it."""
-    path = pathlib.Path(path)
-    part = path.with_name(path.name + ".part")
-    try:
-        part.unlink(missing_ok=True)  # of a killed program, or a link
-        with open(part, "xb") as file:
-            file.write(content.encode() if isinstance(content, str) else content)
-        os.link(part, path)  # unlike a renaming, it never replaces a file
-    except FileExistsError:
-        raise RunError(f"{path}: exists already; nothing is overwritten") from None
-    except OSError as error:
-        raise OSError(error.errno, f"cannot be written: {error.strerror}", str(path)) from None
-    finally:
-        part.unlink(missing_ok=True)
-
-
-def csv_text(frame: pandas.DataFrame) -> str:
-    """A frame as trophic's CSV: exact numbers, empty cells for nan and None, and texts in quotes if they have a comma."""
-    columns = []
-    for name in frame:
-        if frame[name].dtype.kind in "fiu":
-            columns.append([number_text(value) for value in frame[name].tolist()])
-        else:
-            texts = ["" if value is None or value != value else str(value) for value in frame[name].tolist()]
-            columns.append([f'"{text}"' if "," in text else text for text in texts])
-    return "".join(",".join(cells) + "\n" for cells in [tuple(frame.columns), *zip(*columns)])
 
 
 # Tables
@@ -124,7 +31,7 @@ def metrics(sets: Sequence[MeasuredSet]) -> pandas.DataFrame:
                 )
                 if null:
                     rows = rows[rows["baseline"] == ""].assign(baseline=null)
-                rows = rows.assign(set=one.label, run=run.path.resolve().name.replace(",", "_"), seed=run.seed)
+                rows = rows.assign(set=one.label, run=run.path.resolve().name, seed=run.seed)
                 parts.append(rows.reindex(columns=names("metrics.csv")))
     frame = pandas.concat(parts, ignore_index=True)
     return frame.astype({"time_s": float, "value": float, "seed": "uint64"})
@@ -177,11 +84,7 @@ def summary(
     }
     if compared is not None:
         content["differences"] = [_difference(rows) for _, rows in compared.groupby(METRIC, sort=False)]
-    return _without_nan(content)
-
-
-def json_text(content: Any) -> str:
-    return json.dumps(_without_nan(content), indent=2, ensure_ascii=False, allow_nan=False) + "\n"
+    return without_nan(content)
 
 
 def _family(frame: pandas.DataFrame) -> dict[str, Any]:
@@ -388,11 +291,3 @@ def _reading(each: published.ReadingConclusion) -> dict[str, Any]:
         "difference_upper": upper,
         "conclusion": each.conclusion,
     }
-
-
-def _without_nan(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {key: _without_nan(part) for key, part in value.items()}
-    if isinstance(value, list):
-        return [_without_nan(part) for part in value]
-    return None if value != value else value

@@ -317,7 +317,7 @@ def claims(of: MeasuredSet) -> str:
         "The paper does not say whether inactive prey count. Leaving them out (active) is an inference: the authors' log marks them.\n"
         "Each reading is tested alone: a claim with more readings is more easily reproduced under one of them.\n"
     )
-    if of.until_s != published.DURATION_S:
+    if min(of.until_s, said.lived_s[1]) != published.DURATION_S:
         text += f"the claims are about runs of {number_text(published.DURATION_S)} s: counts of deaths in other times do not compare (--until)\n"
     return text + _too_few(of)
 

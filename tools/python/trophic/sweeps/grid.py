@@ -152,7 +152,7 @@ def is_paired(a: Cell, b: Cell) -> bool:
 def read_plan(path: pathlib.Path) -> list[PlannedRun]:
     """Reads the runs of a plan. Raises RunError, naming line and field, for anything that trophic does not write."""
     try:
-        lines = path.read_text().splitlines()
+        lines = path.read_text(encoding="utf-8").splitlines()
     except (OSError, UnicodeDecodeError) as error:
         raise RunError(f"{path}: cannot be read: {getattr(error, 'strerror', None) or error}") from None
     runs: list[PlannedRun] = []

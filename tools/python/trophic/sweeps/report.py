@@ -6,7 +6,6 @@ import dataclasses
 import math
 import os
 import pathlib
-import sys
 from typing import Any
 
 import numpy
@@ -14,7 +13,7 @@ import pandas
 
 from .. import __version__, judge, metrics, pool
 from ..description import describe
-from ..errors import RunError
+from ..errors import RunError, printable, remark
 from ..judge import Finding
 from ..metrics import Measuring
 from ..report import tables
@@ -24,6 +23,7 @@ from ..runs import Runs, read_run
 from ..statistics import MIN_RUNS_FOR_TEST, USUAL_POWER, is_significant
 from ..values import METRIC, Metric
 from ..words import Reading, columns, metric_title, number_text, p_text, runs_text
+from ..writing import csv_text, json_text, result_folder, write_new
 from . import arrays
 from .cells import (
     ANSWER,
@@ -143,7 +143,7 @@ def _label_of(sweep: Sweep, reference: int) -> str:
 
 def run(request: dict) -> int:
     """The command, from its options by name."""
-    with tables.result_folder(request.get("out")) as out:
+    with result_folder(request.get("out")) as out:
         analysis = analyze_sweep(
             request["runs"][0],
             reference=request.get("reference"),
@@ -151,14 +151,13 @@ def run(request: dict) -> int:
             allow_missing=bool(request.get("allow_missing")),
             how=measuring_of(request),
         )
-        for remark in [
-            *analysis.remarks[:5],
-            *([f"and {len(analysis.remarks) - 5} more"] if len(analysis.remarks) > 5 else []),
-        ]:
-            print(f"{request['who']}: {remark}", file=sys.stderr)
-        print(text_of(analysis), end="")
         files = write(analysis, out)
-        print(f"files   {out.with_suffix('')}/{{{','.join(files)}}}")
+    for what in [
+        *analysis.remarks[:5],
+        *([f"and {len(analysis.remarks) - 5} more"] if len(analysis.remarks) > 5 else []),
+    ]:
+        remark(request["who"], what)
+    print(text_of(analysis) + f"files   {printable(str(out.with_suffix('')))}/{{{','.join(files)}}}")
     return 0
 
 
@@ -176,11 +175,11 @@ def write(analysis: SweepAnalysis, out: pathlib.Path) -> list[str]:
     }
     settings = [axis.name for axis in _settings(analysis.sweep.grid)]
     for name, frame in content.items():
-        tables.write_new(
+        write_new(
             out / name,
-            tables.csv_text(frame.reindex(columns=[*column_names(name), *(settings if name == "cells.csv" else [])])),
+            csv_text(frame.reindex(columns=[*column_names(name), *(settings if name == "cells.csv" else [])])),
         )
-    tables.write_new(out / "summary.json", tables.json_text(summary_of(analysis)))
+    write_new(out / "summary.json", json_text(summary_of(analysis)))
     return [*content, "summary.json"]
 
 

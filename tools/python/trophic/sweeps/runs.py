@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import importlib.util
 import json
 import pathlib
 from collections.abc import Sequence
@@ -14,6 +15,7 @@ from ..errors import RunError
 from ..metrics import Measuring, kept, own
 from ..metrics.living import changes_numbers
 from ..pool import PooledRun
+from ..runs import listed, sealed
 from ..values import METRIC, Metric, RunValues
 from ..words import number_text
 from .cells import SweepValues
@@ -66,6 +68,7 @@ def read_sweep(folder: pathlib.Path, accept_other_build: bool = False) -> Sweep:
     is not the planned one, for a shadow that is none, for runs that several builds of a program made unless `accept_other_build`, and if no
     run is there. Runs that are missing or incomplete go to `missing`."""
     plan = read_plan(folder / PLAN)
+    _check_beside(folder, plan)
     sweep = Sweep(folder, plan, grid_of(plan), [], [], [], [])
     webs: set[str] = set()
     builds: set[str] = set()
@@ -101,6 +104,43 @@ def read_sweep(folder: pathlib.Path, accept_other_build: bool = False) -> Sweep:
                 )
                 break
     return sweep
+
+
+def _check_beside(folder: pathlib.Path, plan: Sequence[PlannedRun]) -> None:
+    """Raises RunError, naming the file, unless sweep.toml and each replicates.json, as far as they are there, are of the plan."""
+    file = folder / "sweep.toml"
+    if file.exists() and importlib.util.find_spec("tomllib"):
+        from .. import plan as planning
+
+        sweep = planning.read_sweep(file)
+        cells = {_text(cell) for cell in planning.settings_of(sweep)}
+        if cells != {_text(run.settings) for run in plan}:
+            raise RunError(f"{file}: has other settings than {PLAN}: it was changed after the plan was made")
+        for run in plan:
+            master_seed = sweep.seed if sweep.paired else planning.seed_of(sweep.seed, run.cell)
+            here = (planning.seed_of(master_seed, run.replicate), sweep.replay_hz, sweep.agents_every)
+            if run.replicate >= sweep.replicates or (run.seed, run.replay_hz, run.agents_every) != here:
+                raise RunError(
+                    f"{file}: has other replicates, seeds or tables than {PLAN}: it was changed after the plan was made"
+                )
+    planned: dict[pathlib.Path, list[PlannedRun]] = {}
+    for run in plan:
+        planned.setdefault(pathlib.Path(run.folder).parent, []).append(run)
+    for place, runs in planned.items():
+        if listed(folder / place) is None:
+            continue
+        file = folder / place / "replicates.json"
+        content = sealed(file)
+        seeds = {one["folder"]: one.get("seed") for one in content["replicates"]}
+        for run in runs:
+            if seeds.get(pathlib.Path(run.folder).name) != run.seed or content.get("fingerprint") != run.fingerprint:
+                raise RunError(
+                    f"{file}: must list {pathlib.Path(run.folder).name} with its seed and fingerprint, as {PLAN}"
+                )
+
+
+def _text(value: object) -> str:
+    return json.dumps(value, sort_keys=True)
 
 
 def _run_of(sweep: Sweep, planned: PlannedRun) -> tuple[PooledRun | None, str]:
