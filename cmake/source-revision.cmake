@@ -1,5 +1,5 @@
-# cmake -DSOURCE=FOLDER -DFILE=OUTPUT.cpp -P source-revision.cmake: writes a C++ file with the revision of the sources and
-# the build that the definition TROPHIC_BUILD states, only if it changed. The revision is data: code and constants, by which
+# cmake -DSOURCE=FOLDER -DSYMBOL=NAME -DFILE=OUTPUT.cpp -P source-revision.cmake: writes a C++ file with the revision of the sources as NAME,
+# only if it changed; with a program's trophic_source_revision also the build that the definition TROPHIC_BUILD states. The revision is data: code and constants, by which
 # trophic::program_code identifies a program, do not change with it. The revision is "unknown" if SOURCE is neither the top of a git checkout
 # (an enclosing project's revision is not ours) nor trophic's own archive, into which `git archive` writes its commit.
 set(revision unknown)
@@ -23,13 +23,17 @@ if(GIT)
     endif()
   endif()
 endif()
-set(text "extern \"C\" {
-extern const char* trophic_source_revision;
-extern const char* trophic_build;
-char trophic_source_revision_text[256] = \"${revision}\";
-const char* trophic_source_revision = trophic_source_revision_text;
+set(build "")
+if(SYMBOL STREQUAL "trophic_source_revision")
+  set(build "extern const char* trophic_build;
 const char* trophic_build = TROPHIC_BUILD;
-}
+")
+endif()
+set(text "extern \"C\" {
+extern const char* ${SYMBOL};
+char ${SYMBOL}_text[256] = \"${revision}\";
+const char* ${SYMBOL} = ${SYMBOL}_text;
+${build}}
 ")
 set(before "")
 if(EXISTS ${FILE})

@@ -6,17 +6,23 @@ function(trophic_add_experiment name)
   trophic_link_provenance(${name})
 endfunction()
 
-# trophic_link_provenance(NAME): what trophic/command/provenance.hpp tells of the program. The revision is looked up at every build; its file is
-# compiled again, and the program is linked again, only when it changed.
+# trophic_revision_of(SYMBOL TARGET FILE): a target that writes, at every build, a C++ file with the revision of the project's sources as SYMBOL, only
+# if it changed.
+function(trophic_revision_of symbol target file)
+  add_custom_target(
+    ${target}
+    BYPRODUCTS ${file}
+    COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DSYMBOL=${symbol} -DFILE=${file} -P
+            ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/source-revision.cmake
+    COMMENT "Looking up the source revision" VERBATIM)
+endfunction()
+
+# trophic_link_provenance(NAME): what trophic/command/provenance.hpp tells of the program.
 function(trophic_link_provenance name)
   string(MAKE_C_IDENTIFIER "trophic_provenance_of_${PROJECT_NAME}" provenance)
   if(NOT TARGET ${provenance})
     set(revision ${PROJECT_BINARY_DIR}/trophic_provenance/source_revision.cpp)
-    add_custom_target(
-      ${provenance}_look_up_revision
-      BYPRODUCTS ${revision}
-      COMMAND ${CMAKE_COMMAND} -DSOURCE=${PROJECT_SOURCE_DIR} -DFILE=${revision} -P ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/source-revision.cmake
-      COMMENT "Looking up the source revision" VERBATIM)
+    trophic_revision_of(trophic_source_revision ${provenance}_look_up_revision ${revision})
     add_library(${provenance} OBJECT ${revision})
     add_dependencies(${provenance} ${provenance}_look_up_revision)
     string(TOUPPER "${CMAKE_BUILD_TYPE}" build_type)

@@ -60,7 +60,7 @@ ecology.duration_s = 8000.0
 rules.capture.reach_m = [0.5, 1.0]
 """
 # Parts of a manifest that describe the program that made a run, not the run.
-OF_PROGRAM = ["command_line", "host", "wall_s", "continued", "source_revision", "crc32"]
+OF_PROGRAM = ["command_line", "host", "wall_s", "continued", "trophic_revision", "source_revision", "crc32"]
 
 
 def files_of(folder):

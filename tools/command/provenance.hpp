@@ -14,6 +14,7 @@
 extern "C" {
 [[gnu::weak]] const char* trophic_source_revision = nullptr;
 [[gnu::weak]] const char* trophic_build = nullptr;
+extern const char* trophic_revision;  ///< the same of trophic itself, by its own build
 }
 
 namespace trophic::command {
@@ -37,14 +38,15 @@ namespace trophic::command {
 [[nodiscard]] inline io::Provenance provenance(int argc, const char* const* argv) {
   return {{"command_line", command_line(argc, argv)},
           {"host", host_name()},
+          {"trophic_revision", trophic_revision},
           {"source_revision", source_revision()},
           {"build", build()}};
 }
 
 /// For --version. `backends`: names and versions.
 [[nodiscard]] inline std::string version_text(const std::string& backends) {
-  return "trophic   " + std::string{version} + "\nsource    " + source_revision() + "\ncode      " + program_code() +
-         "\ncompiler  " + io::compiler() + "\nbuild     " + build() + "\nbackends  " + backends;
+  return "trophic   " + std::string{version} + "\nrevision  " + trophic_revision + "\nsource    " + source_revision() +
+         "\ncode      " + program_code() + "\ncompiler  " + io::compiler() + "\nbuild     " + build() + "\nbackends  " + backends;
 }
 
 }  // namespace trophic::command
