@@ -31,7 +31,7 @@ def facts(folder):
         null = next((null for null in NULLS for part in parts if part == null or part.startswith(f"{null}_")), "")
         found.append(
             {
-                "revision": manifest["source_revision"],
+                "revision": manifest.get("trophic_revision", manifest["source_revision"]),
                 "engine": manifest["backend"],
                 "table": manifest["rule_table"].split(" with ")[0] if null else manifest["rule_table"],
                 "seed": manifest["seed"],
