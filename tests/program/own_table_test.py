@@ -84,13 +84,14 @@ class OwnTable(InFolder):
 
     def test_version_names_the_backends(self):
         lines = dict(line.split(None, 1) for line in self.call_ok("--version").splitlines())
-        self.assertEqual(set(lines), {"trophic", "source", "code", "compiler", "build", "backends"})
+        self.assertEqual(set(lines), {"trophic", "revision", "source", "code", "compiler", "build", "backends"})
         version = re.search(r'version = "([\d.]+)"', (ROOT / "include/trophic/support/version.hpp").read_text())[1]
         self.assertEqual((lines["trophic"], lines["backends"].split(",")[0]), (version, "kinematic 1"))
         self.assertRegex(lines["compiler"], r"^(g|clang)\+\+ \d+")
         self.call_ok("--backend", "kinematic", "--duration", 10, "--out", "run")
         manifest = self.manifest("run")
-        self.assertEqual((lines["source"], lines["build"]), (manifest["source_revision"], manifest["build"]))
+        keys = {"revision": "trophic_revision", "source": "source_revision", "build": "build"}
+        self.assertEqual({name: lines[name] for name in keys}, {name: manifest[key] for name, key in keys.items()})
 
     def test_its_own_csv_table_is_in_every_run(self):
         options = ["--backend", "kinematic", "--duration", 100, "--replicates", 2, "--shadow"]
