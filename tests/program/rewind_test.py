@@ -251,6 +251,8 @@ class Rewind(InFolder):
                 "--out",
                 out,
             ]
+            if arguments:
+                (self.folder / out).mkdir()  # --resume wants a folder; this one is of a program that was killed at once
             pipes = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "text": True}
             programs = [subprocess.Popen(begun, cwd=self.folder, **pipes) for _ in range(4)]
             errors = [program.communicate(timeout=60)[1] for program in programs]

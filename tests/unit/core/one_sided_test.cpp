@@ -2,6 +2,7 @@
 // The one-sided world: one species inherits nothing, the others do.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <map>
 #include <set>
 #include <support/hand_population.hpp>
@@ -57,13 +58,19 @@ std::string null_remark(const observe::RunDescription& run) {
   return found == run.remarks.end() ? "" : *found;
 }
 
-/// The largest distance of newborns of a species to their parents.
+/// The largest distance of the weights of newborns of a species from their parents'.
 struct Distances {
   void on_event(const observe::Event& event, const View&) {
-    if (event.kind == observe::EventKind::birth && !event.individual.parents.empty())
-      most[event.individual.species] = std::max(most[event.individual.species], event.individual.mutation_distance);
+    if (event.kind != observe::EventKind::birth) return;
+    const Individual& born = event.individual;
+    const std::vector<double>& own = weights[born.id] = born.genome->weights;
+    if (born.parents.empty()) return;
+    double squares = 0.0;
+    for (std::size_t i = 0; i < own.size(); ++i) squares += std::pow(own[i] - weights.at(born.parents.front())[i], 2);
+    most[born.species] = std::max(most[born.species], std::sqrt(squares));
   }
   std::map<Species, double> most;
+  std::map<IndividualId, std::vector<double>> weights;
 };
 
 }  // namespace

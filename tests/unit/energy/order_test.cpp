@@ -42,7 +42,7 @@ struct Turns {
 
 }  // namespace
 
-TEST_CASE("order: by turns -> sheep eat, starve and reproduce before wolves catch; together -> they do not; both ledgers close") {
+TEST_CASE("order: by turns -> sheep eat, starve and reproduce before wolves catch, together -> they do not, both ledgers close") {
   for (const Acts acts : {Acts::in_turn, Acts::together}) {
     CAPTURE(enum_names(acts)[static_cast<std::size_t>(acts)]);
     Ecology<worlds::WolfSheep> ecology{meadow(acts), backend::Torus::Params{}};
@@ -57,7 +57,7 @@ TEST_CASE("order: by turns -> sheep eat, starve and reproduce before wolves catc
   }
 }
 
-TEST_CASE("order: by turns, together by its parameter -> resumed to the byte; together -> as a table without the rule") {
+TEST_CASE("order: by turns, together by its parameter -> resumed to the byte, together -> as a table without the rule") {
   const test::TemporaryFolder folder;
   for (const Acts acts : {Acts::in_turn, Acts::together})
     test::check_resumed(meadow(acts), backend::Torus::Params{}, folder.path() / enum_name(acts), {20, 50, 51}, 20.0,

@@ -45,8 +45,8 @@ void check_build(const std::filesystem::path& folder);
 /// Looks at the folder of a run that is to be resumed. A folder without a whole checkpoint, or with one of another version of
 /// trophic, is set aside, as nothing can be resumed there; so is a complete run whose files are damaged, if `schedule` verifies.
 /// Throws std::invalid_argument if the folder is of no run, or of one with other rules, parameters or another seed, if another
-/// build of the program wrote its checkpoint and `schedule` does not accept that, or if it has links in it; std::runtime_error if another
-/// program works in it.
+/// build of the program wrote its checkpoint and `schedule` does not accept that, or if it has links in it; std::runtime_error if
+/// another program works in it.
 [[nodiscard]] RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run,
                                     const Schedule& schedule = {});
 
