@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Exceptions whose message is one sentence, which names the file, the option or the folder, and how a user's names are printed."""
+from __future__ import annotations
+
 import re
 import sys
 
