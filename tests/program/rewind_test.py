@@ -251,8 +251,8 @@ class Rewind(InFolder):
                 "--out",
                 out,
             ]
-            if arguments:
-                (self.folder / out).mkdir()  # --resume wants a folder; this one is of a program that was killed at once
+            if arguments:  # resumed is what is there: a shorter run
+                self.run_ok("--from", "whole", "--at", 700, "--duration", 900, "--seed", 5, "--out", out)
             pipes = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "text": True}
             programs = [subprocess.Popen(begun, cwd=self.folder, **pipes) for _ in range(4)]
             errors = [program.communicate(timeout=60)[1] for program in programs]
