@@ -78,7 +78,7 @@ def in_brief(data):
 def choices_that_matter(data):
     """The effects of single choices, rules and numbers."""
     lines = []
-    keys = ("difference", "difference_lower", "difference_upper")  # of a single comparison
+    keys = ("difference", "difference_lower", "difference_upper")
     question = "Do prey evolve to flee, by the parent of a newborn prey and the range in which it is looked for?"
     for parent, words in (("active", "parent must be active"), ("any", "parent may be inactive")):
         for range_m in ("12", "4"):

@@ -138,7 +138,7 @@ class _Teams:
     """Teams of one set of runs, each drawn when first asked for."""
 
     def __init__(self, runs: Sequence[PooledRun], size: Size, is_shadow: bool, planned: Planned):
-        self.runs, self.size, self.is_shadow, self.planned = (runs, size, is_shadow, planned)
+        self.runs, self.size, self.is_shadow, self.planned = runs, size, is_shadow, planned
         self.species = list(runs[0].manifest["species"])
         self.living = [living_genomes(run, size.epochs_s) for run in runs]
         self.numbers: dict[tuple, int] = {}
@@ -213,7 +213,7 @@ def add_matches(
                     runs[replicate].path,
                     size.epochs_s[epoch],
                 )
-                theirs = (opponents(other, 0, victim if hunts else hunter, team), panel[other].path, last.epochs_s[0])
+                theirs = opponents(other, 0, victim if hunts else hunter, team), panel[other].path, last.epochs_s[0]
                 add(
                     "panel_victims" if hunts else "panel_hunters",
                     (hunter, victim),

@@ -384,7 +384,7 @@ def with_nulls(frame: pandas.DataFrame) -> pandas.DataFrame:
     has_null = frame.assign(is_null=is_null).groupby(key, sort=False)["is_null"].transform("any")
     table = frame[is_null | (~has_null & ~frame.duplicated(key))].copy()
     alone = ~is_null[table.index]
-    (table.loc[alone, "null"], table.loc[alone, "null_n"], table.loc[alone, "null_mean"]) = ("", 0, NAN)
+    table.loc[alone, "null"], table.loc[alone, "null_n"], table.loc[alone, "null_mean"] = "", 0, NAN
     return table
 
 
@@ -501,7 +501,7 @@ def _fact(row: Any) -> tuple[str, str]:
 
 def _plainness(row: Any) -> tuple:
     group = _GROUPS.index(row.group) if row.group in _GROUPS else len(_GROUPS)
-    return (_MEASURES.get(row.metric, (9, "", 0))[2], group, getattr(row, "null", SHADOW) not in NULLS)
+    return _MEASURES.get(row.metric, (9, "", 0))[2], group, getattr(row, "null", SHADOW) not in NULLS
 
 
 def facts(frame: pandas.DataFrame, conclusions: Sequence[str]) -> list[Any]:

@@ -176,7 +176,7 @@ def _instead(spread: Spread) -> Spread:
     return Spread(spread.deviation, "our runs, another reading")
 
 
-_EVERY, _ACTIVE, _INHERITED = ("every member counts", "the inactive are left out", "only the inherited count")
+_EVERY, _ACTIVE, _INHERITED = "every member counts", "the inactive are left out", "only the inherited count"
 _CAUGHT = _logs(0.037)
 _TAGS = Spread(0.065, "published range")  # the range of ten runs, 0.33 to 0.53, over 3.08 [tippett1925]
 

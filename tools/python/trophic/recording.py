@@ -174,7 +174,7 @@ def _bodies_at(head, frames, bodies):
 
 
 def _recording(head, frames, values, complete, bodies):
-    units, per_tick, steps = (head["units"], head["frames_per_tick"], head["steps_per_tick"])
+    units, per_tick, steps = head["units"], head["frames_per_tick"], head["steps_per_tick"]
     step = -(-(frames % per_tick) * steps // per_tick)
     half_yaw = 0.5 * units["yaw_rad"] * values[..., 3]
     tilt = units["tilt_rad"] * values[..., 4:6]

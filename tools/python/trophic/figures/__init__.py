@@ -23,7 +23,7 @@ def _of_analysis(draw):
     return figure
 
 
-(attribution, velocity, wall_sticking, tag_symmetry, population, with_and_without, own_metric) = map(
+attribution, velocity, wall_sticking, tag_symmetry, population, with_and_without, own_metric = map(
     _of_analysis,
     (
         paper.attribution,

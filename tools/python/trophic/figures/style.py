@@ -88,7 +88,7 @@ def legend_above(ax, columns=2, **options):
     labels = ax.get_legend_handles_labels()[1]
     if not labels:
         return 0
-    figure, room_in = (ax.figure, (ax.figure.get_figwidth() - 0.7) / ax.get_subplotspec().get_gridspec().ncols)
+    figure, room_in = ax.figure, (ax.figure.get_figwidth() - 0.7) / ax.get_subplotspec().get_gridspec().ncols
     for count in range(columns, 0, -1):
         legend = ax.legend(
             loc="lower left",

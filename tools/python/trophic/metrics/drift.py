@@ -196,7 +196,7 @@ def drift_of(of: Descent, web: Sequence[str], draw: Callable[[], float]) -> Desc
             if len(candidates) >= len(its):
                 for i in range(len(its)):
                     drawn = int(draw() * len(candidates))
-                    candidates[drawn], candidates[-1] = (candidates[-1], candidates[drawn])
+                    candidates[drawn], candidates[-1] = candidates[-1], candidates[drawn]
                     parents[place][i] = candidates.pop()
             _add_parents(weights, place, parents[place], weights, 1.0)
         living.append(place)

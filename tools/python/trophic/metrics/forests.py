@@ -87,7 +87,7 @@ def modes(forest: Forest, species, times_s: Sequence[float] | numpy.ndarray) -> 
             result[window, :2] = len(now - before), len(now - ever)
         if kept:
             shares = counts / len(kept)
-            result[window, 2:] = (-(shares * numpy.log2(shares)).sum(), forest.complexity[kept].max())
+            result[window, 2:] = -(shares * numpy.log2(shares)).sum(), forest.complexity[kept].max()
         before = now
         ever |= now
     return result

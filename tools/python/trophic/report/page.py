@@ -280,7 +280,7 @@ def _table(frame: pandas.DataFrame) -> dict[str, Any]:
 
 def _estimate(row: Any, suffix: str = "") -> tuple:
     interval = (getattr(row, f"lower{suffix}"), getattr(row, f"upper{suffix}"))
-    return (getattr(row, f"n{suffix}"), getattr(row, f"mean{suffix}"), getattr(row, f"deviation{suffix}"), interval)
+    return getattr(row, f"n{suffix}"), getattr(row, f"mean{suffix}"), getattr(row, f"deviation{suffix}"), interval
 
 
 def _is_known(value: float | None) -> bool:

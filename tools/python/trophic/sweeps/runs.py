@@ -163,7 +163,7 @@ def _run_of(sweep: Sweep, planned: PlannedRun) -> tuple[PooledRun | None, str]:
             raise RunError(
                 f"{folder}/manifest.json: {field} = {there}: must be {wanted}, as the plan has it for run {planned.index}"
             )
-    return (run, "" if run.complete else f'status "{run.manifest["status"]}", must be "complete"')
+    return run, "" if run.complete else f'status "{run.manifest["status"]}", must be "complete"'
 
 
 def check_sweep(sweep: Sweep, reference: int, allow_missing: bool, how: Measuring) -> None:
@@ -246,7 +246,4 @@ def measure_sweep(sweep: Sweep, how: Measuring) -> tuple[SweepValues, list[str]]
 
 def _observed(run: RunValues) -> tuple[dict[Metric, float], list[str]]:
     values = run.values[run.values["baseline"] == ""]
-    return (
-        dict(zip(map(Metric._make, values[METRIC].itertuples(index=False, name=None)), values["value"])),
-        run.remarks,
-    )
+    return dict(zip(map(Metric._make, values[METRIC].itertuples(index=False, name=None)), values["value"])), run.remarks
