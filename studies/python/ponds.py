@@ -6,6 +6,7 @@ import designs
 import numpy
 import pandas
 from trophic import metrics, selection, statistics
+from trophic.values import one_sided_name
 
 WORLDS = {
     "as shipped": ["pond"],
@@ -153,7 +154,7 @@ def difference(*terms):
 
 def one_sided(key):
     """The null in which the species of a key inherits nothing."""
-    return f"one_sided_{key[1]}"
+    return one_sided_name(key[1])
 
 
 def nulls_of(key):

@@ -49,6 +49,10 @@ class SetOfRuns(Protocol):
     def neutral(self) -> Any:
         ...
 
+    @property
+    def one_sided(self) -> dict[str, Any]:
+        ...
+
 
 @dataclasses.dataclass(frozen=True)
 class Description:
@@ -114,7 +118,7 @@ class Description:
 
 
 def _nulls(of: SetOfRuns) -> list[tuple[str, Any]]:
-    one_sided = [(f"one-sided world of {species}", its) for species, its in getattr(of, "one_sided", {}).items()]
+    one_sided = [(f"one-sided world of {species}", its) for species, its in of.one_sided.items()]
     return [("shadow", of.shadow), *one_sided, ("neutral null", of.neutral)]
 
 

@@ -49,8 +49,8 @@ import numpy
 
 from .programs import chosen_program
 from .errors import RunError
-from .runs import one_sided_name
 from .sweeps.grid import PLAN, read_plan
+from .values import one_sided_name
 from .words import number_text, one_line
 
 DURATION = "ecology.duration_s"

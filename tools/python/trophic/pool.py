@@ -24,7 +24,7 @@ from .description import changes_of, describe, lived_s
 from .errors import RunError, printable
 from .metrics import Measuring, Web, bodies, own, walls
 from .runs import Run
-from .values import CLONES, MOST_NUMBER, NEUTRAL, ONE_SIDED, SHADOW, MeasuredSet, RunValues
+from .values import CLONES, MOST_NUMBER, NEUTRAL, SHADOW, MeasuredSet, RunValues, one_sided_name, one_sided_species
 from .words import NO_NEUTRAL, excerpt, number_text
 
 SHADOW_SLOT, POLICIES = "heredity", {SHADOW: "nothing_inherited", CLONES: "one_genome_for_all"}
@@ -190,8 +190,8 @@ def read_set(
     found = measured(pooled, remarks)
     found.inherited, found.planned = inherited, sum(map(planned_in, folders))
     for name, (its_runs, its_remarks) in nulls.items():
-        if name.startswith(ONE_SIDED):
-            found.one_sided[name.removeprefix(f"{ONE_SIDED}_")] = measured(its_runs, its_remarks)
+        if species := one_sided_species(name):
+            found.one_sided[species] = measured(its_runs, its_remarks)
         else:
             setattr(found, name, measured(its_runs, its_remarks))
     for name, each in found.nulls.items():
@@ -208,7 +208,7 @@ def pooled_sets(
     """The runs of some folders, and those of their nulls by name, each with remarks. Raises RunError as `read_set`."""
     folders = [pathlib.Path(path) for path in paths]
     pooled, nulls = pooled_runs(folders, how), {}
-    sides = [f"{ONE_SIDED}_{species}" for species in pooled[0][0].web.species]
+    sides = map(one_sided_name, pooled[0][0].web.species)
     for name in (SHADOW, *sides, NEUTRAL, *([CLONES] if not how.bodies and how.lineages is None else [])):
         its_folders = [pathlib.Path(shadow)] if name == SHADOW and shadow is not None else null_folders(folders, name)
         if its_folders:
@@ -490,17 +490,18 @@ def check_shadow(run: PooledRun, shadow: PooledRun, any_parent: bool = False, na
     nothing inherited or, with the name of the neutral null, with its heredity. Seeds may differ. With `any_parent` the rule in slot parent may
     differ too: if nothing is inherited, it changes parents and labels, and no genome and no motion.
     """
+    species = one_sided_species(name)
 
     def refuse(why: str) -> None:
         what = f"{'set of' if name == CLONES else 'neutral'} {name.replace(NEUTRAL, 'null')}"
-        if name.startswith(ONE_SIDED):
-            what = f"one-sided world of {name.removeprefix(f'{ONE_SIDED}_')}"
+        if species:
+            what = f"one-sided world of {species}"
         raise RunError(f"{shadow.path}: is not a {what} of {run.path}: {why}")
 
     policy, own_policy = (one.manifest.get("rules", {}).get(SHADOW_SLOT, "unknown") for one in (shadow, run))
     wanted = POLICIES.get(name, f"{NEUTRAL}_{own_policy}")
-    if name.startswith(ONE_SIDED):
-        wanted = f"{own_policy}, {POLICIES[SHADOW]} for {name.removeprefix(f'{ONE_SIDED}_')}"
+    if species:
+        wanted = f"{own_policy}, {POLICIES[SHADOW]} for {species}"
     if policy != wanted:
         refuse(f"its rule in slot {SHADOW_SLOT} is {policy}: must be {wanted}")
     free = {SHADOW_SLOT, "parent"} if any_parent else {SHADOW_SLOT}

@@ -22,7 +22,7 @@ import pandas
 
 from . import description, programs
 from .errors import RunError
-from .values import MOST_NUMBER
+from .values import MOST_NUMBER, one_sided_name, one_sided_species
 
 TABLES = ("events", "agents", "phylogeny", "genomes", "senses", "states")
 # Columns of texts, whose empty cells are empty texts.
@@ -46,7 +46,6 @@ _TEXT = (
 )
 # Columns of whole numbers that are never empty. All other numbers may have empty cells or fractions in some run.
 _WHOLE = ("tick", "id", "body", "genome_id", "active", "tag", "tag_at_birth")
-_ONE_SIDED = "one_sided_"
 _CATEGORIES = ("event", "species", "cause", "cause_of_death", "origin", "tag_outcome", "run", "set")
 
 
@@ -321,7 +320,7 @@ def read_runs(path: str | os.PathLike, *, incomplete: bool = False, accept_other
         if (path / name).is_dir()
     }
     shadow, neutral = nulls.pop("shadow", None), nulls.pop("neutral", None)
-    one_sided = {name.removeprefix(_ONE_SIDED): of for name, of in nulls.items()}
+    one_sided = {one_sided_species(name): of for name, of in nulls.items()}
     return Runs(path, runs, shadow, neutral, one_sided, len(listed(path) or runs))
 
 
@@ -342,13 +341,8 @@ def listed(path: pathlib.Path) -> list[str] | None:
     return names
 
 
-def one_sided_name(species: str) -> str:
-    """The name of the one-sided world of a species, and of the folder of its runs in that of the replicates."""
-    return _ONE_SIDED + species
-
-
 def _is_null(folder: str) -> bool:
-    return folder in ("shadow", "neutral", "clones") or folder.startswith(_ONE_SIDED)
+    return folder in ("shadow", "neutral", "clones") or one_sided_species(folder) != ""
 
 
 def read_study(

@@ -31,11 +31,22 @@ class Metric(NamedTuple):
 METRIC = list(Metric._fields)
 SHADOW, NEUTRAL, CLONES, ONE_SIDED = "shadow", "neutral", "clones", "one_sided"
 """The names of the baselines that a set's neutral shadow, its neutral null, its clones and its one-sided worlds give. Those of the first three are
-also their folders; the world in which prey inherit nothing is in one_sided_prey."""
+also their folders; `one_sided_name` has those of the last."""
 MOST_NUMBER = 1e60
 """The largest absolute number of a table or of a metric that is analysed: sums of fourth powers of such numbers are finite."""
 VALUE_COLUMNS = [*METRIC, "baseline", "role", "value"]
 CURVE_COLUMNS = [*METRIC, "baseline", "time_s", "value"]
+
+
+def one_sided_name(species: str) -> str:
+    """The name of the world in which this species alone inherits nothing, and of the folder of its runs in that of the replicates."""
+    return f"{ONE_SIDED}_{species}"
+
+
+def one_sided_species(name: str) -> str:
+    """The species of the one-sided world of this name; empty for another null."""
+    prefix = one_sided_name("")
+    return name[len(prefix) :] if name.startswith(prefix) else ""
 
 
 @dataclasses.dataclass
@@ -78,7 +89,7 @@ class MeasuredSet:
     @property
     def nulls(self) -> "dict[str, MeasuredSet]":
         """The sets of the shadow, the one-sided worlds, the neutral null and the clones, as far as there are any, by the names of their folders."""
-        sides = ((f"{ONE_SIDED}_{species}", one) for species, one in self.one_sided.items())
+        sides = ((one_sided_name(species), one) for species, one in self.one_sided.items())
         every = ((SHADOW, self.shadow), *sides, (NEUTRAL, self.neutral), (CLONES, self.clones))
         return {name: one for name, one in every if one is not None}
 
@@ -86,13 +97,9 @@ class MeasuredSet:
         """The nulls of runs that a metric stands next to, by baseline: of the one-sided worlds that of its species, and the neutral null for what is
         inherited."""
         return {
-            ONE_SIDED if name.startswith(ONE_SIDED) else name: one
+            ONE_SIDED if one_sided_species(name) else name: one
             for name, one in self.nulls.items()
-            if (
-                one is self.one_sided.get(metric.species)
-                if name.startswith(ONE_SIDED)
-                else name != NEUTRAL or metric.metric in self.inherited
-            )
+            if one_sided_species(name) in ("", metric.species) and (name != NEUTRAL or metric.metric in self.inherited)
         }
 
     def null_values(self, metric: Metric, name: str) -> numpy.ndarray:

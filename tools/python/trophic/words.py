@@ -8,7 +8,7 @@ from collections.abc import Iterable, Sequence
 
 from .errors import printable
 from .statistics import MOST_RUNS, Estimate
-from .values import CLONES, NEUTRAL, ONE_SIDED, SHADOW, Metric
+from .values import CLONES, NEUTRAL, ONE_SIDED, SHADOW, Metric, one_sided_species
 
 _PLAIN_UNITS = (
     "",
@@ -48,8 +48,8 @@ def over_nulls(compared: Iterable[str]) -> tuple[str, str, str]:
 
 def null_title(name: str) -> str:
     """The title of a null by the name of its baseline or folder: "shadow", "one-sided world (prey)"; its own name for any other."""
-    kind, _, species = name.partition(f"{ONE_SIDED}_")
-    return NULLS.get(name, name) if kind or not species else f"{NULLS[ONE_SIDED]} ({species})"
+    species = one_sided_species(name)
+    return f"{NULLS[ONE_SIDED]} ({species})" if species else NULLS.get(name, name)
 
 
 def over_text(compared: str) -> str:

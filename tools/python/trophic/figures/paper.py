@@ -16,7 +16,7 @@ from ..errors import RunError
 from ..metrics import Web, names_of
 from ..runs import Analysis, read_analysis
 from ..sweeps import arrays
-from ..values import ONE_SIDED, SHADOW
+from ..values import SHADOW, one_sided_name
 from ..words import null_title, over_nulls
 from .pictures import catches, film_strip, phylogeny, trajectories
 from .style import COLOURS, NULL_COLOUR, Missing, caption, colour, legend_above, line, width_in, wrapped
@@ -85,7 +85,7 @@ class Data:
     def null_of(self, species):
         """The baseline of the null of what a species does: its one-sided world, if the analysis has one, as `trophic.controls` asks for where numbers
         change; else the shadow."""
-        one_sided = f"{ONE_SIDED}_{species}"
+        one_sided = one_sided_name(species)
         return one_sided if (self.metrics.baseline == one_sided).any() else SHADOW
 
     @property

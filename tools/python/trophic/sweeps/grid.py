@@ -12,7 +12,7 @@ from typing import Any
 
 from ..errors import RunError
 from ..pool import MOST_TIME_S
-from ..runs import one_sided_name
+from ..values import one_sided_name, one_sided_species
 
 PLAN = "plan.jsonl"
 
@@ -117,7 +117,7 @@ def grid_of(plan: Sequence[PlannedRun]) -> Grid:
         if run.null in ("none", "shadow"):
             setattr(replicate, "shadow" if run.shadow else "run", run.index)
         else:
-            replicate.one_sided[run.null.removeprefix(one_sided_name(""))] = run.index
+            replicate.one_sided[one_sided_species(run.null)] = run.index
         names.update(dict.fromkeys(run.settings))
     cells = [
         Cell(number, first[number], [replicates[place] for place in sorted(replicates) if place[0] == number])
