@@ -1,6 +1,6 @@
 # cmake -DSOURCE=FOLDER -DSYMBOL=NAME -DFILE=OUTPUT.cpp -P source-revision.cmake: writes a C++ file with the revision of the sources as NAME,
-# only if it changed; with a program's trophic_source_revision also the build that the definition TROPHIC_BUILD states. The revision is data: code and constants, by which
-# trophic::program_code identifies a program, do not change with it. The revision is "unknown" if SOURCE is neither the top of a git checkout
+# only if it changed; with a program's trophic_source_revision also the build that the definition TROPHIC_BUILD states. The revision is data:
+# code and constants, by which trophic::program_code identifies a program, do not change with it. The revision is "unknown" if SOURCE is neither the top of a git checkout
 # (an enclosing project's revision is not ours) nor trophic's own archive, into which `git archive` writes its commit.
 set(revision unknown)
 set(archived "$Format:%H$")

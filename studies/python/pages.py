@@ -952,7 +952,7 @@ def turning_by_distance(rows):
 
 def evolving_ponds(data):
     """Velocities over the shadow and Price's terms of speed of ponds in which gaits, or bodies too, evolve. Without stars: numbers change, so the
-    shadow is no control of one species, and these runs have no neutral null."""
+    shadow does not control for one species, and these runs have no neutral null."""
     lines = []
     for name, species in itertools.product(("gaits", "bodies"), ("prey", "predator")):
         rows = [

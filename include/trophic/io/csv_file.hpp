@@ -46,7 +46,7 @@ class LineFile {
     archive(file_, lines_);
   }
 
-  /// `types`: of the columns; the last is that of all further ones. Without it the sum has no columns.
+  /// `columns`: as in add_columns. Without them the sum has none.
   [[nodiscard]] TableSum sum(const std::vector<TypedColumn>& columns = {}) const {
     TableSum sum{.rows = lines_ == 0 ? 0 : lines_ - 1, .crc32 = file_.checksum()};
     if (!columns.empty()) sum.add_columns(read_part(file_.path(), TableSum::longest_header), columns);

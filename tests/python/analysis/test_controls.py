@@ -216,7 +216,7 @@ def test_when_a_species_dies_out_is_compared_with_the_runs_that_it_survives():
     assert sentence.startswith(
         "The mean time that prey last, up to the common end of the runs, is 13.7 s higher in runs of"
     )
-    none = world({metric("persists"): [1.0] * 40})  # nobody dies out: such a set has no metric of when
+    none = world({metric("persists"): [1.0] * 40})  # no species dies out, so the set has no metric of when
     none.until_s = 60.0
     rows = judge.compare(a, none).query("metric == 'extinct_at'")
     assert rows.mean_b.tolist() == [60.0] and rows.conclusion.tolist() == ["above"]

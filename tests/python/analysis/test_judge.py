@@ -332,7 +332,7 @@ def test_two_sets_are_compared_over_the_null_that_both_have():
         "raw",
         "over_shadow",
         "raw",
-    ]  # the shadow is no null of what is inherited
+    ]  # the shadow does not answer for what is inherited
 
 
 @pytest.mark.parametrize(

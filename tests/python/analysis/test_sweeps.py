@@ -436,7 +436,7 @@ def test_with_shadows_in_every_cell_the_answer_is_over_them_and_the_raw_differen
     assert set(without["compared"]) == {"raw"} and set(without["role"]) == {"null"}
     values.is_there, values.is_constant = [True] * len(
         plan
-    ), False  # numbers change: the shadow is no control of one species
+    ), False  # numbers change: the shadow does not control for one species
     assert set(compare_cells(grid_of(plan), values, 0)["compared"]) == {"raw"}
 
 

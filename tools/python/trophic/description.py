@@ -53,6 +53,10 @@ class SetOfRuns(Protocol):
     def one_sided(self) -> dict[str, Any]:
         ...
 
+    @property
+    def planned(self) -> int:
+        ...
+
 
 @dataclasses.dataclass(frozen=True)
 class Description:
@@ -154,7 +158,7 @@ def describe(of: SetOfRuns) -> Description:
         builds=tuple(sorted({build for run in of.runs for build in run.builds})),
         versions=tuple(sorted({run.manifest.get("trophic", "unknown") for run in of.runs})),
         replicates=len(of.runs),
-        planned=max(len(of.runs), getattr(of, "planned", 0)),
+        planned=max(len(of.runs), of.planned),
         nulls={title: len(its.runs) for title, its in _nulls(of) if its},
         until_s=until_s,
         whole_s=whole_s,

@@ -17,7 +17,7 @@ Lives that the end of the run cuts off bias none of these. Over whole lives, wit
 (z_L - mean z) + (z_w - z_L): means weighted by L and by w, so length of life and offspring a second. There the end of the run cuts lives off, and
 a trend of the mean counts as length of life.
 
-Terms are tested over the neutral null, which repeats births, deaths and parents with other genomes. A term over zero is no test, and is not made."""
+Terms are tested over the neutral null, which repeats births, deaths and parents with other genomes. No term is tested over zero."""
 from __future__ import annotations
 
 import concurrent.futures
@@ -190,7 +190,7 @@ def expected_of(
     (..., events); nan at events of no kind. Weights have the greatest conditional likelihood.
 
     `step`: as in price; `place`: the number of who is born or dies, in the order of births; `time_s`: of each event; `is_inherited`: of each individual;
-    `z`: of each individual, (..., individuals); `choices`: of each kind its events, who is chosen there, -1 for nobody who lives, and with what
+    `z`: of each individual, (..., individuals); `choices`: of each kind its events, who is chosen there, -1 if none of the living is, and with what
     share."""
     born_s = time_s[step > 0]
     kind_of = numpy.full(len(step), -1)
@@ -464,7 +464,7 @@ def text(frame: pandas.DataFrame) -> str:
     about = (
         f"p and sentences: over the neutral null, corrected for {tested} comparisons (Holm), with intervals that hold at once (Bonferroni)\n"
         if tested
-        else "no neutral null: --neutral makes one; terms are described and not tested, as over zero there is no test\n"
+        else "no neutral null: --neutral makes one; terms are described, not tested: a difference from zero shows no selection\n"
         if not frame["neutral_n"].any()
         else f"fewer than {statistics.MIN_RUNS_FOR_TEST} runs: no intervals and no tests\n"
     )

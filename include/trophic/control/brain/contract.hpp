@@ -105,7 +105,7 @@ template <class P>
   return genes;
 }
 
-/// The indices of those genes that are no weights.
+/// The indices of those genes that are not weights.
 template <class P>
 [[nodiscard]] std::vector<std::size_t> weight_structure([[maybe_unused]] const P& policy,
                                                         [[maybe_unused]] std::vector<double> genes) {

@@ -39,10 +39,9 @@ inline void check_manifest(const std::filesystem::path& folder, const Json& mani
 /// Throws std::invalid_argument for a folder that holds something, but neither a manifest of trophic nor a file with which each
 /// run begins.
 inline void check_of_a_run(const std::filesystem::path& folder, const Json& manifest) {
-  constexpr std::array<std::string_view, 7> files{"events.csv", "agents.csv",     "phylogeny.csv",     "genomes.csv",
-                                                  "replay.trp", "checkpoint.bin", "checkpoint.old.bin"};
+  constexpr std::array<std::string_view, 5> files{"events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "replay.trp"};
   const bool has_one = std::ranges::any_of(files, [&](auto name) { return std::filesystem::exists(folder / name); });
-  if (has_one || !manifest.is_null() || std::filesystem::is_empty(folder)) return;
+  if (has_one || checkpoint::exists(folder) || !manifest.is_null() || std::filesystem::is_empty(folder)) return;
   throw std::invalid_argument{folder.string() + ": is not the folder of a run: it has files, but no events.csv"};
 }
 

@@ -119,7 +119,7 @@ def _inconclusive(frame: pandas.DataFrame, head: Sequence[str], cells: Any) -> s
 
 
 def findings(of: MeasuredSet, frame: pandas.DataFrame) -> str:
-    """The findings about a set, then the inconclusive comparisons of the smallest p values. The whole table if there is no null of runs or nothing
+    """The findings about a set, then the inconclusive comparisons of the smallest p values. The whole table if the set has no null of runs or nothing
     was tested."""
     if not of.nulls or judge.count(frame).comparisons == 0:
         return table(of, frame)

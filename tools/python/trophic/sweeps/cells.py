@@ -31,7 +31,7 @@ class SweepValues:
     is_there: Sequence[bool]
     """of each planned run: it is measured"""
     is_constant: bool = True
-    """numbers are constant in all cells; if not, shadows are no control of one species, and differences are raw"""
+    """numbers are constant in all cells; if not, shadows do not control for one species, and differences are raw"""
 
     def of(self, cell: Cell) -> tuple[Array, Array]:
         """Values of a cell's runs and of their shadows: (replicates in the order of their seeds, metrics) each."""

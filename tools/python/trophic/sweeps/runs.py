@@ -238,7 +238,7 @@ def measure_sweep(sweep: Sweep, how: Measuring) -> tuple[SweepValues, list[str]]
     is_constant = not any(changes_numbers(pool.read_pooled(sweep.folder_of(place))) for place in first.values())
     if not is_constant and any(run.shadow for run in sweep.plan):
         remarks.append(
-            "numbers change: shadows are no control of one species, so cells are compared raw; trophic analyze judges a cell over its one-sided worlds"
+            "numbers change: shadows do not control for one species, so cells are compared raw; trophic analyze judges a cell over its one-sided worlds"
         )
     measured = SweepValues(list(names), values, sweep.is_there, is_constant)
     return measured.only(kept(has_value, how.metrics)), list(dict.fromkeys(remarks))
