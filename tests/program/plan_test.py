@@ -555,11 +555,11 @@ class Refusals(Sweeps):
         self.plan()
         for arguments, says in {
             ("--run", "3", "99"): "--run 99: must be < ",
-            ("--run", "3", "--status"): "--run: not with --status, which goes with",
+            ("--run", "3", "--status"): "--run: not with --status, which combines with",
             ("--jobs", "0"): "--jobs 0: must be >= 1",
             ("--set", "rules.mutation.sd=0.1"): "--set: not with --plan",
             ("--replicates", "3"): "--replicates: not with --plan",
-            ("--senses",): "--senses: not with --plan, which goes with --jobs",
+            ("--senses",): "--senses: not with --plan, which combines with --jobs",
             ("--live",): "--live: not with --plan",
             ("--seed", "3"): "--seed: not with --plan",
             ("--resume",): "--resume: not with --plan",

@@ -78,7 +78,7 @@ std::string about_missing_backend(const std::string& name, const std::vector<std
 std::string backend_help(const std::vector<std::string>& names, std::string_view otherwise) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "physics: " : ", ") + name;
-  return text + " (" + std::string{otherwise} + ")";
+  return text + " (default: " + std::string{otherwise} + ")";
 }
 
 }  // namespace trophic::command

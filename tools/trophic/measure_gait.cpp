@@ -127,15 +127,15 @@ Command measure_gait() {
   const auto options = std::make_shared<detail::measure_gait::Options>();
   return {.name = "measure-gait",
           .about =
-              "Lets a robot walk on an endless floor with the target angles 0.7 (right), 0 and -0.7 rad, with the physics of the "
-              "paper and of its released code: displacement from start to end, mean speed along the heading and to its left over "
-              "5 s, turning rate (counter-clockwise); nothing where the simulation diverges.",
-          .options = {{"--robot", &options->robot, "name or path of a robot file (spider)"},
-                      {"--gait", &options->gait, "name or path of a gait file (the robot's own)"},
+              "Lets a robot walk on an endless floor with target angles of 0.7 (right), 0 and -0.7 rad, under the physics of the "
+              "paper and of its released code. Prints the displacement from start to end, the mean speeds along the heading and "
+              "to its left over 5 s, and the turning rate (counter-clockwise); the columns are empty if the simulation diverges.",
+          .options = {{"--robot", &options->robot, "name or path of a robot file (default: spider)"},
+                      {"--gait", &options->gait, "name or path of a gait file (default: the robot's own)"},
                       {"--backend", &options->backend, backend_help(joint_driven_names())},
-                      {"--duration", &options->duration_s, "simulated seconds (50)"},
+                      {"--duration", &options->duration_s, "duration in simulated seconds (default: 50)"},
                       {"--walk", &options->walk,
-                       "print the [walk] of a robot file instead: means of 8 tries with 0.7 and 8 with -0.7 rad"}},
+                       "print the [walk] section of a robot file instead: means of 8 trials at 0.7 and 8 at -0.7 rad"}},
           .work = [options] { return detail::measure_gait::run(*options); },
           .subcommands = {},
           .version = {}};

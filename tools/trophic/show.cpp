@@ -70,15 +70,16 @@ Command show() {
   return {
       .name = "show",
       .about =
-          "Makes one HTML file of recorded runs: the world in 3-D on a bar of time with what happened, population, tags, speed, "
-          "the phylogeny and the data of each robot. It opens from disk and needs no server.",
-      .options = {{.name = "runs",
-                   .target = &options->runs,
-                   .help = "folders of runs, or of replicates; several are shown side by side",
-                   .required = true},
-                  {.name = "--out", .target = &options->out, .help = "new HTML file", .required = true, .shorthand = "-o"},
-                  {.name = "--from", .target = &options->window.from_s, .help = "show only what comes after, seconds"},
-                  {.name = "--to", .target = &options->window.to_s, .help = "show only what comes before, seconds"}},
+          "Makes one HTML page of recorded runs: the world in 3-D, a timeline of events, population, tags, speed, the phylogeny "
+          "and each robot's data. It opens from disk and needs no server.",
+      .options =
+          {{.name = "runs",
+            .target = &options->runs,
+            .help = "folders of runs, or of replicates; several are shown side by side",
+            .required = true},
+           {.name = "--out", .target = &options->out, .help = "new HTML file", .required = true, .shorthand = "-o"},
+           {.name = "--from", .target = &options->window.from_s, .help = "show only what happens after this time, in seconds"},
+           {.name = "--to", .target = &options->window.to_s, .help = "show only what happens before this time, in seconds"}},
       .work = [options] { return detail::show::run(*options); },
       .examples = {"trophic show runs/quickstart-1 -o run.html"}};
 }

@@ -34,7 +34,7 @@ from .words import number_text
 from .writing import csv_text, result_folder, write_new
 
 PLAYED = "played.jsonl"
-"""Outcomes while contests are played, a line each, so that the same command continues what was killed."""
+"""Outcomes while contests are played, a line each, so that repeat the command to resume what was killed."""
 _TEAM, _PARTNER, _PLACES = range(3)  # purposes of draws
 _DEFAULT_EPOCHS = 4
 _BATCH_S = 20.0  # how long a call of the program shall take
