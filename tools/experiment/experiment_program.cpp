@@ -195,7 +195,7 @@ void check_unchanged(const OriginRun& origin) {
   if (origin.description.fingerprint == moment.fingerprint) return;
   throw std::invalid_argument{"--from " + moment.run.string() + ": fingerprint = " + moment.fingerprint + ": must be " +
                               origin.description.fingerprint +
-                              ", what this program makes of its parameters; rules, models or engine changed"};
+                              ", which this program computes from its parameters; rules, models or engine changed"};
 }
 
 /// The experiment of a table and a backend that the options name. Throws std::invalid_argument if the offer lacks one.
@@ -225,7 +225,7 @@ int run_chosen(ExperimentOptions& options, const Offer& offer) {
   if (options.resume && !has_snapshot && !std::filesystem::exists(options.out)) {
     throw std::invalid_argument{
         "--resume: " + options.out +
-        " is not there: must be the folder of a run or of replicates; without --resume a run begins there"};
+        " does not exist: must be the folder of a run or of replicates; without --resume a new run starts there"};
   }
   if (options.out.empty() && options.save_mjcf.empty()) {
     options.out = io::next_free_folder(std::filesystem::path{"runs"} / options.program).string();
@@ -234,8 +234,8 @@ int run_chosen(ExperimentOptions& options, const Offer& offer) {
   if (origin) {
     its = find_experiment(offer, origin->rule_table, origin->engine);
     if (its == nullptr) {
-      throw std::invalid_argument{"--from " + options.from + ": is a run of " + origin->rule_table + " on " + origin->engine +
-                                  ", which this program lacks"};
+      throw std::invalid_argument{"--from " + options.from + ": has the table " + origin->rule_table + " on " + origin->engine +
+                                  ", which this program does not have"};
     }
     origin->description = describe(*its, *origin);
     check_unchanged(*origin);
@@ -252,7 +252,7 @@ int run_options(ExperimentOptions& options, const Offer& offer) {
   const auto tables = table_names(offer);
   for (const std::string& table : tables) {
     if (std::ranges::count(tables, table) > 1) {
-      throw std::invalid_argument{"two rule tables are called " + table + ": each needs a name of its own"};
+      throw std::invalid_argument{"two rule tables are called " + table + ": each must have its own name"};
     }
   }
   if (!options.play.empty()) return play_contests(options.play, options.jobs.value_or(1), offer);

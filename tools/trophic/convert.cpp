@@ -42,7 +42,7 @@ inline constexpr std::uint64_t most_bytes = std::uint64_t{1} << 20U;
   const auto bricks = std::ranges::count(body.modules.modules(), body::ModuleType::brick, &body::Module::type);
   std::cout << options.out << ": " << robot.hinges.size() << (robot.hinges.size() == 1 ? " hinge, " : " hinges, ") << bricks
             << (bricks == 1 ? " brick" : " bricks") << ", from " << body.format
-            << "; its brain, sizes and masses are not converted\n";
+            << "; its brain, sizes and masses were not converted\n";
   for (const std::string& remark : body.remarks) std::cout << remark << '\n';
   flush_output();
   return 0;

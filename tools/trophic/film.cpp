@@ -40,9 +40,9 @@ struct Options {
 #ifdef TROPHIC_WITH_FILM
 /// The picture of a robot file.
 [[nodiscard]] int draw_robot(const Options& options) {
-  if (!options.run.empty()) throw std::invalid_argument{"--robot: not with a run; its recording has its robot"};
+  if (!options.run.empty()) throw std::invalid_argument{"--robot: not with a run, whose recording has its robot"};
   if (options.from_s || options.to_s || options.follow || options.catch_ || !options.sheet.empty()) {
-    throw std::invalid_argument{"--robot: not with --from, --to, --follow, --catch or --sheet, which are of a run"};
+    throw std::invalid_argument{"--robot: not with --from, --to, --follow, --catch or --sheet, which need a run"};
   }
   if (!options.out.ends_with(".png")) throw std::invalid_argument{"--out " + options.out + ": must end in .png with --robot"};
   check_new_file("--out", options.out);
@@ -60,7 +60,7 @@ struct Options {
 
 [[nodiscard]] int run(const Options& options) {
   if (!options.robot.empty()) return draw_robot(options);
-  if (options.run.empty()) throw std::invalid_argument{"either the folder of a run, or --robot and a robot file"};
+  if (options.run.empty()) throw std::invalid_argument{"needs either the folder of a run, or --robot with a robot file"};
   return replay::film_run({.folder = options.run,
                            .out = options.out,
                            .window = {options.from_s, options.to_s},
@@ -79,7 +79,7 @@ struct Options {
 #else
 [[nodiscard]] int run(const Options&) {
   throw std::invalid_argument{
-      "this program was built without pictures; apt-get install libmujoco-dev libegl-dev libpng-dev and build again"};
+      "this program was built without pictures; run apt-get install libmujoco-dev libegl-dev libpng-dev and build it again"};
 }
 #endif
 

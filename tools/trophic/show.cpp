@@ -34,10 +34,10 @@ struct Options {
     }
     for (const std::string& remark : remarks) std::cerr << "trophic show: " << remark << "\n";
   }
-  if (folders.empty()) throw std::invalid_argument{"runs: no run is there"};
+  if (folders.empty()) throw std::invalid_argument{"runs: no runs found"};
   if (folders.size() > most_runs) {
     throw std::invalid_argument{std::to_string(folders.size()) + " runs: must be <= " + std::to_string(most_runs) +
-                                " in one page; name some, such as " + folders.front().string()};
+                                " in one page; choose some, such as " + folders.front().string()};
   }
   return folders;
 }
@@ -57,7 +57,7 @@ struct Options {
   }
   const std::string page = replay::page_of(runs, options.window);
   write_new_file(options.out, page);
-  std::cout << options.out << ": " << megabytes_text(page.size()) << ", opens in any browser, without a server\n";
+  std::cout << options.out << ": " << megabytes_text(page.size()) << ", opens in any browser and needs no server\n";
   flush_output();
   return 0;
 }

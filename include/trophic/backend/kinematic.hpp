@@ -24,8 +24,8 @@ class Kinematic : public Points {
   [[nodiscard]] static std::string version() { return "1"; }
   [[nodiscard]] static std::vector<std::string> remarks(const Physics&) {
     return {
-        "physics.timestep_s, physics.integrator and physics.gravity_m_s2 have no effect: kinematic moves points on exact arcs, "
-        "by backend.timestep_s"};
+        "physics.timestep_s, physics.integrator and physics.gravity_m_s2 have no effect: kinematic moves points on exact arcs "
+        "with backend.timestep_s"};
   }
 
   struct Params {
@@ -61,7 +61,7 @@ class Kinematic : public Points {
     }
     if (!(robot.walk.turn_rate_per_rad > 0.0)) {
       throw std::invalid_argument{"robot " + robot.name + ": walk.turn_rate_per_rad = " +
-                                  number_text(robot.walk.turn_rate_per_rad) + ": must be > 0, else brains cannot turn the robot"};
+                                  number_text(robot.walk.turn_rate_per_rad) + ": must be > 0, or brains cannot turn the robot"};
     }
     if (!(limit_m_ > 0.0)) {
       throw std::invalid_argument{"kinematic.radius_m = " + number_text(params.radius_m) + ": must be < the arena's half side, " +

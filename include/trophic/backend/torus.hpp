@@ -19,7 +19,7 @@ class Torus : public Points {
   [[nodiscard]] static std::string version() { return "1"; }
   [[nodiscard]] static std::vector<std::string> remarks(const Physics&) {
     return {
-        "physics.timestep_s, physics.integrator and physics.gravity_m_s2 have no effect: torus moves points, by "
+        "physics.timestep_s, physics.integrator and physics.gravity_m_s2 have no effect: torus moves points with "
         "backend.timestep_s"};
   }
 

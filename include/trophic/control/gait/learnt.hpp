@@ -106,7 +106,7 @@ struct Learnt {
     for (std::size_t count = 1; count < genes.size(); ++count) {
       if (genes[0] == static_cast<double>(count)) return count;
     }
-    throw std::invalid_argument{"genes of a learnt gait: must begin with the number of those that are inherited"};
+    throw std::invalid_argument{"genes of a learnt gait: must begin with the number of inherited genes"};
   }
 };
 

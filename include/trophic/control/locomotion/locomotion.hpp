@@ -101,7 +101,7 @@ class Locomotion {
         [&](const Eigen::MatrixXd& states) { state.cpg.insert(state.cpg.end(), states.data(), states.data() + states.size()); });
     return state;
   }
-  /// Throws std::invalid_argument for a state with another number of robots or other gaits.
+  /// Throws std::invalid_argument for a state with a different number of robots or other gaits.
   void restore(const State& state) {
     Eigen::Index size = 0;
     for_each_states([&](const Eigen::MatrixXd& states) { size += states.size(); });

@@ -36,7 +36,7 @@ struct UniformSquare {
     for (GroundPose& pose : placed) {
       for (int attempt = 0; attempt == 0 || !is_clear(arena, pose, radius_m); ++attempt) {
         if (attempt == max_attempts_per_robot)
-          throw std::invalid_argument{"arena " + arena.name + ": has no room among its obstacles"};
+          throw std::invalid_argument{"arena " + arena.name + ": leaves no room between its obstacles"};
         pose.x_m = rng.uniform(-params.half_extent_m, params.half_extent_m);
         pose.y_m = rng.uniform(-params.half_extent_m, params.half_extent_m);
       }

@@ -28,7 +28,7 @@ struct NamedBody {
   }
 
   [[nodiscard]] body::Design grow(std::span<const double> genes, Species, const Habitat& habitat) const {
-    if (!genes.empty()) throw std::invalid_argument{"genes of a body: must be none with the rule named_body"};
+    if (!genes.empty()) throw std::invalid_argument{"genes of a body: must be absent with the rule named_body"};
     if (params.robot.empty() && habitat.design) return *habitat.design;
     if (const NamedRobot* named = habitat.robot_named(params.robot)) return named->design;
     throw std::invalid_argument{"robot \"" + params.robot + "\": must be a model of the habitat"};

@@ -14,7 +14,7 @@ namespace trophic::reproduction::parent {
 /// the paper.   Reads: species, what Rule reads.   Random draws: 1 if Rule names a parent, after Rule's.
 template <class Rule>
 struct AnySurvivor : Rule {
-  static_assert(Parent<Rule> && !MadeOfParts<Rule>, "parent::AnySurvivor takes a parent rule that is not made of parts");
+  static_assert(Parent<Rule> && !MadeOfParts<Rule>, "parent::AnySurvivor takes a parent rule without parts");
   static constexpr std::string_view name = prefixed_name<"any_survivor", Rule>;
   static constexpr std::string_view source = "control";
 

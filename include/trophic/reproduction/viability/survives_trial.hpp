@@ -34,7 +34,7 @@ struct SurvivesTrial {
   [[nodiscard]] std::optional<std::string> refusal_after_trial(const RobotModel& robot, const Gait& gait,
                                                                const Nursery& nursery) const {
     if (nursery.walked_m(robot, gait, params.trial_s)) return std::nullopt;
-    return "diverges within " + number_text(params.trial_s) + " s: must walk so long";
+    return "diverges within " + number_text(params.trial_s) + " s: must walk until the end of the trial";
   }
 };
 
