@@ -37,10 +37,10 @@ class Kinematic : public Points {
 
     static constexpr auto fields() {
       return std::tuple{
-          field("speed_scale", &Params::speed_scale, between(0.0, 100.0), "factor of the speed of the robot's walk"),
-          field("turn_scale", &Params::turn_scale, between(0.0, 100.0), "factor of the turning rate of the robot's walk"),
+          field("speed_scale", &Params::speed_scale, between(0.0, 100.0), "factor applied to the speed of the robot's walk"),
+          field("turn_scale", &Params::turn_scale, between(0.0, 100.0), "factor applied to the turning rate of the robot's walk"),
           field("radius_m", &Params::radius_m, at_least(0.0), "distance at which walls stop the robot's centre"),
-          field("timestep_s", &Params::timestep_s, above_to(0.0, 10.0), "own step, simulated seconds")};
+          field("timestep_s", &Params::timestep_s, above_to(0.0, 10.0), "the backend's own time step, simulated seconds")};
     }
   };
 

@@ -34,7 +34,7 @@ struct AtEnergyAfterEscapes {
     std::int64_t escapes = 0;
     static constexpr auto fields() {
       return std::tuple{field("energy", &Params::energy),
-                        field("escapes", &Params::escapes, at_least(0), "of a prey before each offspring")};
+                        field("escapes", &Params::escapes, at_least(0), "number of escapes of a prey before each offspring")};
     }
   };
   Params params;
@@ -65,8 +65,9 @@ struct AwayFromHuntersAtAge {
     double distance_m = Pond::params().activation.distance_m;
     double min_age_s = 0.0;
     static constexpr auto fields() {
-      return std::tuple{field("distance_m", &Params::distance_m, at_least(0.0), "farther than this from every hunter"),
-                        field("min_age_s", &Params::min_age_s, at_least(0.0), "younger newborn stay inactive")};
+      return std::tuple{
+          field("distance_m", &Params::distance_m, at_least(0.0), "a newborn activates farther than this from every hunter"),
+          field("min_age_s", &Params::min_age_s, at_least(0.0), "age below which newborns stay inactive")};
     }
   };
   Params params;

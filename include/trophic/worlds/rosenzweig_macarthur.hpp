@@ -25,10 +25,11 @@ struct Births {
     double K = 600.0;
     double e = 0.5;
     static constexpr auto fields() {
-      return std::tuple{field("spare_bodies", &Params::spare_bodies, at_least(0), "bodies without an individual at the start"),
-                        field("r", &Params::r, between(0.0, 1.0), "chance of a birth of a lonely prey at each tick"),
-                        field("K", &Params::K, above(0.0), "number of prey at which none is born"),
-                        field("e", &Params::e, between(0.0, 1.0), "chance of a birth after a catch")};
+      return std::tuple{
+          field("spare_bodies", &Params::spare_bodies, at_least(0), "number of bodies without an individual at the start"),
+          field("r", &Params::r, between(0.0, 1.0), "per-tick birth probability of prey at low density"),
+          field("K", &Params::K, above(0.0), "number of prey at which births stop (carrying capacity)"),
+          field("e", &Params::e, between(0.0, 1.0), "probability of a birth after a catch")};
     }
   };
   Params params;
@@ -53,7 +54,9 @@ struct Deaths {
   static constexpr std::string_view name = "deaths_of_predators";
   struct Params {
     double m = 0.02;
-    static constexpr auto fields() { return std::tuple{field("m", &Params::m, between(0.0, 1.0), "chance at each tick")}; }
+    static constexpr auto fields() {
+      return std::tuple{field("m", &Params::m, between(0.0, 1.0), "probability of death at each tick")};
+    }
   };
   Params params;
   [[nodiscard]] bool dies(const Individual& self, const View& view, Rng& rng) const {

@@ -35,14 +35,15 @@ struct GrowingBrain {
     double turn_angle_rad = 0.7;
     static constexpr auto fields() {
       return std::tuple{
-          field("hidden", &Params::hidden, between(0.0, 100.0), "hidden neurons of the first genomes"),
-          field("most_hidden", &Params::most_hidden, between(0.0, 100.0), "hidden neurons that a genome may have"),
+          field("hidden", &Params::hidden, between(0.0, 100.0), "number of hidden neurons in the first genomes"),
+          field("most_hidden", &Params::most_hidden, between(0.0, 100.0), "maximum number of hidden neurons in a genome"),
           field("add_link", &Params::add_link, between(0.0, 1.0), "probability of a new link"),
-          field("remove_link", &Params::remove_link, between(0.0, 1.0), "probability that a link is lost"),
-          field("split_link", &Params::split_link, between(0.0, 1.0), "probability of a new neuron in a link"),
-          field("remove_neuron", &Params::remove_neuron, between(0.0, 1.0), "probability that a neuron is lost"),
+          field("remove_link", &Params::remove_link, between(0.0, 1.0), "probability of losing a link"),
+          field("split_link", &Params::split_link, between(0.0, 1.0), "probability of a new neuron that splits a link"),
+          field("remove_neuron", &Params::remove_neuron, between(0.0, 1.0), "probability of losing a neuron"),
           field("new_weight_sd", &Params::new_weight_sd, at_least(0.0), "standard deviation of a new link's weight"),
-          field("turn_angle_rad", &Params::turn_angle_rad, between(0.0, 3.141592653589793), "size of the target angle")};
+          field("turn_angle_rad", &Params::turn_angle_rad, between(0.0, 3.141592653589793),
+                "absolute value of the target angle")};
     }
   };
   Params params;

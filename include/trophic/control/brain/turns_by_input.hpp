@@ -16,7 +16,8 @@ struct TurnsByInput {
   struct Params {
     double turn_rad = 0.5;
     static constexpr auto fields() {
-      return std::tuple{field("turn_rad", &Params::turn_rad, between(0.0, 2.0 * std::numbers::pi), "for an input of 1")};
+      return std::tuple{
+          field("turn_rad", &Params::turn_rad, between(0.0, 2.0 * std::numbers::pi), "target angle for an input of 1")};
     }
   };
   Params params;

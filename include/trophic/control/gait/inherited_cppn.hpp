@@ -28,14 +28,16 @@ struct InheritedCppn {
     std::string gait = {};
     static constexpr auto fields() {
       return std::tuple{
-          field("first", &Params::first, "what the network is added to: robots (the gait below) or random (nothing)"),
-          field("first_limit", &Params::first_limit, at_least(0.0), "weights without a parent and of new links: within +- this"),
-          field("weight_probability", &Params::weight_probability, between(0.0, 1.0), "that a weight mutates"),
-          field("weight_sd", &Params::weight_sd, at_least(0.0), "standard deviation of that"),
-          field("weight_limit", &Params::weight_limit, above(0.0), "weights stay within +- this"),
-          field("link_probability", &Params::link_probability, between(0.0, 1.0), "that an offspring has a new link"),
-          field("node_probability", &Params::node_probability, between(0.0, 1.0), "that a node splits one of its links"),
-          field("gait", &Params::gait, "name or path of a gait; empty: that of ecology.robot")};
+          field("first", &Params::first, "base to which the network is added: robots (the gait below) or random (none)"),
+          field("first_limit", &Params::first_limit, at_least(0.0),
+                "bound on the absolute value of first weights and of new links' weights"),
+          field("weight_probability", &Params::weight_probability, between(0.0, 1.0), "probability that a weight mutates"),
+          field("weight_sd", &Params::weight_sd, at_least(0.0), "standard deviation of a weight's mutation"),
+          field("weight_limit", &Params::weight_limit, above(0.0), "bound on the absolute value of weights"),
+          field("link_probability", &Params::link_probability, between(0.0, 1.0), "probability that an offspring has a new link"),
+          field("node_probability", &Params::node_probability, between(0.0, 1.0),
+                "probability that a new node splits one of its links"),
+          field("gait", &Params::gait, "name or path of a gait; empty: the gait of ecology.robot")};
     }
   };
   Params params;

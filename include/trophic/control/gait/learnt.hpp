@@ -27,10 +27,11 @@ struct Learnt {
     double lamarckian = 0.0;
     static constexpr auto fields() {
       return std::tuple{field("inherited", &Params::inherited),
-                        field("trials", &Params::trials, between(1.0, 10000.0), "walks before birth, the first as inherited"),
-                        field("trial_s", &Params::trial_s, between(0.01, 600.0), "simulated seconds of each walk"),
+                        field("trials", &Params::trials, between(1.0, 10000.0),
+                              "number of trial walks before birth, the first with the inherited gait"),
+                        field("trial_s", &Params::trial_s, between(0.01, 600.0), "duration of each walk, simulated seconds"),
                         field("lamarckian", &Params::lamarckian, between(0.0, 1.0),
-                              "probability that offspring inherit the learnt gait: 0 Darwinian, 1 Lamarckian")};
+                              "probability that offspring inherit the learnt gait: 0 is Darwinian, 1 Lamarckian")};
     }
   };
   Params params;

@@ -17,7 +17,8 @@ struct ConstantPace {
   struct Params {
     double factor = 1.0;
     static constexpr auto fields() {
-      return std::tuple{field("factor", &Params::factor, between(0.0, 10.0), "of the gait's frequency; 0: stands")};
+      return std::tuple{
+          field("factor", &Params::factor, between(0.0, 10.0), "fraction of the gait's frequency; 0: the robot stands still")};
     }
   };
   Params params;

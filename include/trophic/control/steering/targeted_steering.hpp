@@ -23,7 +23,8 @@ struct TargetedSteering {
   struct Params {
     double exponent = 2.0;
     static constexpr auto fields() {
-      return std::tuple{field("exponent", &Params::exponent, at_least(0.0), "of delta = ((pi - |alpha|) / pi)^exponent")};
+      return std::tuple{
+          field("exponent", &Params::exponent, at_least(0.0), "exponent of delta = ((pi - |alpha|) / pi)^exponent")};
     }
   };
   Params params;

@@ -22,7 +22,7 @@ struct CatchClosest {
     double min_age_s = 20.0;
     static constexpr auto fields() {
       return std::tuple{field("reach_m", &Params::reach_m, above(0.0), "a victim closer than this is caught"),
-                        field("min_age_s", &Params::min_age_s, at_least(0.0), "younger hunters do not hunt")};
+                        field("min_age_s", &Params::min_age_s, at_least(0.0), "age below which hunters do not hunt")};
     }
   };
   Params params;

@@ -19,8 +19,8 @@ struct CatchWithinReach {
     double reach_m = 1.0;
     double min_age_s = 0.0;
     static constexpr auto fields() {
-      return std::tuple{field("reach_m", &Params::reach_m, above(0.0), "a victim this close is caught"),
-                        field("min_age_s", &Params::min_age_s, at_least(0.0), "younger hunters do not hunt")};
+      return std::tuple{field("reach_m", &Params::reach_m, above(0.0), "distance within which a victim is caught"),
+                        field("min_age_s", &Params::min_age_s, at_least(0.0), "age below which hunters do not hunt")};
     }
   };
   Params params;

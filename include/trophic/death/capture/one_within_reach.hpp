@@ -18,8 +18,9 @@ struct OneWithinReach {
     double reach_m = 1.0;
     std::int64_t handling_ticks = 0;
     static constexpr auto fields() {
-      return std::tuple{field("reach_m", &Params::reach_m, above(0.0), "a victim this close is caught"),
-                        field("handling_ticks", &Params::handling_ticks, at_least(0), "after a catch without hunting")};
+      return std::tuple{field("reach_m", &Params::reach_m, above(0.0), "distance within which a victim is caught"),
+                        field("handling_ticks", &Params::handling_ticks, at_least(0),
+                              "time after a catch during which a hunter does not hunt")};
     }
   };
   Params params;

@@ -16,7 +16,8 @@ struct ActiveVictimFloor {
   struct Params {
     std::size_t floor = 7;
     static constexpr auto fields() {
-      return std::tuple{field("floor", &Params::floor, at_least(0), "active members that catches and sacrifices leave")};
+      return std::tuple{
+          field("floor", &Params::floor, at_least(0), "minimum number of active members that catches and sacrifices leave")};
     }
   };
   Params params;

@@ -16,8 +16,8 @@ struct VictimFloor {
   struct Params {
     std::size_t floor = 7;
     static constexpr auto fields() {
-      return std::tuple{
-          field("floor", &Params::floor, at_least(0), "members of a hunted species that catches and sacrifices leave")};
+      return std::tuple{field("floor", &Params::floor, at_least(0),
+                              "minimum number of members of a hunted species that catches and sacrifices leave")};
     }
   };
   Params params;

@@ -17,7 +17,7 @@ struct SacrificeRandomVictim {
   struct Params {
     std::size_t below = 7;
     static constexpr auto fields() {
-      return std::tuple{field("below", &Params::below, at_least(0), "a hunting species with fewer members gains one")};
+      return std::tuple{field("below", &Params::below, at_least(0), "number of members below which a hunting species gains one")};
     }
   };
   Params params;

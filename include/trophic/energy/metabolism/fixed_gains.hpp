@@ -18,8 +18,9 @@ struct FixedGains {
     double gain_J = 4.0;
     double tick_J = 1.0;
     static constexpr auto fields() {
-      return std::tuple{field("gain_J", &Params::gain_J, at_least(0.0), "from a bite of the resource, or from a catch"),
-                        field("tick_J", &Params::tick_J, at_least(0.0), "spent in a tick")};
+      return std::tuple{
+          field("gain_J", &Params::gain_J, at_least(0.0), "energy gained from a bite of the resource or from a catch"),
+          field("tick_J", &Params::tick_J, at_least(0.0), "energy spent per tick")};
     }
   };
   Params params;

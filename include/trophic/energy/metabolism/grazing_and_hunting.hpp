@@ -30,11 +30,11 @@ struct GrazingAndHunting {
     static constexpr auto fields() {
       return std::tuple{
           field("first_J", &Params::first_J, at_least(0.0), "mean energy of founders and newcomers"),
-          field("spread", &Params::spread, between(0.0, 1.0), "theirs is uniform in first_J * (1 -+ spread)"),
-          field("capacity_J", &Params::capacity_J, above(0.0), "the most that an individual holds"),
+          field("spread", &Params::spread, between(0.0, 1.0), "their energy is uniform in first_J * (1 -+ spread)"),
+          field("capacity_J", &Params::capacity_J, above(0.0), "largest energy of an individual"),
           field("resting_W", &Params::resting_W, at_least(0.0), "power at rest and while walking"),
           field("walking_J_per_m", &Params::walking_J_per_m, at_least(0.0), "energy per metre walked"),
-          field("bite_W", &Params::bite_W, at_least(0.0), "the fastest that a grazer takes from the resource"),
+          field("bite_W", &Params::bite_W, at_least(0.0), "largest rate at which a grazer takes energy from the resource"),
           field("efficiency", &Params::efficiency, between(0.0, 1.0), "share of the victim's energy that the hunter gets")};
     }
   };

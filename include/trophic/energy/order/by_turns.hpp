@@ -23,7 +23,7 @@ struct ByTurns {
   struct Params {
     Acts acts = Acts::in_turn;
     static constexpr auto fields() {
-      return std::tuple{field("acts", &Params::acts, "in_turn, or together: as in a table without this rule")};
+      return std::tuple{field("acts", &Params::acts, "in_turn, or together (as in a table without this rule)")};
     }
   };
   Params params;

@@ -22,9 +22,10 @@ struct StandsUp {
     double gap_m = 0.005;
     Divergence diverged = Divergence::ends_individual;
     static constexpr auto fields() {
-      return std::tuple{field("step_m", &Params::step_m, between(0.01, 1.0), "distance between rings of places that are tried"),
-                        field("gap_m", &Params::gap_m, between(0.0, 0.1), "distance that is kept to others and to walls"),
-                        field("diverged", &Params::diverged, "a body whose motion diverges: ends_run or ends_individual")};
+      return std::tuple{
+          field("step_m", &Params::step_m, between(0.01, 1.0), "distance between the rings of positions that are tried"),
+          field("gap_m", &Params::gap_m, between(0.0, 0.1), "minimum distance to other robots and to walls"),
+          field("diverged", &Params::diverged, "effect of a body whose motion diverges: ends_run or ends_individual")};
     }
   };
   Params params;

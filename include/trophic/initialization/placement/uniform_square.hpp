@@ -21,8 +21,9 @@ struct UniformSquare {
     double half_extent_m = 9.0;
     double heading_rad = -0.75 * std::numbers::pi;
     static constexpr auto fields() {
-      return std::tuple{field("half_extent_m", &Params::half_extent_m, above(0.0), "positions lie within +- this"),
-                        field("heading_rad", &Params::heading_rad, any_number(), "every robot's first heading")};
+      return std::tuple{
+          field("half_extent_m", &Params::half_extent_m, above(0.0), "bound on the absolute value of both coordinates"),
+          field("heading_rad", &Params::heading_rad, any_number(), "initial heading of every robot")};
     }
   };
   Params params;

@@ -17,7 +17,7 @@ struct FoodGradient {
   struct Params {
     double reach_m = 1.0;
     static constexpr auto fields() {
-      return std::tuple{field("reach_m", &Params::reach_m, above(0.0), "distance of the cells compared")};
+      return std::tuple{field("reach_m", &Params::reach_m, above(0.0), "distance between the compared cells")};
     }
   };
   Params params;

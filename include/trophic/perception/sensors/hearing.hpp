@@ -21,7 +21,7 @@ struct Hearing {
   struct Params {
     double range_m = 8.0;
     static constexpr auto fields() {
-      return std::tuple{field("range_m", &Params::range_m, above(0.0), "distance at which a call is lost")};
+      return std::tuple{field("range_m", &Params::range_m, above(0.0), "distance beyond which a signal is not heard")};
     }
   };
   Params params;

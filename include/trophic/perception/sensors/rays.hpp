@@ -29,7 +29,7 @@ struct Rays {
     static constexpr auto fields() {
       return std::tuple{field("range_m", &Params::range_m, above(0.0), "length of a ray, from the robot's centre"),
                         field("field_rad", &Params::field_rad, between(0.0, 6.283185307179587), "angle that the rays span"),
-                        field("food_J", &Params::food_J, above(0.0), "energy from which a cell of the resource is food")};
+                        field("food_J", &Params::food_J, above(0.0), "energy above which a cell of the resource counts as food")};
     }
   };
   Params params;

@@ -18,7 +18,7 @@ struct FirstSwitchFree {
   struct Params {
     double cool_down_s = 50.0;
     static constexpr auto fields() {
-      return std::tuple{field("cool_down_s", &Params::cool_down_s, at_least(0.0), "pause between two tag switches")};
+      return std::tuple{field("cool_down_s", &Params::cool_down_s, at_least(0.0), "minimum time between two tag switches")};
     }
   };
   Params params;

@@ -16,7 +16,7 @@ struct WithinRange {
   struct Params {
     double range_m = 5.0;
     static constexpr auto fields() {
-      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "robots farther away are not perceived")};
+      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "distance beyond which robots are not perceived")};
     }
   };
   Params params;

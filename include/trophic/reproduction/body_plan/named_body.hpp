@@ -17,7 +17,7 @@ struct NamedBody {
   struct Params {
     std::string robot;
     static constexpr auto fields() {
-      return std::tuple{field("robot", &Params::robot, "name or path of a robot; empty: that of ecology.robot")};
+      return std::tuple{field("robot", &Params::robot, "name or path of a robot file; empty: that of ecology.robot")};
     }
   };
   Params params;

@@ -16,7 +16,7 @@ struct UniformWeights {
   struct Params {
     double limit = 1.0;
     static constexpr auto fields() {
-      return std::tuple{field("limit", &Params::limit, at_least(0.0), "weights lie within +- this")};
+      return std::tuple{field("limit", &Params::limit, at_least(0.0), "bound on the absolute value of weights")};
     }
   };
   Params params;

@@ -18,8 +18,8 @@ struct FastestEscape {
   struct Params {
     std::int64_t window_ticks = 6;
     static constexpr auto fields() {
-      return std::tuple{
-          field("window_ticks", &Params::window_ticks, between(1, 1000), "distance gained in so many ticks counts")};
+      return std::tuple{field("window_ticks", &Params::window_ticks, between(1, 1000),
+                              "number of ticks over which the gain in distance is measured")};
     }
   };
   Params params;

@@ -26,7 +26,8 @@ struct NearestActiveVictim {
   struct Params {
     double range_m = 12.0;
     static constexpr auto fields() {
-      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "the parent must be this close to the dying hunter")};
+      return std::tuple{
+          field("range_m", &Params::range_m, at_least(0.0), "largest distance between the parent and the dying hunter")};
     }
   };
   Params params;

@@ -23,10 +23,10 @@ struct AfterEscapes {
     std::int64_t escapes = 1;
     parent::detail::EscapeDistances distances{};
     static constexpr auto fields() {
-      return std::tuple{
-          field("spare_bodies", &Params::spare_bodies, at_least(0), "bodies without an individual, at the start and at most"),
-          field("escapes", &Params::escapes, at_least(1), "escapes before each offspring"),
-          field("distances", &Params::distances)};
+      return std::tuple{field("spare_bodies", &Params::spare_bodies, at_least(0),
+                              "number of bodies without an individual at the start, which is also the most at any time"),
+                        field("escapes", &Params::escapes, at_least(1), "number of escapes before each offspring"),
+                        field("distances", &Params::distances)};
     }
   };
   Params params;

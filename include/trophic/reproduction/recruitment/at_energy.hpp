@@ -21,10 +21,11 @@ struct AtEnergy {
     double share = 0.5;
     bool only_active = true;
     static constexpr auto fields() {
-      return std::tuple{field("spare_bodies", &Params::spare_bodies, at_least(0), "bodies without an individual at the start"),
-                        field("birth_J", &Params::birth_J, above(0.0), "energy of a parent"),
-                        field("share", &Params::share, above_to(0.0, 1.0), "of its energy, for the offspring"),
-                        field("only_active", &Params::only_active, "false: the inactive reproduce as well")};
+      return std::tuple{
+          field("spare_bodies", &Params::spare_bodies, at_least(0), "number of bodies without an individual at the start"),
+          field("birth_J", &Params::birth_J, above(0.0), "energy at which an individual reproduces"),
+          field("share", &Params::share, above_to(0.0, 1.0), "share of its energy that a parent gives to its offspring"),
+          field("only_active", &Params::only_active, "whether only active individuals reproduce")};
     }
   };
   Params params;

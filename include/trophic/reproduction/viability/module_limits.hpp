@@ -17,8 +17,9 @@ struct ModuleLimits {
     body::Limits limits;
     std::size_t attempts = 10;
     static constexpr auto fields() {
-      return std::tuple{field("limits", &Params::limits), field("attempts", &Params::attempts, between(1.0, 1000.0),
-                                                                "tries of a mutation before the parent's body stays")};
+      return std::tuple{field("limits", &Params::limits),
+                        field("attempts", &Params::attempts, between(1.0, 1000.0),
+                              "number of attempted mutations before the offspring keeps the parent's body")};
     }
   };
   Params params;

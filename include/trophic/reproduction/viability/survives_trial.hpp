@@ -20,8 +20,8 @@ struct SurvivesTrial {
     ParamsOf<Rule> bodies = {};
     double trial_s = 1.0;
     static constexpr auto fields() {
-      return std::tuple{field("bodies", &Params::bodies),
-                        field("trial_s", &Params::trial_s, between(0.01, 600.0), "simulated seconds in the nursery")};
+      return std::tuple{field("bodies", &Params::bodies), field("trial_s", &Params::trial_s, between(0.01, 600.0),
+                                                                "length of the trial in the nursery, simulated seconds")};
     }
   };
   Params params;

@@ -16,8 +16,8 @@ struct WithinMass {
     double most_kg = 2.0;
     std::size_t attempts = 10;
     static constexpr auto fields() {
-      return std::tuple{field("most_kg", &Params::most_kg, above(0.0), "the largest mass of a body"),
-                        field("attempts", &Params::attempts, between(1.0, 1000.0), "mutations of a body that are tried")};
+      return std::tuple{field("most_kg", &Params::most_kg, above(0.0), "largest mass of a body"),
+                        field("attempts", &Params::attempts, between(1.0, 1000.0), "number of attempted mutations of a body")};
     }
   };
   Params params;

@@ -10,7 +10,8 @@ namespace trophic::death::activation::detail {
 struct SafeDistance {
   double distance_m = 5.0;
   static constexpr auto fields() {
-    return std::tuple{field("distance_m", &SafeDistance::distance_m, at_least(0.0), "farther than this from every hunter")};
+    return std::tuple{
+        field("distance_m", &SafeDistance::distance_m, at_least(0.0), "a newborn activates farther than this from every hunter")};
   }
 };
 

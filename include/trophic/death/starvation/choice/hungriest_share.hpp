@@ -19,7 +19,7 @@ struct HungriestShare {
     double share = 1.0 / 14.0;
     static constexpr auto fields() {
       return std::tuple{
-          field("share", &Params::share, between(0.0, 1.0), "share of all hunters that starve in a procedure, rounded up")};
+          field("share", &Params::share, between(0.0, 1.0), "share of all hunters that starve in one procedure, rounded up")};
     }
   };
   Params params;

@@ -16,7 +16,8 @@ struct NearPerceivedVictim {
   struct Params {
     double range_m = 5.0;
     static constexpr auto fields() {
-      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "a perceived victim this close exempts the hunter")};
+      return std::tuple{
+          field("range_m", &Params::range_m, at_least(0.0), "distance within which a perceived victim exempts the hunter")};
     }
   };
   Params params;

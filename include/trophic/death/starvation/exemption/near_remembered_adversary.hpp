@@ -16,7 +16,7 @@ struct NearRememberedAdversary {
   struct Params {
     double range_m = 5.0;
     static constexpr auto fields() {
-      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "a stored distance below this exempts the hunter")};
+      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "stored distance below which the hunter is exempt")};
     }
   };
   Params params;

@@ -12,8 +12,8 @@ struct EscapeDistances {
   double far_m = 5.0;
   static constexpr auto fields() {
     using Own = EscapeDistances;
-    return std::tuple{field("near_m", &Own::near_m, above(0.0), "a predator this close pursues"),
-                      field("far_m", &Own::far_m, above(0.0), "a prey farther than this from its pursuer has escaped")};
+    return std::tuple{field("near_m", &Own::near_m, above(0.0), "distance within which a predator is a pursuer"),
+                      field("far_m", &Own::far_m, above(0.0), "distance from its pursuer beyond which a prey has escaped")};
   }
 };
 

@@ -13,9 +13,9 @@ struct Crowding {
   std::size_t only_above = 0;
   static constexpr auto fields() {
     return std::tuple{
-        field("base_ticks", &Crowding::base_ticks, at_least(1), "Delta = this - number of hunters"),
-        field("min_interval_ticks", &Crowding::min_interval_ticks, at_least(1), "Delta never falls below this"),
-        field("only_above", &Crowding::only_above, at_least(0), "no procedure unless there are more hunters than this")};
+        field("base_ticks", &Crowding::base_ticks, at_least(1), "Delta = this value - number of hunters"),
+        field("min_interval_ticks", &Crowding::min_interval_ticks, at_least(1), "smallest value of Delta"),
+        field("only_above", &Crowding::only_above, at_least(0), "number of hunters above which procedures take place")};
   }
 };
 
