@@ -10,11 +10,10 @@ namespace trophic::energy::metabolism {
 /// Rule, for an individual with energy E in a tick of length t:
 ///   E <- E - (resting + walking * distance / t) * t
 ///   E <- E + min(bite * t, there, capacity - E), for a species that hunts nothing, in a table with a Resource; in one with the
-///            act Eat only if its brain chose to
-///   E <- E + min(efficiency * victim's E, capacity - E) at a catch
-/// It starves once E <= 0. Founders and newcomers have `first`. Energy balance as in Polyworld [yaeger1994]. All parameters are
-/// free.   Reads: energies, the distance walked, the food web, the act Eat.   Random draws: 1, of a founder whose `first`
-/// spreads.
+///   act Eat only if its brain chose to eat E <- E + min(efficiency * victim's E, capacity - E) at a catch
+/// An individual starves once E <= 0. Founders and newcomers start with `first`. The energy balance follows Polyworld
+/// [yaeger1994]. All parameters are free.   Reads: energies, the distance walked, the food web, the act Eat.   Random draws: 1
+/// for a founder if `first` has a spread.
 struct GrazingAndHunting {
   static constexpr std::string_view name = "grazing_and_hunting";
   static constexpr std::string_view source = "not in the paper; after [yaeger1994]";

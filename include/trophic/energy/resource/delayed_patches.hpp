@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Patches that are eaten whole and grow again after a delay.
+// Patches that are eaten whole and regrow after a delay.
 #pragma once
 
 #include <trophic/energy/resource/contract.hpp>
 
 namespace trophic::energy::resource {
 
-/// Rule: a patch, one cell, holds `patch` or nothing; once something is bitten off it is bare, and full again `delay_ticks`
-/// later. At the start `grown` of the patches are full, the others bare for a random part of the delay, as in NetLogo's wolf
-/// sheep predation [wilensky1997]. All parameters are free.   Reads: nothing.   Random draws: two for each cell at the start.
+/// Rule: a patch is one cell and holds either `patch` or nothing. After a bite it is bare, and it is full again `delay_ticks`
+/// later. At the start a share `grown` of the patches is full; the others have a random part of the delay left, as in NetLogo's
+/// wolf sheep predation [wilensky1997]. All parameters are free.   Reads: nothing.   Random draws: two per cell at the start.
 struct DelayedPatches {
   static constexpr std::string_view name = "delayed_patches";
   static constexpr std::string_view source = "not in the paper; [wilensky1997]";

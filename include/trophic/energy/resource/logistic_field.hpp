@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Food that grows logistically in every cell, faster in season.
+// Food that grows logistically in every cell, with a seasonal growth rate.
 #pragma once
 
 #include <trophic/energy/resource/contract.hpp>
@@ -9,9 +9,9 @@ namespace trophic::energy::resource {
 /// Rule, for the food F of a cell in a tick of length t:
 ///   F <- min(K, F + t (r F (1 - F / K) + seed K)),   r = growth (1 + season sin(2 pi time / year)),   K = capacity * area of the
 ///   cell
-/// Each cell starts full. `patches` of the cells bear nothing, drawn at the start: the others share their capacity. Verhulst's
-/// growth [rosenzweig1963]; `seed` lets an empty cell recover. All parameters are free.   Reads: time.   Random draws: one for
-/// each cell at the start if there are patches.
+/// Each cell starts full. A random share `barren` of the cells never has food; their capacity is shared by the others. This is
+/// Verhulst's growth [rosenzweig1963]; `seed` lets an empty cell recover. All parameters are free. Reads: time.   Random draws:
+/// one per cell at the start if there are barren cells.
 struct LogisticField {
   static constexpr std::string_view name = "logistic_field";
   static constexpr std::string_view source = "not in the paper; growth as in [rosenzweig1963]";

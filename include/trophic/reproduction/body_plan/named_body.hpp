@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The robot of a file, for each species another one.
+// The robot of a file, which may differ between species.
 #pragma once
 
 #include <trophic/params/params.hpp>
@@ -8,7 +8,7 @@
 namespace trophic::reproduction::body_plan {
 
 /// Rule: each individual has the robot that `robot` names, as `ecology.robot` does. `by_species<NamedBody>` gives each species
-/// its own: spiders that hunt geckos. With the rule Gait left out each robot walks by the gait that its file names.   Reads: the
+/// its own: spiders that hunt geckos. Without a rule Gait, each robot uses the gait that its file names.   Reads: the
 /// species.   Random draws: 0.
 struct NamedBody {
   static constexpr std::string_view name = "named_body";

@@ -9,7 +9,7 @@ namespace trophic::reproduction::parent {
 
 /// Rule: when a hunter dies, the closest individual that it could eat, if within range, is the parent of the offspring that
 /// takes its body. Tags and activity do not count: the text has "any prey" (Sec. "Reproduction"). So an inactive newborn, which
-/// cannot be caught, may breed next to a predator; NearestActiveVictim excludes it. The paper gives no range: its text has
+/// cannot be caught, may reproduce next to a predator; NearestActiveVictim excludes it. The paper gives no range: its text has
 /// "within a certain minimum distance away from the predator", a draft's comment "within four units away from it".   Reads:
 /// positions, species.   Random draws: 0.
 struct NearestVictim {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Births of energy: those who have enough reproduce.
+// Births by energy: individuals with enough energy reproduce.
 #pragma once
 
 #include <trophic/reproduction/recruitment/contract.hpp>
 
 namespace trophic::reproduction::recruitment {
 
-/// Rule: an active individual with at least `birth` energy has an offspring of its species next to it and hands over `share` of
-/// its energy, the oldest first. If activation depends on behaviour, so do births; `only_active` = false lets the inactive breed.
-/// The dead have no successor. `spare_bodies` start without an individual. All parameters are free.
-/// Reads: energies, activity.   Random draws: 0.
+/// Rule: an active individual with at least `birth` energy has an offspring of its species next to it and gives it the `share` of
+/// its energy; the oldest individuals come first. If activation depends on behaviour, so do births; with `only_active` = false
+/// inactive individuals reproduce as well. The dead are not replaced. `spare_bodies` start without an individual. All parameters
+/// are free. Reads: energies, activity.   Random draws: 0.
 struct AtEnergy {
   static constexpr std::string_view name = "at_energy";
   static constexpr std::string_view source = "not in the paper; as in Polyworld [yaeger1994]";

@@ -7,9 +7,9 @@
 namespace trophic::reproduction::recruitment {
 
 /// Rule: at each tick after the first each individual has an offspring with probability `chance`, `step` away in a random
-/// direction, and hands over `share` of its energy. The dead have no successor; `spare_bodies` start without an individual. For
-/// worlds of points, which may overlap. As in NetLogo's wolf sheep predation [wilensky1997]. All parameters are free.   Reads:
-/// energies, positions.   Random draws: 1 for each individual in the order of births, and 1 for each offspring.
+/// direction, and gives it the `share` of its energy. The dead are not replaced; `spare_bodies` start without an individual. This
+/// rule is for worlds of points, which may overlap, as in NetLogo's wolf sheep predation [wilensky1997]. All parameters are free.
+/// Reads: energies, positions.   Random draws: 1 per individual in the order of births, and 1 per offspring.
 struct ByChance {
   static constexpr std::string_view name = "by_chance";
   static constexpr std::string_view source = "not in the paper; [wilensky1997]";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Births of two parents that both choose to mate.
+// Births from two parents that both choose to mate.
 #pragma once
 
 #include <trophic/control/acts/list.hpp>
@@ -9,9 +9,9 @@
 namespace trophic::reproduction::recruitment {
 
 /// Rule: two active individuals of a species that both chose to mate, have at least `birth` energy each and are at most `range`
-/// apart have an offspring next to the older one. Each hands over `share` of what the poorer one has. The oldest chooses first,
-/// the nearest; each mates once a tick. The dead have no successor. `spare_bodies` start without an individual. All parameters
-/// are free.   Reads: the act Mate, positions, energies, activity.   Random draws: 0.
+/// apart have an offspring next to the older one. Each gives the `share` of the poorer one's energy. The oldest chooses first and
+/// takes the nearest; each mates at most once a tick. The dead are not replaced. `spare_bodies` start without an individual. All
+/// parameters are free.   Reads: the act Mate, positions, energies, activity.   Random draws: 0.
 struct ByMating {
   static constexpr std::string_view name = "by_mating";
   static constexpr std::string_view source = "not in the paper; as in Polyworld [yaeger1994]";

@@ -39,7 +39,7 @@ struct TraitParams {
 /// Rule, for each trait x in the list:
 ///   x <- clip(x + N(0, sd), least, most)
 /// at each birth, from the parent's x or, without a parent, from `first`. Not in the paper; all parameters are free.
-/// Reads: the traits.   Random draws: 2 a trait.
+/// Reads: the traits.   Random draws: 2 per trait.
 template <Trait... Traits>
 struct List {
   struct Names {

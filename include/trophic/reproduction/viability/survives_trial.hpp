@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Newborns must walk in a nursery without a divergence.
+// Newborns must walk in a nursery without diverging.
 #pragma once
 
 #include <trophic/params/policy.hpp>
@@ -8,7 +8,7 @@
 
 namespace trophic::reproduction::viability {
 
-/// Rule: a body that `Rule` allows may be born if it walks by its own gait in a nursery for `trial_s` without a divergence.
+/// Rule: a body that `Rule` allows may be born if it walks with its own gait in a nursery for `trial_s` without diverging.
 /// Otherwise its body and gait are drawn or mutated again.   Reads: body and gait.   Random draws: Rule's.
 template <class Rule>
 struct SurvivesTrial {

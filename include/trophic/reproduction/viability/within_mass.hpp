@@ -6,8 +6,8 @@
 
 namespace trophic::reproduction::viability {
 
-/// Rule: a body of at most `most_kg` may be born; a heavier one is tried again, `attempts` times in all.   Reads: the mass.
-/// Random draws: 0.
+/// Rule: a body of at most `most_kg` may be born; the mutation of a heavier one is repeated, up to `attempts` times in total.
+/// Reads: the mass.   Random draws: 0.
 struct WithinMass {
   static constexpr std::string_view name = "within_mass";
   static constexpr std::string_view source = "not in the paper";

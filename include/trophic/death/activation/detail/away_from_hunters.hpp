@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a newborn is away from its hunters: shared by two activations.
+// Whether a newborn is away from its hunters; two activation rules share this.
 #pragma once
 
 #include <trophic/params/params.hpp>
@@ -15,7 +15,7 @@ struct SafeDistance {
   }
 };
 
-/// Whether the closest individual that eats the species in `body`, whatever the tags, is farther away than the distance.
+/// Returns whether the closest individual that eats the species in `body`, whatever its tag, is farther away than the distance.
 [[nodiscard]] inline bool away_from_hunters(const SafeDistance& safe, BodyIndex body, const View& view) {
   const Species own = view.robots[body].species;
   const auto eats = [&](Species other) { return view.web.eats(other, own); };
