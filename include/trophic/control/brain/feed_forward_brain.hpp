@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paper's network with a number of hidden neurons.
+// The paper's network with any number of hidden neurons.
 #pragma once
 
 #include <trophic/control/brain/contract.hpp>
@@ -8,10 +8,9 @@
 
 namespace trophic::control::brain {
 
-/// Rule: hidden = tanh(W1 in), out = tanh(W2 hidden), with n hidden neurons and no biases (Sec. "Cognitive Brain", which states
-/// no n); target angle and tag as in CognitiveBrain, which is this brain with n = 3. Genome: W1 (n rows of one weight an
-/// input), W2 (one row of n weights an output).
-/// Reads: the sensors.   Random draws: 0.
+/// Rule: hidden = tanh(W1 in), out = tanh(W2 hidden), with n hidden neurons and no biases (Sec. "Cognitive Brain", which does not
+/// give n). Target angle and tag are as in CognitiveBrain, which is this brain with n = 3. Genome: W1 (n rows with one weight per
+/// input), W2 (one row of n weights per output). Reads: the sensors.   Random draws: 0.
 struct FeedForwardBrain {
   static constexpr std::string_view name = "feed_forward_brain";
   static constexpr std::string_view source = "paper, Sec. \"Cognitive Brain\"; silent on hidden neurons";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One inherited network writes a gait for any body.
+// An inherited network generates a gait for any body.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,10 +9,10 @@
 
 namespace trophic::control::gait {
 
-/// Rule: the genes are a CPPN that grows (control/cppn.hpp) and writes the gait. `first = robots`: the sum of that and of `gait`,
-/// for hinges of the same path from the core, and a network without a parent has small weights; random: CPPN alone. Without a
-/// parent each input is linked to the output.   Reads: nothing.   Random draws: 7 without a parent; at a mutation 1 to 3 per
-/// link, 2 for growth, 2 more for each part that grows.
+/// Rule: the genes are a growing CPPN (control/cppn.hpp) that generates the gait. With `first = robots` this is added to `gait`
+/// for hinges with the same path from the core, and first networks have small weights; with `random` the CPPN alone makes the
+/// gait. In first networks each input is linked to the output.   Reads: nothing.   Random draws: 7 without a parent; at a
+/// mutation 1 to 3 per link, 2 for growth, and 2 more per new part.
 struct InheritedCppn {
   static constexpr std::string_view name = "inherited_cppn";
   static constexpr std::string_view source = "not in the paper; networks as in [stanley2007]";

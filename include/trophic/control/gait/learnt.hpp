@@ -9,10 +9,10 @@
 namespace trophic::control::gait {
 
 /// Rule: gaits are drawn and mutated by `Rule`; then each newborn learns. It walks `trials` times for `trial_s` in a nursery,
-/// first by its inherited gait, then each time by a mutation (by Rule) of the best gait so far, which replaces it if it walks
-/// farther. The robot walks by the best gait. Its offspring inherit that with probability `lamarckian`, otherwise the gait that
-/// it inherited itself: 1 is Lamarckian, 0 Darwinian. The genes are the number of inherited genes, these, and the learnt ones.
-/// Reads: the body.   Random draws: Rule's in each trial but the first; 1 at a mutation.
+/// first with its inherited gait, then each time with a mutation (by Rule) of the best gait so far, which replaces it if the
+/// robot walks farther. In life the robot uses the best gait. Its offspring inherit that with probability `lamarckian` and
+/// otherwise the gait that it inherited itself: 1 is Lamarckian, 0 Darwinian. The genes are the number of inherited genes, the
+/// inherited genes, and the learnt ones. Reads: the body.   Random draws: Rule's in each trial but the first; 1 at a mutation.
 template <class Rule>
 struct Learnt {
   static_assert(InheritedGait<Rule>, "gait::Learnt takes an inherited gait; see trophic/control/gait/contract.hpp");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every robot walks by the gait that was evolved for it beforehand.
+// Every robot walks with the gait that was evolved for it beforehand.
 #pragma once
 
 #include <trophic/control/gait/contract.hpp>

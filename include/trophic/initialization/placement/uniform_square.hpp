@@ -8,7 +8,7 @@
 
 namespace trophic::initialization::placement {
 
-/// Rule: positions uniform in [-h, h]^2, overlaps allowed; all robots face the same way. The released code uses h = 9 m and, by
+/// Rule: positions are uniform in [-h, h]^2 and may overlap; all robots face the same way. The released code uses h = 9 m and, by
 /// an error in the order of quaternion components, turns each root frame by pi; the spider's forward axis is 45 degrees from
 /// its root frame's x.   Reads: arena (bounds only).   Random draws: 2 per robot.
 struct UniformSquare {

@@ -6,9 +6,9 @@
 
 namespace trophic::perception::visibility {
 
-/// Rule: self perceives other iff their tags are equal, other is active, and other is at most range away: SameTag for a sensor
-/// that does not see across the whole arena. The paper sets no limit.   Reads: positions, both tags, other's activity.   Random
-/// draws: 0.
+/// Rule: self perceives other iff their tags are equal, other is active, and other is at most range away. This is SameTag for a
+/// sensor that does not reach across the whole arena. The paper sets no limit.   Reads: positions, both tags, other's activity.
+/// Random draws: 0.
 struct WithinRange {
   static constexpr std::string_view name = "within_range";
   static constexpr std::string_view source = "not in the paper";
