@@ -32,7 +32,7 @@ def run(module: str, request: dict, begins: Callable[[], None] = lambda: None) -
         _continue_with_system()
         code, why = 2, (
             f"needs the Python module {error.name}, which {sys.executable} lacks: apt-get install python3-jinja2 python3-matplotlib "
-            "python3-pandas python3-scipy, or let TROPHIC_PYTHON name a Python that has it"
+            "python3-pandas python3-scipy, or set TROPHIC_PYTHON to a Python that has it"
         )
     except OSError as error:
         code, why = (1, f"{error.filename or 'cannot write to standard output'}: {error.strerror}")
