@@ -76,8 +76,8 @@ struct RunDescription {
 /// The parameters of a run that differ from those of its table, except for seed, duration and threads.
 [[nodiscard]] std::vector<OtherParam> other_params(const NamedParams& own, const NamedParams& table);
 
-/// Changes that had an effect, by tick and parameter: for each tick the last value of a parameter, unless it equals the previous
-/// one.
+/// Changes that had an effect, by tick and parameter: for each tick the last value of a parameter, unless it equals the value
+/// before the tick.
 [[nodiscard]] std::vector<ParameterChange> effective(std::vector<ParameterChange> changes);
 
 /// Two runs may be pooled as replicates if this is equal: the fingerprint and, if parameters changed during the run or it started
