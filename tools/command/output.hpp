@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Output of a program: it arrives, or its loss is an error.
+// Output of a program whose loss is an error.
 #pragma once
 
 #include <cstddef>

@@ -19,7 +19,7 @@
 
 namespace trophic {
 
-/// The name of a table's rule Heredity under a null, which the population applies in its place; empty without a null.
+/// The name of the rule that replaces a table's rule Heredity under a null; empty without a null.
 template <class Rules>
 [[nodiscard]] std::string heredity_under(const Null& null) {
   const std::string own{detail::policy_name<PolicyIn<Rules, RuleSlot::heredity>>()};
@@ -39,7 +39,7 @@ template <class Rules>
   return {};
 }
 
-/// The rule or parameter by which a species inherits nothing without a null, too; empty if it may inherit.
+/// The rule or parameter because of which a species inherits nothing even without a null; empty if it may inherit.
 template <class Rules>
 [[nodiscard]] std::string why_nothing_inherited(const Policies<Rules>& policies, Species species) {
   const auto& heredity = for_species(policies.heredity, species);
@@ -53,7 +53,7 @@ template <class Rules>
   return {};
 }
 
-/// Whether a parameter has no effect but through joints.
+/// Whether a parameter has an effect only through joints.
 [[nodiscard]] constexpr bool acts_through_joints(std::string_view path) {
   return path.starts_with("rules.steering.") || path == "ecology.gait" || path == "ecology.control_hz" ||
          path == "ecology.cpg_integration" || path == "ecology.idle_control_steps" || path == "ecology.phase_at_birth";

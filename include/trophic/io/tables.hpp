@@ -16,7 +16,7 @@ namespace trophic::io {
   return list + ']';
 }
 
-/// events.csv: one row per event, in the order in which they happened.
+/// events.csv: one row per event, in chronological order.
 struct EventRow {
   double time_s = 0.0;
   std::int64_t tick = 0;
@@ -103,7 +103,7 @@ struct AgentRow {
   }
 };
 
-/// Outcome of the tag that a brain wanted: the robot showed it already, shows it from now on, or the rules denied it.
+/// Outcome of the tag that a brain chose: the robot showed it already, shows it from now on, or the rules denied it.
 enum class TagOutcome { kept, switched, denied };
 [[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(TagOutcome) {
   return {"kept", "switched", "denied"};
@@ -204,8 +204,8 @@ struct TaxonRow {
   }
 };
 
-/// genomes.csv: one row per birth. If genomes are shared, a later row of the same genome_id holds the weights that all of its
-/// individuals have from then on.
+/// genomes.csv: one row per birth. If genomes are shared, a later row with the same genome_id has the new weights of all its
+/// individuals.
 struct GenomeRow {
   IndividualId id = 0;
   std::uint64_t genome = 0;
@@ -228,7 +228,7 @@ enum class GenomePart { brain, gait, body };
   return {"brain", "gait", "body"};
 }
 
-/// genes.csv: one row per gene of every newborn, of the parts that are not in genomes.csv.
+/// genes.csv: one row per gene of every newborn, for the parts that are not in genomes.csv.
 struct GeneRow {
   IndividualId id = 0;
   GenomePart part = GenomePart::brain;

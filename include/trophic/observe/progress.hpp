@@ -25,7 +25,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// A duration for readers: "45 s", "3 min 20 s", "2 h 5 min".
+/// A human-readable duration: "45 s", "3 min 20 s", "2 h 5 min".
 [[nodiscard]] inline std::string duration_text(double seconds) {
   const auto whole = static_cast<long long>(std::llround(seconds));
   if (whole < 60) return std::to_string(whole) + " s";
@@ -33,15 +33,14 @@ class Stopwatch {
   return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
 }
 
-/// A number with one decimal, or none from 100 on.
+/// A number with one decimal, or without decimals from 100 on.
 [[nodiscard]] inline std::string short_text(double number) {
   std::string text(32, '\0');
   text.resize(static_cast<std::size_t>(std::snprintf(text.data(), text.size(), number < 100.0 ? "%.1f" : "%.0f", number)));
   return text;
 }
 
-/// Shows the progress of the run on stderr if that is a terminal, as much of it as fits one line. Always counts for the
-/// summary.
+/// Shows the progress of the run on stderr if that is a terminal, as much as fits on one line. Always counts for the summary.
 class Progress {
  public:
   explicit Progress(bool show = stderr_is_terminal()) : show_{show} {}
@@ -70,7 +69,7 @@ class Progress {
   void on_end(const View&) { clear(); }
   void on_failure(std::string_view) { clear(); }
 
-  /// Simulated over wall time, the engine's remarks, births, deaths by cause, living individuals.
+  /// Prints the ratio of simulated to wall time, the engine's remarks, births, deaths by cause, and living individuals.
   void summary(std::ostream& out, const View& view) const {
     const double wall_s = watch_.elapsed_s();
     const double simulated_s = (view.time_s - from_s_) * run_.clock_scale;
