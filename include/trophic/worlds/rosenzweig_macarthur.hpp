@@ -25,10 +25,11 @@ struct Births {
     double K = 600.0;
     double e = 0.5;
     static constexpr auto fields() {
-      return std::tuple{field("spare_bodies", &Params::spare_bodies, at_least(0), "bodies without an individual at the start"),
-                        field("r", &Params::r, between(0.0, 1.0), "chance of a birth of a lonely prey at each tick"),
-                        field("K", &Params::K, above(0.0), "number of prey at which none is born"),
-                        field("e", &Params::e, between(0.0, 1.0), "chance of a birth after a catch")};
+      return std::tuple{
+          field("spare_bodies", &Params::spare_bodies, at_least(0), "bodies without an individual at the start").read_at_start(),
+          field("r", &Params::r, between(0.0, 1.0), "chance of a birth of a lonely prey at each tick"),
+          field("K", &Params::K, above(0.0), "number of prey at which none is born"),
+          field("e", &Params::e, between(0.0, 1.0), "chance of a birth after a catch")};
     }
   };
   Params params;

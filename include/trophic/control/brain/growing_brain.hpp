@@ -35,7 +35,7 @@ struct GrowingBrain {
     double turn_angle_rad = 0.7;
     static constexpr auto fields() {
       return std::tuple{
-          field("hidden", &Params::hidden, between(0.0, 100.0), "hidden neurons of the first genomes"),
+          field("hidden", &Params::hidden, between(0.0, 100.0), "hidden neurons of the first genomes").read_for_newcomers(),
           field("most_hidden", &Params::most_hidden, between(0.0, 100.0), "hidden neurons that a genome may have"),
           field("add_link", &Params::add_link, between(0.0, 1.0), "probability of a new link"),
           field("remove_link", &Params::remove_link, between(0.0, 1.0), "probability that a link is lost"),

@@ -28,10 +28,11 @@ struct InheritedCpg {
     double sd = 0.02;
     double limit = 2.0;
     static constexpr auto fields() {
-      return std::tuple{field("first", &Params::first, "a gait without a parent: robots (its own, with noise) or random"),
-                        field("first_sd", &Params::first_sd, at_least(0.0), "standard deviation of that noise"),
-                        field("sd", &Params::sd, at_least(0.0), "standard deviation of a mutation"),
-                        field("limit", &Params::limit, above(0.0), "weights stay within +- this")};
+      return std::tuple{
+          field("first", &Params::first, "a gait without a parent: robots (its own, with noise) or random").read_for_newcomers(),
+          field("first_sd", &Params::first_sd, at_least(0.0), "standard deviation of that noise").read_for_newcomers(),
+          field("sd", &Params::sd, at_least(0.0), "standard deviation of a mutation"),
+          field("limit", &Params::limit, above(0.0), "weights stay within +- this")};
     }
   };
   Params params;

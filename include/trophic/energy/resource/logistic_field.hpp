@@ -25,16 +25,22 @@ struct LogisticField {
     double season = 0.5;
     double year_s = 1000.0;
     static constexpr auto fields() {
-      return std::tuple{field("cells_in_a_row", &Params::cells_in_a_row, between(1, 1000), "cells along a side of the arena"),
-                        field("capacity_J_m2", &Params::capacity_J_m2, at_least(0.0), "most food on a square metre, on average"),
-                        field("growth_1_s", &Params::growth_1_s, at_least(0.0), "growth rate of little food"),
-                        field("seed_1_s", &Params::seed_1_s, at_least(0.0), "of the capacity a second, whatever is there"),
-                        field("barren", &Params::barren, between(0.0, 0.99), "share of cells that bear nothing"),
-                        field("season", &Params::season, between(0.0, 1.0), "amplitude of the growth rate's season"),
-                        field("year_s", &Params::year_s, above(0.0), "length of a year, the ecology's clock")};
+      return std::tuple{
+          field("cells_in_a_row", &Params::cells_in_a_row, between(1, 1000), "cells along a side of the arena").read_at_start(),
+          field("capacity_J_m2", &Params::capacity_J_m2, at_least(0.0), "most food on a square metre, on average")
+              .read_at_start(),
+          field("growth_1_s", &Params::growth_1_s, at_least(0.0), "growth rate of little food"),
+          field("seed_1_s", &Params::seed_1_s, at_least(0.0), "of the capacity a second, whatever is there"),
+          field("barren", &Params::barren, between(0.0, 0.99), "share of cells that bear nothing").read_at_start(),
+          field("season", &Params::season, between(0.0, 1.0), "amplitude of the growth rate's season"),
+          field("year_s", &Params::year_s, above(0.0), "length of a year, the ecology's clock")};
     }
   };
   Params params;
+
+  [[nodiscard]] std::string_view why_no_effect(std::string_view number, const FoodWeb&, OneSpecies) const {
+    return number == "year_s" && params.season == 0.0 ? "without a season" : "";
+  }
 
   /// Layer 0 holds the capacity of each cell.
   [[nodiscard]] ResourceField start(const Arena& arena, Rng& rng) const {

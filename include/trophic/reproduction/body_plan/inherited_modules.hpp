@@ -27,7 +27,8 @@ struct InheritedModules {
     std::string first_robot = {};
     static constexpr auto fields() {
       return std::tuple{field("first_modules", &Params::first_modules, between(0.0, 50.0),
-                              "modules of a random first body (1 counts as 2); 0: the body of first_robot"),
+                              "modules of a random first body (1 counts as 2); 0: the body of first_robot")
+                            .read_for_newcomers(),
                         field("mutation", &Params::mutation),
                         field("rate", &Params::rate, between(0.0, 1.0), "factor of all these probabilities; 0: no body changes"),
                         field("first_robot", &Params::first_robot, "name or path of a robot; empty: that of ecology.robot")};

@@ -21,10 +21,11 @@ struct ByChance {
     double share = 0.5;
     double step_m = 1.0;
     static constexpr auto fields() {
-      return std::tuple{field("spare_bodies", &Params::spare_bodies, at_least(0), "bodies without an individual at the start"),
-                        field("chance", &Params::chance, between(0.0, 1.0), "of a birth at each tick"),
-                        field("share", &Params::share, between(0.0, 1.0), "of its energy, for the offspring"),
-                        field("step_m", &Params::step_m, at_least(0.0), "from the parent, at most to a wall")};
+      return std::tuple{
+          field("spare_bodies", &Params::spare_bodies, at_least(0), "bodies without an individual at the start").read_at_start(),
+          field("chance", &Params::chance, between(0.0, 1.0), "of a birth at each tick"),
+          field("share", &Params::share, between(0.0, 1.0), "of its energy, for the offspring"),
+          field("step_m", &Params::step_m, at_least(0.0), "from the parent, at most to a wall")};
     }
   };
   Params params;

@@ -23,10 +23,11 @@ struct ByMating {
     double share = 0.3;
     double range_m = 3.0;
     static constexpr auto fields() {
-      return std::tuple{field("spare_bodies", &Params::spare_bodies, at_least(0), "bodies without an individual at the start"),
-                        field("birth_J", &Params::birth_J, at_least(0.0), "energy of each parent"),
-                        field("share", &Params::share, between(0.0, 1.0), "of the poorer parent's energy, given by each"),
-                        field("range_m", &Params::range_m, at_least(0.0), "largest distance of the parents")};
+      return std::tuple{
+          field("spare_bodies", &Params::spare_bodies, at_least(0), "bodies without an individual at the start").read_at_start(),
+          field("birth_J", &Params::birth_J, at_least(0.0), "energy of each parent"),
+          field("share", &Params::share, between(0.0, 1.0), "of the poorer parent's energy, given by each"),
+          field("range_m", &Params::range_m, at_least(0.0), "largest distance of the parents")};
     }
   };
   Params params;
