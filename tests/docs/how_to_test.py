@@ -37,7 +37,9 @@ def main() -> int:
         follow(ROOT / "docs/how-to/a-living-world.md", folder, {"PATH": f"{PROGRAMS}:{os.environ['PATH']}"})
         follow(ROOT / "docs/how-to/a-sweep.md", folder, {"PATH": f"{PROGRAMS}:{os.environ['PATH']}"})
         tables = next(
-            block.code for block in parse(ROOT / "docs/how-to/compare-two-tables.md").blocks if block.language == "toml"
+            block.code
+            for block in parse(ROOT / "docs/how-to/from-runs-to-results.md").blocks
+            if block.language == "toml"
         )
         assert "ecology.duration_s = 6000.0" in tables and "replicates = 10" in tables
         (folder / "tables.toml").write_text(

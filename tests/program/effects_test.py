@@ -184,8 +184,8 @@ class Changes(Effects):
         options = ["--backend", "kinematic", "--duration", 100]
         self.run_with("origin", {}, *options)
         for change, why in (
-            (("rules.community.predators", 10), "must be given to a new run, with --set rules.community.predators=10: it is read at"),
-            (("rules.steering.exponent", 3), "must be left out, as it has no effect: kinematic has no joints"),
+            (("rules.community.predators", 10), "must be given to a new run, with --set rules.community.predators=10, because a run reads it"),
+            (("rules.steering.exponent", 3), "must be omitted, because it has no effect: kinematic has no joints"),
         ):
             path, value = change
             (self.folder / "changes.csv").write_text(f"time_s,number,value\n40,{path},{value}\n98,rules.capture.reach_m,2\n")
@@ -198,10 +198,10 @@ class Changes(Effects):
     def test_each_parameter_says_when_it_is_read(self):
         printed = call(PREDATOR_PREY, "--backend", "kinematic", "--print-config").stdout
         for line in (
-            "predators = 14  # founders that are predators; the others are prey; read at the start",
-            "limit = 1.0  # weights lie within +- this; read at the start and at births without a parent",
+            "predators = 14  # number of founders that are predators; the others are prey; read at the start",
+            "limit = 1.0  # bound on the absolute value of weights; read at the start and at births without a parent",
             "sd = 0.05  # standard deviation; read at births",
-            "reach_m = 1.0  # a victim this close is caught",
+            "reach_m = 1.0  # distance within which a victim is caught",
         ):
             self.assertIn(f"\n{line}\n", printed)
 

@@ -12,7 +12,7 @@ namespace detail {
 /// The value of a number as text.
 [[nodiscard]] inline std::string value_in(const observe::RunDescription& run, const std::string& number) {
   const auto found = std::ranges::find(run.named_params, number, &NamedParam::path);
-  if (found == run.named_params.end()) throw std::invalid_argument{number + ": is not a number of this experiment"};
+  if (found == run.named_params.end()) throw std::invalid_argument{number + ": is not a parameter of this experiment"};
   return value_text(*found);
 }
 
@@ -162,7 +162,7 @@ void ChangingSimulation::persist(Archive& archive) {
     for (const observe::ParameterChange& row : made) values_[row.number] = row.value;
     current_ = changed(values_, {});
     Archive::require(schedule_.empty() || are_scheduled(made, schedule),
-                     "other changes than those of --changes; without --changes the run continues with its own");
+                     "changes other than those of --changes; without --changes the run resumes with its own");
     made_ = std::move(made);
     schedule_ = std::move(schedule);
   }
@@ -235,7 +235,7 @@ std::unique_ptr<Simulation> ChangingSimulation::changed(Values values, std::span
   for (const Change& change : more) {
     static_cast<void>(detail::value_in(run, change.number));
     if (!change.number.starts_with("rules.")) {
-      throw std::invalid_argument{change.number + ": cannot change during a run; must be a number of a rule (rules. ...)"};
+      throw std::invalid_argument{change.number + ": cannot change during a run; must be a rule parameter (rules. ...)"};
     }
   }
   check_may_follow(first_, run, false);
@@ -248,7 +248,7 @@ void ChangingSimulation::make(std::span<const Change> changes, observe::Audience
   try {
     if (made_.size() + changes.size() > most_changes)
       throw std::invalid_argument{"this run has " + std::to_string(made_.size()) +
-                                  " changes: must have <= " + std::to_string(most_changes) + ", as many as can be made again"};
+                                  " changes: must have <= " + std::to_string(most_changes) + ", the most that can be replayed"};
     next = changed(values_, changes);
     Archive state;
     current_->persist(state);

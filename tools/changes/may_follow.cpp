@@ -9,10 +9,10 @@ namespace trophic::changes {
 
 void check_acts_later(const NamedParam& param, const std::string& value) {
   const std::string what = param.path + " = " + value + ": ";
-  if (!param.no_effect.empty()) throw std::invalid_argument{what + "must be left out, as it has no effect" + param.no_effect};
+  if (!param.no_effect.empty()) throw std::invalid_argument{what + "must be omitted, because it has no effect" + param.no_effect};
   if (param.read == Read::at_start) {
     throw std::invalid_argument{what + "must be given to a new run, with --set " + param.path + "=" + value +
-                                ": it is read at the start of a run alone"};
+                                ", because a run reads it only at its start"};
   }
 }
 
@@ -21,7 +21,7 @@ void check_may_follow(const observe::RunDescription& origin, const observe::RunD
     return path == "seed" || path.starts_with("rules.") || path == "ecology.duration_s" || path == "backend.threads";
   };
   if (origin.backend != run.backend) {
-    throw std::invalid_argument{"engine " + run.backend + ": must be " + origin.backend + ", as of the run that it begins from"};
+    throw std::invalid_argument{"engine " + run.backend + ": must be " + origin.backend + ", as in the run from which it starts"};
   }
   for (const NamedParam& param : run.named_params) {
     const auto there = std::ranges::find(origin.named_params, param.path, &NamedParam::path);
@@ -29,9 +29,9 @@ void check_may_follow(const observe::RunDescription& origin, const observe::RunD
     if (is_there && there->value == param.value) continue;
     if (branches && is_there && param.path.starts_with("rules.")) check_acts_later(param, value_text(param));
     if (may_change(param.path)) continue;
-    throw std::invalid_argument{param.path + " = " + value_text(param) + ": must be " +
-                                (is_there ? value_text(*there) : "missing") +
-                                ", as of the run that it begins from; only seed, duration and parameters of rules can change"};
+    throw std::invalid_argument{
+        param.path + " = " + value_text(param) + ": must be " + (is_there ? value_text(*there) : "missing") +
+        ", as in the run from which it starts; only the seed, the duration and parameters of rules can change"};
   }
 }
 

@@ -36,9 +36,9 @@ void complain(const Physics& how, const Diverged& error) {
 /// Says it if most steps were not those of the fast mode: runs of such a robot are slow.
 void remark_speed(const Physics& how, double engine_share) {
   if (engine_share <= 0.5) return;
-  std::cerr << "trophic measure-gait: " << enum_name(how.integrator) << " " << how.timestep_s << " s: the engine itself took "
+  std::cerr << "trophic measure-gait: " << enum_name(how.integrator) << " " << how.timestep_s << " s: the engine itself computed "
             << number_text(std::round(100.0 * engine_share))
-            << " % of the steps; with this robot the fast stepping is as slow as islands\n";
+            << " % of the steps, so fast stepping is as slow as islands with this robot\n";
 }
 
 /// The [walk] of a robot file.
@@ -54,7 +54,8 @@ std::size_t print_walk(const BackendChoice& backend, const RobotModel& robot, co
                 << "\nturn_rate_per_rad = " << walk.turn_rate_per_rad << std::endl;
       ++measured;
       if (walk.speed_m_s <= 0.0 || walk.turn_rate_per_rad <= 0.0) {
-        std::cerr << "trophic measure-gait: no robot file can hold these: the gait walks backwards or turns the wrong way\n";
+        std::cerr << "trophic measure-gait: a robot file cannot have these values, because the gait walks backwards or turns the "
+                     "wrong way\n";
       }
     } catch (const Diverged& error) {
       complain(how, error);
@@ -102,7 +103,7 @@ std::size_t print_table(const BackendChoice& backend, const RobotModel& robot, c
 int measure(const BackendChoice& backend, const Options& options) {
   const RobotModel robot = load_robot(options.robot);
   if (options.gait.empty() && robot.gait.empty()) {
-    throw std::invalid_argument{"--gait: must name a gait, as the file of " + robot.name + " names none"};
+    throw std::invalid_argument{"--gait: must name a gait, because the file of " + robot.name + " names none"};
   }
   const Gait gait = load_gait(options.gait.empty() ? robot.gait : options.gait);
   check_fit(gait, robot);
@@ -127,15 +128,15 @@ Command measure_gait() {
   const auto options = std::make_shared<detail::measure_gait::Options>();
   return {.name = "measure-gait",
           .about =
-              "Lets a robot walk on an endless floor with the target angles 0.7 (right), 0 and -0.7 rad, with the physics of the "
-              "paper and of its released code: displacement from start to end, mean speed along the heading and to its left over "
-              "5 s, turning rate (counter-clockwise); nothing where the simulation diverges.",
-          .options = {{"--robot", &options->robot, "name or path of a robot file (spider)"},
-                      {"--gait", &options->gait, "name or path of a gait file (the robot's own)"},
+              "Lets a robot walk on an endless floor with target angles of 0.7 (right), 0 and -0.7 rad, under the physics of the "
+              "paper and of its released code. Prints the displacement from start to end, the mean speeds along the heading and "
+              "to its left over 5 s, and the turning rate (counter-clockwise); the columns are empty if the simulation diverges.",
+          .options = {{"--robot", &options->robot, "name or path of a robot file (default: spider)"},
+                      {"--gait", &options->gait, "name or path of a gait file (default: the robot's own)"},
                       {"--backend", &options->backend, backend_help(joint_driven_names())},
-                      {"--duration", &options->duration_s, "simulated seconds (50)"},
+                      {"--duration", &options->duration_s, "duration in simulated seconds (default: 50)"},
                       {"--walk", &options->walk,
-                       "print the [walk] of a robot file instead: means of 8 tries with 0.7 and 8 with -0.7 rad"}},
+                       "print the [walk] section of a robot file instead: means of 8 trials at 0.7 and 8 at -0.7 rad"}},
           .work = [options] { return detail::measure_gait::run(*options); },
           .subcommands = {},
           .version = {}};

@@ -85,7 +85,7 @@ class Progress {
     for (const auto& [cause, deaths] : tally_.deaths_by_cause())
       out << (std::exchange(is_first, false) ? " (" : ", ") << deaths << " " << cause;
     out << ")\n";
-    if (view.refused_births > 0) out << "remark  " << view.refused_births << " births had no free body or no room\n";
+    if (view.refused_births > 0) out << "remark  " << view.refused_births << " births found no free body or no room\n";
     if (view.is_over)
       out << "ended   at " << short_text(view.time_s) << " of " << short_text(run_.until_s) << " s; " << end_text(view) << "\n";
     out << "alive  ";

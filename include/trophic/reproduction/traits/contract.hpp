@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: heritable numbers besides brain, gait and body.
+// The contract of a slot: heritable traits besides brain, gait and body.
 #pragma once
 
 #include <concepts>
@@ -23,11 +23,11 @@ struct BeyondBound {
   double trait = 0.0;
 };
 
-/// Heritable numbers of each individual, which rules read as `view.trait<Sight>(body)`: the genome's part `traits`. A rule that
-/// reads a trait names it: `using ReadsTraits = traits::List<Sight>;`; a table without that trait then does not compile.
-/// `trait_names`: a name for each, a column of genomes.csv. `draw(rng)`: returns those of an individual without a parent.
-/// `mutate(traits, rng)`: changes inherited ones in place. Optional: `std::optional<BeyondBound> beyond(std::span<const double>
-/// traits) const` returns the first bound that the traits of a living individual are beyond; a run cannot continue with it.
+/// The heritable traits of each individual, numbers that rules read as `view.trait<Sight>(body)`: the genome's part `traits`. A
+/// rule that reads a trait names it: `using ReadsTraits = traits::List<Sight>;`; a table without that trait does not compile.
+/// `trait_names`: a name per trait, also its column in genomes.csv. `draw(rng)`: returns the traits of an individual without a
+/// parent. `mutate(traits, rng)`: changes inherited traits in place. Optional: `std::optional<BeyondBound> beyond(std::span<const
+/// double> traits) const` returns the first bound that these are beyond; a run cannot continue from individuals with such traits.
 template <class P>
 concept TraitRule = requires(const P policy, std::span<double> traits, Rng& rng) {
   std::span<const std::string_view>{P::trait_names};
