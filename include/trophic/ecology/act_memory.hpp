@@ -15,7 +15,7 @@ class ActMemory {
   using Acts = PolicyIn<Rules, RuleSlot::acts>;
   using Outputs = std::array<double, Acts::outputs>;
 
-  [[nodiscard]] ActValues values() const { return {.acts = Acts::keys, .values = values_}; }
+  [[nodiscard]] ActValues values() const { return {.acts = Acts::keys, .names = Acts::kept_names, .values = values_}; }
 
   /// Sets the acts of a body to those before the first decision of a life; adds bodies that are new.
   void rest(BodyIndex body) {
