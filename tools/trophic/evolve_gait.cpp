@@ -12,6 +12,7 @@
 #include <tools/gait_evolution/files.hpp>
 #include <tools/replicates/stop_on_signal.hpp>
 #include <trophic/habitat/load/robot.hpp>
+#include <trophic/io/next_free_folder.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/whole_file.hpp>
@@ -123,8 +124,9 @@ void report(const PreExperiment& experiment, std::size_t evaluations, double ela
   validate(refs);
   if (options.print_config) return print_text(settings_text(params, backend));
   PreExperiment experiment{params, backend, load_robot(params.robot)};
-  if (options.out.empty()) throw std::invalid_argument{"--out: must name a new folder"};
-  return evolve(experiment, options.out, options.threads);
+  const std::filesystem::path own = std::filesystem::path{"runs"} / experiment.robot().name;
+  return evolve(experiment, options.out.empty() ? io::next_free_folder(own) : std::filesystem::path{options.out},
+                options.threads);
 }
 
 }  // namespace detail::evolve_gait
