@@ -260,8 +260,8 @@ def _analyze(parser: argparse.ArgumentParser) -> None:
 
 def _plot(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
-    add("analysis", type=_text, help="folder of the analysis")
-    add("--out", **_TEXT, help="new folder for the figures (ANALYSIS/figures)")
+    add("analysis", type=_text, help="folder of an analysis or of a run")
+    add("--out", **_TEXT, help="new folder for the figures (figures in that folder, or the next free figures-1, ...)")
     add(
         "--style",
         type=_word("plain", "serif", "ieee"),
@@ -296,7 +296,7 @@ def _plan(parser: argparse.ArgumentParser) -> None:
         default="trophic-predator-prey",
         help="the experiment program that makes the runs (trophic-predator-prey)",
     )
-    add("--out", **_TEXT, help="folder for the plan and its runs; one that has a plan gets more runs")
+    add("--out", **_TEXT, help="folder for the plan and its runs (runs/SWEEP); one that has a plan gets more runs")
     add("--dry-run", **_FLAG, help="print the cells and how long they take by short runs; write nothing")
     add("--sbatch", **_N, help="print a Slurm script with N array tasks: time by short runs, memory, output, signal")
 
@@ -347,7 +347,9 @@ def _contest(parser: argparse.ArgumentParser) -> None:
 
 def _cross_check(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("runs", nargs="+", type=_text, help="two folders of replicates, each on one engine")
-    parser.add_argument("--out", **_TEXT, default="cross-check", help="new folder for cross_check.csv (cross-check)")
+    parser.add_argument(
+        "--out", **_TEXT, help="new folder for cross_check.csv (the next free cross-check, cross-check-1, ...)"
+    )
 
 
 def _help(parser: argparse.ArgumentParser) -> None:
@@ -388,10 +390,12 @@ VERBS = {
     "plot": Verb(
         "plot",
         "Draws the figures of what `trophic analyze` or `trophic cross-check` wrote, as PNG and PDF with captions.json and captions.tex: the "
-        "paper's figures, a forest plot of a comparison, response curves and heat maps of a sweep. Needs Python with matplotlib, pandas and scipy.",
+        "paper's figures, a forest plot of a comparison, response curves and heat maps of a sweep. Of the folder of a run it draws the numbers of each "
+        "species over time and, if there is any, their energy. Needs Python with matplotlib, pandas and scipy.",
         _plot,
         [
             "trophic plot analysis",
+            "trophic plot runs/pond",
             "trophic plot analysis --style ieee --out figures",
             "trophic plot analysis/sweep --metric velocity:predator:inherited",
         ],
