@@ -510,5 +510,5 @@ def asked_text(analysis: SweepAnalysis) -> str:
         )
     if text:
         of = answers(analysis.differences)
-        text += f"at the level of one of {counted(count(of).comparisons, 'comparison')}, {number_text(level_of(of))}; by the spread of the runs at hand\n"
+        text += f"at the level of one of {counted(count(of).comparisons, 'comparison')}, {number_text(round(level_of(of), 5))}; by the spread of the runs at hand\n"
     return text
