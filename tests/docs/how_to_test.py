@@ -52,7 +52,7 @@ def main() -> int:
         follow(ROOT / "docs/how-to/a-sweep.md", folder, path, {"duration_s = 3000.0": "duration_s = 300.0"})
         tested = {row["cell"] for row in rows(folder / "analysis/reach/sweep_differences.csv") if row["p_holm"]}
         assert tested == {"1", "2", "3"}, f"a-sweep.md: cells that were compared: {tested}"
-        (tables,) = blocks("compare-two-tables", "toml")
+        (tables,) = blocks("from-runs-to-results", "toml")
         assert "ecology.duration_s = 6000.0" in tables and "replicates = 10" in tables
         (folder / "tables.toml").write_text(
             tables.replace("6000.0", "100.0").replace("replicates = 10", "replicates = 2")

@@ -16,7 +16,7 @@ using ReleasedInOde = Ecology<rules::Released>;
 
 namespace {
 
-constexpr const char* remark = "physics.integrator = rk4 has no effect: ode steps by its own semi-implicit Euler method";
+constexpr const char* remark = "physics.integrator = rk4 has no effect: ode has its own semi-implicit Euler method";
 
 std::vector<Pose> poses_of(const backend::Ode& backend) {
   std::vector<Pose> poses;

@@ -204,7 +204,7 @@ class Changes(Effects):
             "--out",
             "branch",
         )
-        self.assert_refused(done, "rules.community.predators = 9: must be 14, as of the run that it begins from")
+        self.assert_refused(done, "rules.community.predators = 9: must be 14, as in the run from which it starts")
 
 
 if __name__ == "__main__":

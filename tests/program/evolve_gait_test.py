@@ -57,7 +57,7 @@ class EvolveGait(InFolder):
         code, printed = self.interrupt("stopped", signal.SIGINT, "gait.toml")
         self.assertIn(code, (0, 3))
         self.assertTrue(
-            (code == 3 and "the same command continues" in printed) or "generation 3 of 3" in printed, printed
+            (code == 3 and "repeat the command to resume" in printed) or "generation 3 of 3" in printed, printed
         )
         self.evolve("--config", "stopped/settings.toml", "--out", "stopped")
         self.assert_same_files("whole", "stopped")

@@ -136,7 +136,7 @@ class Live(InFolder):
                     "rules.newborn_tag.founder_tag = 7: the policy in rules.newborn_tag",
                 ),
                 ({"do": "set", "number": "rules.capture.reach_m", "value": "1" * 201}, "must have <= 200 bytes"),
-                ({"do": "set", "number": "ecology.robots", "value": "7"}, "is not a number of a rule"),
+                ({"do": "set", "number": "ecology.robots", "value": "7"}, "is not a rule parameter"),
                 ({"do": "set", "number": "rules.capture.reach_m", "value": "1\nx = 2"}, "one number"),
                 ({"do": "restart", "seed": -3, "rules": "paper"}, "seed = -3"),
                 ({"do": "restart", "seed": 3, "rules": "nonsense"}, "rules = nonsense"),

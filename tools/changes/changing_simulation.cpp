@@ -15,7 +15,7 @@ namespace detail {
 /// The value of a number as text.
 [[nodiscard]] inline std::string value_in(const observe::RunDescription& run, const std::string& number) {
   const auto found = std::ranges::find(run.named_params, number, &NamedParam::path);
-  if (found == run.named_params.end()) throw std::invalid_argument{number + ": is not a number of this experiment"};
+  if (found == run.named_params.end()) throw std::invalid_argument{number + ": is not a parameter of this experiment"};
   return value_text(*found);
 }
 
@@ -125,8 +125,8 @@ observe::RunDescription ChangingSimulation::describe(double until_s) const {
     if (!seen.insert(number).second) return;
     const bool needs_joints = !backend().has_joints() && acts_through_joints(number);
     if (!needs_joints && !acts_at_start(number)) return;
-    run.remarks.push_back(number + ": its change at " + number_text(time_s) + " s has no effect: it acts " +
-                          (needs_joints ? "through joints, which " + run.backend + " lacks" : "at the start of a run alone"));
+    run.remarks.push_back(number + ": its change at " + number_text(time_s) + " s has no effect, because it acts " +
+                          (needs_joints ? "through joints, which " + run.backend + " lacks" : "only at the start of a run"));
   };
   for (const observe::ParameterChange& row : made_) remark_on(row.number, row.time_s);
   for (const Change& change : schedule_) remark_on(change.number, change.time_s);
@@ -175,7 +175,7 @@ void ChangingSimulation::persist(Archive& archive) {
     for (const observe::ParameterChange& row : made) values_[row.number] = row.value;
     current_ = changed(values_, {});
     Archive::require(schedule_.empty() || are_scheduled(made, schedule),
-                     "other changes than those of --changes; without --changes the run continues with its own");
+                     "changes other than those of --changes; without --changes the run resumes with its own");
     made_ = std::move(made);
     schedule_ = std::move(schedule);
   }
@@ -244,7 +244,7 @@ std::unique_ptr<Simulation> ChangingSimulation::changed(Values values, std::span
   for (const Change& change : more) {
     static_cast<void>(detail::value_in(run, change.number));
     if (!change.number.starts_with("rules.")) {
-      throw std::invalid_argument{change.number + ": cannot change during a run; must be a number of a rule (rules. ...)"};
+      throw std::invalid_argument{change.number + ": cannot change during a run; must be a rule parameter (rules. ...)"};
     }
   }
   check_may_follow(first_, run, false);
@@ -257,7 +257,7 @@ void ChangingSimulation::make(std::span<const Change> changes, observe::Audience
   try {
     if (made_.size() + changes.size() > most_changes)
       throw std::invalid_argument{"this run has " + std::to_string(made_.size()) +
-                                  " changes: must have <= " + std::to_string(most_changes) + ", as many as can be made again"};
+                                  " changes: must have <= " + std::to_string(most_changes) + ", the most that can be replayed"};
     next = changed(values_, changes);
     Archive state;
     current_->persist(state);

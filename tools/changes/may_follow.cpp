@@ -12,7 +12,7 @@ void check_may_follow(const observe::RunDescription& origin, const observe::RunD
     return path == "seed" || path.starts_with("rules.") || path == "ecology.duration_s" || path == "backend.threads";
   };
   if (origin.backend != run.backend) {
-    throw std::invalid_argument{"engine " + run.backend + ": must be " + origin.backend + ", as of the run that it begins from"};
+    throw std::invalid_argument{"engine " + run.backend + ": must be " + origin.backend + ", as in the run from which it starts"};
   }
   for (const NamedParam& param : run.named_params) {
     const auto there = std::ranges::find(origin.named_params, param.path, &NamedParam::path);
@@ -21,7 +21,7 @@ void check_may_follow(const observe::RunDescription& origin, const observe::RunD
     if (is_there && there->value == param.value) continue;
     throw std::invalid_argument{
         param.path + " = " + value_text(param) + ": must be " + (is_there ? value_text(*there) : "missing") +
-        ", as of the run that it begins from; only seed, duration and rules that act after the start can change"};
+        ", as in the run from which it starts; only the seed, the duration and rules that act after the start can change"};
   }
 }
 

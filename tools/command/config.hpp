@@ -39,9 +39,9 @@ inline void check_made_for(const Config& config, const std::string& rule_table, 
                          const std::string& option, const std::string& section) {
     const toml::table* parameters = config.parameters[section].as_table();
     if (!there || *there == here || parameters == nullptr || parameters->empty()) return;
-    throw std::invalid_argument{config.file + ": was written for " + key + " = \"" + *there + "\" and has its parameters in [" +
-                                section + "], which are none of " + here + "; take " + option + " " + *there +
-                                ", or a file without " + key + " and [" + section + "]"};
+    throw std::invalid_argument{config.file + ": is for " + key + " = \"" + *there + "\", whose parameters are in [" + section +
+                                "], not for " + here + "; use " + option + " " + *there + ", or a file without " + key +
+                                " and [" + section + "]"};
   };
   check(config.engine, engine, "engine", "--backend", "backend");
   check(config.rule_table, rule_table, "rule_table", "--rules", "rules");

@@ -19,7 +19,7 @@ inline void flush_output() {
 /// Throws std::invalid_argument, naming the option, if the path of a new file exists already.
 inline void check_new_file(const std::string& option, const std::filesystem::path& path) {
   if (!std::filesystem::exists(std::filesystem::symlink_status(path))) return;
-  throw std::invalid_argument{option + " " + path.string() + ": exists already; nothing is overwritten"};
+  throw std::invalid_argument{option + " " + path.string() + ": exists already; files are never overwritten"};
 }
 
 /// A name for a result if --out is left out: that of a file or folder with another ending, in the working folder; with -2, -3,

@@ -76,7 +76,7 @@ int run_live(std::unique_ptr<AnyExperiment> chosen, ExperimentOptions options, C
     if (!next) return code;
     detail::restart(*next, chosen->rule_table(), first_out, options, config);
     chosen = find_experiment(offer, next->rule_table, chosen->backend().name());
-    if (chosen == nullptr) throw std::invalid_argument{"rule table " + next->rule_table + ": is not one of this program"};
+    if (chosen == nullptr) throw std::invalid_argument{"rule table " + next->rule_table + ": is not a table of this program"};
     options.provenance.emplace_back("restarted", "by the live page of the run in " + first_out.string());
     std::cout << "live    seed " << next->seed << ", rules " << next->rule_table << ", into " << options.out << std::endl;
   }

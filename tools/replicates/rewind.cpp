@@ -55,8 +55,8 @@ inline void check_began_at(const Moment& moment, const std::filesystem::path& fo
   const bool same_run = said("fingerprint") == moment.fingerprint && said("seed") == std::to_string(moment.seed);
   if (same_run && is_tick_of(moment, std::strtod(said("at_s").c_str(), nullptr), tick_s)) return;
   throw std::invalid_argument{
-      folder.string() + ": its run began " + (origin.empty() ? "at 0 s" : "at " + said("at_s") + " s of " + said("run")) +
-      "; it can be resumed, but not begin at " + number_text(moment.at_s) + " s of " + moment.run.string()};
+      folder.string() + ": its run starts " + (origin.empty() ? "at 0 s" : "at " + said("at_s") + " s of " + said("run")) +
+      "; it can be resumed, but it cannot start at " + number_text(moment.at_s) + " s of " + moment.run.string()};
 }
 
 [[nodiscard]] inline FolderLock make_and_lock(const std::filesystem::path& folder) {

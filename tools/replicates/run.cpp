@@ -27,7 +27,7 @@ Outcome run_pending(const Plan& plan, const observe::RunDescription& run, const 
   const Folder folder{plan, run, provenance};
   observe::print_remarks(run.remarks);
   for (const std::string& remark : folder.remarks()) out << remark << "\n";
-  if (folder.kept() > 0) out << folder.kept() << " of " << plan.count << " were complete and are kept" << std::endl;
+  if (folder.kept() > 0) out << folder.kept() << " of " << plan.count << " are complete already and are kept" << std::endl;
 
   const auto& pending = folder.pending();
   const replicates::StopOnSignal stop;

@@ -54,8 +54,8 @@ void remark(const std::string& what) {
 /// Prints it if most steps were not those of the fast mode: runs of such a robot are slow.
 void remark_speed(double engine_share) {
   if (engine_share <= 0.5) return;
-  remark("the engine itself took " + number_text(std::round(100.0 * engine_share)) +
-         " % of the steps; with this robot the fast stepping is as slow as islands");
+  remark("the engine itself computed " + number_text(std::round(100.0 * engine_share)) +
+         " % of the steps, so fast stepping is as slow as islands with this robot");
 }
 
 /// Prints it if a robot does not walk ahead, so that targeted steering cannot bring it anywhere.
@@ -108,7 +108,7 @@ void print_table(const Measured& of) {
 int measure(const BackendChoice& backend, const Options& options) {
   const RobotModel robot = load_robot(options.robot);
   if (options.gait.empty() && robot.gait.empty()) {
-    throw std::invalid_argument{"--gait: must name a gait, as the file of " + robot.name + " names none"};
+    throw std::invalid_argument{"--gait: must name a gait, because the file of " + robot.name + " names none"};
   }
   const Gait gait = load_gait(options.gait.empty() ? robot.gait : options.gait);
   check_fit(gait, robot);
@@ -137,19 +137,19 @@ Command measure_gait() {
   return {
       .name = "measure-gait",
       .about =
-          "Lets a robot walk on an endless floor with the target angles 0.7 (right), 0 and -0.7 rad: displacement from start "
-          "to end, mean speed along the heading and to its left over 5 s, turning rate (counter-clockwise). A simulation that "
-          "diverges is an error; a robot that does not walk ahead is remarked on.",
-      .options = {{"--robot", &options->robot, "name or path of a robot file (spider)"},
-                  {"--gait", &options->gait, "name or path of a gait file (the robot's own)"},
+          "Lets a robot walk on an endless floor with target angles of 0.7 (right), 0 and -0.7 rad. Prints the displacement from "
+          "start to end, the mean speeds along the heading and to its left over 5 s, and the turning rate (counter-clockwise). A "
+          "simulation that diverges is an error, and a robot that does not walk ahead gets a remark.",
+      .options = {{"--robot", &options->robot, "name or path of a robot file (default: spider)"},
+                  {"--gait", &options->gait, "name or path of a gait file (default: the robot's own)"},
                   {"--backend", &options->backend, backend_help(joint_driven_names())},
                   {.name = "--table",
                    .target = &options->table,
-                   .help = "whose physics: paper or released (paper)",
+                   .help = "physics of the rule table paper or released (default: paper)",
                    .words = {"paper", "released"}},
-                  {"--duration", &options->duration_s, "simulated seconds (50)"},
+                  {"--duration", &options->duration_s, "duration in simulated seconds (default: 50)"},
                   {"--walk", &options->walk,
-                   "print the [walk] of a robot file instead: means of 8 tries with 0.7 and 8 with -0.7 rad"}},
+                   "print the [walk] section of a robot file instead: means of 8 trials at 0.7 and 8 at -0.7 rad"}},
       .work = [options] { return detail::measure_gait::run(*options); },
       .subcommands = {},
       .version = {}};

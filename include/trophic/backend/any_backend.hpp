@@ -86,7 +86,7 @@ class BackendOf final : public AnyBackend {
     if constexpr (JointDriven<B>) {
       backend.set_joint_targets(robot, targets_rad);
     } else {
-      throw std::logic_error{"backend " + std::string{B::name} + ": has no joints to set targets of"};
+      throw std::logic_error{"backend " + std::string{B::name} + ": has no joints whose targets can be set"};
     }
   }
   void set_target_angle([[maybe_unused]] std::size_t robot, [[maybe_unused]] double target_angle_rad) override {
@@ -120,7 +120,7 @@ class BackendOf final : public AnyBackend {
     if constexpr (Placing<B>) {
       backend.take_away(robot);
     } else {
-      throw std::logic_error{"backend " + std::string{B::name} + ": cannot take robots away"};
+      throw std::logic_error{"backend " + std::string{B::name} + ": cannot remove robots"};
     }
   }
   void place([[maybe_unused]] std::size_t robot, [[maybe_unused]] const Pose& pose) override {

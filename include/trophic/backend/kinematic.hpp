@@ -24,8 +24,8 @@ class Kinematic : public Points {
   [[nodiscard]] static std::string version() { return "1"; }
   [[nodiscard]] static std::vector<std::string> remarks(const Physics&) {
     return {
-        "physics.timestep_s, physics.integrator and physics.gravity_m_s2 have no effect: kinematic moves points on exact arcs, "
-        "by backend.timestep_s"};
+        "physics.timestep_s, physics.integrator and physics.gravity_m_s2 have no effect: kinematic moves points on exact arcs "
+        "with backend.timestep_s"};
   }
 
   struct Params {
@@ -37,10 +37,10 @@ class Kinematic : public Points {
 
     static constexpr auto fields() {
       return std::tuple{
-          field("speed_scale", &Params::speed_scale, between(0.0, 100.0), "factor of the speed of the robot's walk"),
-          field("turn_scale", &Params::turn_scale, between(0.0, 100.0), "factor of the turning rate of the robot's walk"),
+          field("speed_scale", &Params::speed_scale, between(0.0, 100.0), "factor applied to the speed of the robot's walk"),
+          field("turn_scale", &Params::turn_scale, between(0.0, 100.0), "factor applied to the turning rate of the robot's walk"),
           field("radius_m", &Params::radius_m, at_least(0.0), "distance at which walls stop the robot's centre"),
-          field("timestep_s", &Params::timestep_s, above_to(0.0, 10.0), "own step, simulated seconds")};
+          field("timestep_s", &Params::timestep_s, above_to(0.0, 10.0), "the backend's own time step, simulated seconds")};
     }
   };
 
@@ -61,7 +61,7 @@ class Kinematic : public Points {
     }
     if (!(robot.walk.turn_rate_per_rad > 0.0)) {
       throw std::invalid_argument{"robot " + robot.name + ": walk.turn_rate_per_rad = " +
-                                  number_text(robot.walk.turn_rate_per_rad) + ": must be > 0, else brains cannot turn the robot"};
+                                  number_text(robot.walk.turn_rate_per_rad) + ": must be > 0, or brains cannot turn the robot"};
     }
     if (!(limit_m_ > 0.0)) {
       throw std::invalid_argument{"kinematic.radius_m = " + number_text(params.radius_m) + ": must be < the arena's half side, " +

@@ -66,7 +66,7 @@ class Points {
 
   [[nodiscard]] State save() const { return state_; }
 
-  /// Throws std::invalid_argument for a state with another number of robots.
+  /// Throws std::invalid_argument for a state with a different number of robots.
   void restore(const State& state) {
     if (state.bodies.size() != state_.bodies.size()) {
       throw std::invalid_argument{"state.bodies.size() = " + std::to_string(state.bodies.size()) + ": must be " +

@@ -19,7 +19,7 @@ class Torus : public Points {
   [[nodiscard]] static std::string version() { return "1"; }
   [[nodiscard]] static std::vector<std::string> remarks(const Physics&) {
     return {
-        "physics.timestep_s, physics.integrator and physics.gravity_m_s2 have no effect: torus moves points, by "
+        "physics.timestep_s, physics.integrator and physics.gravity_m_s2 have no effect: torus moves points with "
         "backend.timestep_s"};
   }
 
@@ -31,8 +31,8 @@ class Torus : public Points {
     static constexpr auto fields() {
       return std::tuple{
           field("speed_m_s", &Params::speed_m_s, between(0.0, 1e6), "speed of every robot"),
-          field("turn_1_s", &Params::turn_1_s, between(0.0, 1e3), "part of the target angle that it turns a second"),
-          field("timestep_s", &Params::timestep_s, above_to(0.0, 10.0), "own step, simulated seconds")};
+          field("turn_1_s", &Params::turn_1_s, between(0.0, 1e3), "fraction of the target angle that a robot turns per second"),
+          field("timestep_s", &Params::timestep_s, above_to(0.0, 10.0), "the backend's own time step, simulated seconds")};
     }
   };
 

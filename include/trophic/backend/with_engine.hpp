@@ -56,7 +56,7 @@ class WithEngine {
   [[nodiscard]] Pose pose(std::size_t robot) const { return engine_->pose(robot); }
   [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const { return engine_->joint_angles(robot); }
   [[nodiscard]] SavedState save() const { return engine_->save(); }
-  /// Throws std::invalid_argument for a state of other bodies or another number of robots: `embody` first.
+  /// Throws std::invalid_argument for a state of other bodies or a different number of robots: `embody` first.
   void restore(const State& state) { engine_->restore(state); }
 
  protected:

@@ -40,7 +40,7 @@ class ActMemory {
   void persist(Archive& archive) {
     const std::size_t size = values_.size();
     archive(values_);
-    Archive::require(values_.size() == size, "another number of acts");
+    Archive::require(values_.size() == size, "a different number of acts");
   }
 
  private:

@@ -32,7 +32,7 @@ struct BirthSetting {
   if (null.kind != Null::one_sided) return std::nullopt;
   if (web.size() < 2) {
     throw std::invalid_argument{"null = " + name_of(null) +
-                                ": must be in a table with two species or more; with one species it is the shadow"};
+                                ": must be in a table with at least two species; with one species it is the shadow"};
   }
   std::string names;
   for (Species species = 0; species < web.size(); ++species) {

@@ -58,7 +58,8 @@ class BodyGenes {
 
   [[noreturn]] static void throw_refused(std::string_view what, const std::string& refusal) {
     throw RuleError{"body_plan", std::to_string(most_draws) + " random " + std::string{what} +
-                                     " in a row refused, the last one for \"" + refusal + "\": some must be viable"};
+                                     " in a row were refused, the last one because \"" + refusal +
+                                     "\": some bodies must be viable"};
   }
 
  private:

@@ -59,13 +59,13 @@ inline void check_sacrifices(std::span<const death::Sacrifice> sacrifices, std::
 inline void check_saved(const Individual& one, std::span<const int> tags, bool is_of_rules, std::size_t bodies) {
   const bool has_tag = std::ranges::count(tags, one.tag) == 1;
   const bool is_spare = one.id == no_individual && !one.genome && !one.active && !one.adversary;
-  if (!one.lives()) return Archive::require(is_spare && has_tag, "a spare body of other rules");
-  Archive::require(is_of_rules && has_tag && one.adversary.value_or(0) < bodies, "an individual of other rules");
+  if (!one.lives()) return Archive::require(is_spare && has_tag, "a spare body from different rules");
+  Archive::require(is_of_rules && has_tag && one.adversary.value_or(0) < bodies, "an individual from different rules");
 }
 
 /// Throws std::invalid_argument unless a checkpoint has a finite position for each robot.
 inline void check_saved_poses(std::span<const GroundPose> poses, std::size_t robots) {
-  Archive::require(poses.size() == robots, "another number of robots");
+  Archive::require(poses.size() == robots, "a different number of robots");
   for (const GroundPose& pose : poses) {
     const bool is_somewhere = std::abs(pose.x_m) < 1e9 && std::abs(pose.y_m) < 1e9 && std::isfinite(pose.heading_rad);
     Archive::require(is_somewhere, "a robot without a finite position");

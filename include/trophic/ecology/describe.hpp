@@ -98,7 +98,7 @@ template <class Rules>
     std::erase_if(run.named_params, [&](const NamedParam& param) { return param.path.starts_with(its_params); });
     if (const std::string why = why_nothing_inherited<Rules>(policies, *one_sided); !why.empty())
       run.remarks.push_back("null = " + name_of(experiment.null) + " has no effect: " + experiment.null.species +
-                            " inherits nothing anyway by " + why);
+                            " already inherits nothing because of " + why);
   }
   if (experiment.lineup.empty())
     for (std::string& idle : idle_rules<Rules>(policies, habitat.arena, experiment.ecology.robots))

@@ -206,7 +206,7 @@ class Economy {
   void persist(Archive& archive) {
     const std::size_t species = flows_.size();
     archive(flows_);
-    Archive::require(flows_.size() == species, "energy of another number of species");
+    Archive::require(flows_.size() == species, "energy of a different number of species");
     archive(food_);
   }
 

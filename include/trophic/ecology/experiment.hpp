@@ -29,7 +29,7 @@ struct Experiment {
 
   template <class Self, class Visitor>
   static constexpr void visit_fields(Self& experiment, Visitor&& visit) {
-    visit(FieldText{"seed", any_seed(), "determines every random number"}, experiment.seed);
+    visit(FieldText{"seed", any_seed(), "seed of all random numbers"}, experiment.seed);
     visit(FieldText{"ecology"}, experiment.ecology);
     visit(FieldText{"physics"}, experiment.physics);
     visit(FieldText{"rules"}, experiment.rules);

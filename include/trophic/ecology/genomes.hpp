@@ -83,11 +83,11 @@ class Genomes {
     Genome& genome = *one.genome;
     if (const auto demand = misfit(contestant.species, &given)) {
       throw std::invalid_argument{"a contest of genomes of " + std::to_string(given.weights.size()) + " weights: must have " +
-                                  *demand + ", as the table's brain takes it"};
+                                  *demand + ", as the table's brain needs"};
     }
     const auto is_in_one = [&](auto part) { return (genome.*part).empty() != (given.*part).empty(); };
     if (is_in_one(&Genome::gait_genes) || is_in_one(&Genome::body_genes) || genome.traits.size() != given.traits.size())
-      throw std::invalid_argument{"a contest of genomes without some parts: must have the table's gaits, bodies and traits"};
+      throw std::invalid_argument{"a contest of genomes with missing parts: must have the table's gaits, bodies and traits"};
     genome = {genome.id, given.weights, given.gait_genes, given.body_genes, given.traits};
     phenotypes_.express(body, one, genome);
   }

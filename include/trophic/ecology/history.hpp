@@ -39,7 +39,7 @@ class RepeatedHistory {
     const Happening* birth = at_ < history_->size() ? &(*history_)[at_++] : nullptr;
     const bool fits = birth && birth->kind == observe::EventKind::birth && birth->id == founder.id &&
                       birth->species == founder.species && founder.id >= born_.size();
-    if (!fits) throw std::invalid_argument{"a history of other founders"};
+    if (!fits) throw std::invalid_argument{"a history with different founders"};
     note_birth(founder);
   }
   /// Individuals are born in the order of their ids; spare bodies of the start leave gaps.

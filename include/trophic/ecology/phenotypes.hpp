@@ -104,7 +104,7 @@ class Phenotypes {
     const std::size_t bodies = genes_.size();
     archive(refused_, genes_);
     if (!archive.reads()) return;
-    Archive::require(genes_.size() == bodies, "another number of bodies than of robots");
+    Archive::require(genes_.size() == bodies, "different numbers of bodies and robots");
     for (BodyIndex body = 0; body < bodies; ++body) {
       const BornWith& genes = genes_[body];
       Archive::require(genes.species < species, "a body of no species");

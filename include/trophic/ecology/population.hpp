@@ -25,7 +25,7 @@ class Population {
   using Brain = AnswersForSpecies<PolicyIn<Rules, RuleSlot::brain>>;
   using Acts = typename ActMemory<Rules>::Acts;
   static_assert(control::detail::SameInputs<Sensors::size, control::detail::inputs_taken<Brain, Sensors::size>>,
-                "the brain in Rules::Brain takes another number of inputs than the sensors in Rules::Sensors give");
+                "the brain in Rules::Brain needs a different number of inputs than the sensors in Rules::Sensors provide");
 
   /// Founders of these species, one per body, all with random genomes (Sec. "Initialization"). Hunted species start inactive.
   /// A body for which `founders` has no_species starts spare; the id of every founder is the number of its body.
@@ -66,14 +66,14 @@ class Population {
     archive(economy_);
     acts_.persist(archive);
     if (!archive.reads()) return;
-    Archive::require(census_.bodies() == bodies, "another number of robots");
+    Archive::require(census_.bodies() == bodies, "a different number of robots");
     for (const Individual& one : census_.all()) {
       const bool has_rules = one.id < next_id_ && one.species < web_.size() && genomes_.fits(one);
       detail::check_saved(one, tags_, one.lives() && has_rules, bodies);
     }
     census_.count_all();
     for_each_state(rules_, states_, [&](const auto&, const auto& states) {
-      Archive::require(states.all().size() == bodies, "another number of states than of robots");
+      Archive::require(states.all().size() == bodies, "different numbers of states and robots");
     });
   }
 

@@ -23,7 +23,7 @@ class Repetition {
     if (all_.params.null == Null::neutral && !history_) throw std::invalid_argument{"a neutral null: needs the history of a run"};
   }
 
-  /// Notes the founders. Throws std::invalid_argument for a history of other founders.
+  /// Notes the founders. Throws std::invalid_argument for a history with different founders.
   void start() {
     for (const Individual& one : all_.population.individuals())
       if (history_ && one.lives()) history_.found(one);

@@ -55,7 +55,7 @@ void persist_keepers(Archive& archive, const Policies<Rules>& rules, RuleStates<
   for_each_state(rules, all, [&](const auto& policy, auto&) { keepers.append(policy.name).push_back(' '); });
   std::string there = keepers;
   archive(there);
-  Archive::require(there == keepers, "rules with other states");
+  Archive::require(there == keepers, "rules with different states");
 }
 
 /// All bodies have moved, from `before`.

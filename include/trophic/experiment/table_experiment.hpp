@@ -62,7 +62,7 @@ class TableExperiment final : public AnyExperiment {
       const auto check = [](bool good, std::string_view what, std::size_t given, const std::string& must) {
         if (good) return;
         throw std::invalid_argument{std::string{what} + ": " + std::to_string(given) + ": must be " + must +
-                                    ", as the rule table's brain takes"};
+                                    ", as the rule table's brain needs"};
       };
       const Brain& brain = for_species(brains, species);
       check(inputs.size() == shape.inputs, "inputs", inputs.size(), std::to_string(shape.inputs));

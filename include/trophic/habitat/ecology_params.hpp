@@ -78,24 +78,27 @@ struct EcologyParams {
 
   static constexpr auto fields() {
     return std::tuple{
-        field("robots", &EcologyParams::robots, between(1, 10'000'000), "robot bodies, fixed for the whole run"),
-        field("duration_s", &EcologyParams::duration_s, above_to(0.0, longest_run_s), "length of the run, ecology seconds"),
-        field("tick_s", &EcologyParams::tick_s, above_to(0.0, 3600.0), "decision step, ecology seconds"),
-        field("first_tick_s", &EcologyParams::first_tick_s, at_least(0.0), "rules act from then on, ecology seconds"),
-        field("control_hz", &EcologyParams::control_hz, above_to(0.0, 1e5), "gait control per simulated second"),
-        field("clock_scale", &EcologyParams::clock_scale, above_to(0.0, 1e3), "simulated seconds per ecology second"),
+        field("robots", &EcologyParams::robots, between(1, 10'000'000), "number of robot bodies, fixed for the whole run"),
+        field("duration_s", &EcologyParams::duration_s, above_to(0.0, longest_run_s),
+              "length of the run, seconds of the ecology's clock"),
+        field("tick_s", &EcologyParams::tick_s, above_to(0.0, 3600.0), "decision step, seconds of the ecology's clock"),
+        field("first_tick_s", &EcologyParams::first_tick_s, at_least(0.0),
+              "time from which rules act, seconds of the ecology's clock"),
+        field("control_hz", &EcologyParams::control_hz, above_to(0.0, 1e5), "control steps of the gait per simulated second"),
+        field("clock_scale", &EcologyParams::clock_scale, above_to(0.0, 1e3),
+              "simulated seconds per second of the ecology's clock"),
         field("robot", &EcologyParams::robot, "name or path of a robot file"),
         field("arena", &EcologyParams::arena, "name or path of an arena file"),
         field("gait", &EcologyParams::gait, "name or path of a gait file; empty: the robot's default"),
         field("cpg_integration", &EcologyParams::cpg_integration, "exact or rk4"),
         field("idle_control_steps", &EcologyParams::idle_control_steps, between(0, 1'000'000),
               "control periods before the gait starts"),
-        field("phase_at_birth", &EcologyParams::phase_at_birth, "kept or reset: the gait's phase at a birth in the body"),
+        field("phase_at_birth", &EcologyParams::phase_at_birth, "phase of the gait at a birth in the body: kept or reset"),
         field("decision_order", &EcologyParams::decision_order,
-              "together or in_turn: whether robots see tags chosen earlier in the tick"),
-        field("without_target", &EcologyParams::without_target, "decides or keeps_decision: a robot that perceives no adversary"),
+              "whether robots see tags chosen earlier in the tick: in_turn (yes) or together (no)"),
+        field("without_target", &EcologyParams::without_target, "a robot that perceives no adversary decides or keeps_decision"),
         field("ends_when", &EcologyParams::ends_when,
-              "time_is_up, a_species_is_gone or one_species_is_left: whether a run ends before its duration")};
+              "when a run ends: time_is_up, or earlier if a_species_is_gone or one_species_is_left")};
   }
 };
 

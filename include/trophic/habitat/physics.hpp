@@ -22,7 +22,7 @@ struct Physics {
   double gravity_m_s2 = 9.81;
 
   static constexpr auto fields() {
-    return std::tuple{field("timestep_s", &Physics::timestep_s, above_to(0.0, 0.1), "physics step, simulated seconds"),
+    return std::tuple{field("timestep_s", &Physics::timestep_s, above_to(0.0, 0.1), "physics time step, simulated seconds"),
                       field("integrator", &Physics::integrator, "semi_implicit_euler or rk4"),
                       field("gravity_m_s2", &Physics::gravity_m_s2, at_least(0.0), "downwards")};
   }

@@ -35,7 +35,7 @@ class GenomeLog {
   }
 
   void persist(Archive& archive) {
-    if (!file_) throw std::runtime_error{path_.string() + ": no individual was born, so there is no file to continue"};
+    if (!file_) throw std::runtime_error{path_.string() + ": no individual was born, so there is no file to resume"};
     file_->persist(archive);
   }
   [[nodiscard]] TableSum sum() const { return file_ ? file_->sum() : TableSum{}; }

@@ -111,7 +111,7 @@ TROPHIC_INLINE void RunFolder::persist(Archive& archive) {
   for (const auto& table : tables.subspan(Shipped::all().size())) {
     std::string name = table->file_name();
     archive(name);
-    Archive::require(name == table->file_name(), "other tables of one's own");
+    Archive::require(name == table->file_name(), "different own tables");
     table->persist(archive);
   }
 }

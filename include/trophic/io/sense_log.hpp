@@ -76,7 +76,7 @@ class SenseLog {
   }
 
   void persist(Archive& archive) {
-    if (!file_) throw std::runtime_error{path_.string() + ": the run did not begin, so there is no file to continue"};
+    if (!file_) throw std::runtime_error{path_.string() + ": the run had not begun, so there is no file to resume"};
     archive(*file_);
   }
   [[nodiscard]] TableSum sum() const { return file_ ? file_->sum() : TableSum{}; }

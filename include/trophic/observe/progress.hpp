@@ -96,7 +96,7 @@ class Progress {
       out << (std::exchange(is_first, false) ? " (" : ", ") << deaths << " " << cause;
     }
     out << (is_first ? "\n" : ")\n");
-    if (view.refused_births > 0) out << "remark  " << view.refused_births << " births had no free body or no room\n";
+    if (view.refused_births > 0) out << "remark  " << view.refused_births << " births found no free body or no room\n";
     if (view.is_over)
       out << "ended   at " << short_text(view.time_s) << " of " << short_text(run_.until_s) << " s; " << end_text(view) << "\n";
     out << "alive  ";

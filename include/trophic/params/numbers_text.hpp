@@ -57,7 +57,7 @@ void for_each_number(T& value, Visitor&& visit) {
     count(value.cols());
     for (decltype(value.size()) i = 0; i < value.size(); ++i) visit(value.data()[i]);
   } else {
-    static_assert(std::ranges::sized_range<Plain>, "a struct needs fields() for its numbers to be found");
+    static_assert(std::ranges::sized_range<Plain>, "a struct needs fields() so that its parameters can be found");
     count(std::ranges::size(value));
     for (auto& element : value) for_each_number(element, visit);
   }

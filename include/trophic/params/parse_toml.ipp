@@ -91,7 +91,7 @@ class TomlFence {
     constexpr std::string_view digits_and_signs = "0123456789+-";
     const bool begins = at_ == 0 || is_one_of(blanks, text_[at_ - 1]) || is_one_of("=,[{", text_[at_ - 1]);
     if (c == ' ' && in_number_ && at_ + 1 < text_.size() && is_one_of(digits_and_signs, text_[at_ + 1])) {
-      fail("two numbers separated only by a blank");
+      fail("two numbers separated only by a space");
     }
     if (is_one_of(blanks, c) || is_one_of(",]}", c)) {
       in_number_ = false;
@@ -104,7 +104,7 @@ class TomlFence {
     if (!is_ascii(c)) fail("a non-ASCII character outside quotes");
     check_number(c);
     if (c == '[' || c == '{') {
-      if (++depth_ > most_toml_depth) fail("brackets nested more than 64 deep");
+      if (++depth_ > most_toml_depth) fail("brackets nested more than 64 levels deep");
     } else if (c == ']' || c == '}') {
       depth_ = depth_ == 0 ? 0 : depth_ - 1;
     }

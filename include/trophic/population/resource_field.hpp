@@ -50,8 +50,8 @@ class ResourceField {
     const std::size_t layers = layers_.size();
     archive(food_J_, layers_);
     if (!archive.reads()) return;
-    Archive::require(food_J_.size() == cells && layers_.size() == layers, "a resource of another size");
-    for (const auto& layer : layers_) Archive::require(layer.size() == cells, "a resource of another size");
+    Archive::require(food_J_.size() == cells && layers_.size() == layers, "a resource of a different size");
+    for (const auto& layer : layers_) Archive::require(layer.size() == cells, "a resource of a different size");
   }
 
  private:

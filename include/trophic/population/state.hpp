@@ -166,21 +166,22 @@ struct CheckStateHooks {
 };
 
 /// In a struct: fails to compile, with one sentence about `who`, if a policy's State violates the requirements above.
-#define TROPHIC_CHECK_STATE_OF(Policy, who)                                                                                   \
-  static_assert(                                                                                                              \
-      !Stateful<Policy> ||                                                                                                    \
-          (Parameters<StateOf<Policy>> && OpenParams<StateOf<Policy>> &&                                                      \
-           AllListed<members_of<StateOf<Policy>>, fields_of<StateOf<Policy>>> && listed_once<StateOf<Policy>>()),             \
-      "the State of " who                                                                                                     \
-      " must be an aggregate that lists every member once in fields(), as Params do; see trophic/population/state.hpp");      \
-  static_assert(!Stateful<Policy> || only_state_members<StateOf<Policy>>(),                                                   \
-                "the State of " who                                                                                           \
-                " may hold numbers, enumerations, Ancestors, each also optional, and vectors of numbers: what can be saved"); \
-  static_assert(!Stateful<Policy> || has_no_mutable_member<StateOf<Policy>>(),                                                \
-                "the State of " who " has a mutable member: only hooks and brains change a state");                           \
-  static_assert(!Stateful<Policy> || BornWithState<Policy>, who                                                               \
-                " has a State, so it needs State born(const Individual& newborn, const State* parent, const State& body) "    \
-                "const: what a newborn starts with; see trophic/population/state.hpp");                                       \
+#define TROPHIC_CHECK_STATE_OF(Policy, who)                                                                                \
+  static_assert(                                                                                                           \
+      !Stateful<Policy> ||                                                                                                 \
+          (Parameters<StateOf<Policy>> && OpenParams<StateOf<Policy>> &&                                                   \
+           AllListed<members_of<StateOf<Policy>>, fields_of<StateOf<Policy>>> && listed_once<StateOf<Policy>>()),          \
+      "the State of " who                                                                                                  \
+      " must be an aggregate that lists every member once in fields(), as Params do; see trophic/population/state.hpp");   \
+  static_assert(                                                                                                           \
+      !Stateful<Policy> || only_state_members<StateOf<Policy>>(),                                                          \
+      "the State of " who                                                                                                  \
+      " may hold only what can be saved: numbers, enumerations, Ancestors, optionals of these, and vectors of numbers");   \
+  static_assert(!Stateful<Policy> || has_no_mutable_member<StateOf<Policy>>(),                                             \
+                "the State of " who " has a mutable member: only hooks and brains may change a state");                    \
+  static_assert(!Stateful<Policy> || BornWithState<Policy>, who                                                            \
+                " has a State, so it needs State born(const Individual& newborn, const State* parent, const State& body) " \
+                "const: what a newborn starts with; see trophic/population/state.hpp");                                    \
   static_assert(CheckStateHooks<Policy>::ok);
 
 }  // namespace detail

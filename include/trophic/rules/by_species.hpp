@@ -31,7 +31,7 @@ struct by_species_params<Policy, Community, std::index_sequence<species...>> {
 /// Common to every form of by_species: its name, the policy that applies to one species, and that policy's State.
 template <class Policy>
 struct BySpecies {
-  static_assert(!MadeOfParts<Policy>, "rules::by_species takes a policy that is not made of parts; give each part its own");
+  static_assert(!MadeOfParts<Policy>, "rules::by_species takes a policy without parts; apply it to each part");
   static constexpr std::string_view name = JoinedText<BySpeciesWords<Policy>>::view;
   static constexpr std::string_view source = source_of<Policy>();
   using OfOneSpecies = Policy;

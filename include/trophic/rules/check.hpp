@@ -207,7 +207,7 @@ struct CheckRules {
   static_assert(member##_fault != Fault::missing, "the rule table has no slot " #Slot "; write `using " #Slot                \
                                                   " = ...;` or make it from a complete table with with_" #member);           \
   static_assert(member##_fault != Fault::by_species, "Rules::" #Slot                                                         \
-                                                     " is not about a single individual or species, so its policy's "        \
+                                                     " does not concern a single individual or species, so its policy's "    \
                                                      "parameters cannot differ by_species");                                 \
   static_assert(member##_fault != Fault::part,                                                                               \
                 "a part of the policy in Rules::" #Slot " does not fit the contract of that part; see the policy's header"); \

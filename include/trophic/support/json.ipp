@@ -40,10 +40,10 @@ inline constexpr std::string_view before_sum = ",\n  \"crc32\": ";
     } else if (c == '"') {
       in_text = !in_text;
     } else if (!in_text && (c == '[' || c == '{')) {
-      if (++depth > most_depth) return "is JSON nested more than 64 deep, which is not read";
+      if (++depth > most_depth) return "is JSON nested more than 64 levels deep, which is refused";
       keys[depth] = 0;
     } else if (!in_text && c == ':') {
-      if (++keys[depth] > most_keys) return "is JSON with more than 10000 keys in an object, which is not read";
+      if (++keys[depth] > most_keys) return "is JSON with more than 10000 keys in an object, which is refused";
     } else if (!in_text && (c == ']' || c == '}') && depth > 0) {
       --depth;
     }

@@ -52,7 +52,7 @@ TROPHIC_INLINE NewFile::NewFile(std::filesystem::path path) : path_{std::move(pa
   if (std::filesystem::is_symlink(std::filesystem::symlink_status(part_))) ::unlink(part_.c_str());
   const auto status = std::filesystem::symlink_status(part_);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    refuse(part_.string() + " is in the way and is not a file");
+    refuse(part_.string() + " already exists and is not a file");
   }
   const int left = detail::open_locked(part_, 0);
   if (left < 0) refuse(reason());

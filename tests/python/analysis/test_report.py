@@ -96,7 +96,7 @@ def test_runs_for_the_smallest_effect_of_interest_depend_on_the_scatter_and_not_
         == asked(0.3)
         == (
             "a difference of 0.50 in velocity prey, cm/s over the shadow needs 77 runs in each set for 80 % power\n"
-            "at the level of one of 1 comparisons; by the spread of the runs at hand\n"
+            "at the level of one of 1 comparisons; based on the variance of these runs\n"
         )
     )
 
@@ -167,9 +167,9 @@ def test_result_folder_is_new_and_goes_again_if_the_work_fails(tmp_path, monkeyp
         with writing.result_folder(None) as folder:
             assert folder.name == f"{name}.part"
             (folder / "tables").write_text("")
-    with pytest.raises(RunError, match="--out analysis: exists already; nothing is overwritten"), writing.result_folder(
-        "analysis"
-    ):
+    with pytest.raises(
+        RunError, match="--out analysis: exists already; files are never overwritten"
+    ), writing.result_folder("analysis"):
         pass
     with pytest.raises(RuntimeError), writing.result_folder("broken") as folder:
         (folder / "x").write_text("")

@@ -121,7 +121,7 @@ def check(first: MeasuredSet, second: MeasuredSet) -> None:
     if why := pool.first_difference(ecology(a.manifest), ecology(b.manifest)):
         raise RunError(f"{b.path}: {why} as in {a.path}")
     if not pool.lasted_alike(a, b):  # type: ignore[arg-type]
-        raise RunError(f"{b.path}: {pool.lasted_text(b)}: must be as {pool.lasted_text(a)}, as in {a.path}")  # type: ignore[arg-type]
+        raise RunError(f"{b.path}: {pool.lasted_text(b)}: must have {pool.lasted_text(a)}, as in {a.path}")  # type: ignore[arg-type]
 
 
 def metrics_text(sets: Sequence[MeasuredSet], found: Sequence[tuple[dict[str, Any], dict[str, Any]]]) -> str:

@@ -35,7 +35,7 @@ def run(request: dict) -> int:
         check_new(request["out"])
     is_sweep = (folder / "sweep_metrics.csv").exists()
     if not is_sweep and (metrics or axes):
-        raise RunError("--metric and --axes: only of an analysed sweep, a folder with sweep_metrics.csv")
+        raise RunError("--metric and --axes: need the analysis of a sweep, a folder with sweep_metrics.csv")
     style.use(request["style"], request["columns"])
     try:
         if (folder / "manifest.json").exists():
@@ -57,13 +57,13 @@ def run(request: dict) -> int:
     except KeyError as error:
         option = str(error.args[0])
         raise RunError(
-            option if option.startswith("--") else f"{folder}: no {error}: is it what trophic analyze wrote?"
+            option if option.startswith("--") else f"{folder}: no {error}: is this folder an output of trophic analyze?"
         ) from None
     except (OSError, ValueError, AttributeError) as error:
         raise RunError(f"{folder}: is not what trophic analyze writes: {error}") from None
     with result_folder(request["out"], name=str(folder / "figures")) as part:
         drawn = style.save_all(figures, part, request["with_captions"])
         if not drawn:
-            raise RunError(f"{folder}: has the data of no figure")
+            raise RunError(f"{folder}: has no data for any figure")
     print(f"{drawn} figures in {printable(str(part.with_suffix('')))}, with captions.json and captions.tex")
     return 0

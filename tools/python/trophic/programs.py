@@ -18,7 +18,7 @@ def find_program(name: str) -> str:
             return found
     if (found := shutil.which(name)) is not None:
         return found
-    raise ProgramError(f"{name}: is not on the PATH; install trophic, or set TROPHIC_BIN to the folder of its programs")
+    raise ProgramError(f"{name}: is not on the PATH; install trophic, or set TROPHIC_BIN to its folder of programs")
 
 
 def chosen_program(request: dict) -> str:

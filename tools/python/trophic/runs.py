@@ -100,8 +100,8 @@ class Run:
         several = tree[tree.ancestor_list.str.contains(",")]
         if not several.empty:
             raise RunError(
-                f"{self.path / 'phylogeny.csv'}: id {several.id.iloc[0]}: ancestor_list = {several.ancestor_list.iloc[0]}: must be one parent at most: "
-                "Newick has no second parent"
+                f"{self.path / 'phylogeny.csv'}: id {several.id.iloc[0]}: ancestor_list = {several.ancestor_list.iloc[0]}: must be at most one "
+                "parent, because Newick trees have no second parent"
             )
         return _newick(tree)
 
@@ -214,7 +214,7 @@ class Runs:
         tables = []
         for run in [*self.runs, *itertools.chain(*self.nulls.values())]:
             if (run.path / f"{name}.csv").exists():
-                raise RunError(f"{run.path / name}.csv: exists already; nothing is overwritten")
+                raise RunError(f"{run.path / name}.csv: exists already; files are never overwritten")
             try:
                 value = function(run)
             except Exception as error:
@@ -308,11 +308,12 @@ def read_runs(path: str | os.PathLike, *, incomplete: bool = False, accept_other
         raise RunError(f"{path}: no {'' if incomplete else 'complete '}replicates")
     identities = {run.identity for run in runs}
     if len(identities) > 1:
-        raise RunError(f"{path}: runs of different fingerprints: {', '.join(sorted(identities))}")
+        raise RunError(f"{path}: runs with different fingerprints: {', '.join(sorted(identities))}")
     builds = {tuple(run.builds) for run in runs}
     if len(builds) > 1 and not accept_other_build:
         raise RunError(
-            f"{path}: made by different builds: {', '.join(' and '.join(each) or 'unknown' for each in sorted(builds))}; accept_other_build=True reads them"
+            f"{path}: made by different builds: {', '.join(' and '.join(each) or 'unknown' for each in sorted(builds))}; "
+            "accept_other_build=True reads them"
         )
     nulls = {
         name: read_runs(path / name, incomplete=incomplete, accept_other_build=accept_other_build)
@@ -352,7 +353,7 @@ def read_study(
     path = pathlib.Path(path)
     folders = sorted(file.parent for file in path.rglob("replicates.json") if not _is_null(file.parent.name))
     if not folders:
-        raise RunError(f"{path}: no set of runs (replicates.json) below it")
+        raise RunError(f"{path}: contains no set of runs (replicates.json)")
     return {
         str(folder.relative_to(path)): read_runs(folder, incomplete=incomplete, accept_other_build=accept_other_build)
         for folder in folders
@@ -381,8 +382,7 @@ def verify(path: str | os.PathLike) -> None:
             recording, expected = (run.path / "replay.trp", run.manifest["recording"]["crc32"])
             if (found := _sum_of(recording)) != expected:
                 raise RunError(
-                    f"{recording}: has checksum {found}: must be {expected}, as its manifest says; the recording was cut or changed after "
-                    "the run"
+                    f"{recording}: has checksum {found}: must be {expected}, as its manifest says; the recording was cut or modified after the run"
                 )
     except (AttributeError, KeyError, TypeError):
         raise RunError(f"{run.path}/manifest.json: tables, recording: must be as trophic writes them") from None
@@ -400,7 +400,7 @@ def _check_checkpoint(run: Run) -> None:
         last = file.read()
     if not whole.startswith(b"trophic checkpoint\n") or _sum_of(path, size - 4) != int.from_bytes(last, "little"):
         raise RunError(
-            f"{path}: is cut short or damaged: its checksum is another; without this file the run can be read, but not continued"
+            f"{path}: is cut short or damaged: its checksum differs; without this file the run can be read but not resumed"
         )
     at = whole.find(b"\n") + 5  # after the first line and the version of the format
     texts = []
@@ -427,7 +427,7 @@ def sealed(path: pathlib.Path) -> dict:
     if "format" in value or "crc32" in value:
         body, _, end = whole.rpartition(b',\n  "crc32": ')
         if end != b"%d\n}\n" % zlib.crc32(body):
-            raise RunError(f"{path}: was cut short or changed after trophic wrote it: its checksum is another")
+            raise RunError(f"{path}: was cut short or modified after trophic wrote it: its checksum differs")
     return value
 
 
@@ -480,7 +480,8 @@ def check_sum(path: pathlib.Path, whole: bytes, expected: dict) -> None:
     found = {"rows": max(0, whole.count(b"\n") - 1), "crc32": zlib.crc32(whole)}
     if found != {"rows": expected["rows"], "crc32": expected["crc32"]}:
         raise RunError(
-            f"{path}: has {found['rows']} rows and checksum {found['crc32']}: must be {expected['rows']} and {expected['crc32']}, as its manifest says; the table was cut or changed after the run"
+            f"{path}: has {found['rows']} rows and checksum {found['crc32']}: must be {expected['rows']} and {expected['crc32']}, as its "
+            "manifest says; the table was cut or modified after the run"
         )
 
 
@@ -590,7 +591,7 @@ def to_parquet(
     """
     folder = pathlib.Path(folder)
     if folder.exists():
-        raise RunError(f"{folder}: exists already; nothing is overwritten")
+        raise RunError(f"{folder}: exists already; files are never overwritten")
     try:
         import pyarrow
         import pyarrow.parquet

@@ -250,7 +250,7 @@ def events_of(run: PooledRun) -> pandas.DataFrame:
     for id in found["id"]:
         if id not in born:
             raise RunError(
-                f"{run.path}/events.csv: individual {id} dies and has no birth: --selection needs runs from their beginning"
+                f"{run.path}/events.csv: individual {id} dies but was never born; --selection needs runs from their beginning"
             )
     births = run.texts("events.csv", ["event", "id"], ["ancestor_list"], []).query("event == 'birth'")
     if "ancestor_list" in births:

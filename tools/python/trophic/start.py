@@ -63,7 +63,7 @@ def run(
     if one_sided:
         arguments.append("--one-sided")
     if pathlib.Path(out).exists():
-        raise ProgramError(f"out={out}: exists already; nothing is overwritten")
+        raise ProgramError(f"out={out}: exists already; files are never overwritten")
     call(program, [*arguments, *(options or []), "--out", out], f"{program} into {out}")
     return read_run(out) if replicates is None else read_runs(out)
 

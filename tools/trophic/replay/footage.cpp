@@ -5,6 +5,7 @@
 #ifdef TROPHIC_WITH_FILM
 #include <cmath>
 #include <memory>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <tools/reading/csv_reader.hpp>
@@ -143,6 +144,9 @@ std::vector<film::LegendEntry> Footage::legend(double time_s, const Sights& sigh
   legend.push_back({Mark::catch_, film::catch_colour, "caught"});
   legend.push_back({Mark::death, ink, "other death"});
   if (!food_.at(time_s).empty()) legend.push_back({Mark::food, food_colour, "food"});
+  std::set<std::string> zones;
+  for (const Zone& zone : head().arena.zones) zones.insert(zone.name);
+  for (const std::string& name : zones) legend.push_back({Mark::zone, film::zone_colour, name});
   if (sights.marked) legend.push_back({Mark::marked, ink, "selected"});
   if (!sights.has_lines) return legend;
   legend.push_back({Mark::trail, ink, "trail"});
@@ -169,7 +173,7 @@ std::size_t Footage::body_of(IndividualId id) const {
     const auto found = std::ranges::find(rows, id, &io::AgentRow::id);
     if (found != rows.end()) return found->body;
   }
-  throw std::invalid_argument{"--follow " + std::to_string(id) + ": no individual of that id lives between " +
+  throw std::invalid_argument{"--follow " + std::to_string(id) + ": no individual with this id lives between " +
                               number_text(from_s_) + " and " + number_text(to_s_) + " s"};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paper's catch, but for prey in a refuge.
+// The paper's captures, except for prey in a refuge.
 #pragma once
 
 #include <trophic/death/capture/catch_within_reach.hpp>
@@ -7,9 +7,8 @@
 
 namespace trophic::death::capture {
 
-/// Rule: as CatchWithinReach, but nothing is caught that stands in a zone of the arena named "refuge". Hunters may enter it, and
-/// see prey in it.
-/// Reads: zones, positions, species, activity, ages.   Random draws: 0.
+/// Rule: like CatchWithinReach, but an individual in a zone of the arena named "refuge" is not caught. Hunters may enter the zone
+/// and see prey in it. Reads: zones, positions, species, activity, ages.   Random draws: 0.
 struct CatchOutsideRefuges {
   static constexpr std::string_view name = "catch_outside_refuges";
   static constexpr std::string_view source = "not in the paper";

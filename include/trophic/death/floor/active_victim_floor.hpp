@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The last few active prey cannot be killed.
+// The last few active prey are protected.
 #pragma once
 
 #include <trophic/death/floor/contract.hpp>
@@ -9,7 +9,7 @@ namespace trophic::death::floor {
 
 /// Rule: no member of a hunted species is caught or sacrificed unless more than `floor` active members are left. The paper is
 /// silent: "no prey can die if there are only 7 prey in the population" (Sec. "Prey Death") does not settle whether an inactive
-/// newborn counts. VictimFloor, which counts it, is the other reading.   Reads: species, activity.   Random draws: 0.
+/// newborn counts. VictimFloor, which counts it, is the alternative reading.   Reads: species, activity.   Random draws: 0.
 struct ActiveVictimFloor {
   static constexpr std::string_view name = "active_victim_floor";
   static constexpr std::string_view source = "paper: silent; a reading of Sec. \"Prey Death\"";
@@ -17,7 +17,8 @@ struct ActiveVictimFloor {
   struct Params {
     std::size_t floor = 7;
     static constexpr auto fields() {
-      return std::tuple{field("floor", &Params::floor, at_least(0), "active members that catches and sacrifices leave")};
+      return std::tuple{
+          field("floor", &Params::floor, at_least(0), "minimum number of active members that catches and sacrifices leave")};
     }
   };
   Params params;

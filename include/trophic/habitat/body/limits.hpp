@@ -20,9 +20,10 @@ struct Limits {
   std::size_t most_hinges = 10;
 
   static constexpr auto fields() {
-    return std::tuple{field("most_modules", &Limits::most_modules, between(1.0, 100.0), "modules of a body, its core included"),
-                      field("fewest_hinges", &Limits::fewest_hinges, between(0.0, 100.0), "hinges that a body needs"),
-                      field("most_hinges", &Limits::most_hinges, between(0.0, 100.0), "hinges that a body may have")};
+    return std::tuple{field("most_modules", &Limits::most_modules, between(1.0, 100.0),
+                            "largest number of modules in a body, including its core"),
+                      field("fewest_hinges", &Limits::fewest_hinges, between(0.0, 100.0), "smallest number of hinges in a body"),
+                      field("most_hinges", &Limits::most_hinges, between(0.0, 100.0), "largest number of hinges in a body")};
   }
 };
 

@@ -38,12 +38,12 @@ struct TreeMutation {
 
   static constexpr auto fields() {
     return std::tuple{field("add", &TreeMutation::add, between(0.0, 1.0), "probability of a new leaf"),
-                      field("remove", &TreeMutation::remove, between(0.0, 1.0), "probability that a leaf is lost"),
-                      field("cut", &TreeMutation::cut, between(0.0, 1.0), "probability that a subtree is lost"),
+                      field("remove", &TreeMutation::remove, between(0.0, 1.0), "probability of losing a leaf"),
+                      field("cut", &TreeMutation::cut, between(0.0, 1.0), "probability of losing a subtree"),
                       field("copy", &TreeMutation::copy, between(0.0, 1.0), "probability that a subtree is copied"),
                       field("mirror", &TreeMutation::mirror, between(0.0, 1.0), "probability that a subtree is mirrored"),
-                      field("swap", &TreeMutation::swap, between(0.0, 1.0), "probability that two subtrees change places"),
-                      field("turn", &TreeMutation::turn, between(0.0, 1.0), "probability that a subtree is turned"),
+                      field("swap", &TreeMutation::swap, between(0.0, 1.0), "probability that two subtrees are swapped"),
+                      field("turn", &TreeMutation::turn, between(0.0, 1.0), "probability that a subtree is rotated"),
                       field("change", &TreeMutation::change, between(0.0, 1.0), "probability that a module changes type")};
   }
 

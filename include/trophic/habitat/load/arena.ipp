@@ -136,9 +136,9 @@ TROPHIC_INLINE Arena load_arena(std::string_view name_or_path, std::string_view 
                                                : detail::floor_half_side_m(field);
   detail::read_things(file, arena);
   file.no_other_keys();
-  if (!(arena.half_side_m > 0.0)) file.fail("height_m", ": must have a floor: its heights rise from the centre to the edge");
+  if (!(arena.half_side_m > 0.0)) file.fail("height_m", ": must have a floor, but the heights rise from the centre to the edge");
   if (!file.has("floor_side_m") && arena.half_side_m == field.half_extent_m)
-    file.fail("height_m", ": must be higher at its edge than anywhere inside, or floor_side_m must say where the floor ends");
+    file.fail("height_m", ": must be higher at its edge than anywhere inside, or floor_side_m must give the extent of the floor");
   if (!detail::has_rim(field))
     file.fail("height_m", ": is 0 somewhere at its edge: must be > 0 all around, or robots walk off it");
   arena.height_field = std::move(field);

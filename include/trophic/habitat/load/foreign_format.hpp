@@ -45,14 +45,14 @@ inline constexpr std::string_view robogen_text = "RoboGen's text";
   return line.starts_with("---") || line.starts_with("%YAML") || has_key ? "YAML" : "";
 }
 
-/// ": is in FORMAT: must be TOML, ..."; empty for a text in no format that is known.
+/// ": is in FORMAT: must be TOML, ..."; empty for a text in an unknown format.
 [[nodiscard]] inline std::string about_foreign_format(std::string_view text) {
   const std::string_view format = foreign_format(text);
   if (format.empty()) return "";
   const bool converts = format == "JSON" || format == "YAML" || format == robogen_text;
   return ": is " + std::string{format} +
-         ": must be TOML, a robot a tree of cores, hinges and bricks as models/README.md describes it" +
-         (converts ? "; `trophic convert` makes one of a body of RoboGen, Revolve or revolve2" : "");
+         ": must be TOML that describes the robot as a tree of cores, hinges and bricks (models/README.md)" +
+         (converts ? "; `trophic convert` converts a body of RoboGen, Revolve or revolve2" : "");
 }
 
 }  // namespace trophic::detail

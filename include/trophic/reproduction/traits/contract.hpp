@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: heritable numbers besides brain, gait and body.
+// The contract of a slot: heritable traits besides brain, gait and body.
 #pragma once
 
 #include <concepts>
@@ -13,9 +13,9 @@
 
 namespace trophic::reproduction {
 
-/// Heritable numbers of each individual, which rules read as `view.trait<Sight>(body)`: the genome's part `traits`.
-/// `trait_names`: a name for each, a column of genomes.csv. `draw(rng)`: returns those of an individual without a parent.
-/// `mutate(traits, rng)`: changes inherited ones in place.
+/// The heritable traits of each individual, numbers that rules read as `view.trait<Sight>(body)`: the genome's part `traits`.
+/// `trait_names`: a name per trait, also its column in genomes.csv. `draw(rng)`: returns the traits of an individual without a
+/// parent. `mutate(traits, rng)`: changes inherited traits in place.
 template <class P>
 concept TraitRule = requires(const P policy, std::span<double> traits, Rng& rng) {
   std::span<const std::string_view>{P::trait_names};

@@ -28,10 +28,10 @@ struct TraitParams {
   double most = T::most;
   double sd = T::sd;
   static constexpr auto fields() {
-    return std::tuple{field("first", &TraitParams::first, any_number(), "without a parent: this and a mutation"),
+    return std::tuple{field("first", &TraitParams::first, any_number(), "value of individuals without a parent, before mutation"),
                       field("least", &TraitParams::least, any_number(), "lower bound"),
                       field("most", &TraitParams::most, any_number(), "upper bound"),
-                      field("sd", &TraitParams::sd, at_least(0.0), "standard deviation of a mutation")};
+                      field("sd", &TraitParams::sd, at_least(0.0), "standard deviation of mutations")};
   }
   friend bool operator==(const TraitParams&, const TraitParams&) = default;
 };
@@ -39,7 +39,7 @@ struct TraitParams {
 /// Rule, for each trait x in the list:
 ///   x <- clip(x + N(0, sd), least, most)
 /// at each birth, from the parent's x or, without a parent, from `first`. Not in the paper; all parameters are free.
-/// Reads: the traits.   Random draws: 2 a trait.
+/// Reads: the traits.   Random draws: 2 per trait.
 template <Trait... Traits>
 struct List {
   struct Names {

@@ -193,8 +193,8 @@ TROPHIC_INLINE RunState run_state_in(const std::filesystem::path& folder, const 
       throw std::invalid_argument{"until_s = " + number_text(run.until_s) + ": must be > " + number_text(before_s) +
                                   ", which the run in " + folder.string() + " has passed"};
     }
-    std::string remark = "continues from its checkpoint at " + number_text(last->time_s) + " s" +
-                         (manifest.is_null() ? ", as it has no whole manifest.json" : "") +
+    std::string remark = "resumes from its checkpoint at " + number_text(last->time_s) + " s" +
+                         (manifest.is_null() ? ", because its manifest.json is incomplete" : "") +
                          (is_other ? ", which another build of this program wrote" : "");
     return {.complete = false, .from = std::move(last), .remark = std::move(remark)};
   }

@@ -96,7 +96,7 @@ class Sweep:
             named = [any(list(key[: len(part)]) == part for part in parts) for key in keys.itertuples(index=False)]
             for choice, part in zip(choices, parts):
                 if not any(list(key[: len(part)]) == part for key in keys.itertuples(index=False)):
-                    raise KeyError(f"--metric {choice}: no such metric in sweep_metrics.csv")
+                    raise KeyError(f"--metric {choice}: sweep_metrics.csv has no such metric")
             keys = keys[named]
         elif self.chosen_before_looking(keys):
             keys = keys.merge(self.differences[["metric", "species", "group"]].drop_duplicates())
@@ -266,7 +266,8 @@ def response(sweep, keys):
         grid[row, 0].set_ylabel(sweep.title(key), fontsize=7)
     return caption(
         fig,
-        f"{keys[0].metric.replace('_', ' ').capitalize()} by {x.title}: means of the runs of a cell with 95 % intervals. Filled: differs from the reference cell, p <= 0.05 corrected for all comparisons.",
+        f"{keys[0].metric.replace('_', ' ').capitalize()} by {x.title}: means of the runs of a cell with 95 % intervals. Filled: differs from "
+        "the reference cell, p <= 0.05 corrected for all comparisons.",
     )
 
 
@@ -384,7 +385,8 @@ def heat(sweep, keys, x, y):
         bar.outline.set_visible(False)
     return caption(
         fig,
-        f"{keys[0].metric.replace('_', ' ').capitalize()} by {x.title} and {y.title}: difference of each cell to the reference cell. Hatched: inconclusive after the correction for all comparisons.",
+        f"{keys[0].metric.replace('_', ' ').capitalize()} by {x.title} and {y.title}: difference of each cell to the reference cell. Hatched: "
+        "inconclusive after the correction for all comparisons.",
     )
 
 

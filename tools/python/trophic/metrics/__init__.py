@@ -225,7 +225,7 @@ def lost_to_thinning(every: int) -> str:
     ):
         if apart % every != 0:
             lost += f", no {name}, which needs rows {apart} ticks apart"
-    return f"agents.csv: has the ticks that are multiples of {every}: {lost}"
+    return f"agents.csv: has only ticks that are multiples of {every}: {lost}"
 
 
 def names(run: PooledRun, how: Measuring | None = None) -> list[Metric]:

@@ -298,7 +298,7 @@ def runs_for(frame: pandas.DataFrame, difference: float) -> str:
     return (
         text
         and text
-        + f"at the level of one of {judge.count(frame).comparisons} comparisons; by the spread of the runs at hand\n"
+        + f"at the level of one of {judge.count(frame).comparisons} comparisons; based on the variance of these runs\n"
     )
 
 

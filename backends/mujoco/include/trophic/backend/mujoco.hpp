@@ -63,7 +63,7 @@ class Mujoco : public WithEngine<mujoco::State> {
     static constexpr auto fields() {
       return std::tuple{
           field("stepping", &Params::stepping,
-                "fast, islands (MuJoCo only), one_model (the reference) or screening (single precision, steps of 0.002 s)"),
+                "fast, islands (MuJoCo only), one_model (the reference) or screening (single precision, 0.002 s steps)"),
           field("threads", &Params::threads, between(1, 1024), "threads for fast and islands; results do not depend on it"),
           field("box_depth", &Params::box_depth,
                 "reported depth of box-face contacts: engine (half, up to MuJoCo 3.3.7) or whole")};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Whether a newborn is away from its hunters: shared by two activations.
+// Whether a newborn is away from its hunters; two activation rules share this.
 #pragma once
 
 #include <cmath>
@@ -12,11 +12,12 @@ namespace trophic::death::activation::detail {
 struct SafeDistance {
   double distance_m = 5.0;
   static constexpr auto fields() {
-    return std::tuple{field("distance_m", &SafeDistance::distance_m, at_least(0.0), "farther than this from every hunter")};
+    return std::tuple{
+        field("distance_m", &SafeDistance::distance_m, at_least(0.0), "a newborn activates farther than this from every hunter")};
   }
 };
 
-/// Whether the closest individual that eats the species in `body`, whatever the tags, is farther away than the distance.
+/// Returns whether the closest individual that eats the species in `body`, whatever its tag, is farther away than the distance.
 [[nodiscard]] inline bool away_from_hunters(const SafeDistance& safe, BodyIndex body, const View& view) {
   const Species own = view.robots[body].species;
   const auto eats = [&](Species other) { return view.web.eats(other, own); };

@@ -155,7 +155,7 @@ class CompiledModel {
       for (std::size_t hinge = 0; hinge < layout.hinges; ++hinge) {
         const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, hinge_name(i, hinge).c_str());
         const auto index = static_cast<std::size_t>(model_->jnt_qposadr[joint]);
-        if (index != next.position + layout.angle_index[hinge]) throw std::logic_error{"MuJoCo ordered joints otherwise"};
+        if (index != next.position + layout.angle_index[hinge]) throw std::logic_error{"MuJoCo ordered the joints differently"};
       }
       next.position += layout.positions;
       next.velocity += layout.velocities;

@@ -36,7 +36,7 @@ struct GroupResult {
 /// The text of a MuJoCo warning. MuJoCo writes its own text into a buffer that all threads share.
 [[nodiscard]] inline std::string warning_text(int kind) {
   if (kind == mjWARN_INERTIA) return "its inertia matrix is nearly singular";
-  if (is_full(kind)) return "it touches too much at once: the largest model of MuJoCo, 2^31 bytes, has no room for the contacts";
+  if (is_full(kind)) return "it touches too much at once: its contacts do not fit into MuJoCo's largest model, 2^31 bytes";
   const std::string what = kind == mjWARN_BADQPOS   ? "a position"
                            : kind == mjWARN_BADQVEL ? "a velocity"
                            : kind == mjWARN_BADQACC ? "an acceleration"

@@ -44,15 +44,18 @@ struct Params {
 
   static constexpr auto fields() {
     return std::tuple{
-        field("threads", &Params::threads, between(1, 1024), "threads; results do not depend on it"),
+        field("threads", &Params::threads, between(1, 1024), "number of threads; results do not depend on it"),
         field("solver", &Params::solver, "quick_step or world_step"),
-        field("sweeps", &Params::sweeps, between(1, 100'000), "sweeps of quick_step; above 8 one thread at a time solves"),
-        field("contact_stiffness_N_m", &Params::contact_stiffness_N_m, above_to(0.0, 1e9), "of each contact point"),
-        field("contact_damping_N_s_m", &Params::contact_damping_N_s_m, above_to(0.0, 1e9), "of each contact point"),
+        field("sweeps", &Params::sweeps, between(1, 100'000),
+              "iterations of quick_step; above 8 only one thread at a time solves"),
+        field("contact_stiffness_N_m", &Params::contact_stiffness_N_m, above_to(0.0, 1e9), "stiffness of each contact point"),
+        field("contact_damping_N_s_m", &Params::contact_damping_N_s_m, above_to(0.0, 1e9), "damping of each contact point"),
         field("friction_damping_N_s_m", &Params::friction_damping_N_s_m, above_to(0.0, 1e9),
-              "friction force per sliding speed, up to the friction limit"),
-        field("limit_stiffness_N_m_rad", &Params::limit_stiffness_N_m_rad, above_to(0.0, 1e9), "of a hinge beyond its range"),
-        field("limit_damping_N_m_s_rad", &Params::limit_damping_N_m_s_rad, above_to(0.0, 1e9), "of a hinge beyond its range")};
+              "friction force per sliding speed, below the friction limit"),
+        field("limit_stiffness_N_m_rad", &Params::limit_stiffness_N_m_rad, above_to(0.0, 1e9),
+              "stiffness of a hinge beyond its range"),
+        field("limit_damping_N_m_s_rad", &Params::limit_damping_N_m_s_rad, above_to(0.0, 1e9),
+              "damping of a hinge beyond its range")};
   }
 };
 
