@@ -1041,7 +1041,6 @@ def tables(data, choices):
         "walls differences": lambda: at_walls(data("walls")),
         "conclusions": lambda: table(answers.conclusion_heads(), answers.conclusions(data)),
         "answers": lambda: table(answers.HEADS, answers.evolved(data) + answers.choices_that_matter(data)),
-        "answers in brief": lambda: table(answers.HEADS, answers.in_brief(data)),
         "ablations paper": lambda: swaps(data("ablations"), "paper"),
         "ablations released": lambda: swaps(data("ablations"), "released"),
         "inheritance": lambda: inheritance(data("inheritance")),
@@ -1083,10 +1082,7 @@ def tables(data, choices):
 
 
 def pages_of(studies):
-    """The pages of results and, in a checkout of trophic, its README.md."""
-    return [
-        page for page in (studies.parent / "README.md", *sorted((studies / "results").glob("*.md"))) if page.exists()
-    ]
+    return sorted((studies / "results").glob("*.md"))
 
 
 def with_line(data, make):

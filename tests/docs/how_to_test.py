@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""how_to_test.py ROOT PROGRAMS: the robot, arena, sweep and Python of the how-tos work as written; CMake compiles their C++."""
+"""how_to_test.py ROOT PROGRAMS MY_EXPERIMENT: the robot, arena, sweep and Python of the how-tos work as written, and the commands of the first
+research questions with six replicates; CMake compiles the C++. MY_EXPERIMENT is the program of my-program.md."""
 
+import csv
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -37,7 +40,9 @@ def main() -> int:
         follow(ROOT / "docs/how-to/a-living-world.md", folder, {"PATH": f"{PROGRAMS}:{os.environ['PATH']}"})
         follow(ROOT / "docs/how-to/a-sweep.md", folder, {"PATH": f"{PROGRAMS}:{os.environ['PATH']}"})
         tables = next(
-            block.code for block in parse(ROOT / "docs/how-to/compare-two-tables.md").blocks if block.language == "toml"
+            block.code
+            for block in parse(ROOT / "docs/how-to/from-runs-to-results.md").blocks
+            if block.language == "toml"
         )
         assert "ecology.duration_s = 6000.0" in tables and "replicates = 10" in tables
         (folder / "tables.toml").write_text(
@@ -55,11 +60,38 @@ def main() -> int:
             "--out",
             "analysis/tables",
         )
+        first_questions()
         for document in ("read-in-pandas", "a-null-for-my-metric", "a-living-world"):
             for block in parse(ROOT / f"docs/how-to/{document}.md").blocks:
                 if block.language == "python" and PYTHON:
                     run(PYTHON, "-c", block.code)
     return 0
+
+
+def first_questions() -> None:
+    """Every command of the page with six replicates, without the pond of 600 s: the pilot states how many runs it needs, and a long reach costs
+    the pond its predators."""
+    programs = {name: str(PROGRAMS / name) for name in ("trophic", "trophic-predator-prey", "trophic-worlds")}
+    programs["my_experiment"] = str(pathlib.Path(sys.argv[3]).resolve())
+    said, commands = "", 0
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for block in parse(ROOT / "docs/first-questions.md").blocks:
+            if block.language == "toml":
+                short = re.sub(r"replicates = \d+", "replicates = 6", block.code)
+                if block.note[1] != "reach.toml":
+                    short = re.sub(r"\[set\]\n.*\n", "", short) + "\n[set]\necology.duration_s = 600.0\n"
+                (folder / block.note[1]).write_text(short)
+            for line in block.code.splitlines() if block.language == "text" else []:
+                words = [programs.get(word, word) for word in line.split()]
+                done = subprocess.run(words, cwd=folder, capture_output=True, text=True)
+                assert done.returncode == 0, f"{line}: {done.stderr}"
+                said, commands = said + done.stdout, commands + 1
+        assert commands == 11, commands
+        assert re.search(r"needs \d+ replicates a cell", said), said
+        with open(folder / "analysis/reach/sweep_metrics.csv") as file:
+            rows = [row for row in csv.DictReader(file) if (row["metric"], row["species"]) == ("persists", "predator")]
+        assert float(rows[0]["mean"]) == 1.0 and float(rows[2]["mean"]) < 1.0, rows
 
 
 def gait_of_three_legs(folder: pathlib.Path) -> str:

@@ -15,11 +15,12 @@ import system_python
 system_python.need("numpy", "PIL")
 
 import numpy  # noqa: E402
-from in_folder import InFolderWithSets, call, run_ok  # noqa: E402
+from in_folder import InFolderWithSets, call, run_ok, sealed_text  # noqa: E402
 from live_page import LiveRun  # noqa: E402
 from PIL import Image  # noqa: E402
 
 WORLDS, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
+PIXELS_A_M = 400 / (3.255 * 10 * numpy.tan(numpy.radians(19)))  # of a picture of 800 pixels from above
 GRASS, TOP = 400, 15.0  # cells of the floor, and the most that one has, J
 RULES = {
     "recruitment.spare_bodies": 140,
@@ -56,9 +57,15 @@ class Seen(InFolderWithSets):
     def rows_of(text):
         return list(csv.DictReader(text.splitlines()))
 
-    def make(self, command, out, *options):
-        self.assertEqual(self.run_ok(TROPHIC, command, self.sets / "run", "-o", out, *options).stderr, "")
+    def make(self, command, out, *options, run=None):
+        self.assertEqual(self.run_ok(TROPHIC, command, run or self.sets / "run", "-o", out, *options).stderr, "")
         return self.folder / out
+
+    def picture(self, out, *options, run=None):
+        if call(TROPHIC, "film", "--help").returncode != 0:
+            self.skipTest("built without films")
+        options = ("--view", "top", "--lines", "off", "--legend", "off", "--size", "800x800", *options)
+        return numpy.array(Image.open(self.make("film", out, *options, run=run))).astype(int)
 
     def test_the_run_goes_up_and_down(self):
         numbers = [len(alive) for alive in self.alive.values()]
@@ -128,12 +135,9 @@ class Seen(InFolderWithSets):
         self.assertLess(areas[:, 1].sum(), 0.99 * areas[:, 0].sum())
 
     def test_a_film_shows_the_living_and_less_food_when_it_is_eaten(self):
-        if call(TROPHIC, "film", "--help").returncode != 0:
-            self.skipTest("built without films")
         blue, green = [], []
         for time_s in (0, 420, 1000):
-            options = ("--from", time_s, "--view", "top", "--lines", "off", "--legend", "off", "--size", "800x800")
-            picture = numpy.array(Image.open(self.make("film", f"at-{time_s}.png", *options))).astype(int)
+            picture = self.picture(f"at-{time_s}.png", "--from", time_s)
             blue.append((numpy.abs(picture - (0, 114, 178)).sum(axis=-1) < 70).sum())
             green.append((2 * picture[:, :, 1] - picture[:, :, 0] - picture[:, :, 2] > 40).sum())
         self.assertGreater(blue[1], 2 * max(blue[0], blue[2]))
@@ -173,6 +177,53 @@ class Seen(InFolderWithSets):
         energy = [float(row["stock_J"]) for row in self.energy if row["time_s"] == "40"]
         numpy.testing.assert_allclose(tick["stock"], energy, atol=1e-4)
         self.assertTrue(len(tick["food"]) == GRASS and 0.5 * TOP < max(tick["food"]) <= TOP)
+
+    def test_births_at_the_start_are_shown_filmed_and_exported(self):
+        """A rule that gives bodies to predators at time 0. A killed run is compared with its recording row by row."""
+        run = self.folder / "run"
+        options = ("--duration", 20, "--set", "rules.minimum_predators.below=30", "--out", run)
+        run_ok(WORLDS, "--rules", "pond_with_conditions", "--backend", "kinematic", *options)
+        agents = self.rows(self.folder, "run/agents.csv")
+        events = self.rows(self.folder, "run/events.csv")
+        founders = len([row for row in agents if row["time_s"] == "0"])
+        births = [row for row in events if row["event"] == "birth" and row["time_s"] == "0"]
+        self.assertGreater(len(births), founders)
+        for is_killed in (False, True):
+            if is_killed:
+                self.forget_sums(run)
+            with self.subTest(is_killed=is_killed):
+                page = self.make("show", f"page-{is_killed}.html", run=run).read_text()
+                packed = re.search(r'data-file="agents">([^<]*)<', page)[1]
+                self.assertEqual(len(self.rows_of(zlib.decompress(base64.b64decode(packed)).decode())), len(agents))
+                scene = json.loads(self.make("export", f"scene-{is_killed}.gltf", run=run).read_text())
+                nodes = {node["extras"]["id"] for node in scene["nodes"] if "extras" in node}
+                self.assertEqual(nodes, {int(row["id"]) for row in agents})
+                picture = self.picture(f"start-{is_killed}.png", "--from", 0, run=run)
+                for row in births[founders:]:
+                    x, y = int(400 + PIXELS_A_M * float(row["x_m"])), int(400 - PIXELS_A_M * float(row["y_m"]))
+                    part = picture[max(0, y - 8) : y + 9, max(0, x - 8) : x + 9]
+                    self.assertGreater((numpy.abs(part - (213, 94, 0)).sum(axis=-1) < 110).sum(), 4, row)
+
+    def forget_sums(self, run):
+        """As of a run that was killed, whose manifest has no checksums."""
+        manifest = json.loads((run / "manifest.json").read_text())
+        del manifest["tables"], manifest["recording"]
+        (run / "manifest.json").write_text(sealed_text(manifest))
+
+    def test_refuges_are_in_a_film_and_in_gltf(self):
+        run_ok(WORLDS, "--rules", "pond_with_refuges", "--backend", "kinematic", "--duration", 4, "--out",
+               self.folder / "run")  # fmt: skip
+        run = self.folder / "run"
+        scene = json.loads(self.make("export", "scene.gltf", run=run).read_text())
+        nodes = [node for node in scene["nodes"] if "mesh" in node]
+        rings = [node for node in nodes if scene["meshes"][node["mesh"]]["name"] == "refuge"]
+        self.assertEqual({tuple(ring["translation"][:2]) for ring in rings}, {(x, y) for x in (-5, 5) for y in (-5, 5)})
+        picture = self.picture("refuges.png", "--from", 0, run=run)
+        turns = numpy.linspace(0, 6.28, 60)
+        places = zip(400 + PIXELS_A_M * (5 + 1.98 * numpy.cos(turns)), 400 - PIXELS_A_M * (5 + 1.98 * numpy.sin(turns)))
+        on_edge = [picture[int(y) - 2 : int(y) + 4, int(x) - 2 : int(x) + 4] for x, y in places]
+        seen = [(numpy.abs(part - (74, 89, 105)).sum(axis=-1) < 90).any() for part in on_edge]
+        self.assertGreater(numpy.mean(seen), 0.9)
 
 
 if __name__ == "__main__":

@@ -26,6 +26,7 @@ void draw_mark(const Overlay& overlay, const LegendEntry& entry, double x, doubl
       overlay.disc(x, y, radius, mixed(paper, entry.colour, 0.45F));
       return overlay.ring(x, y, radius, thin, entry.colour);
     case Mark::hollow:
+    case Mark::zone:
       return overlay.ring(x, y, radius, thin, entry.colour);
     case Mark::catch_:
       return overlay.ring(x, y, radius, 0.7 * thin, entry.colour);

@@ -51,7 +51,7 @@ struct Name {
 
 /// A mark and its meaning.
 struct LegendEntry {
-  enum class Mark { species, filled, hollow, catch_, death, marked, trail, sight, food };
+  enum class Mark { species, filled, hollow, catch_, death, marked, trail, sight, food, zone };
   Mark mark = Mark::species;
   Colour colour{};
   std::string text;
@@ -88,6 +88,8 @@ struct Picture {
 
 /// The mark of a catch.
 inline constexpr Colour catch_colour{0.76F, 0.0F, 0.18F};
+/// The edge of a zone on the floor.
+inline constexpr Colour zone_colour{0.29F, 0.35F, 0.41F};
 
 /// The radius of a robot's ring: round its body, and never too small to be seen in a picture of the whole arena.
 [[nodiscard]] inline double ring_radius_m(const RobotModel& robot, const Arena& arena) {

@@ -195,6 +195,7 @@ class Renderer::Scene {
       add_segment({-half, at, 1e-3}, {half, at, 1e-3}, 1.3, grid_colour);
     }
     for (const Obstacle& one : arena_.obstacles) add_obstacle(one);
+    for (const Zone& zone : arena_.zones) add_circle(zone.x_m, zone.y_m, zone.radius_m, 1.5e-3, 2.2, zone_colour);
     if (arena_.height_field) return add_slopes(*arena_.height_field);
     const double thick = 0.006 * half;
     const double height = 0.5 * edge_of(arena_).height_m;
@@ -259,16 +260,17 @@ class Renderer::Scene {
   }
 
   void add_flash(const Flash& flash) {
-    constexpr int sides = 48;
-    const Colour colour = flash.is_catch ? catch_colour : ink;
     const double pixels = flash.is_catch ? std::max(3.0, 0.07 * flash.radius_m / pixel_m_) : 1.8;
-    const auto at = [&](double angle, double radius) {
-      return Eigen::Vector3d{flash.x_m + radius * std::cos(angle), flash.y_m + radius * std::sin(angle), 9e-3};
+    add_circle(flash.x_m, flash.y_m, flash.radius_m, 9e-3, pixels, flash.is_catch ? catch_colour : ink);
+  }
+
+  void add_circle(double x_m, double y_m, double radius_m, double z_m, double pixels, const Colour& colour) {
+    constexpr int sides = 48;
+    const auto corner = [&](int k) {
+      const double angle = 2.0 * std::numbers::pi * k / sides;
+      return Eigen::Vector3d{x_m + radius_m * std::cos(angle), y_m + radius_m * std::sin(angle), z_m};
     };
-    for (int i = 0; i < sides; ++i) {
-      const auto corner = [&](int k) { return at(2.0 * std::numbers::pi * k / sides, flash.radius_m); };
-      add_segment(corner(i), corner(i + 1), pixels, colour);
-    }
+    for (int i = 0; i < sides; ++i) add_segment(corner(i), corner(i + 1), pixels, colour);
   }
 
   void add_body(const RobotLook& look) {

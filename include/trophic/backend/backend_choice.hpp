@@ -12,8 +12,8 @@ namespace trophic {
 class BackendChoice {
  public:
   template <class Params>
-  requires(Backend<typename Params::Backend>&& std::same_as<typename Params::Backend::Params, Params>)
-      BackendChoice(Params params);  // NOLINT(google-explicit-constructor): the parameters are the choice
+  requires requires { typename Params::Backend; }
+  BackendChoice(Params params);  // NOLINT(google-explicit-constructor): the parameters are the choice
 
   BackendChoice(const BackendChoice& other) : choice_{other.choice_->copy()} {}
   BackendChoice(BackendChoice&&) noexcept = default;
@@ -121,8 +121,17 @@ class BackendChoice {
 };
 
 template <class Params>
-requires(Backend<typename Params::Backend>&& std::same_as<typename Params::Backend::Params, Params>)
-    BackendChoice::BackendChoice(Params params)
-    : choice_{std::make_unique<Of<typename Params::Backend>>(std::move(params))} {}
+requires requires {
+  typename Params::Backend;
+}
+BackendChoice::BackendChoice(Params params) {
+  constexpr bool is_backend = Backend<typename Params::Backend>;
+  static_assert(is_backend,
+                "the backend that these Params name needs name, version(), remarks(const Physics&), Params that name it and list "
+                "their fields(), a State that can be saved, a constructor from (const RobotModel&, const Arena&, std::span<const "
+                "Pose>, const Physics&, const Params&), advance_to, robots, time_s, pose, joint_angles, save and restore; see "
+                "trophic/backend/contract.hpp");
+  if constexpr (is_backend) choice_ = std::make_unique<Of<typename Params::Backend>>(std::move(params));
+}
 
 }  // namespace trophic

@@ -13,6 +13,7 @@
 #include <trophic/params/policy.hpp>
 #include <trophic/reproduction/viability/contract.hpp>
 #include <trophic/rules/table.hpp>
+#include <trophic/support/arithmetic.hpp>
 
 namespace trophic {
 
@@ -119,6 +120,7 @@ void check_parts(const BackendChoice& backend) {
 /// Throws std::invalid_argument naming field, value and bound, or a robot that the rules cannot steer.
 template <class Rules>
 [[nodiscard]] CheckedExperiment<Rules> checked(Experiment<Rules> params, BackendChoice backend, Habitat habitat) {
+  check_arithmetic<Rules>();
   validate(params, "");
   backend.validate("backend");
   backend.prescribe(params.physics, Rules::physics());

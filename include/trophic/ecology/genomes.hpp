@@ -96,6 +96,8 @@ class Genomes {
   [[nodiscard]] bool fits(const Individual& one) const {
     return !misfit(one.species, one.genome.get()) && one.genome->traits.size() == TraitGenes<Rules>::names.size();
   }
+  /// As TraitGenes::check_bounds.
+  void check_bounds(std::span<const Individual> individuals, const FoodWeb& web) const { traits_.check_bounds(individuals, web); }
   /// The id of the next genome.
   [[nodiscard]] std::uint64_t& next_id() { return next_id_; }
   void persist(Archive& archive, std::size_t species) { phenotypes_.persist(archive, species); }

@@ -71,6 +71,7 @@ class Population {
       const bool has_rules = one.id < next_id_ && one.species < web_.size() && genomes_.fits(one);
       detail::check_saved(one, tags_, one.lives() && has_rules, bodies);
     }
+    genomes_.check_bounds(census_.all(), web_);
     census_.count_all();
     for_each_state(rules_, states_, [&](const auto&, const auto& states) {
       Archive::require(states.all().size() == bodies, "different numbers of states and robots");

@@ -68,6 +68,7 @@ struct RunFolder::Shipped {
                                        Shipped{EnergyLog::file_name, plain<EnergyLog>},
                                        Shipped{ResourceLog::file_name, plain<ResourceLog>},
                                        Shipped{FieldLog::file_name, plain<FieldLog>}};
+    static_assert(std::ranges::all_of(tables, is_run_table, &Shipped::file_name));
     return tables;
   }
   static constexpr std::size_t in_every_run = 4;  ///< the first ones

@@ -45,17 +45,37 @@ struct Bound {
   return between(0.0, 9007199254740992.0);
 }
 
+/// When a run reads a parameter for the last time, so that a later change of it has no effect.
+enum class Read {
+  at_start,       ///< for founders, or for the world as it begins
+  for_newcomers,  ///< for founders, and at births without a parent
+  at_birth,       ///< for founders, and at births
+  at_any_tick
+};
+
 /// Description of a member of a Params struct. `help` is the line that `--print-config` prints next to it.
 struct FieldText {
   std::string_view name;
   Bound bound = {};
   std::string_view help = {};
+  Read read = Read::at_any_tick;
 };
 
-/// One named member of a Params struct.
+/// One named member of a Params struct. `field(...).read_at_start()` says when a run reads it; without, at any tick.
 template <class Owner, class T>
 struct Field : FieldText {
   T Owner::*member;
+
+  [[nodiscard]] constexpr Field read_at_start() const { return when(Read::at_start); }
+  [[nodiscard]] constexpr Field read_for_newcomers() const { return when(Read::for_newcomers); }
+  [[nodiscard]] constexpr Field read_at_birth() const { return when(Read::at_birth); }
+
+ private:
+  [[nodiscard]] constexpr Field when(Read moment) const {
+    Field same = *this;
+    same.read = moment;
+    return same;
+  }
 };
 
 /// A number with its bound.

@@ -80,6 +80,7 @@ enum class Fault {
   held,
   changing,
   reads,
+  reads_traits,
   decides
 };
 
@@ -135,13 +136,33 @@ inline constexpr bool has_acts_of = has_own_acts_of<Acts, Policy>;
 template <class Acts, template <class...> class Whole, class... Ps>
 inline constexpr bool has_acts_of<Acts, Whole<Ps...>> = has_own_acts_of<Acts, Whole<Ps...>> && (has_acts_of<Acts, Ps> && ...);
 
-/// The error of a policy in a table with these acts; `alone`: its error in any table.
-template <class Policy, class Acts, Fault alone>
+/// Whether these traits include all that a policy, or a policy in it, names in ReadsTraits.
+template <class Traits, class Policy>
+inline constexpr bool has_own_traits_of = true;
+template <class Traits, class Policy>
+requires requires {
+  typename Policy::ReadsTraits;
+}
+inline constexpr bool has_own_traits_of<Traits, Policy> =
+    std::ranges::all_of(std::span<const std::string_view>{Policy::ReadsTraits::trait_names}, [](std::string_view trait) {
+      const std::span<const std::string_view> names{Traits::trait_names};
+      return std::ranges::find(names, trait) != names.end();
+    });
+template <class Traits, class Policy>
+inline constexpr bool has_traits_of = has_own_traits_of<Traits, Policy>;
+template <class Traits, template <class...> class Whole, class... Ps>
+inline constexpr bool has_traits_of<Traits, Whole<Ps...>> = has_own_traits_of<Traits, Whole<Ps...>> &&
+                                                            (has_traits_of<Traits, Ps> && ...);
+
+/// The error of a policy in a table with these acts and traits; `alone`: its error in any table.
+template <class Policy, class Acts, class Traits, Fault alone>
 [[nodiscard]] consteval Fault fault_with() {
-  if constexpr (alone != Fault::none || !control::ActList<Acts>) {
+  if constexpr (alone != Fault::none || !control::ActList<Acts> || !reproduction::TraitRule<Traits>) {
     return alone;
   } else if constexpr (!has_acts_of<Acts, Policy>) {
     return Fault::reads;
+  } else if constexpr (!has_traits_of<Traits, Policy>) {
+    return Fault::reads_traits;
   } else if constexpr (control::Decides<AnswersForSpecies<Policy>> && !control::EvaluatesOutputs<AnswersForSpecies<Policy>>) {
     return std::same_as<Acts, control::acts::TurnAndTag> ? Fault::none : Fault::decides;
   } else {
@@ -153,17 +174,17 @@ template <class Policy, class Acts, Fault alone>
 /// `slot_<member><Rules>` is the same by name.
 template <class Rules, RuleSlot slot>
 struct policy_in;
-#define TROPHIC_SLOT(Slot, member, kind, Contract, Neutral, may_differ_by_species)                      \
-  template <class Rules>                                                                                \
-  struct policy_in<Rules, RuleSlot::member> : in_table<typename stated_##member<Rules>::type, Rules> {  \
-    using stated = typename stated_##member<Rules>::type;                                               \
-    using type = typename in_table<stated, Rules>::type;                                                \
-    static constexpr bool is_neutral = std::same_as<type, Neutral>;                                     \
-    static constexpr Fault fault =                                                                      \
-        fault_with<type, typename stated_acts<Rules>::type,                                             \
-                   fault_of<type, kind::Contract<AnswersForSpecies<type>>, may_differ_by_species>()>(); \
-  };                                                                                                    \
-  template <class Rules>                                                                                \
+#define TROPHIC_SLOT(Slot, member, kind, Contract, Neutral, may_differ_by_species)                                  \
+  template <class Rules>                                                                                            \
+  struct policy_in<Rules, RuleSlot::member> : in_table<typename stated_##member<Rules>::type, Rules> {              \
+    using stated = typename stated_##member<Rules>::type;                                                           \
+    using type = typename in_table<stated, Rules>::type;                                                            \
+    static constexpr bool is_neutral = std::same_as<type, Neutral>;                                                 \
+    static constexpr Fault fault =                                                                                  \
+        fault_with<type, typename stated_acts<Rules>::type, AnswersForSpecies<typename stated_traits<Rules>::type>, \
+                   fault_of<type, kind::Contract<AnswersForSpecies<type>>, may_differ_by_species>()>();             \
+  };                                                                                                                \
+  template <class Rules>                                                                                            \
   struct slot_##member : policy_in<Rules, RuleSlot::member> {};
 TROPHIC_RULE_SLOTS(TROPHIC_SLOT)
 #undef TROPHIC_SLOT
@@ -241,6 +262,9 @@ struct CheckRules {
   static_assert(member##_fault != Fault::reads,                                                                              \
                 "the policy in Rules::" #Slot                                                                                \
                 " names an act in ReadsActs that Rules::Acts lacks; see trophic/control/acts/contract.hpp");                 \
+  static_assert(member##_fault != Fault::reads_traits,                                                                       \
+                "the policy in Rules::" #Slot                                                                                \
+                " names a trait in ReadsTraits that Rules::Traits lacks; see trophic/reproduction/traits/contract.hpp");     \
   static_assert(member##_fault != Fault::decides,                                                                            \
                 "the policy in Rules::" #Slot                                                                                \
                 " has decide, which only turns and chooses a tag, but Rules::Acts has other acts: it needs evaluate; see "   \

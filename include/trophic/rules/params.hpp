@@ -41,7 +41,7 @@ struct RuleParams {
 
   template <class Self, class Visitor>
   static constexpr void visit_fields(Self& params, Visitor&& visit) {
-    for_each_slot([&]<RuleSlot slot>() { visit(FieldText{slot_name(slot)}, of_slot<slot>(params)); });
+    for_each_slot([&]<RuleSlot slot>() { visit(FieldText{slot_name(slot), {}, {}, slot_read(slot)}, of_slot<slot>(params)); });
   }
 };
 

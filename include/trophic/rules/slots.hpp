@@ -128,6 +128,28 @@ inline constexpr std::array slot_kinds{TROPHIC_RULE_SLOTS(TROPHIC_SLOT_KIND)};
   return rules::slot_names[static_cast<std::size_t>(slot)];
 }
 
+/// When the policy of a slot is asked for the last time; its parameters may be read earlier.
+[[nodiscard]] constexpr Read slot_read(RuleSlot slot) {
+  switch (slot) {
+    case RuleSlot::community:
+    case RuleSlot::placement:
+      return Read::at_start;
+    case RuleSlot::initial_genome:
+      return Read::for_newcomers;
+    case RuleSlot::newborn_tag:
+    case RuleSlot::genome_source:
+    case RuleSlot::heredity:
+    case RuleSlot::mutation:
+    case RuleSlot::traits:
+    case RuleSlot::body_plan:
+    case RuleSlot::viability:
+    case RuleSlot::embodiment:
+      return Read::at_birth;
+    default:
+      return Read::at_any_tick;
+  }
+}
+
 /// Calls `visit.template operator()<slot>()` for each RuleSlot in order.
 template <class Visit>
 constexpr void for_each_slot(const Visit& visit) {

@@ -2,6 +2,7 @@
 """Exceptions whose message is one sentence, which names the file, the option or the folder, and how a user's names are printed."""
 from __future__ import annotations
 
+import contextlib
 import re
 import sys
 
@@ -22,5 +23,6 @@ def printable(text: str) -> str:
 
 
 def remark(who: str, text: object) -> None:
-    """A line on standard error."""
-    print(f"{who}: {printable(str(text))}", file=sys.stderr)
+    """A line on standard error, if that is not closed."""
+    with contextlib.suppress(OSError):
+        print(f"{who}: {printable(str(text))}", file=sys.stderr)

@@ -5,6 +5,7 @@
 #ifdef TROPHIC_WITH_FILM
 #include <cmath>
 #include <memory>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <tools/reading/csv_reader.hpp>
@@ -143,6 +144,9 @@ std::vector<film::LegendEntry> Footage::legend(double time_s, const Sights& sigh
   legend.push_back({Mark::catch_, film::catch_colour, "caught"});
   legend.push_back({Mark::death, ink, "other death"});
   if (!food_.at(time_s).empty()) legend.push_back({Mark::food, food_colour, "food"});
+  std::set<std::string> zones;
+  for (const Zone& zone : head().arena.zones) zones.insert(zone.name);
+  for (const std::string& name : zones) legend.push_back({Mark::zone, film::zone_colour, name});
   if (sights.marked) legend.push_back({Mark::marked, ink, "selected"});
   if (!sights.has_lines) return legend;
   legend.push_back({Mark::trail, ink, "trail"});

@@ -51,6 +51,8 @@ void GltfScene::add_arena(const Arena& arena) {
   const std::size_t floor = file_.add_material("floor", {0.93F, 0.94F, 0.95F});
   const std::size_t wall = file_.add_material("wall", {0.72F, 0.76F, 0.8F});
   for (const Obstacle& one : arena.obstacles) add_obstacle(node, wall, one);
+  const std::size_t edge = arena.zones.empty() ? 0 : file_.add_material("zone", film::zone_colour);
+  for (const Zone& one : arena.zones) add_zone(node, edge, one, 0.004 * half);
   const auto put = [&](std::size_t mesh, const Eigen::Vector3d& at_m, const Eigen::Vector3d& half_m) {
     file_.add_shape(node, mesh, at_m, Eigen::Quaterniond::Identity(), half_m);
   };
@@ -124,6 +126,26 @@ void GltfScene::add_obstacle(std::size_t parent, std::size_t material, const Obs
   const Eigen::Vector3d middle_m{one.middle_x_m(), one.middle_y_m(), 0.5 * one.height_m};
   file_.add_shape(parent, file_.add_box("side", material), middle_m, Eigen::Quaterniond{along},
                   {0.5 * one.length_m(), one.radius_m, 0.5 * one.height_m});
+}
+
+/// A flat ring, a little above the floor and its food.
+void GltfScene::add_zone(std::size_t parent, std::size_t material, const Zone& one, double wide_m) {
+  constexpr std::uint32_t sides = 48;
+  std::vector<float> places;
+  std::vector<float> normals;
+  std::vector<std::uint32_t> corners;
+  for (std::uint32_t side = 0; side <= sides; ++side) {
+    const double angle_rad = 2.0 * std::numbers::pi * side / sides;
+    for (const double radius_m : {one.radius_m - wide_m, one.radius_m}) {
+      for (const double place : {radius_m * std::cos(angle_rad), radius_m * std::sin(angle_rad), 0.0})
+        places.push_back(static_cast<float>(place));
+      for (const float normal : {0.0F, 0.0F, 1.0F}) normals.push_back(normal);
+    }
+    if (side == sides) continue;
+    for (const std::uint32_t corner : {0U, 1U, 3U, 0U, 3U, 2U}) corners.push_back(2 * side + corner);
+  }
+  file_.add_shape(parent, file_.add_surface(one.name, material, places, normals, corners), {one.x_m, one.y_m, 0.004},
+                  Eigen::Quaterniond::Identity(), Eigen::Vector3d::Ones());
 }
 
 void GltfScene::add_slopes(std::size_t parent, std::size_t material, const HeightField& field) {

@@ -39,6 +39,7 @@ class GltfScene {
 
   void add_food(std::size_t parent);
   void add_obstacle(std::size_t parent, std::size_t material, const Obstacle& one);
+  void add_zone(std::size_t parent, std::size_t material, const Zone& one, double wide_m);
   void add_slopes(std::size_t parent, std::size_t material, const HeightField& field);
 
   /// Adds the individuals that lived in a body, one after another, or only one of them.

@@ -17,6 +17,7 @@ export class Ground {
   private readonly grid = new LineBasicMaterial();
   private readonly slopes = new MeshLambertMaterial({ side: DoubleSide, transparent: true, opacity: 0.8 });
   private readonly obstacles = new MeshLambertMaterial();
+  private readonly zones = new MeshBasicMaterial();
   private readonly walls: Wall[] = [];
   private readonly half: number;
 
@@ -36,7 +37,7 @@ export class Ground {
     this.group.add(net);
     for (const one of arena.obstacles ?? []) this.makeObstacle(one);
     for (const { x_m, y_m, radius_m } of arena.zones ?? []) {
-      const ring = new Mesh(new RingGeometry(radius_m - 0.004 * half, radius_m, 64), this.obstacles);
+      const ring = new Mesh(new RingGeometry(radius_m - 0.006 * half, radius_m, 64), this.zones);
       ring.position.set(x_m, y_m, 0.001);
       this.group.add(ring);
     }
@@ -52,6 +53,7 @@ export class Ground {
     this.grid.color.set(colours.grid);
     this.slopes.color.set(colours.wall);
     this.obstacles.color.set(colours.wall);
+    this.zones.color.set(colours.zone);
     for (const { material } of this.walls) material.color.set(colours.wall);
   }
 

@@ -38,6 +38,7 @@ export function legendOf(run: Run): { items: HTMLElement[]; counts: HTMLElement[
     sign("trail", "trail", colourOf(0)),
     sign("link", "perceives", colourOf(species.length > 1 ? 1 : 0)),
   );
+  for (const name of new Set(run.recording.head.arena.zones?.map((zone) => zone.name))) items.push(sign("zone", name, theme().zone));
   if (run.food) items.push(sign("food", `food, up to ${Number(run.food.most.toPrecision(3))} J a cell`, theme().food));
   return { items, counts };
 }

@@ -85,7 +85,9 @@ function dataOf({ time, bySpecies, bands }: Curves): uPlot.AlignedData {
   return [time, ...bySpecies, ...(bands ?? []).flatMap(({ low, high }) => [low, high])];
 }
 
-const plotHeight = 76;
+/** Pixels of a plot, and of the axis of time below the last one. */
+const plotHeight = 56;
+const axisHeight = 22;
 
 export class Plot {
   readonly element = document.createElement("div");
@@ -96,7 +98,8 @@ export class Plot {
   private shape = "";
   private bounds: [number, number] = [0, 1];
 
-  constructor(private readonly title: string, private readonly range: [number, number] | null, private readonly onJump: (time: number) => void) {
+  /** `hasTimes`: whether it has the axis of time, which plots below each other share. */
+  constructor(private readonly title: string, private readonly range: [number, number] | null, private readonly onJump: (time: number) => void, private readonly hasTimes = false) {
     this.element.className = "plot";
   }
 
@@ -124,13 +127,13 @@ export class Plot {
     this.plot = new uPlot(
       {
         width: Math.max(200, this.element.clientWidth),
-        height: plotHeight,
+        height: this.height,
         title: this.title,
         legend: { show: false },
         cursor: { y: false, points: { show: false }, drag: { setScale: false } },
         scales: { x: { time: false, range: () => this.bounds }, y: this.range ? { range: this.range } : { range: (_, low, high) => [Math.min(0, low), high * 1.08 || 1] } },
         axes: [
-          { ...axis, size: 22, values: (_, ticks) => ticks.map((t) => `${t}`) },
+          { ...axis, size: this.hasTimes ? axisHeight : 4, values: (_, ticks) => ticks.map((t) => (this.hasTimes ? `${t}` : "")) },
           { ...axis, size: 38, space: 16 },
         ],
         series: [{}, ...lines, ...bounds],
@@ -172,6 +175,9 @@ export class Plot {
   }
 
   resize(): void {
-    if (this.plot) this.plot.setSize({ width: Math.max(200, this.element.clientWidth), height: plotHeight });
+    if (this.plot) this.plot.setSize({ width: Math.max(200, this.element.clientWidth), height: this.height });
+  }
+  private get height(): number {
+    return plotHeight + (this.hasTimes ? axisHeight : 0);
   }
 }

@@ -42,7 +42,7 @@ export class Side {
       population: new Plot("individuals", null, seek),
       energy: new Plot("energy, J", null, seek),
       tags: new Plot("share that shows the filled tag", [0, 1], seek),
-      speed: new Plot("speed over a minute, mean and middle half, cm/s", null, seek),
+      speed: new Plot("speed over a minute, mean and middle half, cm/s", null, seek, true),
     };
     this.curves.append(...Object.values(this.plots).map((plot) => plot.element));
     const row = make("nav", "tabs");

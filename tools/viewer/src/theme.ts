@@ -7,6 +7,7 @@ export interface Theme {
   food: string; // of the floor where it has most food
   grid: string;
   wall: string;
+  zone: string; // the edge of a named place on the floor
   shadow: string; // of a robot on the floor
   ink: string; // texts, the moment, the selection
   muted: string; // axes, counts
@@ -16,11 +17,11 @@ export interface Theme {
 }
 
 const light: Theme = {
-  background: "#f6f8f9", floor: "#dde3e8", food: "#9cc47f", grid: "#cbd3da", wall: "#aab4be", shadow: "#bcc5cd", ink: "#111417", muted: "#5f6a76", faint: "#e3e8ec", change: "#8a2be2",
+  background: "#f6f8f9", floor: "#dde3e8", food: "#9cc47f", grid: "#cbd3da", wall: "#aab4be", zone: "#4a5968", shadow: "#bcc5cd", ink: "#111417", muted: "#5f6a76", faint: "#e3e8ec", change: "#8a2be2",
   lanes: ["#eef1f4", "#f6f8f9"],
 };
 const dark: Theme = {
-  background: "#12171d", floor: "#2b343e", food: "#56733f", grid: "#3a4550", wall: "#5a6672", shadow: "#1c232b", ink: "#f2f5f7", muted: "#9aa6b2", faint: "#2a323b", change: "#c79bff",
+  background: "#12171d", floor: "#2b343e", food: "#56733f", grid: "#3a4550", wall: "#5a6672", zone: "#a9b8c6", shadow: "#1c232b", ink: "#f2f5f7", muted: "#9aa6b2", faint: "#2a323b", change: "#c79bff",
   lanes: ["#1e252d", "#181e25"],
 };
 

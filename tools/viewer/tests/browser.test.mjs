@@ -43,6 +43,8 @@ before(async () => {
   const set = Object.entries(numbers).flatMap(([path, value]) => ["--set", `rules.${path}=${value}`]);
   execFileSync(process.env.WORLDS, ["--rules", "pond", "--backend", "kinematic", "--seed", "4", "--duration", "1000", "--out", at("pond"), ...set]);
   show("pond.html", "pond");
+  execFileSync(process.env.WORLDS, ["--rules", "pond_with_refuges", "--backend", "kinematic", "--duration", "60", "--out", at("refuges")]);
+  show("refuges.html", "refuges");
   execFileSync(process.env.TROPHIC, ["show", at("bodies"), "--from", "200", "--to", "300", "--out", at("some_bodies.html")]);
   browser = await Browser.start();
 });
@@ -216,6 +218,7 @@ onPage("page: click on the time bar -> jumps, click on an event -> selects its i
 });
 
 onPage("page: click on a robot -> selected and its branch highlighted, click on its branch -> selects it again", ["long.html", "#t=3000&view=top"], async (opened) => {
+  await opened.frames();
   const [body, x, y] = await opened.evaluate(() => {
     const { worlds, runs } = window.trophic;
     const places = Array.from({ length: runs[0].robots }, (_, one) => worlds[0].onScreen(one));
@@ -225,13 +228,15 @@ onPage("page: click on a robot -> selected and its branch highlighted, click on 
   });
   await opened.click(".view canvas", x, y);
   const living = rows("long", "agents.csv").find((row) => row.time_s === "3000" && Number(row.body) === body);
-  assert.equal(await opened.evaluate(() => window.trophic.selected), Number(living.id));
+  await opened.until((id) => window.trophic.selected === id, Number(living.id));
+  await opened.settle();
   assert.match(await opened.page.locator(".inspector h2").innerText(), new RegExp(`${living.species} ${living.id}$`));
   assert.ok((await opened.page.locator(".inspector").innerText()).includes("perceives"));
-  const line = await opened.evaluate(() => window.trophic.phylogeny.placeOf(window.trophic.selected));
   await opened.evaluate(() => window.trophic.select(NaN));
+  await opened.frames();
   await opened.settle();
-  await opened.click(".phylogeny", ...line);
+  await opened.click(".phylogeny", ...(await opened.evaluate((id) => window.trophic.phylogeny.placeOf(id), Number(living.id))));
+  await opened.until(() => window.trophic.selected >= 0);
   const again = await opened.evaluate(() => window.trophic.selected);
   const rowOf = (id) => opened.evaluate((one) => window.trophic.run.individuals.get(one)?.row, id);
   assert.ok(Math.abs((await rowOf(again)) - (await rowOf(Number(living.id)))) <= 4, `${again} for ${living.id}`);
@@ -376,6 +381,44 @@ onPage("every mark is in the legend, with how many live now", ["short.html", "#t
   const words = await opened.page.$$eval("header .legend li", (items) => items.map((item) => item.textContent));
   const alive = (species) => rows("short", "agents.csv").filter((row) => row.time_s === "100" && row.species === species).length;
   assert.deepEqual(words, [`prey ${alive("prey")}`, `predator ${alive("predator")}`, "tag +1", "tag -1", "not yet active", "caught", "other death", "becomes active", "selected", "its branch", "trail", "perceives"]);
+});
+
+onPage("page: refuges -> their edges on the floor and their name in the legend", ["refuges.html", "#t=0&view=top"], async (opened) => {
+  assert.ok((await opened.page.locator("header .legend").innerText()).includes("refuge"));
+  const pixels = await opened.pixels("#4a5968");
+  assert.ok(pixels > 300, `${pixels} pixels of edges`);
+});
+
+test("page: curves and phylogeny of a pond in a window of 1280 x 720 -> all in sight, and with a robot selected all within reach", async () => {
+  const small = await browser.with({ viewport: { width: 1280, height: 720 } });
+  const opened = await small.open(at("pond.html"), "#t=500");
+  await opened.until(() => window.trophic.side.plots.speed.plot !== null);
+  /** How many pixels of the parts of the side bar are cut off, where they are or after scrolling to each. */
+  const cutOff = (scrolls) =>
+    opened.evaluate((isScrolled) => {
+      const parts = [...document.querySelectorAll("aside .plot"), document.querySelector("aside .phylogeny")].filter((part) => part.offsetParent !== null);
+      const hidden = (part) => {
+        if (isScrolled) part.scrollIntoView({ block: "nearest" });
+        const own = part.getBoundingClientRect();
+        let [top, bottom] = [own.top, own.bottom];
+        for (let around = part.parentElement; around; around = around.parentElement) {
+          const bounds = around.getBoundingClientRect();
+          if (getComputedStyle(around).overflowY === "visible") continue;
+          top = Math.max(top, bounds.top);
+          bottom = Math.min(bottom, bounds.bottom);
+        }
+        return Math.max(0, Math.round(own.height - (bottom - top)));
+      };
+      return [parts.length, Math.min(...parts.map((part) => part.clientHeight)), ...parts.map(hidden)];
+    }, scrolls);
+  for (const id of [undefined, 3]) {
+    await opened.seek(500, id);
+    const [count, least, ...hidden] = await cutOff(id !== undefined);
+    assert.equal(count, 5); // individuals, energy, tags, speed, phylogeny
+    assert.ok(least > 50, `${least} pixels`);
+    assert.ok(hidden.every((pixels) => pixels === 0), `${hidden} pixels are cut off`);
+  }
+  await leave(opened);
 });
 
 test("in dark surroundings page and world are dark, and turn light again", async () => {
