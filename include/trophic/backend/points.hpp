@@ -117,7 +117,7 @@ class Points {
   Arena arena_;
   double timestep_s_;
   State state_;
-  std::vector<double> paces_ = {};  ///< of each robot; empty if all are 1
+  std::vector<double> paces_ = {};  ///< one per robot; empty if all are 1
 };
 
 }  // namespace trophic::backend

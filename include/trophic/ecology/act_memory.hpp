@@ -44,7 +44,7 @@ class ActMemory {
   }
 
  private:
-  std::vector<double> values_;  ///< of each body, one for each act
+  std::vector<double> values_;  ///< one per body and act
 };
 
 /// With the paper's acts nothing is stored here, because individuals hold their values.

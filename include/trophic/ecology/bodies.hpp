@@ -181,7 +181,7 @@ class Bodies final : public BodyReading {
       !is_neutral<Rules, RuleSlot::pace> || PolicyIn<Rules, RuleSlot::acts>::template contains<control::acts::Effort>;
   static constexpr bool bodies_differ = BodyGenes<Rules>::differ;
   static constexpr int places_on_ring = 16;
-  static constexpr int places_tried = 64;             ///< for a birth
+  static constexpr int places_tried = 64;             ///< for each birth
   static constexpr std::size_t most_ended = 1000;     ///< individuals that may end in a tick before the run ends
   static constexpr std::ptrdiff_t most_replaced = 5;  ///< replacements of one body in a tick before its neighbours are replaced
 
@@ -216,7 +216,7 @@ class Bodies final : public BodyReading {
     std::int64_t step = 0;
     std::vector<Pose> roots = {};
     std::vector<double> joint_angles_rad = {};
-    std::vector<std::size_t> first_angle = {};  ///< of each robot
+    std::vector<std::size_t> first_angle = {};  ///< one per robot
   };
   [[nodiscard]] Poses poses_after(std::int64_t step) const {
     Poses now{.step = step};

@@ -17,7 +17,7 @@ class Census {
 
   [[nodiscard]] std::span<const Individual> all() const { return individuals_; }
   [[nodiscard]] std::size_t bodies() const { return individuals_.size(); }
-  [[nodiscard]] std::span<const std::size_t> members() const { return members_; }  ///< of each species
+  [[nodiscard]] std::span<const std::size_t> members() const { return members_; }  ///< number per species
   [[nodiscard]] const Individual& operator[](BodyIndex body) const { return individuals_[body]; }
   /// The body of an individual; empty if it is dead.
   [[nodiscard]] std::optional<BodyIndex> body_of(IndividualId id) const {

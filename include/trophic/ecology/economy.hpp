@@ -105,7 +105,7 @@ class Economy {
       : rules_{rules}, seed_{seed}, food_{rules, seed, habitat}, flows_(species) {}
 
   [[nodiscard]] const Food<Rules>& food() const { return food_; }
-  [[nodiscard]] std::span<const EnergyFlow> flows() const { return flows_; }  ///< of each species
+  [[nodiscard]] std::span<const EnergyFlow> flows() const { return flows_; }  ///< one per species
 
   /// The initial energy of an individual that no parent endows.
   void endow_from_outside(Individual& newborn) {

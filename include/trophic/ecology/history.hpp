@@ -14,9 +14,9 @@ struct Happening {
   BodyIndex body = 0;
   IndividualId id = 0;
   Species species = 0;
-  Origin origin = Origin::random;          ///< of a newborn
-  std::vector<IndividualId> parents = {};  ///< of a newborn
-  std::optional<Cause> cause = {};         ///< of a death
+  Origin origin = Origin::random;          ///< label, for a birth
+  std::vector<IndividualId> parents = {};  ///< parents, for a birth
+  std::optional<Cause> cause = {};         ///< cause, for a death
   std::optional<IndividualId> killer_or_victim = {};
 };
 

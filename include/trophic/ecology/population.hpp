@@ -48,10 +48,10 @@ class Population {
   }
 
   [[nodiscard]] std::span<const Individual> individuals() const { return census_.all(); }
-  [[nodiscard]] std::span<const std::size_t> members() const { return census_.members(); }  ///< of each species
-  [[nodiscard]] IndividualId next_id() const { return next_id_; }                           ///< of the next newborn
+  [[nodiscard]] std::span<const std::size_t> members() const { return census_.members(); }  ///< number per species
+  [[nodiscard]] IndividualId next_id() const { return next_id_; }                           ///< id of the next newborn
   [[nodiscard]] const Individual& operator[](BodyIndex body) const { return census_[body]; }
-  [[nodiscard]] std::uint64_t seed() const { return seed_; }  ///< of all random numbers of births
+  [[nodiscard]] std::uint64_t seed() const { return seed_; }  ///< seed of all random numbers of births
   [[nodiscard]] const RuleStates<Rules>& states() const { return states_; }
   [[nodiscard]] const Economy<Rules>& economy() const { return economy_; }
 
@@ -249,7 +249,7 @@ class Population {
   Genomes<Rules> genomes_;
   Economy<Rules> economy_;
   Census census_;
-  IndividualId next_id_ = 0;  ///< of the next newborn
+  IndividualId next_id_ = 0;  ///< id of the next newborn
   RuleStates<Rules> states_;
   ActMemory<Rules> acts_;
 };

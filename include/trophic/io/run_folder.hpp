@@ -45,7 +45,7 @@ struct OutputOptions {
 /// run_until. Meanwhile no other program can resume in the folder.
 class RunFolder {
  public:
-  static constexpr std::string_view section = "run_folder";  ///< of a checkpoint
+  static constexpr std::string_view section = "run_folder";  ///< name of its section in a checkpoint
 
   /// Makes the folder at once: see make_new_folder. The manifest has the interval of a thinned agents.csv and, with senses.csv,
   /// the names of the brain's inputs. `states`: `ecology.state_columns()`, for states.csv.

@@ -47,7 +47,7 @@ class Progress {
  public:
   explicit Progress(bool show = stderr_is_terminal()) : show_{show} {}
 
-  static constexpr std::string_view section = "progress";  ///< of a checkpoint
+  static constexpr std::string_view section = "progress";  ///< name of its section in a checkpoint
   template <class Archive>
   void persist(Archive& archive) {
     archive(tally_, gone_s_);

@@ -144,7 +144,7 @@ class SearchTree {
 
   SpatialGrid grid_;
   std::vector<Standing> standing_;  ///< cell by cell
-  std::vector<Level> levels_;       ///< from single cells to one square
+  std::vector<Level> levels_;       ///< from single cells up to one square
 };
 
 }  // namespace trophic
