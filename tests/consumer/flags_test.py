@@ -19,7 +19,9 @@ FAST, DEBUG, ALIGNED, EXCEPTIONS = (
     "-DEIGEN_MAX_ALIGN_BYTES=16 -DEIGEN_MALLOC_ALREADY_ALIGNED=1 and no other",
     "trophic needs exceptions",
 )
-FUSED = "this program was compiled so that it fuses multiplications with additions"  # says the program: no macro is defined
+FUSED = (
+    "this program was compiled so that it fuses multiplications with additions"  # says the program: no macro is defined
+)
 # Flags, the sentence of their refusal by the compiled library and by the headers; none: the run has the same bytes.
 SETS = [
     ("-O0 -march=native -std=gnu++20 -D_GLIBCXX_ASSERTIONS", "", ""),
@@ -84,7 +86,9 @@ def refusal(flags: str, compiled: bool, folder: pathlib.Path, expected: list[byt
     )
     if done.returncode != 0 or expected is None:
         return done.stderr
-    run = subprocess.run([folder / "program", folder / "run"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    run = subprocess.run(
+        [folder / "program", folder / "run"], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
+    )
     if run.returncode != 0:
         return run.stderr
     assert bytes_of(folder / "run") == expected, f"{flags}: other bytes"

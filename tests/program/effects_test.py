@@ -184,11 +184,16 @@ class Changes(Effects):
         options = ["--backend", "kinematic", "--duration", 100]
         self.run_with("origin", {}, *options)
         for change, why in (
-            (("rules.community.predators", 10), "must be given to a new run, with --set rules.community.predators=10, because a run reads it"),
+            (
+                ("rules.community.predators", 10),
+                "must be given to a new run, with --set rules.community.predators=10, because a run reads it",
+            ),
             (("rules.steering.exponent", 3), "must be omitted, because it has no effect: kinematic has no joints"),
         ):
             path, value = change
-            (self.folder / "changes.csv").write_text(f"time_s,number,value\n40,{path},{value}\n98,rules.capture.reach_m,2\n")
+            (self.folder / "changes.csv").write_text(
+                f"time_s,number,value\n40,{path},{value}\n98,rules.capture.reach_m,2\n"
+            )
             refusal = f"{path} = {value}: {why}"
             self.assert_refused(self.call(PREDATOR_PREY, *options, "--changes", "changes.csv", "--out", "run"), refusal)
             branch = ["--from", "origin", "--at", 50, "--set", f"{path}={value}", "--out", "branch"]
