@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What scripts/quickstart compiles: 300 simulated seconds of the paper's rules with 30 robots in MuJoCo, in a new folder, and a page of the run.
+// What scripts/quickstart compiles: 300 simulated seconds of the paper's rules with 30 robots in MuJoCo, in a new folder, and a
+// page of the run.
 #include <exception>
 #include <iostream>
 #include <trophic/rules/paper.hpp>

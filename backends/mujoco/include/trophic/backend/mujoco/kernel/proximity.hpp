@@ -199,7 +199,7 @@ TROPHIC_LANES_INLINE void collide_field(const KernelModel& model, std::size_t in
   std::array<double, 3> centre_m = origin_m;
   for (std::size_t k = 0; k < 3; ++k) centre_m[k] += link.sphere_centre[static_cast<int>(k)][lane];
   if (!std::isfinite(centre_m[0] + centre_m[1] + centre_m[2])) {
-    work.doubtful[lane] = -1;  // MuJoCo says what is wrong with it
+    work.doubtful[lane] = -1;  // MuJoCo reports the error
     return;
   }
   const double highest_m = collider.highest_m(centre_m[0], centre_m[1], radius_m) + gap_m;
@@ -229,7 +229,7 @@ TROPHIC_LANES_INLINE void find_field_contacts(Pack& pack, std::optional<FieldCol
   for (const FieldContact& contact : pack.work.field_contacts) pack.coupled |= 1u << contact.lane;
 }
 
-/// Robots in the step set of one that is not `valid` are not `valid` either.
+/// Robots in the step set of an invalid robot become invalid as well.
 TROPHIC_LANES_INLINE void invalidate_step_sets(Batch& batch) {
   unsigned lost = 0;
   for (std::size_t t = 0; t < batch.pack_count; ++t) lost |= batch.packs[t]->lanes & ~batch.packs[t]->valid;

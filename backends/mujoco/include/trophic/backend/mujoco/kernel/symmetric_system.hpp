@@ -42,7 +42,7 @@ class SymmetricSystem {
     factor_.resize(n_ * stride_);
     solution_.resize(stride_);
     for (std::size_t p = 0; p < n_; ++p) {
-      column(p)[n_] = b[p];  // a row more, so that it is eliminated as well
+      column(p)[n_] = b[p];  // one more row, so that it is eliminated as well
       store_block(factor(p) + block_start(p), Four{});
     }
     for (std::size_t p = 0; p < n_; ++p) {
