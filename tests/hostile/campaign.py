@@ -108,11 +108,7 @@ class Campaign:
         if CONTROL.search(errors) or CONTROL.search(out):
             self.find("control character", *about)
         if code in (1, 2):
-            lines = [
-                line
-                for line in errors.splitlines()
-                if not line.startswith(("all output so far is in", "remark"))
-            ]
+            lines = [line for line in errors.splitlines() if not line.startswith(("all output so far is in", "remark"))]
             if len(lines) != 1:
                 self.find(f"{len(lines)} lines on standard error", *about)
             elif len(lines[0]) > 2000:
