@@ -22,6 +22,18 @@ inline void check_new_file(const std::string& option, const std::filesystem::pat
   throw std::invalid_argument{option + " " + path.string() + ": exists already; files are never overwritten"};
 }
 
+/// A name for a result if --out is left out: that of a file or folder with another ending, in the working folder; with -2, -3,
+/// ... if it is taken.
+[[nodiscard]] inline std::string free_name(const std::filesystem::path& of, const std::string& ending) {
+  const std::filesystem::path whole = std::filesystem::absolute(of).lexically_normal();
+  const std::string stem = (whole.has_filename() ? whole : whole.parent_path()).stem().string();
+  std::string name = stem + ending;
+  for (std::size_t number = 2; std::filesystem::exists(std::filesystem::symlink_status(name)); ++number) {
+    name = stem + "-" + std::to_string(number) + ending;
+  }
+  return name;
+}
+
 /// A number of bytes as "6.2 MB".
 [[nodiscard]] inline std::string megabytes_text(std::size_t bytes) {
   return std::to_string(bytes / 1000000) + "." + std::to_string(bytes / 100000 % 10) + " MB";

@@ -15,7 +15,7 @@ class ActMemory {
   using Acts = PolicyIn<Rules, RuleSlot::acts>;
   using Outputs = std::array<double, Acts::outputs>;
 
-  [[nodiscard]] ActValues values() const { return {.acts = Acts::keys, .values = values_}; }
+  [[nodiscard]] ActValues values() const { return {.acts = Acts::keys, .names = Acts::kept_names, .values = values_}; }
 
   /// Resets the acts of a body to their values before the first decision of a life; adds new bodies.
   void rest(BodyIndex body) {

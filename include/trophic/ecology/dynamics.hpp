@@ -43,7 +43,7 @@ class Dynamics final : public TableSimulation<Rules> {
     return run;
   }
 
-  [[nodiscard]] io::StateColumns state_columns() const override { return io::state_columns(states(), view().robots); }
+  [[nodiscard]] io::StateColumns state_columns() const override { return io::state_columns(states()); }
 
  private:
   void run(double until_s, observe::Audience& audience) override {

@@ -8,7 +8,7 @@
 namespace trophic::io {
 
 /// One row per robot and tick, after that tick's rules: `StateLog log{path, ecology.state_columns()};`.
-/// Columns: time_s, tick, body, id, energy_J in a table with a rule Metabolism, then SLOT.MEMBER for each member of each State of
+/// Columns: time_s, tick, body, id, then SLOT.MEMBER for each member of each State of
 /// the table. Numbers are exact, an Ancestor is its id, a vector's numbers are separated by spaces, and an empty cell means no
 /// value. Only the first four columns exist if no rule has a State.
 class StateLog {

@@ -79,6 +79,8 @@ struct AgentRow {
   std::optional<IndividualId> adversary = {};
   std::optional<double> adversary_distance_m = {};
   std::optional<std::int64_t> hunger_ticks = {};
+  std::optional<double> energy_J = {};
+  NamedNumbers own = {};
 
   static constexpr auto columns() {
     return std::tuple{
@@ -99,7 +101,12 @@ struct AgentRow {
         column("adversary_id", &AgentRow::adversary, "", "the closest perceived member of an opposing species"),
         column("adversary_distance_m", &AgentRow::adversary_distance_m, "m", "distance to that adversary", micro),
         column("hunger_ticks", &AgentRow::hunger_ticks, "ticks",
-               "ticks since birth or the last catch; empty for a species without prey")};
+               "ticks since birth or the last catch; empty for a species without prey"),
+        column("energy_J", &AgentRow::energy_J, "J", "energy of the individual; only with a rule Metabolism",
+               {.decimals = 6, .if_any = true}),
+        named_columns(
+            "", &AgentRow::own,
+            "a heritable trait by its name, as sight_m, or an act of the last decision other than turn and tag, as rest")};
   }
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <span>
+#include <string_view>
 #include <trophic/population/individual.hpp>
 
 namespace trophic {
@@ -23,8 +24,9 @@ concept KeptByIndividual = requires(const Individual& self) {
 
 /// The values of acts at the last decision of each body; empty in a table whose robots only turn and choose a tag.
 struct ActValues {
-  std::span<const char* const> acts = {};  ///< `&detail::act_key<Act>` of each act
-  std::span<const double> values = {};     ///< one per body and act
+  std::span<const char* const> acts = {};        ///< `&detail::act_key<Act>` of each act
+  std::span<const std::string_view> names = {};  ///< of each act; empty for one that an individual keeps
+  std::span<const double> values = {};           ///< one per body and act
 
   /// The value of an act, or its default in a table without it.
   template <class Act>

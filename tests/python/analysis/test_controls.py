@@ -119,6 +119,11 @@ def test_the_papers_questions_are_answered_under_the_readings_that_the_world_can
     assert {effect.reading.metric.group for effect in answer.effects} == {"active"}
     assert answer.effects[0].null == "one_sided" and str(answer) == "yes, they move away faster"
     assert answer.shown.difference.value == pytest.approx(-0.05, abs=0.002)
+    for run in made.runs:
+        run.manifest["rule_table"] = "pond"
+    assert published.answers(made, judge.summarize(made)) == []  # a world of its own
+    for run in made.runs:
+        run.manifest["rule_table"] = "paper with metabolism = fixed_gains"
     made.one_sided = {}
     assert published.answers(made, judge.summarize(made)) == []
 

@@ -190,6 +190,7 @@ def read_set(
 
     found = measured(pooled, remarks)
     found.inherited, found.planned = inherited, sum(map(planned_in, folders))
+    found.own = frozenset([*(one.name for one in how.functions), *(one.column for one in how.columns)])  # type: ignore[union-attr]
     for name, (its_runs, its_remarks) in nulls.items():
         if species := one_sided_species(name):
             found.one_sided[species] = measured(its_runs, its_remarks)

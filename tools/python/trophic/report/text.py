@@ -118,28 +118,42 @@ def _inconclusive(frame: pandas.DataFrame, head: Sequence[str], cells: Any) -> s
     return columns(lines, "  ") + more + _INCONCLUSIVE
 
 
+_HEAD = ["ours [95 %]", "null", "its mean", "runs", "ours - null [95 %]"]
+
+
+def _cells(row: Any) -> list[str]:
+    """What _HEAD names."""
+    reading = Reading(_metric(row))
+    return [
+        reading.of(estimate_of(row)),
+        NULLS.get(row.null, row.null),
+        reading(row.null_mean),
+        judge.runs_of(row),
+        reading.with_interval(row.difference, judge.interval_of_row(row), True),
+    ]
+
+
+def _own(of: MeasuredSet, frame: pandas.DataFrame) -> str:
+    """The metrics of one's own with their nulls, whatever their p; none without one."""
+    rows = [row for row in frame.itertuples(index=False) if row.metric in of.own and row.role in ("null", "")]
+    lines = [["yours", *_HEAD, "p", ""]]
+    for row in rows:
+        tested = _cells(row) if row.role else [Reading(_metric(row)).of(estimate_of(row)), "", "", "", ""]
+        lines.append([metric_title(_metric(row)), *tested, p_text(row.p_holm) if row.role else "", _conclusion(row)])
+    return columns(lines, "  ") if rows else ""
+
+
 def findings(of: MeasuredSet, frame: pandas.DataFrame) -> str:
-    """The findings about a set, then the inconclusive comparisons of the smallest p values. The whole table if the set has no null of runs or nothing
-    was tested."""
+    """The metrics of one's own, the findings about a set, then the inconclusive comparisons of the smallest p values. The whole table if the set has no
+    null of runs or nothing was tested."""
     if not of.nulls or judge.count(frame).comparisons == 0:
         return table(of, frame)
-
-    def cells(row: Any) -> list[str]:
-        reading = Reading(_metric(row))
-        return [
-            reading.of(estimate_of(row)),
-            NULLS.get(row.null, row.null),
-            reading(row.null_mean),
-            judge.runs_of(row),
-            reading.with_interval(row.difference, judge.interval_of_row(row), True),
-        ]
-
-    head = ["ours [95 %]", "null", "its mean", "runs", "ours - null [95 %]"]
     return (
-        _heading(of, frame)
+        _own(of, frame)
+        + _heading(of, frame)
         + _answers(of, frame)
         + findings_text(frame, judge.MOST_FINDINGS)
-        + _inconclusive(frame, head, cells)
+        + _inconclusive(frame, _HEAD, _cells)
         + _too_few(of)
     )
 
