@@ -108,11 +108,7 @@ class Campaign:
         if CONTROL.search(errors) or CONTROL.search(out):
             self.find("control character", *about)
         if code in (1, 2):
-            lines = [
-                line
-                for line in errors.splitlines()
-                if not line.startswith(("everything written so far is in", "remark"))
-            ]
+            lines = [line for line in errors.splitlines() if not line.startswith(("all output so far is in", "remark"))]
             if len(lines) != 1:
                 self.find(f"{len(lines)} lines on standard error", *about)
             elif len(lines[0]) > 2000:
@@ -591,7 +587,7 @@ def verbs_of(campaign, folder):
     """All commands of trophic, by its own list, but for the experiment programs."""
     text = campaign.ok(campaign.program("trophic"), "--help", cwd=folder)
     own = re.findall(r"^  ([a-z][a-z-]+)  ", text.split("\nCommands:\n")[1], re.M)
-    other = re.search(r"^Programs of their own, with --help: (.*)$", text, re.M)[1].split(", ")
+    other = re.search(r"^Further commands, each with its own --help: (.*)$", text, re.M)[1].split(", ")
     return [verb for verb in [*own, *other] if not (campaign.bin / f"trophic-{verb}").exists() or verb in IN_PYTHON]
 
 

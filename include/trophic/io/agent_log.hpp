@@ -10,7 +10,7 @@ namespace trophic::io {
 
 namespace detail {
 
-/// The traits and acts of the individual that lives in a body; names alone for a spare body.
+/// The traits and acts of the individual that lives in a body; only names for a spare body.
 [[nodiscard]] inline NamedNumbers own_numbers(const View& view, BodyIndex body) {
   NamedNumbers own{.names = {view.traits.begin(), view.traits.end()}, .values = {}};
   if (view.robots[body].genome) own.values = view.robots[body].genome->traits;

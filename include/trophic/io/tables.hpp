@@ -104,9 +104,9 @@ struct AgentRow {
                "ticks since birth or the last catch; empty for a species without prey"),
         column("energy_J", &AgentRow::energy_J, "J", "energy of the individual; only with a rule Metabolism",
                {.decimals = 6, .if_any = true}),
-        named_columns(
-            "", &AgentRow::own,
-            "a heritable trait by its name, as sight_m, or an act of the last decision other than turn and tag, as rest")};
+        named_columns("", &AgentRow::own,
+                      "a heritable trait by its name, such as sight_m, or an act of the last decision other than turn and tag, "
+                      "such as rest")};
   }
 };
 

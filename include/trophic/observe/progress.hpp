@@ -151,7 +151,7 @@ class Progress {
   Stopwatch watch_;
   double drawn_s_ = 0.0;
   Tally tally_;
-  std::vector<double> gone_s_;  ///< since when each species has no member; negative while it has one
+  std::vector<double> gone_s_;  ///< time since which each species has no member; negative while it has members
 };
 
 }  // namespace trophic::observe

@@ -98,7 +98,7 @@ class Archive {
   template <class T>
   void exchange(T& value) {
     static_assert(Savable<T>,
-                  "what is saved must be a number, an enumeration, an optional, vector or array of such, or a struct that lists "
+                  "a saved value must be a number, an enumeration, an optional, vector or array of these, or a struct that lists "
                   "every member in saved() or fields(); see trophic/params/archive.hpp");
     if constexpr (Savable<T>) exchange_savable(value);
   }
@@ -220,7 +220,7 @@ class Archive {
     }
     require(number <= shared_.size() + 1, "a reference to a missing object");
     if (number <= shared_.size()) {
-      require(shared_type_[number - 1] == type_of<T>(), "a reference to an object of another type");
+      require(shared_type_[number - 1] == type_of<T>(), "a reference to an object of a different type");
       value = std::static_pointer_cast<T>(shared_[number - 1]);
       return;
     }

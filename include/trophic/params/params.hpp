@@ -61,7 +61,7 @@ struct FieldText {
   Read read = Read::at_any_tick;
 };
 
-/// One named member of a Params struct. `field(...).read_at_start()` says when a run reads it; without, at any tick.
+/// One named member of a Params struct. `field(...).read_at_start()` declares when a run reads it; the default is at any tick.
 template <class Owner, class T>
 struct Field : FieldText {
   T Owner::*member;

@@ -123,8 +123,8 @@ template <class Policy>
 template <class Policy>
 struct CheckHeld {
   static_assert(!std::is_class_v<Policy> || holds_params_only<Policy>(),
-                "a sensor, or a policy in another policy, has data outside `Params params;`: its parameters are a struct Params "
-                "in a member params, and what changes is in a State; see trophic/params/policy.hpp");
+                "a sensor, or a policy in another policy, has data outside `Params params;`: parameters belong in `Params "
+                "params;`, changing data in a State; see trophic/params/policy.hpp");
   static_assert(params_are_constant<Policy>(),
                 "a sensor, or a policy in another policy, has mutable parameters: what changes is in a State; see "
                 "trophic/params/policy.hpp");

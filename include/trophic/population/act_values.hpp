@@ -25,7 +25,7 @@ concept KeptByIndividual = requires(const Individual& self) {
 /// The values of acts at the last decision of each body; empty in a table whose robots only turn and choose a tag.
 struct ActValues {
   std::span<const char* const> acts = {};        ///< `&detail::act_key<Act>` of each act
-  std::span<const std::string_view> names = {};  ///< of each act; empty for one that an individual keeps
+  std::span<const std::string_view> names = {};  ///< one per act; empty for an act that is stored in the individual
   std::span<const double> values = {};           ///< one per body and act
 
   /// The value of an act, or its default in a table without it.

@@ -49,7 +49,7 @@ struct NamedCauses {
   if (const auto found = std::ranges::find(own, name); found != own.end()) return static_cast<Cause>(found - own.begin());
   if (!is_cause_name(name)) {
     throw std::invalid_argument{"cause of death \"" + std::string{name.substr(0, 40)} +
-                                "\": must be 1 to 40 small letters, digits and underscores"};
+                                "\": must be 1 to 40 lower-case letters, digits and underscores"};
   }
   detail::NamedCauses& all = detail::named_causes();
   const std::lock_guard lock{all.mutex};

@@ -30,7 +30,7 @@ inline void check_manifest(const std::filesystem::path& folder, const Json& mani
     if (there != manifest.end() && *there == ours) return;
     throw std::invalid_argument{(folder / "manifest.json").string() + ": " + key + " = " +
                                 (there == manifest.end() ? "nothing" : json_text(*there)) + ": must be " + json_text(ours) +
-                                ", as of the run that is to be resumed"};
+                                ", as in the run to resume"};
   };
   check("fingerprint", run.fingerprint);
   check("seed", run.seed);

@@ -93,7 +93,7 @@ struct TouchingLinks {
   double mu = 0.0;
   double inverse_weight_per_kg = 0.0;
   std::size_t contacts = 0;
-  std::size_t first = none;  ///< four of them, which know the next four
+  std::size_t first = none;  ///< four of them, with the index of the next four
   std::size_t last = none;
 
   /// Whether both are links of one robot.

@@ -85,9 +85,8 @@ TROPHIC_LANES_INLINE void move_eliminated(Pack& pack) {
 /// Minimises the cost of the robots that are `coupled`, as `trial` of links and hinges; that of the others is unchanged. Robots
 /// that do not converge become invalid.
 ///
-/// Full Newton steps until the active rows stay the same, at first with those of planes active last and those of links at
-/// the last acceleration. An island whose rows keep changing
-/// needs MuJoCo's line search.
+/// Takes full Newton steps until the active rows stay the same, starting from the rows of planes that were active last and those
+/// of links at the last acceleration. An island whose rows keep changing needs MuJoCo's line search.
 TROPHIC_LANES_INLINE void minimise_islands(Batch& batch) {
   constexpr int most_steps = 12;
   find_islands(batch);

@@ -124,7 +124,7 @@ class ModelReader {
     return m_.nu == m_.njnt - 1 && std::ranges::count(servo_of_, -1) == 1 && servo_of_[0] == -1;
   }
 
-  /// Whether softness numbers are those of the first call, and of power 2.
+  /// Whether the softness parameters equal those of the first call and have power 2.
   [[nodiscard]] bool same_law(const mjtNum* solref, const mjtNum* solimp) {
     if (solref_ == nullptr) {
       solref_ = solref;

@@ -26,7 +26,7 @@ TROPHIC_LANES_INLINE void place_centres(const LaneModel& model, Workspace& work)
   }
 }
 
-/// A box of the robot in a lane, from the origin of the robot's root; computed once a stage.
+/// A box of the robot in a lane, from the origin of the robot's root; computed once per stage.
 [[nodiscard]] TROPHIC_LANES_INLINE const PlacedBox& placed_box(const KernelModel& model, const LinkWork& link, std::size_t box,
                                                                std::size_t lane, Workspace& work) {
   const std::size_t slot = lane * model.boxes.size() + box;
@@ -91,7 +91,7 @@ TROPHIC_LANES_INLINE void collide_boxes(Batch& batch) {
   }
 }
 
-/// Appends two boxes, written where they stay: a copy would wait for what was just stored.
+/// Appends two boxes, written in place because a copy would wait for the previous store.
 TROPHIC_LANES_INLINE void add_near(const BoxOf& a, const BoxOf& b, const Point3& apart_m, Batch& batch) {
   NearBoxes& near = batch.near_boxes.emplace_back();
   near.of[0] = a;
@@ -120,7 +120,8 @@ TROPHIC_LANES_INLINE void collide_links(const BoxOf& a, const BoxOf& b, const Po
   }
 }
 
-/// Contacts of links of one robot that MuJoCo would collide: spheres around links, then around boxes, of all robots at once.
+/// Contacts between links of one robot that MuJoCo would collide: tests spheres around links, then around boxes, of all robots at
+/// once.
 TROPHIC_LANES_INLINE void collide_own_links(Batch& batch, std::size_t index, unsigned lanes) {
   const LaneModel& model = batch.packs[index]->model;
   Workspace& work = batch.packs[index]->work;
@@ -145,7 +146,7 @@ TROPHIC_LANES_INLINE void collide_own_links(Batch& batch, std::size_t index, uns
   }
 }
 
-/// Contacts of the robots in two lanes: spheres around robots, around links, then boxes.
+/// Contacts of the robots in two lanes: tests spheres around robots, around links, then boxes.
 TROPHIC_LANES_INLINE void collide_robots(Batch& batch, const LaneIndex& a, const LaneIndex& b) {
   const Pack& pack_a = batch.pack(a);
   const Pack& pack_b = batch.pack(b);

@@ -105,8 +105,8 @@ TROPHIC_LANES_INLINE void search_line(const LaneModel& model, Workspace& work, c
   for_each_contact(model, work, MoveContact{model.shape().friction, &changed, &along});
 }
 
-/// The rows last active: of a corner those when it last touched the plane, all where it has not, and all joint limits that
-/// are passed.
+/// The rows that were active last: for each corner those of its last contact with the plane, or all if it had none, and all
+/// exceeded joint limits.
 TROPHIC_LANES_INLINE void recall_rows(Workspace& work) {
   for (std::size_t c = 0; c < work.contact_count; ++c) {
     ContactWork& contact = work.contacts[c];
