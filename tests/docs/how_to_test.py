@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""how_to_test.py ROOT PROGRAMS: the how-tos hold what they promise, at their printed length or a shorter one: an arena in which prey are caught, a robot
-that walks ahead, a sweep that compares, a metric of one's own first on the screen. CMake compiles their C++."""
+"""how_to_test.py ROOT PROGRAMS MY_EXPERIMENT: the how-tos hold what they promise, at their printed length or a shorter one: an arena in which prey
+are caught, a robot that walks ahead, a sweep that compares, a metric of one's own first on the screen, and the commands of the first research questions
+with six replicates. CMake compiles their C++. MY_EXPERIMENT is the program of my-program.md."""
 
 import csv
 import os
@@ -69,11 +70,38 @@ def main() -> int:
             "--out",
             "analysis/tables",
         )
+        first_questions()
         for document in ("read-in-pandas", "a-null-for-my-metric", "a-living-world"):
             for code in blocks(document, "python"):
                 if PYTHON:
                     run(PYTHON, "-c", code)
     return 0
+
+
+def first_questions() -> None:
+    """Every command of the page with six replicates, without the pond of 600 s: the pilot states how many runs it needs, and a long reach costs
+    the pond its predators."""
+    programs = {name: str(PROGRAMS / name) for name in ("trophic", "trophic-predator-prey", "trophic-worlds")}
+    programs["my_experiment"] = str(pathlib.Path(sys.argv[3]).resolve())
+    said, commands = "", 0
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for block in parse(ROOT / "docs/first-questions.md").blocks:
+            if block.language == "toml":
+                short = re.sub(r"replicates = \d+", "replicates = 6", block.code)
+                if block.note[1] != "reach.toml":
+                    short = re.sub(r"\[set\]\n.*\n", "", short) + "\n[set]\necology.duration_s = 600.0\n"
+                (folder / block.note[1]).write_text(short)
+            for line in block.code.splitlines() if block.language == "text" else []:
+                words = [programs.get(word, word) for word in line.split()]
+                done = subprocess.run(words, cwd=folder, capture_output=True, text=True)
+                assert done.returncode == 0, f"{line}: {done.stderr}"
+                said, commands = said + done.stdout, commands + 1
+        assert commands == 11, commands
+        assert re.search(r"needs \d+ replicates a cell", said), said
+        with open(folder / "analysis/reach/sweep_metrics.csv") as file:
+            rows = [row for row in csv.DictReader(file) if (row["metric"], row["species"]) == ("persists", "predator")]
+        assert float(rows[0]["mean"]) == 1.0 and float(rows[2]["mean"]) < 1.0, rows
 
 
 def arena(folder: pathlib.Path, run) -> None:

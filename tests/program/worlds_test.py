@@ -318,7 +318,10 @@ class Worlds(InFolder):
             self.number = getattr(self, "number", 0) + 1
             folder = self.folder / str(self.number)
             options = ("--duration", 1000, "--replay-hz", 0, "--out", folder, *words)
-            self.run_ok(WORLDS, "--rules", rules, "--backend", "kinematic", *options)
+            said = self.run_ok(WORLDS, "--rules", rules, "--backend", "kinematic", *options).stdout
+            most = int(re.search(r"^writes  agents.csv, up to about (\d+) MB in an hour", said, re.M)[1])
+            grown = (folder / "agents.csv").stat().st_size / 1e6 * 3600 / 1000
+            self.assertTrue(most / 10 < grown < most, (grown, said))
             return [pandas.read_csv(folder / f"{table}.csv").query("tick > 0") for table in ("events", "agents")]
 
         def parents_active(events):

@@ -3,10 +3,13 @@
 #include <cstdlib>
 #include <set>
 #include <tools/changes/change.hpp>
+#include <trophic/io/own_table.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/whole_file.hpp>
 
 namespace trophic::changes {
+
+static_assert(io::is_run_table(file_name));
 
 namespace detail {
 

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Definitions of changing_simulation.hpp.
 #include <exception>
-#include <set>
 #include <tools/changes/changing_simulation.hpp>
 #include <tools/changes/may_follow.hpp>
-#include <trophic/ecology/describe.hpp>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/params/named_params.hpp>
 
 namespace trophic::changes {
 
 namespace detail {
-
 /// The value of a number as text.
 [[nodiscard]] inline std::string value_in(const observe::RunDescription& run, const std::string& number) {
   const auto found = std::ranges::find(run.named_params, number, &NamedParam::path);
@@ -120,16 +117,6 @@ observe::RunDescription ChangingSimulation::describe(double until_s) const {
   observe::RunDescription run = first_;
   run.until_s = until_s;
   run.changes = made_;
-  std::set<std::string_view> seen;
-  const auto remark_on = [&](const std::string& number, double time_s) {
-    if (!seen.insert(number).second) return;
-    const bool needs_joints = !backend().has_joints() && acts_through_joints(number);
-    if (!needs_joints && !acts_at_start(number)) return;
-    run.remarks.push_back(number + ": its change at " + number_text(time_s) + " s has no effect, because it acts " +
-                          (needs_joints ? "through joints, which " + run.backend + " lacks" : "only at the start of a run"));
-  };
-  for (const observe::ParameterChange& row : made_) remark_on(row.number, row.time_s);
-  for (const Change& change : schedule_) remark_on(change.number, change.time_s);
   return run;
 }
 
@@ -236,7 +223,11 @@ bool ChangingSimulation::are_scheduled(const std::vector<observe::ParameterChang
 
 /// The ecology of the parameters after changes of these values, at its start.
 std::unique_ptr<Simulation> ChangingSimulation::changed(Values values, std::span<const Change> more) const {
-  for (const Change& change : more) values[change.number] = change.value;
+  for (const Change& change : more) {
+    const auto param = std::ranges::find(first_.named_params, change.number, &NamedParam::path);
+    if (param != first_.named_params.end() && change.number.starts_with("rules.")) check_acts_later(*param, change.value);
+    values[change.number] = change.value;
+  }
   std::vector<Change> all;
   for (const auto& [number, value] : values) all.push_back({.number = number, .value = value});
   std::unique_ptr<Simulation> ecology = make_(all);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Output of a program: it arrives, or its loss is an error.
+// Output of a program whose loss is an error.
 #pragma once
 
 #include <cstddef>
@@ -22,8 +22,8 @@ inline void check_new_file(const std::string& option, const std::filesystem::pat
   throw std::invalid_argument{option + " " + path.string() + ": exists already; files are never overwritten"};
 }
 
-/// A name for a result if --out is left out: that of a file or folder with another ending, in the working folder; with -2, -3,
-/// ... if it is taken.
+/// A default for --out: the name of a file or folder with a different ending, in the working folder, followed by -2, -3, ... if
+/// it is taken.
 [[nodiscard]] inline std::string free_name(const std::filesystem::path& of, const std::string& ending) {
   const std::filesystem::path whole = std::filesystem::absolute(of).lexically_normal();
   const std::string stem = (whole.has_filename() ? whole : whole.parent_path()).stem().string();

@@ -61,7 +61,9 @@ namespace detail {
 }
 
 /// The parameters of a table on a backend as a configuration file.
-[[nodiscard]] inline int print_config(const std::string& table, const std::string& backend, const NamedParams& named_params) {
+[[nodiscard]] inline int print_config(const std::string& table, const std::string& backend, NamedParams named_params) {
+  for (NamedParam& param : named_params)
+    if (param.path.starts_with("rules.")) param.help += std::string{changes::when_read(param.read)};
   TomlWriter writer;
   writer.put("rule_table", table);
   writer.put("engine", backend);
@@ -170,17 +172,19 @@ inline void check_same_changes(const ExperimentOptions& options, const std::file
                                                 folder.string() + " has no changes.csv"};
 }
 
-/// Makes the past of runs that begin at a moment. Returns false if a signal came before it was made.
-[[nodiscard]] inline bool make_snapshot(const checkpoint::Snapshot& snapshot, const OriginRun& origin) {
+/// Makes the past of runs that begin at a moment. Returns false if a signal came before it was made. Throws
+/// std::invalid_argument if `first`, the ecology of such a run, cannot begin there.
+[[nodiscard]] inline bool make_snapshot(const checkpoint::Snapshot& snapshot, const OriginRun& origin, Simulation& first) {
   std::cout << snapshot.folder.string() << ": making the snapshot, " << origin.moment.run.string() << " until "
             << number_text(origin.moment.at_s) << " s" << std::endl;
-  return origin.make(snapshot.folder);
+  if (!origin.make(snapshot.folder)) return false;
+  checkpoint::check_begins(snapshot, first);
+  return true;
 }
 
 /// The state from which the run of the options starts; `nullopt` if a signal came before its past was made.
-[[nodiscard]] inline std::optional<checkpoint::RunState> run_state_for(const ExperimentOptions& options,
-                                                                       const Simulation& ecology, double until_s,
-                                                                       const std::optional<OriginRun>& origin) {
+[[nodiscard]] inline std::optional<checkpoint::RunState> run_state_for(const ExperimentOptions& options, Simulation& ecology,
+                                                                       double until_s, const std::optional<OriginRun>& origin) {
   const observe::RunDescription run = ecology.describe(until_s);
   const checkpoint::Schedule schedule = schedule_of(options);
   if (!options.changes.empty()) check_same_changes(options, options.out);  // else the checkpoint has them
@@ -192,10 +196,18 @@ inline void check_same_changes(const ExperimentOptions& options, const std::file
   }
   checkpoint::SnapshotFolder room{snapshot};
   if (!options.resume) io::check_new_folder(options.out);
-  if (checkpoint::needs_snapshot(options.out, run.until_s) && !make_snapshot(snapshot, *origin)) return std::nullopt;
+  if (checkpoint::needs_snapshot(options.out, run.until_s) && !make_snapshot(snapshot, *origin, ecology)) return std::nullopt;
   auto run_state = checkpoint::run_state_in(options.out, run, snapshot, schedule);
   room.clear();
   return run_state;
+}
+
+/// How fast agents.csv grows, a line.
+[[nodiscard]] inline std::string growth(const View& view, std::uint64_t every_ticks) {
+  constexpr double bytes_a_row = 90.0;  // measured in ponds, wolf_sheep and paper
+  const double rows_an_hour = static_cast<double>(view.robots.size()) * 3600.0 / (view.tick_s * static_cast<double>(every_ticks));
+  return "writes  agents.csv, up to about " + number_text(std::ceil(bytes_a_row * rows_an_hour / 1e6)) +
+         " MB in an hour of the ecology's clock" + (every_ticks == 1 ? "; --agents-every 10: a tenth" : "");
 }
 
 /// Runs an ecology into the folder that the options name and returns the exit code. `live`: null without --live.
@@ -208,6 +220,7 @@ inline void check_same_changes(const ExperimentOptions& options, const std::file
   if (options.states && ecology.state_columns().columns.empty()) {
     std::cout << "states  none: no rule in this table has a State, so states.csv lists only the robots\n";
   }
+  if (run_state.opening() == Opening::created) std::cout << growth(ecology.view(), options.agents_every) << std::endl;
   observe::Progress progress;
   try {
     if (run_state.begins) {
@@ -297,7 +310,7 @@ int run_once(const ExperimentOptions& options, AnyExperiment& experiment, const 
     plan.snapshot = snapshot_of(options, *origin, make(plan.master_seed)->describe(until_s));
     if (needs_snapshot(plan, nulls, until_s) || checkpoint::SnapshotFolder::exists(*plan.snapshot)) room.emplace(*plan.snapshot);
     if (!options.resume) io::check_new_folder(options.out);
-    if (needs_snapshot(plan, nulls, until_s) && !make_snapshot(*plan.snapshot, *origin)) return stopped;
+    if (needs_snapshot(plan, nulls, until_s) && !make_snapshot(*plan.snapshot, *origin, *make(plan.master_seed))) return stopped;
   }
   std::vector<replicates::SetOfRuns> sets{{Null::none, make}};
   for (const Null& null : nulls) {

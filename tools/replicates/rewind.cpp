@@ -149,6 +149,13 @@ RunState run_state_in(const std::filesystem::path& folder, const observe::RunDes
   return {.complete = false, .from = std::move(moment), .remark = std::move(remark), .begins = true};
 }
 
+void check_begins(const Snapshot& snapshot, Simulation& ecology) {
+  const Checkpoint moment = read_last(snapshot.folder);
+  Archive archive{moment.section(ecology_section)};
+  ecology.persist(archive);
+  archive.finish();
+}
+
 void begin_at(RunState& run_state, const Moment& moment, Simulation& ecology, io::Manifest& manifest, const Parts& parts) {
   restore_any(*run_state.from, ecology, parts);
   Moment reached = moment;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rules that can never act in a world, by their parameters.
+// Finds rules that can never act in a world because of their parameters.
 #pragma once
 
 #include <trophic/ecology/experiment.hpp>
@@ -11,7 +11,7 @@ namespace trophic {
 
 namespace detail {
 
-/// Calls `add` with the sentences of a rule, of its parts, and of the rule of each species.
+/// Calls `add` with the sentences of a rule, of its parts, and of each species' rule.
 template <class P, class Add>
 void for_each_idle(const P& rule, const Outset& outset, const Add& add) {
   if constexpr (!std::same_as<AnswersForSpecies<P>, P>) {
@@ -32,7 +32,7 @@ void for_each_idle(const P& rule, const Outset& outset, const Add& add) {
   }
 }
 
-/// Predators below their minimum get every prey above the floor, so none is left to be caught.
+/// Predators below their minimum get every prey above the floor, so no prey is left to be caught.
 template <class Rules>
 [[nodiscard]] std::string idle_captures(const Policies<Rules>& rules, const Outset& outset) {
   if constexpr (requires { rules.minimum_predators.params.below; } && is_neutral<Rules, RuleSlot::recruitment>) {
@@ -42,7 +42,7 @@ template <class Rules>
     if (floor + below >= outset.robots)
       return "rules.floor.floor = " + std::to_string(floor) + " and rules.minimum_predators.below = " + std::to_string(below) +
              ": with " + std::to_string(outset.robots) +
-             " robots every prey above the floor is sacrificed, and none is left to be caught";
+             " robots every prey above the floor is sacrificed, so no prey is left to be caught";
   }
   return {};
 }
@@ -64,8 +64,8 @@ void add_idle_births(const Policies<Rules>& rules, const Outset& outset, std::ve
 
 }  // namespace detail
 
-/// A sentence for each rule that can never act in a world, by the rules themselves (population/outset.hpp) and by the parameters
-/// of two rules together.
+/// A sentence for each rule that can never act in a world, from the rules themselves (population/outset.hpp) and from the
+/// parameters of two rules together.
 template <class Rules>
 [[nodiscard]] std::vector<std::string> idle_rules(const Policies<Rules>& rules, const Arena& arena, std::size_t robots) {
   const std::size_t spare = reproduction::ask::spare_bodies(rules.recruitment);

@@ -10,7 +10,7 @@ namespace trophic::io {
 
 namespace detail {
 
-/// The traits and acts of the individual that lives in a body; names alone for a spare body.
+/// The traits and acts of the individual that lives in a body; only names for a spare body.
 [[nodiscard]] inline NamedNumbers own_numbers(const View& view, BodyIndex body) {
   NamedNumbers own{.names = {view.traits.begin(), view.traits.end()}, .values = {}};
   if (view.robots[body].genome) own.values = view.robots[body].genome->traits;
@@ -24,7 +24,7 @@ namespace detail {
 
 }  // namespace detail
 
-/// The row of the individual that lives in a body now.
+/// The row of the individual that currently lives in a body.
 [[nodiscard]] inline AgentRow agent_row(const View& view, BodyIndex body) {
   const Individual& self = view.robots[body];
   const GroundPose& pose = view.poses[body];
@@ -52,8 +52,8 @@ class AgentLog {
  public:
   static constexpr std::string_view file_name = "agents.csv";
 
-  /// Throws std::invalid_argument unless `every_ticks` >= 1. With `Opening::resumed` `persist` comes next: the file continues
-  /// with the interval that it began with.
+  /// Throws std::invalid_argument unless `every_ticks` >= 1. With `Opening::resumed`, call `persist` next: the file keeps its
+  /// original interval.
   explicit AgentLog(const std::filesystem::path& path, Opening opening = Opening::created, std::int64_t every_ticks = 1)
       : every_ticks_{checked(every_ticks)}, file_{path, std::nullopt, opening} {}
 

@@ -16,7 +16,7 @@ namespace trophic::io {
   return list + ']';
 }
 
-/// events.csv: one row per event, in the order in which they happened.
+/// events.csv: one row per event, in chronological order.
 struct EventRow {
   double time_s = 0.0;
   std::int64_t tick = 0;
@@ -104,13 +104,13 @@ struct AgentRow {
                "ticks since birth or the last catch; empty for a species without prey"),
         column("energy_J", &AgentRow::energy_J, "J", "energy of the individual; only with a rule Metabolism",
                {.decimals = 6, .if_any = true}),
-        named_columns(
-            "", &AgentRow::own,
-            "a heritable trait by its name, as sight_m, or an act of the last decision other than turn and tag, as rest")};
+        named_columns("", &AgentRow::own,
+                      "a heritable trait by its name, such as sight_m, or an act of the last decision other than turn and tag, "
+                      "such as rest")};
   }
 };
 
-/// Outcome of the tag that a brain wanted: the robot showed it already, shows it from now on, or the rules denied it.
+/// Outcome of the tag that a brain chose: the robot showed it already, shows it from now on, or the rules denied it.
 enum class TagOutcome { kept, switched, denied };
 [[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(TagOutcome) {
   return {"kept", "switched", "denied"};
@@ -211,8 +211,8 @@ struct TaxonRow {
   }
 };
 
-/// genomes.csv: one row per birth. If genomes are shared, a later row of the same genome_id holds the weights that all of its
-/// individuals have from then on.
+/// genomes.csv: one row per birth. If genomes are shared, a later row with the same genome_id has the new weights of all its
+/// individuals.
 struct GenomeRow {
   IndividualId id = 0;
   std::uint64_t genome = 0;
@@ -235,7 +235,7 @@ enum class GenomePart { brain, gait, body };
   return {"brain", "gait", "body"};
 }
 
-/// genes.csv: one row per gene of every newborn, of the parts that are not in genomes.csv.
+/// genes.csv: one row per gene of every newborn, for the parts that are not in genomes.csv.
 struct GeneRow {
   IndividualId id = 0;
   GenomePart part = GenomePart::brain;

@@ -9,7 +9,7 @@
 
 namespace trophic::observe {
 
-/// Prints remarks to stderr, each once in a program: replicates, nulls and planned runs share theirs.
+/// Prints remarks to stderr, each once per program, because replicates, nulls and planned runs share them.
 inline void print_remarks(const std::vector<std::string>& remarks) {
   static std::set<std::string> printed;
   for (const std::string& remark : remarks)

@@ -26,7 +26,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// A duration for readers: "45 s", "3 min 20 s", "2 h 5 min".
+/// A human-readable duration: "45 s", "3 min 20 s", "2 h 5 min".
 [[nodiscard]] inline std::string duration_text(double seconds) {
   const auto whole = static_cast<long long>(std::llround(seconds));
   if (whole < 60) return std::to_string(whole) + " s";
@@ -34,7 +34,7 @@ class Stopwatch {
   return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
 }
 
-/// A number with one decimal, or none from 100 on.
+/// A number with one decimal, or without decimals from 100 on.
 [[nodiscard]] inline std::string short_text(double number) {
   std::string text(32, '\0');
   text.resize(static_cast<std::size_t>(std::snprintf(text.data(), text.size(), number < 100.0 ? "%.1f" : "%.0f", number)));
@@ -47,7 +47,7 @@ class Progress {
  public:
   explicit Progress(bool show = stderr_is_terminal()) : show_{show} {}
 
-  static constexpr std::string_view section = "progress";  ///< of a checkpoint
+  static constexpr std::string_view section = "progress";  ///< name of its section in a checkpoint
   template <class Archive>
   void persist(Archive& archive) {
     archive(tally_, gone_s_);
@@ -80,7 +80,8 @@ class Progress {
   void on_end(const View&) { clear(); }
   void on_failure(std::string_view) { clear(); }
 
-  /// Simulated over wall time, births, deaths by cause, living individuals, species that died out.
+  /// Prints the ratio of simulated to wall time, the engine's remarks, births, deaths by cause, living individuals, and species
+  /// that died out.
   void summary(std::ostream& out, const View& view) const {
     const double wall_s = watch_.elapsed_s();
     const double simulated_s = (view.time_s - from_s_) * run_.clock_scale;
@@ -150,7 +151,7 @@ class Progress {
   Stopwatch watch_;
   double drawn_s_ = 0.0;
   Tally tally_;
-  std::vector<double> gone_s_;  ///< since when each species has no member; negative while it has one
+  std::vector<double> gone_s_;  ///< time since which each species has no member; negative while it has members
 };
 
 }  // namespace trophic::observe

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A world before its run, by which a rule can state that its parameters leave it idle.
+// A world before its run, from which a rule can determine that its parameters leave it idle.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@
 
 namespace trophic {
 
-/// A rule of any slot may have `std::string idle(const Outset& outset) const`: it returns a sentence if the rule can never act in
-/// this world by its parameters, and "" otherwise. The program prints the sentence before the run, and the manifest has it among
-/// its remarks.
+/// A rule of any slot may have `std::string idle(const Outset& outset) const`: it returns a sentence if the rule's parameters
+/// never let it act in this world, and "" otherwise. The program prints the sentence before the run and records it in the
+/// manifest's remarks.
 struct Outset {
   const FoodWeb& web;
   const Arena& arena;

@@ -27,7 +27,8 @@ struct Births {
     double e = 0.5;
     static constexpr auto fields() {
       return std::tuple{
-          field("spare_bodies", &Params::spare_bodies, at_least(0), "number of bodies without an individual at the start"),
+          field("spare_bodies", &Params::spare_bodies, at_least(0), "number of bodies without an individual at the start")
+              .read_at_start(),
           field("r", &Params::r, between(0.0, 1.0), "per-tick birth probability of prey at low density"),
           field("K", &Params::K, above(0.0), "number of prey at which births stop (carrying capacity)"),
           field("e", &Params::e, between(0.0, 1.0), "probability of a birth after a catch")};

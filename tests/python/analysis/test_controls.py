@@ -193,7 +193,7 @@ def test_a_mean_over_the_runs_in_which_something_happened_is_described_and_not_t
     rows = {row.metric: row for row in judge.compare(a, b).itertuples()}
     assert "not tested: 1 metric that some runs lack" in text.difference_findings(a, b, judge.compare(a, b))
     assert rows["period"].not_tested == (
-        "only 8 of 10 and 10 of 10 runs have a value: a mean over runs in which it happened is described"
+        "only 8 of 10 and 10 of 10 runs have a value: a mean over the runs in which it happened is only described"
     )
     assert rows["period"].difference == pytest.approx(-10.0) and math.isnan(rows["period"].p)
     assert rows["cycles"].role == "null" and rows["cycles"].p == pytest.approx(0.474, abs=0.001)  # the share is tested

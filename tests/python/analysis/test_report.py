@@ -304,7 +304,7 @@ def test_claims_have_a_summary_and_for_each_reading_value_margin_origin_ours_and
         )
     )
     for part in (
-        "these are points without bodies, so velocities and walls compare the rules only\n",
+        "these are points without bodies, so velocities and wall-following compare only the rules\n",
         "\nattribution of prey: not reproduced under any reading\n",
         "\n attribution_caught prey 0.650 text 0.037 authors' logs 1.000 [1.000, 1.000] +0.350 [+0.324, +0.376] not reproduced\n",
         "\n attribution_died prey 0.620 logs 0.028 authors' logs ",

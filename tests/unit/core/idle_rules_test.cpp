@@ -53,10 +53,11 @@ std::size_t catches(const Experiment<Paper>& experiment) {
 
 TEST_CASE("idle rules: floor and minimum that use up all robots -> a remark, and no catch in such a world") {
   const std::string together =
-      "rules.floor.floor = 7 and rules.minimum_predators.below = 7: with 12 robots every prey above the floor is sacrificed, and "
-      "none is left to be caught";
-  CHECK(remarks(dozen(5, 7, 7)) ==
-        std::vector<std::string>{"rules.floor: floor = 7: no catch or sacrifice of prey, as the run starts with 7", together});
+      "rules.floor.floor = 7 and rules.minimum_predators.below = 7: with 12 robots every prey above the floor is sacrificed, so "
+      "no prey is left to be caught";
+  CHECK(
+      remarks(dozen(5, 7, 7)) ==
+      std::vector<std::string>{"rules.floor: floor = 7: no catch or sacrifice of prey, because the run starts with 7", together});
   CHECK(catches(dozen(5, 7, 7)) == 0);
   CHECK(remarks(dozen(5, 2, 10)).size() == 1);
   CHECK(remarks(dozen(5, 2, 2)).empty());
@@ -69,12 +70,13 @@ TEST_CASE("idle rules: distance or number that the world does not reach -> a rem
   experiment.rules.activation.distance_m = 30.0;
   experiment.rules.starvation.interval.only_above = 30;
   CHECK(remarks(experiment) ==
-        std::vector<std::string>{"rules.activation: distance_m = 30: no newborn that has hunters becomes active, as arena "
-                                 "walled_square has a diagonal of 28.3 m",
-                                 "rules.starvation: interval.only_above = 30: no hunter ever starves, as there are 30 robots"});
+        std::vector<std::string>{
+            "rules.activation: distance_m = 30: no newborn of a hunted species ever becomes active, because arena walled_square "
+            "has a diagonal of 28.3 m",
+            "rules.starvation: interval.only_above = 30: no hunter ever starves, because there are 30 robots"});
   CHECK(remarks(Experiment<with_capture<Paper, death::capture::CatchOutsideRefuges>>{}) ==
         std::vector<std::string>{
-            "rules.capture: catch_outside_refuges spares no prey: arena walled_square has no zone named refuge"});
+            "rules.capture: catch_outside_refuges protects no prey: arena walled_square has no zone named refuge"});
 }
 
 TEST_CASE("idle rules: births that cost more than a body holds -> a remark for each species") {

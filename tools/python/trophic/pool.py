@@ -65,7 +65,7 @@ class PooledRun(Run):
 
     @property
     def every_ticks(self) -> int:
-        """agents.csv has the ticks whose number is a multiple of it."""
+        """agents.csv has only ticks that are multiples of this."""
         return self.manifest.get("agents_every_ticks", 1)
 
     @property
@@ -86,7 +86,8 @@ class PooledRun(Run):
 
     @property
     def lived_s(self) -> float:
-        """How much of `until_s` the run lived: less if it ended early, by ecology.ends_when, a signal or a kill. No rate, window or half of a metric goes
+        """How much of `until_s` the run lasted: less if it ended early, by ecology.ends_when, a signal or a kill. No rate, window or half of a
+        metric goes
         beyond it."""
         return min(self.until_s, lived_s(self))
 

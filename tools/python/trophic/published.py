@@ -112,7 +112,7 @@ class Effect(NamedTuple):
 
     reading: ClaimReading
     difference: Difference
-    """corrected for the family of the analysis, in which the reading stands in the place of the metric that it repeats"""
+    """p value corrected for the family of the analysis, in which the reading replaces the metric that it repeats"""
     null: str
 
     @property

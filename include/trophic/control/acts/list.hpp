@@ -47,7 +47,7 @@ struct List {
   static constexpr bool keeps_values = !(trophic::detail::KeptByIndividual<Acts> && ...);
   static constexpr std::array<const char*, count> keys{&trophic::detail::act_key<Acts>...};
 
-  /// The name of each act; empty for an act that an individual keeps.
+  /// The name of each act; empty for an act that is stored in the individual.
   static constexpr std::array<std::string_view, count> kept_names{
       (trophic::detail::KeptByIndividual<Acts> ? std::string_view{} : trophic::detail::policy_name<Acts>())...};
 

@@ -19,7 +19,7 @@ struct FeedForwardBrain {
     std::size_t hidden = 3;
     double turn_angle_rad = 0.7;
     static constexpr auto fields() {
-      return std::tuple{field("hidden", &Params::hidden, between(1.0, 100.0), "hidden neurons"),
+      return std::tuple{field("hidden", &Params::hidden, between(1.0, 100.0), "hidden neurons").read_at_start(),
                         field("turn_angle_rad", &Params::turn_angle_rad, between(0.0, 3.141592653589793),
                               "absolute value of the target angle")};
     }

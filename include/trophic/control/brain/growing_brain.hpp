@@ -35,7 +35,8 @@ struct GrowingBrain {
     double turn_angle_rad = 0.7;
     static constexpr auto fields() {
       return std::tuple{
-          field("hidden", &Params::hidden, between(0.0, 100.0), "number of hidden neurons in the first genomes"),
+          field("hidden", &Params::hidden, between(0.0, 100.0), "number of hidden neurons in the first genomes")
+              .read_for_newcomers(),
           field("most_hidden", &Params::most_hidden, between(0.0, 100.0), "maximum number of hidden neurons in a genome"),
           field("add_link", &Params::add_link, between(0.0, 1.0), "probability of a new link"),
           field("remove_link", &Params::remove_link, between(0.0, 1.0), "probability of losing a link"),

@@ -28,11 +28,13 @@ struct InheritedCpg {
     double sd = 0.02;
     double limit = 2.0;
     static constexpr auto fields() {
-      return std::tuple{field("first", &Params::first,
-                              "gait of an individual without a parent: robots (the robot's own, with noise) or random"),
-                        field("first_sd", &Params::first_sd, at_least(0.0), "standard deviation of the noise on the first gaits"),
-                        field("sd", &Params::sd, at_least(0.0), "standard deviation of mutations"),
-                        field("limit", &Params::limit, above(0.0), "bound on the absolute value of weights")};
+      return std::tuple{
+          field("first", &Params::first, "gait of an individual without a parent: robots (the robot's own, with noise) or random")
+              .read_for_newcomers(),
+          field("first_sd", &Params::first_sd, at_least(0.0), "standard deviation of the noise on the first gaits")
+              .read_for_newcomers(),
+          field("sd", &Params::sd, at_least(0.0), "standard deviation of mutations"),
+          field("limit", &Params::limit, above(0.0), "bound on the absolute value of weights")};
     }
   };
   Params params;

@@ -19,7 +19,7 @@ struct CatchOutsideRefuges {
 
   [[nodiscard]] std::string idle(const Outset& outset) const {
     if (std::ranges::count(outset.arena.zones, zone, &Zone::name) > 0) return {};
-    return std::string{name} + " spares no prey: arena " + outset.arena.name + " has no zone named " + std::string{zone};
+    return std::string{name} + " protects no prey: arena " + outset.arena.name + " has no zone named " + std::string{zone};
   }
   [[nodiscard]] std::vector<Capture> captures(const View& view, Rng& rng, std::optional<Species> only = {}) const {
     std::vector<Capture> reached = CatchWithinReach{params}.captures(view, rng, only);

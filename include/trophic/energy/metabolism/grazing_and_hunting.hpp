@@ -28,8 +28,9 @@ struct GrazingAndHunting {
     double efficiency = 1.0;
     static constexpr auto fields() {
       return std::tuple{
-          field("first_J", &Params::first_J, at_least(0.0), "mean energy of founders and newcomers"),
-          field("spread", &Params::spread, between(0.0, 1.0), "their energy is uniform in first_J * (1 -+ spread)"),
+          field("first_J", &Params::first_J, at_least(0.0), "mean energy of founders and newcomers").read_for_newcomers(),
+          field("spread", &Params::spread, between(0.0, 1.0), "their energy is uniform in first_J * (1 -+ spread)")
+              .read_for_newcomers(),
           field("capacity_J", &Params::capacity_J, above(0.0), "largest energy of an individual"),
           field("resting_W", &Params::resting_W, at_least(0.0), "power at rest and while walking"),
           field("walking_J_per_m", &Params::walking_J_per_m, at_least(0.0), "energy per metre walked"),
@@ -38,6 +39,12 @@ struct GrazingAndHunting {
     }
   };
   Params params;
+
+  [[nodiscard]] std::string_view why_no_effect(std::string_view number, const FoodWeb& web, OneSpecies species) const {
+    if (!species) return "";
+    if (number == "efficiency" && !web.hunts(*species)) return "for a species that hunts nothing";
+    return number == "bite_W" && web.hunts(*species) ? "for a species that hunts" : "";
+  }
 
   [[nodiscard]] double first_J(const Individual&, Rng& rng) const {
     const double first_J = params.first_J * (params.spread > 0.0 ? 1.0 + rng.uniform(-params.spread, params.spread) : 1.0);

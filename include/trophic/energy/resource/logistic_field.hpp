@@ -26,16 +26,22 @@ struct LogisticField {
     double year_s = 1000.0;
     static constexpr auto fields() {
       return std::tuple{
-          field("cells_in_a_row", &Params::cells_in_a_row, between(1, 1000), "number of cells along a side of the arena"),
-          field("capacity_J_m2", &Params::capacity_J_m2, at_least(0.0), "mean carrying capacity per square metre"),
+          field("cells_in_a_row", &Params::cells_in_a_row, between(1, 1000), "number of cells along a side of the arena")
+              .read_at_start(),
+          field("capacity_J_m2", &Params::capacity_J_m2, at_least(0.0), "mean carrying capacity per square metre")
+              .read_at_start(),
           field("growth_1_s", &Params::growth_1_s, at_least(0.0), "growth rate at low density"),
           field("seed_1_s", &Params::seed_1_s, at_least(0.0), "growth per second at any density, as a fraction of the capacity"),
-          field("barren", &Params::barren, between(0.0, 0.99), "share of barren cells, which never have food"),
+          field("barren", &Params::barren, between(0.0, 0.99), "share of barren cells, which never have food").read_at_start(),
           field("season", &Params::season, between(0.0, 1.0), "amplitude of seasonal changes in the growth rate"),
           field("year_s", &Params::year_s, above(0.0), "length of a year by the ecology's clock")};
     }
   };
   Params params;
+
+  [[nodiscard]] std::string_view why_no_effect(std::string_view number, const FoodWeb&, OneSpecies) const {
+    return number == "year_s" && params.season == 0.0 ? "without a season" : "";
+  }
 
   /// Layer 0 holds the capacity of each cell.
   [[nodiscard]] ResourceField start(const Arena& arena, Rng& rng) const {

@@ -16,7 +16,8 @@ struct KeepsBodyTag {
   struct Params {
     int founder_tag = 1;
     static constexpr auto fields() {
-      return std::tuple{field("founder_tag", &Params::founder_tag, any_number(), "tag of founders, one of the brain's tags")};
+      return std::tuple{
+          field("founder_tag", &Params::founder_tag, any_number(), "tag of founders, one of the brain's tags").read_at_start()};
     }
   };
   Params params;

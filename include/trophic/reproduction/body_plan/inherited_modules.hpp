@@ -28,7 +28,8 @@ struct InheritedModules {
     static constexpr auto fields() {
       return std::tuple{
           field("first_modules", &Params::first_modules, between(0.0, 50.0),
-                "number of modules in a random first body (1 counts as 2); 0: the body of first_robot"),
+                "number of modules in a random first body (1 counts as 2); 0: the body of first_robot")
+              .read_for_newcomers(),
           field("mutation", &Params::mutation),
           field("rate", &Params::rate, between(0.0, 1.0), "factor applied to all these probabilities; 0: bodies never change"),
           field("first_robot", &Params::first_robot, "name or path of a robot file; empty: that of ecology.robot")};

@@ -14,6 +14,7 @@ struct AtEnergy {
   static constexpr std::string_view name = "at_energy";
   static constexpr std::string_view source = "not in the paper; as in Polyworld [yaeger1994]";
   using NamesOneParent = AtEnergy;
+  using NoNewcomers = AtEnergy;
 
   struct Params {
     std::size_t spare_bodies = 0;
@@ -22,13 +23,19 @@ struct AtEnergy {
     bool only_active = true;
     static constexpr auto fields() {
       return std::tuple{
-          field("spare_bodies", &Params::spare_bodies, at_least(0), "number of bodies without an individual at the start"),
+          field("spare_bodies", &Params::spare_bodies, at_least(0), "number of bodies without an individual at the start")
+              .read_at_start(),
           field("birth_J", &Params::birth_J, above(0.0), "energy at which an individual reproduces"),
           field("share", &Params::share, above_to(0.0, 1.0), "share of its energy that a parent gives to its offspring"),
           field("only_active", &Params::only_active, "whether only active individuals reproduce")};
     }
   };
   Params params;
+
+  [[nodiscard]] std::string_view why_no_effect(std::string_view number, const FoodWeb& web, OneSpecies species) const {
+    const bool none_is_inactive = species && !web.is_hunted(*species);
+    return number == "only_active" && none_is_inactive ? "for a species that is hunted by none and so always active" : "";
+  }
 
   [[nodiscard]] std::size_t spare_bodies() const { return params.spare_bodies; }
   [[nodiscard]] bool leaves_spare(const Vacancy&, const View&) const { return true; }

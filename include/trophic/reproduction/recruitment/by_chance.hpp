@@ -22,7 +22,8 @@ struct ByChance {
     double step_m = 1.0;
     static constexpr auto fields() {
       return std::tuple{
-          field("spare_bodies", &Params::spare_bodies, at_least(0), "number of bodies without an individual at the start"),
+          field("spare_bodies", &Params::spare_bodies, at_least(0), "number of bodies without an individual at the start")
+              .read_at_start(),
           field("chance", &Params::chance, between(0.0, 1.0), "probability of a birth at each tick"),
           field("share", &Params::share, between(0.0, 1.0), "share of its energy that a parent gives to its offspring"),
           field("step_m", &Params::step_m, at_least(0.0), "distance of the newborn from its parent, limited by the walls")};

@@ -24,7 +24,8 @@ struct ByMating {
     double range_m = 3.0;
     static constexpr auto fields() {
       return std::tuple{
-          field("spare_bodies", &Params::spare_bodies, at_least(0), "number of bodies without an individual at the start"),
+          field("spare_bodies", &Params::spare_bodies, at_least(0), "number of bodies without an individual at the start")
+              .read_at_start(),
           field("birth_J", &Params::birth_J, at_least(0.0), "energy that each parent needs"),
           field("share", &Params::share, between(0.0, 1.0), "share of the poorer parent's energy that each parent gives"),
           field("range_m", &Params::range_m, at_least(0.0), "largest distance between the parents")};

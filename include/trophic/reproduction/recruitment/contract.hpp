@@ -52,6 +52,15 @@ template <class P>
 requires std::same_as<typename P::NamesOneParent, P>
 inline constexpr bool names_several_parents<P> = false;
 
+/// Whether individuals may be born by a rule without a parent that endows them: by default. A rule P by which living parents hand
+/// over energy at each birth and each dead individual's body stays spare declares `using NoNewcomers = P;`; a rule derived from
+/// it does not.
+template <class P>
+inline constexpr bool has_newcomers = true;
+template <class P>
+requires std::same_as<typename P::NoNewcomers, P>
+inline constexpr bool has_newcomers<P> = false;
+
 namespace ask {
 
 template <class P>

@@ -25,10 +25,10 @@ struct SafeDistance {
                        {.within_m = safe.distance_m, .among = view.marks(eats)});
 }
 
-/// A sentence if no place of the arena is that far from another one, as Outset has it.
+/// A sentence if no two places of the arena are this far apart (Outset).
 [[nodiscard]] inline std::string never_away(const SafeDistance& safe, const Outset& outset) {
   if (safe.distance_m < outset.diagonal_m() || outset.web.links().empty()) return {};
-  return "distance_m = " + number_text(safe.distance_m) + ": no newborn that has hunters becomes active, as arena " +
+  return "distance_m = " + number_text(safe.distance_m) + ": no newborn of a hunted species ever becomes active, because arena " +
          outset.arena.name + " has a diagonal of " + number_text(std::round(10.0 * outset.diagonal_m()) / 10.0) + " m";
 }
 

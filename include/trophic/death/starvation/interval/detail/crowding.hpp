@@ -31,10 +31,10 @@ struct Crowding {
   return view.tick - last_tick >= interval && view.count_hunters(only) > crowding.only_above;
 }
 
-/// A sentence if there can never be enough hunters for a procedure, as Outset has it.
+/// A sentence if there can never be enough hunters for a procedure (Outset).
 [[nodiscard]] inline std::string never_due(const Crowding& crowding, const Outset& outset) {
   if (crowding.only_above < outset.robots) return {};
-  return "only_above = " + std::to_string(crowding.only_above) + ": no hunter ever starves, as there are " +
+  return "only_above = " + std::to_string(crowding.only_above) + ": no hunter ever starves, because there are " +
          std::to_string(outset.robots) + " robots";
 }
 
