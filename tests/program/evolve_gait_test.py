@@ -76,8 +76,7 @@ class EvolveGait(InFolder):
         failed = self.call(*MEASURE, "--robot", "gecko", "--table", "released", "--duration", "20")
         self.assertEqual(failed.returncode, 1, failed.stdout)
         self.assertRegex(
-            failed.stderr,
-            r"\Atrophic.*: gecko with gecko_steered, mujoco, rk4 0.012 s: simulation diverged at .*\n\Z",
+            failed.stderr, r"\Atrophic.*: gecko with gecko_steered, mujoco, rk4 0.012 s: simulation diverged at .*\n\Z"
         )
 
     def test_a_robot_that_walks_backwards_or_sideways_is_remarked_on(self):
