@@ -85,8 +85,7 @@ TEST_CASE("idle rules: births that cost more than a body holds -> a remark for e
   experiment.rules.recruitment.birth_J = 5000.0;
   const auto said = remarks(experiment);
   REQUIRE(said.size() == 2);
-  CHECK(said[0].starts_with(
-      "rules.recruitment: no prey is ever born: birth_J = 5000 is above rules.metabolism's capacity_J = "));
+  CHECK(said[0].starts_with("rules.recruitment: no prey is ever born: birth_J = 5000 is above rules.metabolism's capacity_J = "));
 }
 
 namespace {
