@@ -111,12 +111,12 @@ def arena(folder: pathlib.Path, run) -> None:
     for number, text in enumerate((tables[0], "".join(tables))):
         (folder / "pit.toml").write_text(text)
         done = run(f"{command.strip()} --out runs/pit-{number}")
-        caught = [row for row in rows(folder / f"runs/pit-{number}/events.csv") if row["event"] == "capture"]
+        caught = [row for row in rows(folder / f"runs/pit-{number}/events.csv") if row["cause"] == "caught"]
         assert len(caught) > 30 and "remark  rules.floor" not in done.stderr, f"my-arena.md: {len(caught)} catches"
     crowded = re.sub(r" --set rules\.(floor|minimum_predators)\S+", "", command.strip())
     done = run(f"{crowded} --out runs/idle")
-    assert "none is left to be caught" in done.stderr, done.stderr
-    assert not [row for row in rows(folder / "runs/idle/events.csv") if row["event"] == "capture"]
+    assert "left to be caught" in done.stderr, done.stderr
+    assert not [row for row in rows(folder / "runs/idle/events.csv") if row["cause"] == "caught"]
 
 
 def body(folder: pathlib.Path, run) -> None:

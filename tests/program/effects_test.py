@@ -95,12 +95,14 @@ class Effects(InFolder):
         }
 
     def run_with(self, out, settings, *options, program=PREDATOR_PREY):
-        """The rows of a run, and its remarks up to "no effect"."""
+        """The rows of a run, and those of its remarks that state "no effect", up to these words."""
         sets = [part for path, value in settings.items() for part in ("--set", f"{path}={json.dumps(value)}")]
         self.run_ok(program, *options, *sets, "--replay-hz", 0, "--out", out)
         run = self.folder / out
         return [(run / name).read_bytes() for name in ("events.csv", "agents.csv")], [
-            remark.split(" no effect")[0] for remark in json.loads((run / "manifest.json").read_text())["remarks"]
+            remark.split(" no effect")[0]
+            for remark in json.loads((run / "manifest.json").read_text())["remarks"]
+            if " no effect" in remark
         ]
 
 

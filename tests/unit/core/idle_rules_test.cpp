@@ -82,11 +82,10 @@ TEST_CASE("idle rules: distance or number that the world does not reach -> a rem
 TEST_CASE("idle rules: births that cost more than a body holds -> a remark for each species") {
   Experiment<worlds::Pond> experiment;
   CHECK(remarks(experiment).empty());
-  experiment.rules.recruitment.birth_J = 1e6;
+  experiment.rules.recruitment.birth_J = 5000.0;
   const auto said = remarks(experiment);
   REQUIRE(said.size() == 2);
-  CHECK(said[0].starts_with(
-      "rules.recruitment: no prey is ever born: birth_J = 1000000 is above rules.metabolism's capacity_J = "));
+  CHECK(said[0].starts_with("rules.recruitment: no prey is ever born: birth_J = 5000 is above rules.metabolism's capacity_J = "));
 }
 
 namespace {
