@@ -190,7 +190,7 @@ class Contest(InFolder):
             "study",
             "--panel",
             self.runs("released", "--rules", "released"),
-            says="--panel released: has runs of released: must be of paper",
+            says="--panel released: has runs of released: must have runs of paper",
         )
         shutil.move(first / "genomes.csv", self.folder / "genomes.csv")
         self.refused("study", says="genomes.csv")
@@ -209,7 +209,7 @@ class Contest(InFolder):
             "study",
             "--panel",
             "other",
-            says="other: has runs of paper with backend.stepping = screening: must be of paper",
+            says="other: has runs of paper with backend.stepping = screening: must have runs of paper",
         )
         for path in (self.folder / "study").glob("replicate-*/manifest.json"):
             path.write_text(sealed_text({**json.loads(path.read_text()), "food_web": []}))

@@ -379,7 +379,7 @@ class Refusals(PredatorPrey):
             refused = self.call("--config", "other.toml", "--backend", "kinematic", "--out", "x")
             self.assert_refused(refused, f'other.toml: is for engine = "{engine}"', "[backend]", f"--backend {engine}")
         refused = self.call("--config", "kinematic.toml", "--rules", "released", "--out", "x")
-        self.assert_refused(refused, 'kinematic.toml: was written for rule_table = "paper"', "[rules]", "--rules paper")
+        self.assert_refused(refused, 'kinematic.toml: is for rule_table = "paper"', "[rules]", "--rules paper")
         (self.folder / "ecology.toml").write_text('engine = "mujoco"\nrule_table = "paper"\n[ecology]\nrobots = 20\n')
         shared = self.run_ok(
             "--config", "ecology.toml", "--rules", "released", "--backend", "kinematic", "--print-config"
