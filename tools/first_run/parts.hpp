@@ -3,7 +3,7 @@
 #pragma once
 
 #include <filesystem>
-#include <trophic/backend/any_backend.hpp>
+#include <trophic/backend/backend_choice.hpp>
 
 namespace trophic::first_run {
 
