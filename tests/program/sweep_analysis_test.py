@@ -100,7 +100,7 @@ class SweepAnalysis(InFolderWithSets):
             "sweep of 4 cells, 48 runs of 400 s",
             "axis backend.speed_scale: 1.0, 4.0",
             "reference: cell 0 (speed_scale 1.0, base_ticks 15)",
-            "seed by seed, each run over its shadow; p corrected for all of them (Holm)",
+            "seed by seed, each run relative to its shadow; p corrected for all of them (Holm)",
             "inconclusive: ",
         ):
             self.assertIn(text, result.stdout)
