@@ -25,8 +25,9 @@ struct LSystem {
     double rate = 0.05;
     std::size_t most_modules = 15;
     static constexpr auto fields() {
-      return std::tuple{field("rate", &Params::rate, between(0.0, 1.0), "probability that a gene is drawn anew"),
-                        field("most_modules", &Params::most_modules, between(2.0, 50.0), "modules at which growth ends")};
+      return std::tuple{
+          field("rate", &Params::rate, between(0.0, 1.0), "probability that a gene is redrawn"),
+          field("most_modules", &Params::most_modules, between(2.0, 50.0), "number of modules at which growth ends")};
     }
   };
   Params params;

@@ -203,7 +203,7 @@ def main():
     parser.add_argument("--backend", default="kinematic")
     for name, default in (("replicates", 30), ("duration", 6000), ("seed", 1), ("jobs", 1), ("team-size", 15)):
         parser.add_argument(f"--{name}", type=int, default=default)
-    parser.add_argument("--contests-on", metavar="BACKEND", help="that of the contests, if it is not the runs'")
+    parser.add_argument("--contests-on", metavar="BACKEND", help="backend of the contests (default: the runs')")
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
     for world, inherited in WORLDS.items():

@@ -207,7 +207,7 @@ class Killed(Hostile):
         program.terminate()
         said = program.communicate()[1]
         self.assertEqual(program.returncode, 3, said)
-        self.assertIn("stopped; the same command with --out parts continues", said)
+        self.assertIn("interrupted; to resume, repeat the command with --out parts", said)
         with open(played, "ab") as file:
             file.write(b"[7, 1")  # of a line that was cut
         self.assertRegex(

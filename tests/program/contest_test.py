@@ -153,7 +153,7 @@ class Contest(InFolder):
         refused("study", "--until", 60, says="--lineages: not with")
         refused("study", "--metric", "velocity", says="velocity")
         self.runs("shared", "--rules", "released", "--senses")
-        refused("shared", says="rule heredity = shared_copy: must give each individual a genome of its own")
+        refused("shared", says="rule heredity = shared_copy: must give each individual its own genome")
         self.runs("mine", "--senses", program=OWN_TABLE)
         refused(
             "mine",
@@ -175,7 +175,7 @@ class Contest(InFolder):
         self.refused("study", "--epochs", "0,500", says="the run reached 120 s: must be >= 500 s, an epoch")
         self.refused("study", "--epochs", "60", says="--epochs: 1 epochs: must be at least 2")
         self.refused("study", "--epochs", "60,0", says="--epochs 0: must be > 60, the epoch before it")
-        self.refused("study", "--epochs", "0,x", says="--epochs 0,x: must be times in seconds with commas between")
+        self.refused("study", "--epochs", "0,x", says="--epochs 0,x: must be comma-separated times in seconds")
         self.refused("study", "--split", 7, says="--split 7: must be one of the epochs, 0, 40, 80, 120 s")
         self.refused("study", "--teams", 1, says="--teams 1: must be >= 2")
         self.refused("study", "--duration", 0, says="--duration 0: must be > 0")
@@ -190,7 +190,7 @@ class Contest(InFolder):
             "study",
             "--panel",
             self.runs("released", "--rules", "released"),
-            says="--panel released: has runs of released: must be of paper",
+            says="--panel released: has runs of released: must have runs of paper",
         )
         shutil.move(first / "genomes.csv", self.folder / "genomes.csv")
         self.refused("study", says="genomes.csv")
@@ -209,7 +209,7 @@ class Contest(InFolder):
             "study",
             "--panel",
             "other",
-            says="other: has runs of paper with backend.stepping = screening: must be of paper",
+            says="other: has runs of paper with backend.stepping = screening: must have runs of paper",
         )
         for path in (self.folder / "study").glob("replicate-*/manifest.json"):
             path.write_text(sealed_text({**json.loads(path.read_text()), "food_web": []}))

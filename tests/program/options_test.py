@@ -159,7 +159,10 @@ class Options(InFolderWithSets):
         (self.folder / "changes.csv").write_text("time_s,number,value\n8,rules.capture.reach_m,0.5\n")
         for words, said in (
             ([TROPHIC, "contest", "set", "--team-size", "0"], "--team-size 0: must be >= 1 and <= 10000"),
-            ([TROPHIC, "contest", "set", "--epochs", "0,40,"], "--epochs 0,40,: must be times in seconds"),
+            (
+                [TROPHIC, "contest", "set", "--epochs", "0,40,"],
+                "--epochs 0,40,: must be comma-separated times in seconds",
+            ),
             ([TROPHIC, "film", "run", "--speed", "1e-9", "--out", "new.mp4"], "pictures: must have <= 1e+06"),
             (
                 [

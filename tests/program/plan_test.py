@@ -519,7 +519,7 @@ class Refusals(Sweeps):
             ({"until_s": 11.0}, "until_s = 11.0: must be 10.0"),
             ({"rule_table": "papre"}, "rule_table = papre: must be paper or released; did you mean paper?"),
             ({"settings": {"rules.capture.reach": 1.0}}, "rules.capture.reach: unknown key; did you mean"),
-            ({"settings": {"seed": 3}}, "seed: is not a setting of a plan"),
+            ({"settings": {"seed": 3}}, "seed: is not allowed in a plan"),
         ):
             path.write_text("\n".join([json.dumps({**line, **changes}), *others]) + "\n")
             self.assert_refused(self.make_runs(run=self.call), "out/plan.jsonl:1: ", says)
@@ -543,7 +543,7 @@ class Refusals(Sweeps):
             "mine.jsonl", "".join(json.dumps({**line, **json.loads(fact)}) + "\n" for line, fact in zip(lines, facts))
         )
         refused = self.call(OPTIONS.program, "--plan", "mine.jsonl", "--run", "0")
-        self.assertIn("needs none, which is not complete", refused.stderr)
+        self.assertIn("needs none to be complete", refused.stderr)
         self.run_ok(OPTIONS.program, "--plan", "mine.jsonl")
 
         self.assertEqual(*(self.rows(run, "phylogeny.csv")[-1]["id"] for run in ("neutral", "none")))
@@ -579,10 +579,10 @@ class Refusals(Sweeps):
         text = (self.folder / "small.toml").read_text()
         self.write("small.toml", text.replace("0.2", "0.3"))
         other = dict(file="small.toml", out="small", run=self.call)
-        self.assert_refused(self.plan(**other), "small/plan.jsonl:2: the folder holds another plan")
+        self.assert_refused(self.plan(**other), "small/plan.jsonl:2: the folder has another plan")
         for keeps in ("replay_hz = 5.0", "agents_every = 2", "senses = true"):
             self.write("small.toml", f"{keeps}\n{text}")
-            self.assert_refused(self.plan(**other), "small/plan.jsonl:1: the folder holds another plan")
+            self.assert_refused(self.plan(**other), "small/plan.jsonl:1: the folder has another plan")
 
     def test_sweep_gets_longer_and_more_to_the_same_bytes(self):
         text = 'engine = "kinematic"\nshadow = true\none_sided = true\nreplicates = {}\n[set]\necology.duration_s = {}\n[grid]\nrules.mutation.sd = [0.05, 0.2{}]\n'

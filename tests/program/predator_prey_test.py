@@ -377,11 +377,9 @@ class Refusals(PredatorPrey):
         if HAS_ODE or HAS_MUJOCO:
             engine = "ode" if HAS_ODE else "mujoco"
             refused = self.call("--config", "other.toml", "--backend", "kinematic", "--out", "x")
-            self.assert_refused(
-                refused, f'other.toml: was written for engine = "{engine}"', "[backend]", f"--backend {engine}"
-            )
+            self.assert_refused(refused, f'other.toml: is for engine = "{engine}"', "[backend]", f"--backend {engine}")
         refused = self.call("--config", "kinematic.toml", "--rules", "released", "--out", "x")
-        self.assert_refused(refused, 'kinematic.toml: was written for rule_table = "paper"', "[rules]", "--rules paper")
+        self.assert_refused(refused, 'kinematic.toml: is for rule_table = "paper"', "[rules]", "--rules paper")
         (self.folder / "ecology.toml").write_text('engine = "mujoco"\nrule_table = "paper"\n[ecology]\nrobots = 20\n')
         shared = self.run_ok(
             "--config", "ecology.toml", "--rules", "released", "--backend", "kinematic", "--print-config"

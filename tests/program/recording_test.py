@@ -264,7 +264,7 @@ class Pages(InFolderWithSets):
             self.sets / "unrecorded",
         )
         self.refused(
-            r"thinned/agents.csv: has the ticks that are multiples of 2: must have all to be shown",
+            r"thinned/agents.csv: has only ticks that are multiples of 2: must have all ticks to be shown",
             self.sets / "thinned",
         )
         self.refused(r"10 runs: must be <= 9", *[self.sets / "run"] * 10)

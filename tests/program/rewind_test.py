@@ -117,7 +117,7 @@ class Rewind(InFolder):
                 "seed: its run starts at 702 s of whole; it can be resumed, but it cannot start at 900 s of whole",
             ),
             (["--from", "alone", *begun[2:], "--at", 701], "cannot start at 701 s of alone"),
-            ([*begun[:-1], "alone", "--at", 701], "alone: its run began at 0 s"),
+            ([*begun[:-1], "alone", "--at", 701], "alone: its run starts at 0 s"),
         ]:
             with self.subTest(arguments=arguments):
                 self.assert_refused(self.call(*arguments, "--resume"), text)

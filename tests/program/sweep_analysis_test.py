@@ -100,7 +100,7 @@ class SweepAnalysis(InFolderWithSets):
             "sweep of 4 cells, 48 runs of 400 s",
             "axis backend.speed_scale: 1.0, 4.0",
             "reference: cell 0 (speed_scale 1.0, base_ticks 15)",
-            "seed by seed, each run over its shadow; p corrected for all of them (Holm)",
+            "seed by seed, each run relative to its shadow; p corrected for all of them (Holm)",
             "inconclusive: ",
         ):
             self.assertIn(text, result.stdout)
@@ -172,8 +172,8 @@ class SweepAnalysis(InFolderWithSets):
             (["--compare", "sweep", cell], "--compare sweep: is a sweep"),
             (["sweep", "--published"], "sweep: is a sweep: not with --published"),
             (["sweep", "--shadow", "other"], "sweep: is a sweep: not with --shadow"),
-            ([cell, "--reference", 1], "--reference: only with a sweep"),
-            ([cell, "--allow-missing"], "--allow-missing: only with a sweep"),
+            ([cell, "--reference", 1], "--reference: needs a sweep"),
+            ([cell, "--allow-missing"], "--allow-missing: needs a sweep"),
             (["sweep", "--reference", 4], "--reference 4: must be a cell of the sweep, 0 to 3"),
             (["sweep", "--metric", "hungr"], "metric hungr: must be METRIC"),
             (["sweep", "--difference", 1], "--difference: needs --metric"),

@@ -113,7 +113,7 @@ TROPHIC_INLINE void Manifest::set_recording(std::uint64_t frames, std::uint32_t 
 
 TROPHIC_INLINE void Manifest::on_change(const observe::RunDescription& run, const View&) {
   changed_ = run;
-  if (run.changes.size() < 2 * described_) return;  // else a file as long as all changes would be written at each of them
+  if (run.changes.size() < 2 * described_) return;  // otherwise the list of all changes would be written at each change
   described_ = run.changes.size();
   content_->change([&](Json& json) {
     detail::describe(run, origin_, json);

@@ -180,9 +180,9 @@ def test_a_signal_in_the_first_second_is_code_3(tmp_path):
     "change, why",
     [
         ({"html": "x.pdf"}, "--html x.pdf: must end in .html"),
-        ({"runs": [], "compare": ["set", "set"]}, "set/replicate-00: must not be in both sets"),
-        ({"runs": [], "compare": ["set", "link"]}, "link/replicate-00: must not be in both sets"),
-        ({"runs": [], "compare": ["set", "copy"]}, "copy/replicate-00: must not be in both sets"),
+        ({"runs": [], "compare": ["set", "set"]}, "set/replicate-00: must not be in both of the compared sets"),
+        ({"runs": [], "compare": ["set", "link"]}, "link/replicate-00: must not be in both of the compared sets"),
+        ({"runs": [], "compare": ["set", "copy"]}, "copy/replicate-00: must not be in both of the compared sets"),
     ],
 )
 def test_what_cannot_be_meant_is_refused(tmp_path, monkeypatch, change, why):

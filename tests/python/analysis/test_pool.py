@@ -233,7 +233,7 @@ def test_the_neutral_null_in_the_folder_is_found_and_one_of_other_rules_or_runs_
         ({"clock": {"until_s": 1e300}}, "clock.until_s = 1e+300: must be >= 0 and <= 1e+08"),
         ({"clock": {"until_s": NONE}}, "clock.until_s = NaN: must be "),
         ({"agents_every_ticks": 0}, "agents_every_ticks = 0: must be a whole number from 1 to 9223372036854775807"),
-        ({"species": None}, "'species': must be there"),
+        ({"species": None}, "'species': is missing"),
         (
             {"food_web": [{"hunter": "wolf", "victim": "prey"}]},
             'food_web: hunter = "wolf": must be one of prey, predator',
@@ -244,7 +244,7 @@ def test_the_neutral_null_in_the_folder_is_found_and_one_of_other_rules_or_runs_
             "crc32 = 4294967296: must be a whole number from 0 to 4294967295",
         ),
         ({"tables": [1]}, "is not what trophic writes"),
-        ({"origin": {}}, "'at_s': must be there"),
+        ({"origin": {}}, "'at_s': is missing"),
         ({"rules": {"floor": "\x9b2J"}}, '"\\u009b2J": must be text without control characters'),
         ({"arena": 10}, "is not what trophic writes"),
     ],

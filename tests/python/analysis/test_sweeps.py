@@ -201,7 +201,7 @@ def test_a_broken_plan_is_refused(tmp_path, change, part):
     [
         ("", "plan.jsonl: must list at least one run"),
         ('{"cell": 0', "plan.jsonl:1: must be a JSON object"),
-        ("{}", "plan.jsonl:1: cell: must be there"),
+        ("{}", "plan.jsonl:1: cell: is missing"),
         ("[1]", "plan.jsonl:1: must be a JSON object on a line of its own"),
     ],
 )

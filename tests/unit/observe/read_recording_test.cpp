@@ -143,7 +143,7 @@ TEST_CASE("read recording: invalid numbers in the head -> error before allocatio
   CHECK(refused("\"robots\":3", "\"robots\":1e300") == cannot + "robots = 1e+300: must be a whole number from 1 to 4294967295");
   CHECK(refused("\"robots\":3", "\"robots\":4294967296") ==
         cannot + "robots = 4294967296: must be a whole number from 1 to 4294967295");
-  CHECK(refused("\"robots\":3", "\"robots\":4294967295").find(": damaged, a block of more frames than it can hold at byte ") ==
+  CHECK(refused("\"robots\":3", "\"robots\":4294967295").find(": damaged, more frames than its bytes can hold in the block at byte ") ==
         0);
   CHECK(refused("\"joints\":2", "\"joints\":1") == cannot + "joints = 1: must be 0 or 2, the number of its robot's hinges");
   CHECK(refused("\"frames_per_tick\":", "\"frames_per_tick\":1234567890123").find("frames_per_tick = ") != std::string::npos);
@@ -163,7 +163,7 @@ TEST_CASE("read recording: block with too many frames for its bytes -> error") {
   REQUIRE(io::recording::u32_at(blocks, 12) == 50);
   blocks.replace(12, 4, "\xff\xff\xff\xff");
   const std::filesystem::path path = folder.file("forged.trp", recording_with(whole.substr(16, size), blocks));
-  CHECK(refusal(path).find(": damaged, a block of more frames than it can hold at byte ") != std::string::npos);
+  CHECK(refusal(path).find(": damaged, more frames than its bytes can hold in the block at byte ") != std::string::npos);
 }
 
 TEST_CASE("read recording: moments closer than the resolution -> found") {

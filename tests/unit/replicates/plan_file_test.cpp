@@ -71,15 +71,15 @@ TEST_CASE("plan file: a draft -> needs neither what a program says of it nor tab
   const std::string draft = R"({"settings":{},"seed":1,"null":"none","folder":"a","replay_hz":0,"agents_every":1,)"
                             R"("senses":false,"states":false})";
   CHECK(disk.read(draft, plan::Lines::drafts).front().rule_table.empty());
-  CHECK(disk.refused(draft) == "plan.jsonl:1: rule_table: must be there");
+  CHECK(disk.refused(draft) == "plan.jsonl:1: rule_table: is missing");
 }
 
 TEST_CASE("plan file: broken -> refused with line, field, value and bound") {
   const PlanOnDisk disk;
   for (const auto& [what, by, message] : {
            std::tuple{"{\"cell\"", "\"cell\"", "plan.jsonl:3: must be a JSON object"},
-           std::tuple{"\"seed\"", "\"sede\"", "plan.jsonl:3: sede = 9007199254740991: must not be there"},
-           std::tuple{"\"null\":\"none\",", "", "plan.jsonl:3: null: must be there"},
+           std::tuple{"\"seed\"", "\"sede\"", "plan.jsonl:3: sede = 9007199254740991: must be omitted"},
+           std::tuple{"\"null\":\"none\",", "", "plan.jsonl:3: null: is missing"},
            std::tuple{"\"none\"", "\"non\"",
                       "plan.jsonl:3: null = \"non\": must be none, shadow, neutral, clones or one_sided_SPECIES"},
            std::tuple{"\"none\"", "\"one_sided_\"", "plan.jsonl:3: null = \"one_sided_\": must be none"},

@@ -263,7 +263,7 @@ def plan_of(request: dict) -> tuple[dict, list[dict[str, Any]], list[str]]:
     if request["panel"]:
         panel = _whole_runs([pathlib.Path(request["panel"])], how)[0]
         if (kind := _kind_of(panel[0])) != _kind_of(first):
-            raise RunError(f"--panel {request['panel']}: has runs with {kind}: must have {_kind_of(first)}")
+            raise RunError(f"--panel {request['panel']}: has runs of {kind}: must have runs of {_kind_of(first)}")
         for run in panel:
             check_epoch(run, panel[0].reached_s or 0.0)
     for run in runs:

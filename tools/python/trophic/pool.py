@@ -396,7 +396,7 @@ def read_pooled(folder: pathlib.Path) -> PooledRun:
         texts([manifest, *origin, *manifest.get("continued", [])], "code")
     except (KeyError, TypeError, AttributeError) as error:
         refuse(
-            f"{error}: must be there, as trophic writes it"
+            f"{error}: is missing; trophic always writes it"
             if isinstance(error, KeyError)
             else f"is not what trophic writes: {error}"
         )

@@ -58,7 +58,7 @@ RecordedRun open_run(const std::filesystem::path& folder) {
     io::RecordingReader recording{path};
     auto manifest = read_manifest(folder, recording.head());
     if (manifest.value("agents_every_ticks", Json(1)) != Json(1)) {
-      throw std::invalid_argument{(folder / "agents.csv").string() + ": has the ticks that are multiples of " +
+      throw std::invalid_argument{(folder / "agents.csv").string() + ": has only ticks that are multiples of " +
                                   json_text(manifest["agents_every_ticks"]) +
                                   ": must have all ticks to be shown, as with --agents-every 1"};
     }

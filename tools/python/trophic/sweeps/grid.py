@@ -167,7 +167,7 @@ def read_plan(path: pathlib.Path) -> list[PlannedRun]:
             raise RunError(f"{where}: must be a JSON object on a line of its own")
         for field, (is_right, must) in _FIELDS.items():
             if field not in line:
-                raise RunError(f"{where}: {field}: must be there")
+                raise RunError(f"{where}: {field}: is missing")
             if not is_right(line[field]):
                 raise RunError(f"{where}: {field} = {_json(line[field])}: must {must}")
         runs.append(PlannedRun(number - 1, **{field: line[field] for field in _FIELDS}))

@@ -349,7 +349,7 @@ def header_text(analysis: SweepAnalysis) -> str:
         if designs == {"paired"}
         else "as independent sets (different seeds in each cell)"
     )
-    over = ", each run over its shadow" if (differences["compared"] == ANSWER).any() else ""
+    over = ", each run relative to its shadow" if (differences["compared"] == ANSWER).any() else ""
     lines.append(
         f"{counted(count(differences).comparisons, 'comparison')} with it, {design}{over}; p corrected for all of them (Holm)"
     )
