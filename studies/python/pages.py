@@ -122,18 +122,6 @@ def claims(rows):
     return table(["published figure", "reading", "published", "margin", "ours", "conclusion"], lines)
 
 
-def summaries(rows):
-    """One line for each published figure."""
-    return table(
-        ["published figure", "conclusion"], [[row["claim"], row["summary"]] for row in first_of(rows, "claim")]
-    )
-
-
-def first_of(rows, key):
-    seen = set()
-    return [row for row in rows if not (row[key] in seen or seen.add(row[key]))]
-
-
 AGAINST_SHADOW = [
     ("attribution_caught", "prey", "all"),
     ("attribution_catches", "predator", "all"),
@@ -1077,7 +1065,6 @@ def tables(data, choices):
             file = name.replace(" ", "_")
             made[f"{name} shadow"] = lambda file=file: against_shadow(data(file))
             made[f"{name} claims"] = lambda file=file: claims(data(f"{file}_published"))
-            made[f"{name} summary"] = lambda file=file: summaries(data(f"{file}_published"))
     return made
 
 

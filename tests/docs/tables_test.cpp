@@ -77,9 +77,9 @@ constexpr std::string_view states = R"(
 ## states.csv
 
 The states of rules for every robot, at the ticks of agents.csv, after that tick's rules. Written only with --states.
-The columns time_s, tick, body and id are those of agents.csv. With a rule Metabolism the column energy_J follows, the individual's energy. One column
-SLOT.MEMBER follows for each member of each State of the table, such as starvation.exemption.adversary_distance_m. Numbers are exact,
-ancestors are ids, lists are separated by spaces, and an empty cell means no value.
+The columns time_s, tick, body and id are those of agents.csv. One column SLOT.MEMBER follows for each member of each State of the
+table, such as starvation.exemption.adversary_distance_m. Numbers are exact, ancestors are ids, lists are separated by spaces, and an
+empty cell means no value.
 )";
 
 constexpr std::string_view bodies = R"(

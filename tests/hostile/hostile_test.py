@@ -579,7 +579,7 @@ class Converted(Hostile):
             ),
             (
                 "0 CoreComponent Core 0\n\t0 ParametricJoint J 0 0.02 0 0\n\t\t0 ActiveHinge H 0\n",
-                ":2: J: is of type ParametricJoint: must be a core, an active hinge or a brick, as it carries ActiveHinge H (line 3)",
+                ":2: J: is of type ParametricJoint: must be a core, an active hinge or a brick, because it carries ActiveHinge H (line 3)",
             ),
             *(
                 (json.dumps(robogen_result(ROBOGEN)).replace(right, wrong), sentence)

@@ -158,9 +158,10 @@ class Analyze(InFolderWithSets):
         for name in captions:
             for ending in ("png", "pdf"):
                 self.assertGreater((self.folder / f"analysis/figures/{name}.{ending}").stat().st_size, 5000)
-        again = self.call(TROPHIC, "plot", "analysis")
+        again = self.call(TROPHIC, "plot", "analysis", "--out", "analysis/figures")
         self.assertEqual(again.stdout, "")
         self.assert_refused(again, "figures: exists already; files are never overwritten")
+        self.assertIn("figures in analysis/figures-1, with", self.run_ok(TROPHIC, "plot", "analysis").stdout)
         self.analyze("--compare", "paper", self.sets / "released", "--out", "compared")
         self.run_ok(TROPHIC, "plot", "compared")
         self.assertIn("forest", json.loads((self.folder / "compared/figures/captions.json").read_text()))

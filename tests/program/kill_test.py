@@ -154,7 +154,7 @@ class Killed(InFolder):
                 )  # the run's whole processor time
                 self.assertEqual(run.returncode, STOPPED, errors)
                 self.assertIn("stopping; finished work is kept", errors)
-                self.assertIn(f"--resume --out {out} resumes it", printed)
+                self.assertIn(f"repeat the command with --resume --out {out}", printed)
                 self.assertEqual(self.manifest(out)["status"], "stopped")
                 again = self.finish_ok(*self.command(out, 7, "--resume"))
                 self.assertIn("resumes from its checkpoint at", again.stdout)

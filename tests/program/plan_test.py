@@ -551,7 +551,8 @@ class Refusals(Sweeps):
     def test_options(self):
         for arguments, says in {("--sbatch", "0"): "--sbatch 0: must be >= 1"}.items():
             self.assertIn(says, self.refused(*arguments), arguments)
-        self.assert_refused(self.call(OPTIONS.trophic, "plan", "sweep.toml"), "needs --out or --dry-run")
+        both = self.call(OPTIONS.trophic, "plan", "sweep.toml", "--dry-run", "--out", "out")
+        self.assert_refused(both, "--out: not with --dry-run")
         self.plan()
         for arguments, says in {
             ("--run", "3", "99"): "--run 99: must be < ",
@@ -646,6 +647,12 @@ class Refusals(Sweeps):
     def test_folder_of_something_else_is_refused(self):
         (self.folder / "out").mkdir()
         self.assertIn("out: exists already and does not have plan.jsonl", self.refused())
+
+    def test_without_a_name_the_folder_has_the_name_of_the_sweep(self):
+        for _ in range(2):  # the same plan again
+            planned = self.run_ok(OPTIONS.trophic, "plan", "sweep.toml", "--program", OPTIONS.program)
+        self.assertIn("--plan runs/sweep/plan.jsonl", planned.stdout)
+        self.assertTrue((self.folder / "runs/sweep/plan.jsonl").is_file())
 
     def test_dry_run_prints_what_would_be_run(self):
         done = self.plan("--dry-run")

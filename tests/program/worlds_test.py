@@ -246,6 +246,9 @@ class Worlds(InFolder):
             self.assertGreater(int(re.search(rf"alive.* (\d+) {one}", out)[1]), 0, out)
         self.assertGreater(int(re.search(r"births\s+(\d+)", out)[1]), 200)
         energy = pandas.read_csv(folder / "energy.csv")
+        agents = pandas.read_csv(folder / "agents.csv").groupby(["time_s", "species"]).energy_J.sum()
+        stock = energy.set_index(["time_s", "species"]).stock_J
+        numpy.testing.assert_allclose(agents, stock[agents.index], atol=1e-6 * energy.stock_J.max())
         flows = energy.eval("outside_J + field_J + victims_J + received_J - upkeep_J - eaten_J - given_J - lost_J")
         for name, ledger in energy.groupby("species"):
             numpy.testing.assert_allclose(

@@ -18,8 +18,8 @@ namespace trophic::changes {
 /// Throws std::invalid_argument for a parameter whose change to a value during a run would have no effect.
 void check_acts_later(const NamedParam& param, const std::string& value);
 
-/// Throws std::invalid_argument naming the first parameter in which two runs differ that a run cannot change halfway: all but
-/// rules, seed, duration and threads. `branches`: the run begins there, so that parameters of rules must act later.
+/// Throws std::invalid_argument naming the first parameter that differs between two runs and cannot change during a run: all
+/// except rules, seed, duration and threads. `branches`: the run starts there, so changed rule parameters must act later.
 void check_may_follow(const observe::RunDescription& origin, const observe::RunDescription& run, bool branches = true);
 
 }  // namespace trophic::changes

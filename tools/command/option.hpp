@@ -53,7 +53,7 @@ struct Command {
 /// Exit codes: errors in the arguments, and errors at run time.
 inline constexpr int usage_error = 2;
 inline constexpr int run_error = 1;
-/// A signal ended the work early; the same command with --resume continues it.
+/// A signal interrupted the work; the same command with --resume resumes it.
 inline constexpr int stopped = 3;
 
 }  // namespace trophic::command

@@ -23,6 +23,7 @@
 #include <tools/replicates/parallel.hpp>
 #include <tools/replicates/stop_on_signal.hpp>
 #include <trophic/backend/contract.hpp>
+#include <trophic/observe/print_remarks.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/support/whole_file.hpp>
 
@@ -279,7 +280,9 @@ int run_plan(const ExperimentOptions& options, const Offer& offer) {
   const replicates::StopOnSignal stop;
   const std::vector<std::size_t> runs = detail::plans::chosen_runs(options, runner.runs());
   for (const std::size_t run : runs) {
-    if (!plan::is_complete(runner.folder(), runner.runs()[run])) runner.check(run);
+    if (plan::is_complete(runner.folder(), runner.runs()[run])) continue;
+    runner.check(run);
+    observe::print_remarks(runner.facts(run).description.remarks);
   }
   if (!options.accept_other_build) plan::check_builds(runner.folder(), runner.runs());
 

@@ -25,7 +25,8 @@ struct Options {
 /// Larger than any body; also the bound of a robot file's text.
 inline constexpr std::uint64_t most_bytes = std::uint64_t{1} << 20U;
 
-[[nodiscard]] int run(const Options& options) {
+[[nodiscard]] int run(Options options) {
+  if (options.out.empty()) options.out = free_name(options.body, ".toml");
   const std::filesystem::path out = options.out;
   if (out.extension() != ".toml") throw std::invalid_argument{"--out " + options.out + ": must end in .toml"};
   check_new_file("--out", out);
@@ -58,7 +59,9 @@ Command convert_body() {
               "Converts another program's body of cores, active hinges and bricks to a robot file. It reads RoboGen's text or "
               "JSON, Revolve's YAML, or a tree of revolve2's modules as JSON or YAML.",
           .options = {{.name = "body", .target = &options->body, .help = "file of the body", .required = true},
-                      {.name = "--out", .target = &options->out, .help = "new robot file, ROBOT.toml", .required = true},
+                      {.name = "--out",
+                       .target = &options->out,
+                       .help = "new robot file (default: BODY.toml, or the next free BODY-2.toml, ...)"},
                       {.name = "--name", .target = &options->name, .help = "name of the robot (default: the file's name)"}},
           .work = [options] { return detail::convert_body::run(*options); },
           .examples = {"trophic convert starfish.txt --out starfish.toml"}};

@@ -21,7 +21,8 @@ struct Options {
   std::optional<std::uint64_t> follow;
 };
 
-[[nodiscard]] int run(const Options& options) {
+[[nodiscard]] int run(Options options) {
+  if (options.out.empty()) options.out = free_name(options.run, ".glb");
   const std::filesystem::path out = options.out;
   if (out.extension() != ".glb" && out.extension() != ".gltf") {
     throw std::invalid_argument{"--out " + options.out + ": must end in .glb or .gltf"};
@@ -53,8 +54,7 @@ Command export_run() {
       .options = {{.name = "run", .target = &options->run, .help = "folder of a run", .required = true},
                   {.name = "--out",
                    .target = &options->out,
-                   .help = "new file, .glb (binary) or .gltf (text)",
-                   .required = true,
+                   .help = "new file, .glb (binary) or .gltf (text) (default: RUN.glb, or the next free RUN-2.glb, ...)",
                    .shorthand = "-o"},
                   {.name = "--from", .target = &options->window.from_s, .help = "start, in seconds (default: the run's start)"},
                   {.name = "--to",

@@ -98,8 +98,8 @@ Command film() {
            {.name = "--robot", .target = &options->robot, .help = "draw this robot file instead of a run (its name or path)"},
            {.name = "--out",
             .target = &options->out,
-            .help = "new file: .png, .mp4, .webm or .gif",
-            .required = true,
+            .help = "new file: .png, .mp4, .webm or .gif (default: RUN.mp4, or .png with --sheet or --robot; or the next free "
+                    "RUN-2.mp4, ...)",
             .shorthand = "-o"},
            {.name = "--from",
             .target = &options->from_s,

@@ -42,7 +42,8 @@ struct Options {
   return folders;
 }
 
-[[nodiscard]] int run(const Options& options) {
+[[nodiscard]] int run(Options options) {
+  if (options.out.empty()) options.out = free_name(options.runs.front(), ".html");
   if (const auto ending = std::filesystem::path{options.out}.extension(); ending != ".html" && ending != ".htm") {
     throw std::invalid_argument{"--out " + options.out + ": must end in .html or .htm"};
   }
@@ -77,11 +78,14 @@ Command show() {
             .target = &options->runs,
             .help = "folders of runs, or of replicates; several are shown side by side",
             .required = true},
-           {.name = "--out", .target = &options->out, .help = "new HTML file", .required = true, .shorthand = "-o"},
+           {.name = "--out",
+            .target = &options->out,
+            .help = "new HTML file (default: RUN.html, or the next free RUN-2.html, ...)",
+            .shorthand = "-o"},
            {.name = "--from", .target = &options->window.from_s, .help = "show only what happens after this time, in seconds"},
            {.name = "--to", .target = &options->window.to_s, .help = "show only what happens before this time, in seconds"}},
       .work = [options] { return detail::show::run(*options); },
-      .examples = {"trophic show runs/quickstart-1 -o run.html"}};
+      .examples = {"trophic show runs/quickstart-1"}};
 }
 
 }  // namespace trophic::command

@@ -11,10 +11,10 @@ namespace trophic::backend {
 
 /// A robot is a point that walks along its heading at a constant speed and turns clockwise at a rate proportional to its target
 /// angle: each step it follows an exact arc. Walls, obstacles and the feet of slopes stop it (it slides along them); robots
-/// pass through each other, and rough ground is flat. For tests of rules and observers, and for fast trials.
+/// pass through each other, and rough ground is flat. This backend is for tests of rules and observers and for fast trials.
 ///
-/// Speed and turning rate are the robot's `walk`: its own gait, measured in MuJoCo at target angles of +-0.7 rad, those of the
-/// cognitive brain. `ecology.gait` does not change them; the pace of a robot scales both.
+/// Speed and turning rate are the robot's `walk`, measured with its own gait in MuJoCo at target angles of +-0.7 rad, those of
+/// the cognitive brain. `ecology.gait` does not change them; the pace of a robot scales both.
 ///
 /// Ignores joints, Physics and the height and tilt of the start poses: reported poses stand upright at the robot's rest height.
 /// No random draws; the same bits with every compiler and optimisation level that keeps IEEE arithmetic.
@@ -93,7 +93,7 @@ class Kinematic : public Points {
     body.heading_rad = wrap_angle(direction_rad + half_turn_rad);
   }
 
-  /// Less than half of an obstacle's width at once. A robot that would get stuck between two stays where it was.
+  /// Moves less than half of an obstacle's width at once. A robot that would get stuck between two obstacles stays where it was.
   void walk_among_obstacles(Body& body, double dx_m, double dy_m) const {
     double x_m = std::clamp(body.x_m + dx_m, -limit_m_, limit_m_);
     double y_m = std::clamp(body.y_m + dy_m, -limit_m_, limit_m_);
@@ -116,7 +116,8 @@ class Kinematic : public Points {
   }
 
   Params params_;
-  double thinnest_m_ = std::numeric_limits<double>::infinity();  ///< from an obstacle's axis to where it stops a robot
+  double thinnest_m_ =
+      std::numeric_limits<double>::infinity();  ///< smallest distance from an obstacle's axis at which it stops a robot
   double speed_m_s_;
   double turn_rate_per_rad_;
   double limit_m_;

@@ -6,10 +6,10 @@
 
 namespace trophic::backend {
 
-/// A robot is a point. In each step it turns clockwise by a part of its target angle, then walks straight; who leaves the square
-/// on one side comes in on the other, and distances are the shortest over its edges (View::distance_m). Points pass through each
-/// other. The arena gives the size of the square; its walls have no effect. For worlds of equations and of patches, such as
-/// wolf_sheep.
+/// A robot is a point. In each step it turns clockwise by a part of its target angle and then walks straight. A robot that leaves
+/// the square on one side re-enters it on the other, and distances are the shortest across its edges (View::distance_m). Points
+/// pass through each other. The arena gives the size of the square; its walls have no effect. This backend is for worlds of
+/// equations or patches, such as wolf_sheep.
 ///
 /// Ignores joints and walks of robots, Physics and the height and tilt of poses. No random draws; the same bits everywhere.
 class Torus : public Points {

@@ -16,8 +16,8 @@ class BodyGenes {
  public:
   using Plan = AnswersForSpecies<PolicyIn<Rules, RuleSlot::body_plan>>;
   static constexpr bool are_inherited = reproduction::InheritedBody<Plan>;
-  static constexpr bool differ = !is_neutral<Rules, RuleSlot::body_plan>;  ///< whether individuals have bodies of their own
-  static constexpr std::size_t most_draws = 1000;                          ///< of a body without a parent
+  static constexpr bool differ = !is_neutral<Rules, RuleSlot::body_plan>;  ///< whether individuals have their own bodies
+  static constexpr std::size_t most_draws = 1000;                          ///< for a body without a parent
 
   BodyGenes(const Policies<Rules>& rules, const Habitat* habitat) : rules_{rules}, habitat_{habitat} {}
 

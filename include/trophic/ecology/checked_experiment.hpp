@@ -27,7 +27,7 @@ struct CheckedExperiment {
 
 namespace detail {
 
-/// Calls `visit(policy)` with the policy of each species, or with the one of all.
+/// Calls `visit(policy)` with each species' policy, or with the common one.
 template <class P, class Visitor>
 void for_each_species_policy(const P& policy, const Visitor& visit) {
   if constexpr (requires {
@@ -40,7 +40,7 @@ void for_each_species_policy(const P& policy, const Visitor& visit) {
   }
 }
 
-/// Throws std::invalid_argument if a table names its backends and this is none of them.
+/// Throws std::invalid_argument if a table names its backends and this is not one of them.
 template <class Rules>
 void check_backend(const std::string& name) {
   constexpr auto backends = backends_of<Rules>();
@@ -61,8 +61,9 @@ template <class Rules>
   return names;
 }
 
-/// Throws std::invalid_argument if the backend cannot show what the rules Gait and BodyPlan give individuals, if these do not go
-/// together, or for a rule that this table on this backend would never ask: a run would be the same without it.
+/// Throws std::invalid_argument if the backend cannot simulate the gaits and bodies that the rules Gait and BodyPlan give
+/// individuals, if these rules are incompatible, or for a rule that this table on this backend would never use, so that the run
+/// would be the same without it.
 template <class Rules>
 void check_parts(const BackendChoice& backend) {
   constexpr bool bodies_differ = BodyGenes<Rules>::differ;

@@ -10,6 +10,7 @@
 #include <trophic/ecology/effects.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/gait_genes.hpp>
+#include <trophic/ecology/idle_rules.hpp>
 #include <trophic/ecology/trait_genes.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/observe/run_description.hpp>
@@ -19,7 +20,7 @@
 
 namespace trophic {
 
-/// The name of a table's rule Heredity under a null, which the population applies in its place; empty without a null.
+/// The name of the rule that replaces a table's rule Heredity under a null; empty without a null.
 template <class Rules>
 [[nodiscard]] std::string heredity_under(const Null& null) {
   const std::string own{detail::policy_name<PolicyIn<Rules, RuleSlot::heredity>>()};
@@ -80,12 +81,9 @@ template <class Rules>
       run.remarks.push_back("null = " + name_of(experiment.null) + " has no effect: " + experiment.null.species +
                             " already inherits nothing because of " + why);
   }
-  using Capture = PolicyIn<Rules, RuleSlot::capture>;
-  const std::string zone{death::ask::zone<Capture>()};
-  if (!zone.empty() && std::ranges::count(habitat.arena.zones, zone, &Zone::name) == 0) {
-    run.remarks.push_back("rules.capture = " + std::string{detail::policy_name<Capture>()} + ": arena " + habitat.arena.name +
-                          " has no zone named " + zone);
-  }
+  if (experiment.lineup.empty())
+    for (std::string& idle : idle_rules<Rules>(policies, habitat.arena, experiment.ecology.robots))
+      run.remarks.push_back(std::move(idle));
   Experiment<Rules> table;
   if (!experiment.ecology.gait.empty()) table.ecology.gait = habitat.robot.gait;
   if (std::string said = backend.prescribe(table.physics, Rules::physics()); !said.empty())

@@ -12,7 +12,7 @@
 
 namespace trophic {
 
-/// The rule or parameter by which a species inherits nothing without a null, too; empty if it may inherit.
+/// The rule or parameter because of which a species inherits nothing even without a null; empty if it may inherit.
 template <class Rules>
 [[nodiscard]] std::string why_nothing_inherited(const Policies<Rules>& policies, Species species) {
   const auto& heredity = for_species(policies.heredity, species);
@@ -26,7 +26,7 @@ template <class Rules>
   return {};
 }
 
-/// Whether a parameter has no effect but through joints.
+/// Whether a parameter has an effect only through joints.
 [[nodiscard]] constexpr bool acts_through_joints(std::string_view path) {
   return path.starts_with("rules.steering.") || path == "ecology.gait" || path == "ecology.control_hz" ||
          path == "ecology.cpg_integration" || path == "ecology.idle_control_steps" || path == "ecology.phase_at_birth";
@@ -44,9 +44,9 @@ template <class Rules>
   return false;
 }
 
-/// The answer of a policy, or of that of the species that the path names, to why_no_effect: a parameter without effect may be
-/// named by an optional `std::string_view why_no_effect(std::string_view number, const FoodWeb&, OneSpecies) const`, which
-/// returns the reason, "for a species that hunts nothing", or nothing. `number` is its path in Params.
+/// The result of why_no_effect of a policy, or of the policy of the species in the path. The optional `std::string_view
+/// why_no_effect(std::string_view number, const FoodWeb&, OneSpecies) const` returns why a parameter has no effect, such as "for
+/// a species that hunts nothing", or an empty text. `number` is its path in Params.
 template <class P>
 [[nodiscard]] std::string why_no_effect(const P& policy, std::string_view number, const FoodWeb& web, OneSpecies species = {}) {
   if constexpr (requires { policy.why_no_effect(number, web, species); }) {
@@ -61,7 +61,7 @@ template <class P>
 
 }  // namespace detail
 
-/// Sets when each parameter is read, and the reason for which one has no effect.
+/// Sets when each parameter is read, and why a parameter has no effect.
 template <class Rules>
 void note_effects(NamedParams& params, const Experiment<Rules>& experiment, const Policies<Rules>& policies,
                   const BackendChoice& backend) {

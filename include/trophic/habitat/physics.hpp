@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The parameters of the physics that an experiment states for any engine.
+// The physics parameters that an experiment specifies for any engine.
 #pragma once
 
 #include <trophic/params/params.hpp>
 
 namespace trophic {
 
-/// The bound for a floor or a body: with more, engines let robots sink.
+/// The bound for a floor or a body, beyond which engines let robots sink.
 inline constexpr double most_friction = 10.0;
 
 enum class Integrator { semi_implicit_euler, rk4 };
@@ -14,8 +14,8 @@ enum class Integrator { semi_implicit_euler, rk4 };
   return {"semi_implicit_euler", "rk4"};
 }
 
-/// The integration of the equations of motion; the part of the physics that an experiment's rules state (Sec. Methodology). The
-/// paper gives the timestep and is silent about the integrator.
+/// The integration of the equations of motion, the part of the physics that an experiment's rules specify (Sec. Methodology). The
+/// paper gives the time step and is silent about the integrator.
 struct Physics {
   double timestep_s = 0.0012;
   Integrator integrator = Integrator::semi_implicit_euler;

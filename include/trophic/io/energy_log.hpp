@@ -7,8 +7,8 @@
 
 namespace trophic::io {
 
-/// energy.csv: one row per species and tick, after that tick's rules. stock_J is the last one's plus the other columns, those
-/// from upkeep_J on subtracted.
+/// energy.csv: one row per species and tick, after that tick's rules. stock_J is the previous row's plus the other columns, minus
+/// those from upkeep_J on.
 struct EnergyRow {
   double time_s = 0.0;
   std::int64_t tick = 0;
@@ -42,7 +42,7 @@ struct EnergyRow {
   }
 };
 
-/// resource.csv: one row per tick. stock_J is the last one's plus grown_J less taken_J.
+/// resource.csv: one row per tick. stock_J is the previous row's plus grown_J minus taken_J.
 struct ResourceRow {
   double time_s = 0.0;
   std::int64_t tick = 0;
@@ -123,7 +123,7 @@ class ResourceLog : public CsvFile<ResourceRow> {
   }
 };
 
-/// Writes a FieldRow per cell at every tenth tick, of a field of more than 10,000 cells at every hundredth.
+/// Writes a FieldRow per cell at every tenth tick, or every hundredth for a field of more than 10,000 cells.
 class FieldLog : public CsvFile<FieldRow> {
  public:
   using CsvFile::CsvFile;

@@ -15,7 +15,7 @@ namespace trophic {
 
 TROPHIC_INLINE GrowingFile::GrowingFile(const std::filesystem::path& path, Opening opening) : path_{path} {
   const bool is_new = opening == Opening::created;
-  // O_NONBLOCK: the program must not wait for a reader of a pipe. O_RDWR: what is there is compared with the checkpoint.
+  // O_NONBLOCK: the program must not wait for a reader of a pipe. O_RDWR: the content is compared with the checkpoint.
   const int flags = O_APPEND | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW | (is_new ? O_WRONLY | O_CREAT | O_EXCL : O_RDWR);
   file_ = ::open(path.c_str(), flags, 0666);
   if (file_ < 0 && errno == ELOOP) throw std::runtime_error{"cannot open " + path.string() + ": it is a symbolic link"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Own tables: observers that a program gives to its experiments, so that every run writes their tables, too.
+// Own tables: observers that a program adds to its experiments, so that every run also writes their tables.
 #pragma once
 
 #include <algorithm>
@@ -30,8 +30,8 @@ inline constexpr std::array<std::string_view, 12> run_tables{"events.csv", "agen
 ///   void persist(Archive& archive)                                  its state, and its CsvFile
 ///   TableSum sum() const                                            its CsvFile's
 ///
-/// The run puts the file on the disk when it ends.
-/// It observes; it neither asks for frames nor ends a run: such observers are passed to run_until.
+/// The run writes the file to the disk when it ends. Such an observer neither requests frames nor ends a run; observers that do
+/// are passed to run_until.
 template <class O>
 concept OwnTable = observe::Observer<O> && Persists<O> && std::constructible_from<O, const std::filesystem::path&, Opening> &&
     requires(const O& table) {
@@ -40,7 +40,7 @@ concept OwnTable = observe::Observer<O> && Persists<O> && std::constructible_fro
 } && !observe::detail::Names_on_frame<O> && !observe::detail::Names_between_ticks<O> && !observe::detail::Names_keep_running<O> &&
     !observe::detail::Names_cancels_tick<O>;
 
-/// A table of a run, its type erased.
+/// A type-erased table of a run.
 class AnyOwnTable {
  public:
   AnyOwnTable() = default;

@@ -137,7 +137,7 @@ TROPHIC_INLINE void Recording::on_frame(const observe::Frame& frame) {
   if (values_.size() / (channels_ * robots_) >= block_frames_) write_frames();
 }
 
-/// The bodies that were set down since the last frame. A body with more joints than all before begins a block.
+/// The bodies that were put in place since the last frame. A body with more joints than all previous ones begins a block.
 TROPHIC_INLINE void Recording::write_bodies(const observe::Frame& frame) {
   std::string who;
   recording::append_u32(who, frames_);
@@ -181,7 +181,7 @@ TROPHIC_INLINE void Recording::on_failure(std::string_view) {
   try {
     if (file_) write_frames();
   } catch (const std::runtime_error&) {
-    // A full disk is the reason of the failure, or a worse one is reported.
+    // The disk is full, or a worse failure is reported elsewhere.
   }
 }
 
@@ -189,7 +189,7 @@ TROPHIC_INLINE void Recording::on_failure(std::string_view) {
 TROPHIC_INLINE std::string Recording::waiting() const {
   const std::size_t columns = channels_ * robots_;
   const std::size_t frames = values_.size() / columns;
-  // Channel by channel, as `packed` takes the columns.
+  // Channel by channel, as `packed` expects the columns.
   std::vector<std::int16_t> ordered(values_.size());
   for (std::size_t frame = 0; frame < frames; ++frame) {
     for (std::size_t robot = 0; robot < robots_; ++robot) {

@@ -16,7 +16,7 @@ namespace trophic::io {
   return list + ']';
 }
 
-/// events.csv: one row per event, in the order in which they happened.
+/// events.csv: one row per event, in chronological order.
 struct EventRow {
   double time_s = 0.0;
   std::int64_t tick = 0;
@@ -79,6 +79,8 @@ struct AgentRow {
   std::optional<IndividualId> adversary = {};
   std::optional<double> adversary_distance_m = {};
   std::optional<std::int64_t> hunger_ticks = {};
+  std::optional<double> energy_J = {};
+  NamedNumbers own = {};
 
   static constexpr auto columns() {
     return std::tuple{
@@ -99,11 +101,16 @@ struct AgentRow {
         column("adversary_id", &AgentRow::adversary, "", "the closest perceived member of an opposing species"),
         column("adversary_distance_m", &AgentRow::adversary_distance_m, "m", "distance to that adversary", micro),
         column("hunger_ticks", &AgentRow::hunger_ticks, "ticks",
-               "ticks since birth or the last catch; empty for a species without prey")};
+               "ticks since birth or the last catch; empty for a species without prey"),
+        column("energy_J", &AgentRow::energy_J, "J", "energy of the individual; only with a rule Metabolism",
+               {.decimals = 6, .if_any = true}),
+        named_columns("", &AgentRow::own,
+                      "a heritable trait by its name, such as sight_m, or an act of the last decision other than turn and tag, "
+                      "such as rest")};
   }
 };
 
-/// Outcome of the tag that a brain wanted: the robot showed it already, shows it from now on, or the rules denied it.
+/// Outcome of the tag that a brain chose: the robot showed it already, shows it from now on, or the rules denied it.
 enum class TagOutcome { kept, switched, denied };
 [[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(TagOutcome) {
   return {"kept", "switched", "denied"};
@@ -204,8 +211,8 @@ struct TaxonRow {
   }
 };
 
-/// genomes.csv: one row per birth. If genomes are shared, a later row of the same genome_id holds the weights that all of its
-/// individuals have from then on.
+/// genomes.csv: one row per birth. If genomes are shared, a later row with the same genome_id has the new weights of all its
+/// individuals.
 struct GenomeRow {
   IndividualId id = 0;
   std::uint64_t genome = 0;
@@ -228,7 +235,7 @@ enum class GenomePart { brain, gait, body };
   return {"brain", "gait", "body"};
 }
 
-/// genes.csv: one row per gene of every newborn, of the parts that are not in genomes.csv.
+/// genes.csv: one row per gene of every newborn, for the parts that are not in genomes.csv.
 struct GeneRow {
   IndividualId id = 0;
   GenomePart part = GenomePart::brain;

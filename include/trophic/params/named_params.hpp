@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parameters by their paths, in place and by value: for configuration files and manifests.
+// Parameters by their paths, by reference and by value, for configuration files and manifests.
 #pragma once
 
 #include <algorithm>
@@ -10,12 +10,12 @@
 
 namespace trophic {
 
-/// One parameter, switch or text of a run with its path, e.g. "rules.mutation.sd".
+/// One parameter of a run (a number, switch or text) with its path, e.g. "rules.mutation.sd".
 struct NamedParam {
   std::string path;
   std::variant<bool, std::int64_t, double, std::string> value;
   std::string help;
-  Bound bound = {};  ///< of a number
+  Bound bound = {};  ///< bound of a number
   Read read = Read::at_any_tick;
   std::string no_effect = {};  ///< the reason for which it has none in this table on this backend; empty if it has one
   friend bool operator==(const NamedParam& a, const NamedParam& b) {
@@ -34,10 +34,11 @@ struct WholeRef {
   void (*set)(void* value, std::int64_t to);
   std::int64_t lowest;
   std::uint64_t largest;
-  std::span<const std::string_view> names = {};  ///< of an enumeration
+  std::span<const std::string_view> names = {};  ///< names of an enumeration's values
 };
 
-/// A parameter in its Params struct. A rule without parameters has no target. Valid as long as the struct.
+/// A reference to a parameter in its Params struct; it has no target for a rule without parameters. Valid as long as the struct
+/// exists.
 struct ParamRef {
   std::string path;
   std::string_view help = {};
@@ -118,7 +119,7 @@ void append_param_refs(P& params, std::string_view path, ParamRefs& refs, Read r
 
 }  // namespace detail
 
-/// Every field of a Params struct in place, nested ones included, in order.
+/// References to all fields of a Params struct, including nested ones, in order.
 template <class P>
 [[nodiscard]] ParamRefs param_refs(P& params) {
   ParamRefs refs;
@@ -126,7 +127,7 @@ template <class P>
   return refs;
 }
 
-/// Every field of a Params struct, nested ones included, in order.
+/// All fields of a Params struct, including nested ones, in order.
 template <class P>
 [[nodiscard]] NamedParams named_params_of(P params) {
   return named_params_of(param_refs(params));

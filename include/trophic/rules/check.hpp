@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The requirements on a rule table: each violation is one compile error, a sentence.
+// The requirements on a rule table: each violation is one compile error with a clear message.
 #pragma once
 
 #include <trophic/params/policy.hpp>
@@ -28,8 +28,7 @@ class PerSpeciesOf;
 
 namespace detail {
 
-/// The policy that a table states for each slot: `stated_<member><Rules>::type`, the neutral policy of a slot that it leaves
-/// out.
+/// The policy that a table states for each slot: `stated_<member><Rules>::type`, or the neutral policy of an omitted slot.
 #define TROPHIC_STATED(Slot, member, kind, Contract, Neutral, ...) \
   template <class Rules>                                           \
   struct stated_##member {                                         \
@@ -64,7 +63,7 @@ struct in_table<Whole<Ps...>, Rules> {
   using type = Whole<typename in_table<Ps, Rules>::type...>;
 };
 
-/// The first error in a slot. Later ones are not checked, so that one mistake is one error.
+/// Returns the slot's first error. Later ones are not checked, so that one mistake gives one error.
 enum class Fault {
   none,
   missing,
@@ -124,7 +123,7 @@ template <class Policy, bool fits_contract, bool may_differ_by_species>
   }
 }
 
-/// Whether these acts include all that a policy, or a policy in it, names in ReadsActs.
+/// Whether these acts include all that a policy, or a policy inside it, names in ReadsActs.
 template <class Acts, class Policy>
 inline constexpr bool has_own_acts_of = true;
 template <class Acts, class Policy>
@@ -155,7 +154,7 @@ template <class Traits, template <class...> class Whole, class... Ps>
 inline constexpr bool has_traits_of<Traits, Whole<Ps...>> = has_own_traits_of<Traits, Whole<Ps...>> &&
                                                             (has_traits_of<Traits, Ps> && ...);
 
-/// The fault of a policy in a table with these acts and traits; `alone`: its fault in any table.
+/// The error of a policy in a table with these acts and traits; `alone`: its error in any table.
 template <class Policy, class Acts, class Traits, Fault alone>
 [[nodiscard]] consteval Fault fault_with() {
   if constexpr (alone != Fault::none || !control::ActList<Acts> || !reproduction::TraitRule<Traits>) {
@@ -207,9 +206,9 @@ template <class Rules>
   return none;
 }
 
-/// Fails to compile, with one sentence, unless Rules is final, has a name and parameters, and has a policy that satisfies the
-/// contract in every slot, except in those with a neutral policy, which it may leave out. A misspelt name of such a slot in a
-/// table written out is the one mistake that cannot be detected here: C++ does not list the members of a class. with_<slot> and
+/// Fails to compile with one message unless Rules is final, has a name and parameters, and has a policy that satisfies the
+/// contract in every slot; slots with a neutral policy may be omitted. The only mistake that cannot be detected here is a
+/// misspelt name of such a slot in a table written in full, because C++ does not list the members of a class. with_<slot> and
 /// parameters for the slot detect it.
 template <class Rules>
 struct CheckRules {
@@ -276,7 +275,7 @@ struct CheckRules {
 
 }  // namespace detail
 
-/// The policy in a slot of a table; the neutral one of a slot that the table leaves out.
+/// The policy in a slot of a table, or the neutral one of an omitted slot.
 template <class Rules, RuleSlot slot>
 using PolicyIn = typename detail::policy_in<Rules, slot>::type;
 
@@ -297,7 +296,7 @@ template <class Rules>
 }  // namespace detail
 
 /// Whether a type is a rule table: final, with a name and its parameters, and a valid policy in each slot that it states.
-/// RuleParams, and therefore every experiment, rejects other types with a sentence about the error.
+/// RuleParams, and therefore every experiment, rejects other types with a message about the error.
 template <class Rules>
 inline constexpr bool is_rule_table = detail::is_table<Rules>();
 

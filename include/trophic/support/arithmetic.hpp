@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Finds compiler flags that give a run other numbers and define no macro; cpp20.hpp refuses those with one.
+// Detects compiler flags that change the numbers of a run and define no macro; cpp20.hpp rejects those that define one.
 #pragma once
 
 #include <cmath>
@@ -12,8 +12,8 @@ namespace trophic {
 
 namespace detail {
 
-/// What differs from plain double precision in the code of this template, and the flag against it; empty if nothing does. Each
-/// `Compiled` has a code of its own, so that no other file's flags count.
+/// Returns how the code of this template deviates from plain double precision, and the flag that prevents it; empty if it does
+/// not. Each `Compiled` has its own code, so flags of other files have no effect.
 template <class Compiled>
 [[nodiscard]] std::string_view changed_arithmetic() {
   const auto unknown = [](double value) {  // to the compiler
@@ -29,20 +29,21 @@ template <class Compiled>
   if (!std::signbit(-(zero - zero))) return "ignores the sign of zero: -fsigned-zeros";
   if (unknown(1.0) / unknown(10.0) != 0.1) return "has constants of single precision: -fno-single-precision-constant";
   if (unknown(std::numeric_limits<double>::min()) * 0.5 == 0.0)
-    return "takes the smallest numbers for zero: -fno-fast-math, and linked so";
+    return "treats subnormal numbers as zero: -fno-fast-math, and linked with it";
   return {};
 }
 
 }  // namespace detail
 
-/// Throws std::runtime_error if the code of `Compiled`, such as a rule table, was compiled so that runs have other bytes.
+/// Throws std::runtime_error if the code of `Compiled`, such as a rule table, was compiled in a way that changes the bytes of
+/// runs.
 template <class Compiled>
 void check_arithmetic() {
   const std::string_view changed = detail::changed_arithmetic<Compiled>();
   if (changed.empty()) return;
   const std::size_t end = changed.find(": ");
   throw std::runtime_error{"this program was compiled so that it " + std::string{changed.substr(0, end)} +
-                           ", which gives a run other numbers: must be compiled with" + std::string{changed.substr(end + 1)}};
+                           ", which changes the numbers of a run: must be compiled with" + std::string{changed.substr(end + 1)}};
 }
 
 }  // namespace trophic

@@ -28,7 +28,7 @@ namespace detail {
   return -1;
 }
 
-/// Gives a file a name that nothing has. Returns false, with errno, if something has it or if the system refuses.
+/// Gives a file an unused name. Returns false, with errno, if the name is taken or if the system refuses.
 [[nodiscard]] inline bool rename_to_free(const std::filesystem::path& from, const std::filesystem::path& to) {
 #ifdef RENAME_NOREPLACE
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Folders and files that are what their names say: a program that writes into a link writes elsewhere.
+// Rejects links in place of folders and files, because a program that writes to a link writes elsewhere.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ inline void check_no_link(const std::filesystem::path& path) {
                               ": is a symbolic link: must be a real file or folder, or output would be written elsewhere"};
 }
 
-/// Throws std::invalid_argument if something in a folder is a symbolic link or a file that has another name, too.
+/// Throws std::invalid_argument if a folder contains a symbolic link or a file with a second name.
 inline void check_no_links_in(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator{folder}) {
     check_no_link(entry.path());

@@ -118,11 +118,11 @@ def test_a_run_has_individuals_in_the_order_of_births(tmp_path):
     [
         (
             {"rules": {"heredity": "shared_copy"}},
-            "genomes.csv: rule heredity = shared_copy: must give each individual a genome of its own",
+            "genomes.csv: rule heredity = shared_copy: must give each individual its own genome",
         ),
         (
             {"status": "running", "result": None},
-            'manifest.json: status "running": phylogeny.csv has those alive only at a run\'s end; resume the run',
+            'manifest.json: status "running": phylogeny.csv lists living individuals only at the end of a run; resume the run',
         ),
         ({"genomes.csv": None}, "genomes.csv: is missing; lineage measures need the phylogeny and the genomes"),
         ({"genomes.csv": GENOMES.replace("5,5,0", "5,0,0")}, "a shared genome changes"),

@@ -68,7 +68,7 @@ def test_a_column_is_its_means_and_curves(table, until_s, values, curve):
         ("x\ninf\n", 'run/own.csv:2: x = "inf": must be finite'),
         ("time_s,x\nnan,1\n", 'run/own.csv:2: time_s = "nan": must be finite'),
         ("x,y\n1\n", "run/own.csv:2: 1 cells, the header has 2"),
-        ("species,x\n" + "".join(f"s{i},1\n" for i in range(1001)), "--column own.csv:x: must be of at most 1000"),
+        ("species,x\n" + "".join(f"s{i},1\n" for i in range(1001)), "--column own.csv:x: must cover at most 1000"),
     ],
 )
 def test_a_cell_that_cannot_be_is_refused_by_file_and_line(table, why):
@@ -182,7 +182,7 @@ def test_a_run_with_nan_alone_gets_a_remark(function):
         ("a b", "1", "metric a b: its name must be letters, digits and _"),
         ("a", "m,s", 'metric a: unit "m,s": must be letters, digits and _ . / ^ % -'),
         ("a", "", 'metric a: unit "": must be '),
-        ("close", "1", "metric close: trophic has a metric"),
+        ("close", "1", "metric close: trophic already has a metric"),
         ("from_centre", "1", "metric from_centre: is given twice"),
     ],
 )

@@ -170,7 +170,7 @@ def test_a_folder_of_replicates_is_the_runs_of_its_list():
         (
             "nothing_inherited",
             {"status": "stopped"},
-            'it has status "stopped" at an unknown time of 6000 s: must be as status "complete" at 6000 of 6000 s',
+            'it has status "stopped" at an unknown time of 6000 s: must have status "complete" at 6000 of 6000 s',
         ),
     ],
 )

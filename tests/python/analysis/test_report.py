@@ -228,6 +228,14 @@ def test_table_has_ours_the_papers_value_nulls_with_a_test_and_references_withou
     assert not any(word in shown for word in ("nan", "starved", "too few"))
 
 
+def test_metrics_of_ones_own_stand_first_whatever_their_p():
+    of = example()
+    of.own = frozenset({"tag_symmetry"})
+    shown = text.findings(of, judge.summarize(of)).splitlines()
+    assert shown[0].split()[0] == "yours" and shown[1].strip().startswith("tag_symmetry")
+    assert text.findings(example(), judge.summarize(example())).splitlines()[0].split()[0] != "yours"
+
+
 def test_findings_are_sentences_and_the_whole_table_without_a_shadow():
     of = example()
     frame = judge.summarize(of)
@@ -296,7 +304,7 @@ def test_claims_have_a_summary_and_for_each_reading_value_margin_origin_ours_and
         )
     )
     for part in (
-        "these are points without bodies, so velocities and walls compare the rules only\n",
+        "these are points without bodies, so velocities and wall-following compare only the rules\n",
         "\nattribution of prey: not reproduced under any reading\n",
         "\n attribution_caught prey 0.650 text 0.037 authors' logs 1.000 [1.000, 1.000] +0.350 [+0.324, +0.376] not reproduced\n",
         "\n attribution_died prey 0.620 logs 0.028 authors' logs ",

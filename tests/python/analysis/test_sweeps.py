@@ -89,11 +89,11 @@ x.y = [0.0, 0.5]
 @pytest.mark.parametrize(
     "file, old, new, why",
     [
-        ("sweep.toml", "0.5]", "0.7]", "sweep.toml: has other settings than plan.jsonl: it was changed after"),
+        ("sweep.toml", "0.5]", "0.7]", "sweep.toml: has other settings than plan.jsonl: it was modified after"),
         ("sweep.toml", "seed = 5", "seed = 6", "sweep.toml: has other replicates, seeds or tables than plan.jsonl"),
         ("sweep.toml", "replicates = 2", "replicates = 1", "sweep.toml: has other replicates, seeds or tables"),
         ("sweep.toml", "[grid]", "[grid", "sweep.toml: is not TOML"),
-        ("cell-1/replicates.json", "f1", "f2", "replicates.json: was cut short or changed after trophic wrote it"),
+        ("cell-1/replicates.json", "f1", "f2", "replicates.json: was cut short or modified after trophic wrote it"),
         ("cell-1/replicates.json", "}\n", "", "replicates.json: is not a JSON object"),
         ("cell-1/replicates.json", None, {"fingerprint": "f2"}, "must list replicate-0 with its seed and fingerprint"),
         ("cell-1/replicates.json", None, {"replicates": []}, "must list replicate-0 with its seed and fingerprint"),
@@ -292,7 +292,7 @@ def test_a_run_in_a_shadows_place_that_is_not_a_shadow_is_refused(disk):
 def test_several_builds_are_refused_unless_they_are_accepted(disk):
     for number, run in enumerate(plan_of(2, 2, with_shadow=True)):
         change(disk / run.folder, "{", f'{{"code": "0{"ab"[number // 4]}",')
-    assert "its runs were made by 0a and 0b; builds of a program may have other rules" in refusal(read_sweep, disk)
+    assert "its runs were made by 0a and 0b; rules may have the same names but other code" in refusal(read_sweep, disk)
     assert read_sweep(disk, True).builds == ["0a", "0b"]
 
 

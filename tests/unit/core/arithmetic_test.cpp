@@ -34,12 +34,12 @@ TEST_CASE("arithmetic: code that was compiled with a flag without a macro -> fou
   if (__builtin_cpu_supports("fma")) CHECK(test::arithmetic_fused().starts_with("fuses multiplications"));
 }
 
-TEST_CASE("arithmetic: processor that takes the smallest numbers for zero -> refused by a sentence with what to do") {
+TEST_CASE("arithmetic: processor that treats subnormal numbers as zero -> refused by a sentence with what to do") {
   const unsigned before = _mm_getcsr();
   _mm_setcsr(before | 0x8040U);
   CHECK_THROWS_WITH_AS(check_arithmetic<int>(),
-                       "this program was compiled so that it takes the smallest numbers for zero, which gives a run other "
-                       "numbers: must be compiled with -fno-fast-math, and linked so",
+                       "this program was compiled so that it treats subnormal numbers as zero, which changes the numbers of a "
+                       "run: must be compiled with -fno-fast-math, and linked with it",
                        std::runtime_error);
   _mm_setcsr(before);
 }

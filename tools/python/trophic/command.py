@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The verbs of `trophic` that Python does, each a program trophic-VERB: their command lines, errors and exit codes."""
+"""The verbs of `trophic` that Python implements, each a program trophic-VERB: their command lines, errors and exit codes."""
 from __future__ import annotations
 
 import contextlib
@@ -56,7 +56,7 @@ def _guarded(who: str, work: Callable[[], int]) -> int:
 
 
 def _continue_with_system() -> None:
-    """Begins again in the system's Python unless TROPHIC_PYTHON names another: python3 may be one of a virtual environment that lacks packages."""
+    """Restarts in the system's Python unless TROPHIC_PYTHON names another one: python3 may belong to a virtual environment that lacks packages."""
     if "TROPHIC_PYTHON" not in os.environ and os.access(SYSTEM, os.X_OK):
         os.environ["TROPHIC_PYTHON"] = SYSTEM
         signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # until it has begun (__main__.py)

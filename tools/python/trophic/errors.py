@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Exceptions whose message is one sentence, which names the file, the option or the folder, and how a user's names are printed."""
+"""Exceptions whose message names the file, the option or the folder, and the printing of users' names."""
 from __future__ import annotations
 
 import contextlib
@@ -12,7 +12,7 @@ class RunError(ValueError):
 
 
 class ProgramError(RuntimeError):
-    """A program that is not there or that failed; the message is the program's own sentence."""
+    """Raised if a program does not exist or fails; the message is the program's own."""
 
 
 def printable(text: str) -> str:

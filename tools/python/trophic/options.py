@@ -259,8 +259,12 @@ def _analyze(parser: argparse.ArgumentParser) -> None:
 
 def _plot(parser: argparse.ArgumentParser) -> None:
     add = parser.add_argument
-    add("analysis", type=_text, help="folder of the analysis")
-    add("--out", **_TEXT, help="new folder for the figures (default: ANALYSIS/figures)")
+    add("analysis", type=_text, help="folder of an analysis or of a run")
+    add(
+        "--out",
+        **_TEXT,
+        help="new folder for the figures (default: figures in that folder, or the next free figures-1, ...)",
+    )
     add(
         "--style",
         type=_word("plain", "serif", "ieee"),
@@ -299,7 +303,11 @@ def _plan(parser: argparse.ArgumentParser) -> None:
         default="trophic-predator-prey",
         help="experiment program that makes the runs (default: trophic-predator-prey)",
     )
-    add("--out", **_TEXT, help="folder for the plan and its runs; if it has a plan already, runs are added to it")
+    add(
+        "--out",
+        **_TEXT,
+        help="folder for the plan and its runs (default: runs/SWEEP); if it has a plan already, runs are added to it",
+    )
     add(
         "--dry-run", **_FLAG, help="print the cells and how long they will take, estimated by short runs; write nothing"
     )
@@ -372,7 +380,7 @@ def _contest(parser: argparse.ArgumentParser) -> None:
 def _cross_check(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("runs", nargs="+", type=_text, help="two folders of replicates, each on one engine")
     parser.add_argument(
-        "--out", **_TEXT, default="cross-check", help="new folder for cross_check.csv (default: cross-check)"
+        "--out", **_TEXT, help="new folder for cross_check.csv (default: the next free cross-check, cross-check-1, ...)"
     )
 
 
@@ -416,11 +424,12 @@ VERBS = {
     "plot": Verb(
         "plot",
         "Draws figures of the output of `trophic analyze` or `trophic cross-check` as PNG and PDF, with captions.json and captions.tex: the "
-        "paper's figures, a forest plot of a comparison, response curves and heat maps of a sweep. Needs Python with matplotlib, pandas and "
-        "scipy.",
+        "paper's figures, a forest plot of a comparison, response curves and heat maps of a sweep. For the folder of a run it draws the numbers "
+        "of each species over time and, with a rule Metabolism, their energy. Needs Python with matplotlib, pandas and scipy.",
         _plot,
         [
             "trophic plot analysis",
+            "trophic plot runs/pond",
             "trophic plot analysis --style ieee --out figures",
             "trophic plot analysis/sweep --metric velocity:predator:inherited",
         ],

@@ -629,10 +629,12 @@ exec {shlex.quote(program)} --plan {path} --jobs 1 --run $(seq $((SLURM_ARRAY_TA
 def run(request: dict) -> int:
     """`trophic plan`. `request`: `sweep`, `experiment`, the program that makes the runs, `out`, `dry_run` and `sbatch`."""
     out, sbatch = request["out"], request["sbatch"]
-    if (out is None) != request["dry_run"]:
-        raise RunError("--out: not with --dry-run" if out is not None else "needs --out or --dry-run")
-    if sbatch is not None and (out is None or sbatch < 1):
-        raise RunError("--sbatch: not with --dry-run" if out is None else f"--sbatch {sbatch}: must be >= 1")
+    if request["dry_run"] and (out is not None or sbatch is not None):
+        raise RunError(f"--{'out' if out is not None else 'sbatch'}: not with --dry-run")
+    if sbatch is not None and sbatch < 1:
+        raise RunError(f"--sbatch {sbatch}: must be >= 1")
+    if out is None and not request["dry_run"]:
+        out = os.path.join("runs", pathlib.Path(request["sweep"]).stem)
     sweep = read_sweep(request["sweep"])
     named, program = request["experiment"], chosen_program(request)
     if out is None:

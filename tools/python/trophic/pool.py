@@ -65,7 +65,7 @@ class PooledRun(Run):
 
     @property
     def every_ticks(self) -> int:
-        """agents.csv has the ticks whose number is a multiple of it."""
+        """agents.csv has only ticks that are multiples of this."""
         return self.manifest.get("agents_every_ticks", 1)
 
     @property
@@ -86,7 +86,8 @@ class PooledRun(Run):
 
     @property
     def lived_s(self) -> float:
-        """How much of `until_s` the run lived: less if it ended early, by ecology.ends_when, a signal or a kill. No rate, window or half of a metric goes
+        """How much of `until_s` the run lasted: less if it ended early, by ecology.ends_when, a signal or a kill. No rate, window or half of a
+        metric goes
         beyond it."""
         return min(self.until_s, lived_s(self))
 
@@ -189,6 +190,7 @@ def read_set(
 
     found = measured(pooled, remarks)
     found.inherited, found.planned = inherited, sum(map(planned_in, folders))
+    found.own = frozenset([*(one.name for one in how.functions), *(one.column for one in how.columns)])  # type: ignore[union-attr]
     for name, (its_runs, its_remarks) in nulls.items():
         if species := one_sided_species(name):
             found.one_sided[species] = measured(its_runs, its_remarks)

@@ -48,8 +48,8 @@ class Recording:
 def read_replay(path: str | os.PathLike, first: int = 0, last: int | None = None) -> Recording:
     """Reads a recording, or a run's folder with its replay.trp; or of it the frames first, first + 1, ..., last - 1.
 
-    A truncated file has the frames of its whole blocks. Raises RecordingError for a file that is not a recording, is of another version
-    or is damaged, and OSError as open does.
+    A truncated file has the frames of its whole blocks. Raises RecordingError for a file that is not a recording, has a different version or is
+    damaged, and OSError as open does.
     """
     path = pathlib.Path(path)
     if path.is_dir():

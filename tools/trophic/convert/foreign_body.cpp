@@ -168,7 +168,7 @@ class Assembly {
       if (!type) {
         if (const Part* const below = module_of(part)) {
           refuse(part,
-                 "is of type " + part.type + ": must be a core, an active hinge or a brick, as it carries " + label(*below));
+                 "is of type " + part.type + ": must be a core, an active hinge or a brick, because it carries " + label(*below));
         }
         left_out_ += (left_out_.empty() ? "" : ", ") + label(part);
         continue;

@@ -47,6 +47,10 @@ struct List {
   static constexpr bool keeps_values = !(trophic::detail::KeptByIndividual<Acts> && ...);
   static constexpr std::array<const char*, count> keys{&trophic::detail::act_key<Acts>...};
 
+  /// The name of each act; empty for an act that is stored in the individual.
+  static constexpr std::array<std::string_view, count> kept_names{
+      (trophic::detail::KeptByIndividual<Acts> ? std::string_view{} : trophic::detail::policy_name<Acts>())...};
+
   /// The name of each output: its act's name, with a number if the act has several outputs.
   [[nodiscard]] static std::vector<std::string> output_names() {
     std::vector<std::string> names;

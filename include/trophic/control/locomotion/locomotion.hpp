@@ -15,7 +15,7 @@ namespace trophic::locomotion {
 
 /// The control steps of a run.
 struct ControlSteps {
-  double hz = 60.0;  ///< of simulated time
+  double hz = 60.0;  ///< per second of simulated time
   CpgIntegration integration = CpgIntegration::exact;
   std::int64_t idle_steps = 0;  ///< before gaits start, in which servos keep their targets; none without joints
 };
@@ -196,10 +196,10 @@ class Locomotion {
   std::vector<HingePlace> hinges_;
   Cpg::Params cpg_params_;
   Cpg cpg_;
-  std::vector<Own> own_;  ///< of each robot, if they differ
+  std::vector<Own> own_;  ///< one per robot, if they differ
   Eigen::MatrixXd states_;
   std::vector<double> targets_rad_;
-  std::vector<double> paces_;  ///< of each robot; empty if all are 1
+  std::vector<double> paces_;  ///< one per robot; empty if all are 1
   ControlSteps control_;
   std::int64_t taken_ = 0;
 };

@@ -20,6 +20,7 @@ struct ActiveAwayFromHunters {
   using Params = detail::SafeDistance;
   Params params;
 
+  [[nodiscard]] std::string idle(const Outset& outset) const { return detail::never_away(params, outset); }
   [[nodiscard]] Activates activates(BodyIndex body, const View& view) const {
     return detail::away_from_hunters(params, body, view) ? Activates::yes : Activates::no;
   }

@@ -18,6 +18,7 @@ struct FoundersStartActive {
   using Params = detail::SafeDistance;
   Params params;
 
+  [[nodiscard]] std::string idle(const Outset& outset) const { return detail::never_away(params, outset); }
   [[nodiscard]] Activates activates(BodyIndex body, const View& view) const {
     const bool is_founder = view.robots[body].id < view.robots.size();
     return is_founder || detail::away_from_hunters(params, body, view) ? Activates::yes : Activates::no;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <trophic/death/capture/catch_within_reach.hpp>
+#include <trophic/population/outset.hpp>
 
 namespace trophic::death::capture {
 
@@ -16,6 +17,10 @@ struct CatchOutsideRefuges {
   using Params = CatchWithinReach::Params;
   Params params;
 
+  [[nodiscard]] std::string idle(const Outset& outset) const {
+    if (std::ranges::count(outset.arena.zones, zone, &Zone::name) > 0) return {};
+    return std::string{name} + " protects no prey: arena " + outset.arena.name + " has no zone named " + std::string{zone};
+  }
   [[nodiscard]] std::vector<Capture> captures(const View& view, Rng& rng, std::optional<Species> only = {}) const {
     std::vector<Capture> reached = CatchWithinReach{params}.captures(view, rng, only);
     std::erase_if(reached, [&](const Capture& capture) {

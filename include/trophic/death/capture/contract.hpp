@@ -52,13 +52,6 @@ template <class P>
   }
 }
 
-/// Returns the zone of the arena that a rule names; empty if it names none.
-template <class P>
-[[nodiscard]] constexpr std::string_view zone() {
-  if constexpr (requires { P::zone; }) return P::zone;
-  return {};
-}
-
 }  // namespace ask
 
 }  // namespace trophic::death

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <trophic/death/floor/contract.hpp>
+#include <trophic/death/floor/detail/spares_all.hpp>
 
 namespace trophic::death::floor {
 
@@ -22,6 +23,7 @@ struct VictimFloor {
   };
   Params params;
 
+  [[nodiscard]] std::string idle(const Outset& outset) const { return detail::spares_all(params.floor, outset); }
   [[nodiscard]] bool may_die(Species species, const View& view) const { return view.count(species) > params.floor; }
 };
 static_assert(Floor<VictimFloor>);

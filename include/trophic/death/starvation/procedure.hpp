@@ -49,7 +49,7 @@ struct Procedure : Parts<IntervalPart, ExemptionPart, ChoicePart> {
   };
   Params params;
 
-  struct Clocks {  ///< of all species
+  struct Clocks {  ///< one clock per species
     std::vector<StarvationClock> of;
     static constexpr auto saved() { return std::tuple{&Clocks::of}; }
   };

@@ -13,7 +13,7 @@ namespace trophic::body {
 
 namespace detail {
 
-/// Boxes that only meet do not overlap: each loses this share of its extents, some 30 nm.
+/// Boxes that only touch do not overlap: each is shrunk by this share of its extents, some 30 nm.
 inline constexpr double touching_share = 1e-6;
 
 [[nodiscard]] inline std::vector<std::vector<PlacedBox>> shrunk_boxes_by_link(const RobotModel& robot) {

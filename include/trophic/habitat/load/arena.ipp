@@ -30,7 +30,7 @@ namespace detail {
 
 inline constexpr double largest_arena_m = 1e6;
 
-/// Half side of the floor, m: of what is left without the rings of nodes at the edge that are each higher than all inside.
+/// Half side of the floor, m, which excludes the rings of nodes at the edge that are each higher than all nodes inside.
 [[nodiscard]] inline double floor_half_side_m(const HeightField& field) {
   const double spacing_m = 2.0 * field.half_extent_m / static_cast<double>(field.nodes - 1);
   const std::size_t rings = (field.nodes + 1) / 2;
@@ -52,7 +52,7 @@ inline constexpr double largest_arena_m = 1e6;
   return field.half_extent_m - static_cast<double>(floor) * spacing_m;
 }
 
-/// A wall may lead `to_x_m`, `to_y_m`; without them the obstacle is a pillar.
+/// A wall extends to `to_x_m`, `to_y_m`; without them the obstacle is a pillar.
 [[nodiscard]] inline Obstacle obstacle_of(const TomlTable& table, double half_extent_m) {
   const Bound inside = between(-half_extent_m, half_extent_m);
   Obstacle one{.x_m = table.number("x_m", inside), .y_m = table.number("y_m", inside)};

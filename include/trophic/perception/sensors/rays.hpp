@@ -48,7 +48,7 @@ struct Rays {
  private:
   static constexpr bool sees_food = ((kinds == Sees::food) || ...);
   struct Ray {
-    double cos = 0.0;  ///< of its direction in the world
+    double cos = 0.0;  ///< direction of the ray in the world
     double sin = 0.0;
     double end_m = 0.0;
     std::uint32_t shows = 0;  ///< bits of Sees

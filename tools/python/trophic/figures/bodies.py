@@ -108,10 +108,8 @@ def measures(sets):
     null = next(filter(None, map(null_of, sets)), "")
     return caption(
         fig,
-        f"{ours[0].subject('Measures of docs/bodies.md, means over those alive at the ends of windows (plans: their Shannon number)')} Windows "
-        f"of {window_s(time_s):g} s; lines: mean over "
-        f"runs; {f'grey, dashed: {null}; ' * bool(null)}dotted: mean of the shadow, in which nothing is inherited; dash-dotted: of the neutral "
-        f"null. {sets[-1].intervals('bands', False)}",
+        f"{ours[0].subject('Measures of docs/bodies.md, means over those alive at the ends of windows (plans: their Shannon number)')} Windows of {window_s(time_s):g} s; lines: mean over "
+        f"runs; {f'grey, dashed: {null}; ' * bool(null)}dotted: mean of the shadow, in which nothing is inherited; dash-dotted: of the neutral null. {sets[-1].intervals('bands', False)}",
     )
 
 
@@ -273,8 +271,7 @@ def plans(data, most=5):
     ax.legend(loc="upper left", fontsize=6)
     return caption(
         fig,
-        f"{folder.name}: plans of bodies of those alive at {end_s:g} s, and of their ancestors ({len(order)} of {bodies.plan.nunique()} "
-        "plans). A line: from "
+        f"{folder.name}: plans of bodies of those alive at {end_s:g} s, and of their ancestors ({len(order)} of {bodies.plan.nunique()} plans). A line: from "
         "the first birth to the last death; thicker: more alive at the end; joined to the plan that it changed from. Pictures: founders, and the "
         "commonest plans of the living.",
     )

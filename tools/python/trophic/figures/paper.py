@@ -194,8 +194,7 @@ def attribution(data):
     legend_above(ax)
     return caption(
         fig,
-        f"{data.subject('Attribution, the share of inherited individuals')} Bar: mean over runs; point: a run. "
-        f"{data.intervals('whisker and grey box')} Caught: of the prey that were caught; "
+        f"{data.subject('Attribution, the share of inherited individuals')} Bar: mean over runs; point: a run. {data.intervals('whisker and grey box')} Caught: of the prey that were caught; "
         "credited: of all prey deaths, by the last killer in that body; catches: of all catches.",
     )
 
@@ -335,8 +334,7 @@ def population(data):
     legend_above(axes[2])
     return caption(
         fig,
-        f"{data.subject('Individuals, hunger and deaths')} Means over runs in windows of {window_s(time_s):g} s. "
-        f"{data.intervals('bands', False)} Hunger: time since birth or the last catch.",
+        f"{data.subject('Individuals, hunger and deaths')} Means over runs in windows of {window_s(time_s):g} s. {data.intervals('bands', False)} Hunger: time since birth or the last catch.",
     )
 
 
@@ -365,8 +363,7 @@ def with_and_without(data):
     legend_above(axes[0])
     return caption(
         fig,
-        f"{data.subject(f'Numbers, and velocity of the {whose.replace(chr(95), chr(32))} towards the closest perceived adversary')} Windows of "
-        f"{window_s(time_s):g} s. {data.intervals('bands')}",
+        f"{data.subject(f'Numbers, and velocity of the {whose.replace(chr(95), chr(32))} towards the closest perceived adversary')} Windows of {window_s(time_s):g} s. {data.intervals('bands')}",
     )
 
 
@@ -458,8 +455,7 @@ def forest(summary):
         f"Differences {second} - {first}"
         + (f", {over}" if over else " (raw)")
         + f", n = {len(summary['sets'][0]['runs'])} and "
-        f"{len(summary['sets'][1]['runs'])} runs, in pooled standard deviations between runs; bars: intervals that hold for all at once with "
-        "95 % (Bonferroni). "
+        f"{len(summary['sets'][1]['runs'])} runs, in pooled standard deviations between runs; bars: intervals that hold for all at once with 95 % (Bonferroni). "
         f"Filled: p <= 0.05 after Holm's correction for all metrics.{rest}",
     )
 

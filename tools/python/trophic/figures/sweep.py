@@ -266,8 +266,7 @@ def response(sweep, keys):
         grid[row, 0].set_ylabel(sweep.title(key), fontsize=7)
     return caption(
         fig,
-        f"{keys[0].metric.replace('_', ' ').capitalize()} by {x.title}: means of the runs of a cell with 95 % intervals. Filled: differs from "
-        "the reference cell, p <= 0.05 corrected for all comparisons.",
+        f"{keys[0].metric.replace('_', ' ').capitalize()} by {x.title}: means of the runs of a cell with 95 % intervals. Filled: differs from the reference cell, p <= 0.05 corrected for all comparisons.",
     )
 
 
@@ -385,8 +384,7 @@ def heat(sweep, keys, x, y):
         bar.outline.set_visible(False)
     return caption(
         fig,
-        f"{keys[0].metric.replace('_', ' ').capitalize()} by {x.title} and {y.title}: difference of each cell to the reference cell. Hatched: "
-        "inconclusive after the correction for all comparisons.",
+        f"{keys[0].metric.replace('_', ' ').capitalize()} by {x.title} and {y.title}: difference of each cell to the reference cell. Hatched: inconclusive after the correction for all comparisons.",
     )
 
 

@@ -150,20 +150,17 @@ def _question(sets: Sequence[MeasuredSet]) -> str:
         return f"In what do {' and '.join(one.label for one in sets)} differ?"
     if sets[0].one_sided and not sets[0].inherited:
         return (
-            f"Does inheritance matter under the rules of {sets[0].label}? Each species is compared with its one-sided world: the same rules "
-            "and seeds, in which it alone "
+            f"Does inheritance matter under the rules of {sets[0].label}? Each species is compared with its one-sided world: the same rules and seeds, in which it alone "
             "inherits nothing."
         )
     if sets[0].neutral and sets[0].inherited:
         return (
-            f"What is selected under the rules of {sets[0].label}? Measures of genomes, bodies and brains are compared with the neutral null: "
-            "the births, deaths "
+            f"What is selected under the rules of {sets[0].label}? Measures of genomes, bodies and brains are compared with the neutral null: the births, deaths "
             "and parents of the runs, repeated with other genomes."
         )
     if sets[0].shadow:
         return (
-            f"Does inheritance matter under the rules of {sets[0].label}? Each metric is compared with the neutral shadow: the same rules and "
-            "seeds, with nothing "
+            f"Does inheritance matter under the rules of {sets[0].label}? Each metric is compared with the neutral shadow: the same rules and seeds, with nothing "
             "inherited."
         )
     return f"Runs of {sets[0].label}. Without a neutral shadow no difference can be attributed to inheritance."

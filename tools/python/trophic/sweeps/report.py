@@ -511,5 +511,5 @@ def asked_text(analysis: SweepAnalysis) -> str:
         )
     if text:
         of = answers(analysis.differences)
-        text += f"at the level of one of {counted(count(of).comparisons, 'comparison')}, {number_text(level_of(of))}; based on the variance of these runs\n"
+        text += f"at the level of one of {counted(count(of).comparisons, 'comparison')}, {number_text(round(level_of(of), 5))}; based on the variance of these runs\n"
     return text

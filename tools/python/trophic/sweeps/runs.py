@@ -65,7 +65,7 @@ def is_sweep(folder: pathlib.Path) -> bool:
 
 def read_sweep(folder: pathlib.Path, accept_other_build: bool = False) -> Sweep:
     """Reads a sweep's plan and compares every run's manifest with it. Raises RunError for a broken plan, for a fingerprint, seed or duration that
-    is not the planned one, for a shadow that is none, for runs that several builds of a program made unless `accept_other_build`, and if no runs found. Runs that are missing or incomplete go to `missing`.
+    is not the planned one, for a shadow that is none, for runs that several builds of a program made unless `accept_other_build`, and if there are no runs. Runs that are missing or incomplete go to `missing`.
     """
     plan = read_plan(folder / PLAN)
     _check_beside(folder, plan)

@@ -207,7 +207,7 @@ class Mujoco::Simulation final : public Engine<State> {
     steps_ += steps;
   }
 
-  std::vector<std::shared_ptr<const Body>> bodies_;  ///< of each robot
+  std::vector<std::shared_ptr<const Body>> bodies_;  ///< one per robot
   Arena arena_;
   Physics physics_;
   mujoco::BoxDepth box_depth_;
@@ -218,7 +218,7 @@ class Mujoco::Simulation final : public Engine<State> {
   mujoco::RobotStates next_;  ///< the target of a block of steps, until it is checked
   std::uint64_t steps_ = 0;
   mujoco::Rows targets_rad_;
-  mutable mujoco::Rows angles_rad_;  ///< those that were asked for, in the order of the hinges
+  mutable mujoco::Rows angles_rad_;  ///< the requested angles, in the order of the hinges
 };
 
 #if TROPHIC_HEADER_ONLY || defined(TROPHIC_FEW_KERNELS)

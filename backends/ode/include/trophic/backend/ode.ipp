@@ -108,7 +108,7 @@ class Ode::Simulation final : public Engine<State> {
 
   [[nodiscard]] State save() const override { return state_; }
 
-  /// Throws std::invalid_argument for a state of other bodies or a different number of robots.
+  /// Throws std::invalid_argument for a state with different bodies or a different number of robots.
   void restore(const State& state) override {
     const auto check_size = [](std::string_view field, std::size_t size, std::size_t expected) {
       if (size != expected) {

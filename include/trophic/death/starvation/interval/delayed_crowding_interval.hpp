@@ -19,6 +19,7 @@ struct DelayedCrowdingInterval {
   using Params = detail::Crowding;
   Params params;
 
+  [[nodiscard]] std::string idle(const Outset& outset) const { return detail::never_due(params, outset); }
   [[nodiscard]] std::int64_t interval_ticks(const View& view, OneSpecies only = {}) const {
     return detail::interval_ticks(params, view, only);
   }

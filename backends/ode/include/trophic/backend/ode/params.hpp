@@ -11,16 +11,17 @@ class Ode;
 
 namespace trophic::backend::ode {
 
-/// `quick_step`: dWorldQuickStep, a number of relaxation sweeps over all constraints. Friction is limited by the normal force
-/// that acts at the same moment. `world_step`: dWorldStep, exact except for friction, which it limits by the normal forces that
-/// would act without friction. With it a robot that stands on many points and pushes them apart walks up to 27 % faster and
-/// turns up to 28 % faster (README.md).
+/// `quick_step`: dWorldQuickStep, relaxation with a fixed number of iterations over all constraints. Friction is limited by the
+/// normal force that acts at the same moment. `world_step`: dWorldStep, exact except for friction, which it limits by the normal
+/// forces that would act without friction. With it a robot that stands on many points and pushes them apart walks up to 27 %
+/// faster and turns up to 28 % faster (README.md).
 enum class Solver { quick_step, world_step };
 [[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(Solver) {
   return {"quick_step", "world_step"};
 }
 
-/// From the ninth sweep on QuickStep shuffles its rows with random numbers of the whole process; with at most 8 it draws none.
+/// From the ninth iteration on QuickStep shuffles its rows with the random numbers of the whole process; with at most 8 it draws
+/// none.
 inline constexpr int sweeps_without_draws = 8;
 
 /// Contacts, friction and joint limits are springs and dampers in SI units, so that they are the same physics at every

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <trophic/params/params.hpp>
+#include <trophic/population/outset.hpp>
 #include <trophic/population/view.hpp>
 
 namespace trophic::death::starvation::interval::detail {
@@ -28,6 +29,13 @@ struct Crowding {
 [[nodiscard]] inline bool is_due(const Crowding& crowding, std::int64_t interval, std::int64_t last_tick, const View& view,
                                  OneSpecies only) {
   return view.tick - last_tick >= interval && view.count_hunters(only) > crowding.only_above;
+}
+
+/// A sentence if there can never be enough hunters for a procedure (Outset).
+[[nodiscard]] inline std::string never_due(const Crowding& crowding, const Outset& outset) {
+  if (crowding.only_above < outset.robots) return {};
+  return "only_above = " + std::to_string(crowding.only_above) + ": no hunter ever starves, because there are " +
+         std::to_string(outset.robots) + " robots";
 }
 
 }  // namespace trophic::death::starvation::interval::detail
