@@ -92,18 +92,21 @@ template <class... Observers>
 /// The tables of these observers, for `trophic::experiment`.
 template <class... Observers>
 [[nodiscard]] OwnTables own_tables() {
-  static_assert((OwnTable<Observers> && ...),
+  constexpr bool are_tables = (OwnTable<Observers> && ...);
+  static_assert(are_tables,
                 "an own table is an observer with file_name, a constructor from (const std::filesystem::path&, Opening), "
                 "persist(Archive&) and TableSum sum() const, and without on_frame, between_ticks, "
                 "keep_running and cancels_tick; see trophic/io/own_table.hpp");
-  if constexpr ((OwnTable<Observers> && ...)) {
+  if constexpr (are_tables) {
     static_assert(detail::have_own_names<Observers...>(),
                   "the file_name of an own table must end in .csv, without a folder, and be neither that of another own table "
                   "nor that of a table of every run, such as events.csv; see run_tables in trophic/io/own_table.hpp");
+    return {[](const std::filesystem::path& folder, Opening opening) -> std::unique_ptr<AnyOwnTable> {
+      return std::make_unique<detail::OwnTableOf<Observers>>(folder / std::string{Observers::file_name}, opening);
+    }...};
+  } else {
+    return {};
   }
-  return {[](const std::filesystem::path& folder, Opening opening) -> std::unique_ptr<AnyOwnTable> {
-    return std::make_unique<detail::OwnTableOf<Observers>>(folder / std::string{Observers::file_name}, opening);
-  }...};
 }
 
 }  // namespace trophic::io
