@@ -250,7 +250,7 @@ export class World {
     const [, , , w, x, y, z] = pose;
     const heading = Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)) + shape.model.forward_rad;
     this.headings[body] = heading;
-    const mark: Mark = { x: pose[0], y: pose[1], heading, colour, filled: agents.tag[row + body] === Math.max(...run.index.tags), size: this.ringOf(body) };
+    const mark: Mark = { x: pose[0], y: pose[1], heading, colour, filled: run.hasTags && agents.tag[row + body] === Math.max(...run.index.tags), size: this.ringOf(body) };
     const isMarked = look.highlighted.has(agents.id[row + body]);
     const highlight = body === look.selected ? theme().ink : isMarked ? branchColour : null;
     this.marks.set(body, mark, look.scene ? null : highlight); // the two of a scene have names
