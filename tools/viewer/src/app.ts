@@ -478,7 +478,7 @@ export class App {
     this.banner.hidden = !this.isNearEvent;
     if (!event || this.banner.hidden) return;
     const ahead = event.time - this.time;
-    this.banner.textContent = sentence(run, event) + (ahead > 0 ? ` (in ${Math.ceil(ahead)} s)` : "") + (event.scene?.remark ? ` · ${event.scene.remark}` : "");
+    this.banner.textContent = sentence(run, event) + (ahead > 0 ? ` (in ${Math.ceil(ahead)} s)` : "") + (event.scene?.reach_m ? ` · reach ${event.scene.reach_m} m` : "") + (event.scene?.remark ? ` · ${event.scene.remark}` : "");
     this.banner.classList.toggle("happened", ahead <= 0 && (event.kind === "catch" || event.kind === "death"));
   }
 

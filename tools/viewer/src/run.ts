@@ -77,6 +77,7 @@ export interface Scene {
   sentence: string;
   remark: string; // what the scene lacks; may be empty
   camera: Shot;
+  reach_m?: number; // how close a victim must be
   opens?: boolean; // a page opens at it
 }
 
