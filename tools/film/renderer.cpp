@@ -22,8 +22,8 @@ using backend::mujoco::ModelPtr;
 
 constexpr double flat_m = 5e-4;  ///< half the height of marks on the floor
 
-/// A world with the slopes of an arena, if it has any: the scene's other objects are added by hand.
-ModelPtr empty_model(std::size_t width, std::size_t height, const Arena& arena) {
+/// A world with the slopes of an arena, if it has any: the scene's other objects are added by hand. `samples`: of each pixel.
+ModelPtr empty_model(std::size_t width, std::size_t height, const Arena& arena, int samples) {
   const double extent_m = arena.half_side_m;
   const auto text = [](double value) { return std::to_string(value); };
   const double highest_m = edge_of(arena).height_m;
@@ -40,7 +40,7 @@ ModelPtr empty_model(std::size_t width, std::size_t height, const Arena& arena) 
   const std::string xml =
       "<mujoco><statistic center='0 0 0' extent='" + text(extent_m) + "'/><visual><global fovy='" + text(fovy_deg) +
       "' offwidth='" + std::to_string(width) + "' offheight='" + std::to_string(height) +
-      "'/><quality offsamples='4' numslices='72'/><map znear='0.03' zfar='12' shadowclip='1.2' "
+      "'/><quality offsamples='" + std::to_string(samples) + "' numslices='72'/><map znear='0.03' zfar='12' shadowclip='1.2' "
       "shadowscale='0.9'/>"
       "<headlight ambient='0.5 0.5 0.5' diffuse='0.14 0.14 0.14' specular='0 0 0'/></visual><asset><texture type='skybox' "
       "builtin='flat' rgb1='1 1 1' rgb2='1 1 1' width='4' height='24'/>" +
@@ -86,7 +86,7 @@ class Renderer::Scene {
         scale_{quality == Quality::fine ? 2U : 1U},
         width_{scale_ * checked("width", width)},
         height_{scale_ * checked("height", height)},
-        model_{empty_model(width_, height_, arena)},
+        model_{empty_model(width_, height_, arena, quality == Quality::fine ? 4 : 0)},
         data_{mj_makeData(model_.get())} {
     mjv_defaultScene(&scene_);
     mjr_defaultContext(&context_);
