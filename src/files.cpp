@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// trophic::compiled: the file readers, and what runs leave behind.
+// trophic::compiled: the readers of files and the writers of a run's files.
 #include <trophic/habitat/load/arena.ipp>
 #include <trophic/habitat/load/gait.ipp>
 #include <trophic/habitat/load/habitat.ipp>

@@ -15,8 +15,8 @@ namespace trophic {
 
 namespace command {
 
-/// Reads the command line of a program that offers these tables and backends, does its work and returns the exit code. Errors of
-/// `offer` are reported as those of the work.
+/// Reads the command line of a program with these tables and backends, does its work and returns the exit code. Errors in `offer`
+/// are reported like those of the work.
 [[nodiscard]] int experiment_program(int argc, const char* const* argv, const std::function<Offer()>& offer);
 
 }  // namespace command
@@ -24,7 +24,7 @@ namespace command {
 /// The command line of an experiment with a choice of rule tables, the first of them the default: --help, --rules, --backend,
 /// --config, --set, --replicates, --shadow, --resume, --plan and more. `offer`: the program's own tables, metrics and backends,
 /// `experiment<MyRules>(argc, argv, {.backends = {MyBackend::Params{}}})`. Returns the exit code: 0; 1 if a run failed; 2 if the
-/// arguments are wrong; 3 if a signal stopped a run.
+/// arguments are wrong; 3 if a signal interrupted a run.
 template <class... Rules>
 [[nodiscard]] int experiment(int argc, const char* const* argv, Offer offer = {}) {
   static_assert(sizeof...(Rules) > 0, "trophic::experiment needs at least one rule table");
@@ -34,7 +34,7 @@ template <class... Rules>
   });
 }
 
-/// The same with own tables alone: `experiment<MyRules>(argc, argv, io::own_tables<Distances>())`.
+/// The same with only own tables: `experiment<MyRules>(argc, argv, io::own_tables<Distances>())`.
 template <class... Rules>
 [[nodiscard]] int experiment(int argc, const char* const* argv, io::OwnTables tables) {
   return experiment<Rules...>(argc, argv, Offer{.tables = std::move(tables)});

@@ -10,9 +10,9 @@
 
 namespace trophic {
 
-/// Runs an ecology until its clock reaches `until_s`, s, and writes its tables, recording and manifest into a new folder: the
-/// first of PATH-1, PATH-2, ... that does not exist. Shows progress on a terminal and prints a summary. `more` also observe the
-/// run. Returns the folder. Throws as `Simulation::run_until` and `io::RunFolder` do.
+/// Runs an ecology until its clock reaches `until_s` seconds, and writes its tables, recording and manifest into a new folder:
+/// the first of PATH-1, PATH-2, ... that does not exist. Shows progress on a terminal and prints a summary. `more` also observe
+/// the run. Returns the folder. Throws as `Simulation::run_until` and `io::RunFolder` do.
 std::filesystem::path run_in_new_folder(Simulation& ecology, double until_s, const std::filesystem::path& path,
                                         observe::Audience& more);
 std::filesystem::path run_in_new_folder(Simulation& ecology, double until_s, const std::filesystem::path& path);

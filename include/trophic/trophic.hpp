@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Includes every public header of the library, through others where they include it. Programs that compile often should include
+// Includes every public header of the library, some of them through others. Programs that compile often should include
 // only the headers that they use.
 #pragma once
 

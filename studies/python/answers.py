@@ -49,30 +49,24 @@ def power(question, row, published, tests):
     return f"{runs or 'more than 1000'} (for {words})"
 
 
-def evolved(data, sets=SETS, most=None, folder=""):
-    """The answers to the first `most` questions in each set, with simultaneous intervals. A question is written in the first of its lines."""
-    answers = {name: data(f"{name}_answers") for name in sets}
-    tests = {name: sum(row["p_holm"] != "" for row in data(name)) for name in sets}
+def evolved(data):
+    """The answers to the questions in each set, with simultaneous intervals. A question is written in the first of its lines."""
+    answers = {name: data(f"{name}_answers") for name in SETS}
+    tests = {name: sum(row["p_holm"] != "" for row in data(name)) for name in SETS}
     lines = []
-    for questions in list(zip(*answers.values()))[:most]:
-        for number, (name, row) in enumerate(zip(sets, questions)):
-            where = (sets[name][0], folder + sets[name][1])
+    for questions in zip(*answers.values()):
+        for number, (name, row) in enumerate(zip(SETS, questions)):
             lines.append(
                 line(
                     "" if number else row["question"],
                     row["answer"],
                     signed(designs.together(row, tests[name]), ("difference", "lower", "upper")),
                     row["runs"],
-                    where,
+                    SETS[name],
                     power(row["question"], row, data(f"{name}_published"), tests[name]),
                 )
             )
     return lines
-
-
-def in_brief(data):
-    """The two questions about evolution on bodies, for the README."""
-    return evolved(data, {name: SETS[name] for name in ("mujoco_released", "mujoco_paper")}, 2, "studies/results/")
 
 
 def choices_that_matter(data):

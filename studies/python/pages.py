@@ -122,18 +122,6 @@ def claims(rows):
     return table(["published figure", "reading", "published", "margin", "ours", "conclusion"], lines)
 
 
-def summaries(rows):
-    """One line for each published figure."""
-    return table(
-        ["published figure", "conclusion"], [[row["claim"], row["summary"]] for row in first_of(rows, "claim")]
-    )
-
-
-def first_of(rows, key):
-    seen = set()
-    return [row for row in rows if not (row[key] in seen or seen.add(row[key]))]
-
-
 AGAINST_SHADOW = [
     ("attribution_caught", "prey", "all"),
     ("attribution_catches", "predator", "all"),
@@ -1054,7 +1042,6 @@ def tables(data, choices):
         "walls differences": lambda: at_walls(data("walls")),
         "conclusions": lambda: table(answers.conclusion_heads(), answers.conclusions(data)),
         "answers": lambda: table(answers.HEADS, answers.evolved(data) + answers.choices_that_matter(data)),
-        "answers in brief": lambda: table(answers.HEADS, answers.in_brief(data)),
         "ablations paper": lambda: swaps(data("ablations"), "paper"),
         "ablations released": lambda: swaps(data("ablations"), "released"),
         "inheritance": lambda: inheritance(data("inheritance")),
@@ -1091,15 +1078,11 @@ def tables(data, choices):
             file = name.replace(" ", "_")
             made[f"{name} shadow"] = lambda file=file: against_shadow(data(file))
             made[f"{name} claims"] = lambda file=file: claims(data(f"{file}_published"))
-            made[f"{name} summary"] = lambda file=file: summaries(data(f"{file}_published"))
     return made
 
 
 def pages_of(studies):
-    """The pages of results and, in a checkout of trophic, its README.md."""
-    return [
-        page for page in (studies.parent / "README.md", *sorted((studies / "results").glob("*.md"))) if page.exists()
-    ]
+    return sorted((studies / "results").glob("*.md"))
 
 
 def with_line(data, make):

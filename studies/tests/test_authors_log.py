@@ -23,7 +23,7 @@ def log(changes_at=99):
 
 def test_the_log_is_measured_as_a_run_of_ours(tmp_path):
     (tmp_path / "countries.csv").write_text(log())
-    for code in (0, 1):  # nothing is overwritten
+    for code in (0, 1):  # files are never overwritten
         assert bool(
             subprocess.run(
                 [sys.executable, SCRIPT, tmp_path / "countries.csv", tmp_path / "out"], capture_output=True

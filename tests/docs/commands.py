@@ -207,7 +207,7 @@ def parsed(executable: str, arguments: list[str], ask: str, folder: str) -> subp
     if "--print-table" in arguments:
         return accepted(executable, arguments, folder)
     done = accepted(executable, [*arguments, ask], folder)
-    alone = re.search(rf"not with {ask}, which goes with (.*) alone", done.stderr)
+    alone = re.search(rf"not with {ask}, which combines with (.*) only", done.stderr)
     return (
         accepted(executable, [*only_options(arguments, re.findall(r"--[\w-]+", alone[1])), ask], folder)
         if alone

@@ -13,9 +13,13 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "program"))
 from figures_python import PYTHON  # noqa: E402
 
 
-def follow(path: pathlib.Path, folder: pathlib.Path, environment: dict[str, str]) -> None:
-    """Raises SystemExit at the first command that fails."""
+def follow(
+    path: pathlib.Path, folder: pathlib.Path, environment: dict[str, str], shorter: dict[str, str] | None = None
+) -> None:
+    """Raises SystemExit at the first command that fails. `shorter`: texts of the document that others replace."""
     for block in parse(path).blocks:
+        for long, short in (shorter or {}).items():
+            block.code = block.code.replace(long, short)
         key, name = block.note
         if key in ("file", "append"):
             with open(folder / name, "a" if key == "append" else "w") as file:

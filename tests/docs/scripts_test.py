@@ -18,7 +18,7 @@ SHORT = {"build-deb": "", "fuzz": "1 manifest", "hostile": "build/ci", "kill-and
          "soak": "120 6000", "compile-time": "--help", "mutation-check": "--list", "check-systems": "trixie"}  # fmt: skip
 ELSEWHERE = {"architecture-picture", "release", "size"}  # tests of their own
 PROGRAMS = {f"ci/{name}": "echo mujoco" for name in ("examples/trophic-predator-prey", "tests/soak/soak", "tests/fuzz/fuzz_extremes", "tests/hostile/contraction")} | {
-    "fuzz/fuzz": "echo stat::peak_rss_mb >&2", "release/examples/trophic-predator-prey": "", "bin/dpkg-query": "echo installed", "bin/dpkg-parsechangelog": "echo 1.0-1",
+    "fuzz/fuzz": "echo stat::peak_rss_mb >&2", "quickstart/tools/first_run": "", "bin/dpkg-query": "echo installed", "bin/dpkg-parsechangelog": "echo 1.0-1",
     "bin/dpkg-buildpackage": "test -f debian/rules && : > ../trophic.deb", "bin/ctest": "mkdir -p build/ci build/sanitize build/threads build/clang"}  # fmt: skip
 PRESETS = {preset["name"] for preset in json.loads((ROOT / "CMakePresets.json").read_text())["configurePresets"]}
 

@@ -77,9 +77,9 @@ constexpr std::string_view states = R"(
 ## states.csv
 
 The states of rules for every robot, at the ticks of agents.csv, after that tick's rules. Written only with --states.
-The columns time_s, tick, body and id are those of agents.csv. With a rule Metabolism energy_J follows, the individual's energy. One column
-SLOT.MEMBER follows for each member of each State of the table, such as starvation.exemption.adversary_distance_m. Numbers are exact,
-ancestors are ids, lists are separated by spaces, and empty cells mean none.
+The columns time_s, tick, body and id are those of agents.csv. One column SLOT.MEMBER follows for each member of each State of the
+table, such as starvation.exemption.adversary_distance_m. Numbers are exact, ancestors are ids, lists are separated by spaces, and an
+empty cell means no value.
 )";
 
 constexpr std::string_view bodies = R"(
@@ -94,32 +94,32 @@ the descriptors of trophic/habitat/body/descriptors.hpp, from size to joints; si
 
 std::string document() {
   std::string text{introduction};
-  text += section<io::EventRow>("events.csv", "The events of a run, one per row, in the order in which they happened.");
+  text += section<io::EventRow>("events.csv", "The events of a run in chronological order, one per row.");
   text += section<io::AgentRow>("agents.csv", "Every robot at every tick, after that tick's rules.");
   text += section<io::SenseRow>(
       "senses.csv",
       R"(Contacts of every robot, and inputs and outputs of its brain, at the ticks of agents.csv. Written only with --senses.
-Bodies are as at that moment, and contacts are those of their boxes' shapes.)");
+Contacts are those between the boxes of the bodies at that moment.)");
   text += states;
   text += section<io::TaxonRow>(
       "phylogeny.csv", "Every individual in the ALife data standard, written when it dies; those alive at the end follow.");
-  text += section<io::GenomeRow>(
-      "genomes.csv",
-      "One row per birth. A later row of a genome that several share has the weights of all of them from then on.");
+  text += section<io::GenomeRow>("genomes.csv",
+                                 "One row per birth. If genomes are shared, a later row with the same genome_id has the new "
+                                 "weights of all its individuals.");
   text += section<io::GeneRow>("genes.csv",
                                R"(One row per gene of every newborn. Written only if individuals inherit gaits or bodies, or if
 brains grow.)");
   text += section<changes::ChangeRow>("changes.csv",
-                                      "The rule parameters that changed during a run, in the order of their changes. Written "
+                                      "The changes to rule parameters during a run, in chronological order. Written "
                                       "only with --changes and --live; --changes reads it.");
   text += bodies;
   text += section<io::EnergyRow>(
       "energy.csv",
       R"(The energy of each species at every tick, after that tick's rules. Written only with a rule Metabolism.
-stock_J is the last one's plus outside_J, field_J, victims_J and received_J, less upkeep_J, eaten_J, given_J and lost_J.)");
+stock_J is the previous row's plus outside_J, field_J, victims_J and received_J, less upkeep_J, eaten_J, given_J and lost_J.)");
   text += section<io::ResourceRow>(
       "resource.csv",
-      R"(The resource at every tick. Written only with a rule Resource. stock_J is the last one's plus grown_J less taken_J.)");
+      R"(The resource at every tick. Written only with a rule Resource. stock_J is the previous row's plus grown_J less taken_J.)");
   text += section<io::FieldRow>("field.csv",
                                 "Every cell of the resource at every tenth tick, or hundredth if there are more than 10,000. "
                                 "Written only with a rule Resource.");

@@ -63,7 +63,7 @@ class Faults(InFolder):
         for word in CRASHES:
             self.assertNotIn(word, done.stderr)
         if done.returncode != 0:
-            said = [line for line in done.stderr.splitlines() if not line.startswith("everything written so far is in")]
+            said = [line for line in done.stderr.splitlines() if not line.startswith("all output so far is in")]
             self.assertEqual(len(said), 1, done.stderr)
         if self.status("run") == "complete":
             self.assertEqual({name: (self.folder / "run" / name).read_bytes() for name in TABLES}, self.tables)
@@ -156,11 +156,7 @@ class Faults(InFolder):
                 if (self.folder / "code").exists():
                     full += 1
                     self.assertEqual((self.folder / "code").read_text(), "1\n")
-                    said = [
-                        line
-                        for line in done.stderr.splitlines()
-                        if not line.startswith("everything written so far is in")
-                    ]
+                    said = [line for line in done.stderr.splitlines() if not line.startswith("all output so far is in")]
                     self.assertEqual(len(said), 1, done.stderr)
                     self.assertIn("No space left", said[0])
                 self.assertEqual(self.status("run"), "complete")

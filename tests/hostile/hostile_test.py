@@ -40,7 +40,7 @@ class Hostile(InFolder):
         """The one line on standard error."""
         done = self.call(*words)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
-        said = [line for line in done.stderr.splitlines() if not line.startswith("everything written so far is in")]
+        said = [line for line in done.stderr.splitlines() if not line.startswith("all output so far is in")]
         self.assertEqual(len(said), 1, done.stderr)
         return said[0]
 
@@ -89,7 +89,7 @@ class Damage(Hostile):
         failed = self.call(*plan)
         self.assertEqual(failed.returncode, 1, failed.stderr)
         self.assertIn("agents.csv: its first", failed.stderr)
-        self.assertIn("replicate-00.incomplete-1, the next attempt begins without it", failed.stderr)
+        self.assertIn("replicate-00.incomplete-1; the next attempt starts without it", failed.stderr)
         self.run_ok(*plan)
         tables = {path: content for path, content in whole.items() if path.endswith((".csv", ".trp"))}
         again = self.contents("out")
@@ -180,7 +180,7 @@ class Damage(Hostile):
                 self.assertFalse((self.folder / "new").exists(), other)
                 self.assertRegex(
                     self.run_ok(*command).stdout,
-                    "was complete, but damaged|as it has no whole manifest.json|was incomplete",
+                    "was complete, but damaged|because its manifest.json is incomplete|was incomplete",
                 )
                 tables = [name for name in whole if name.name not in ("manifest.json", "checkpoint.bin")]
                 self.assertEqual([name.read_bytes() for name in tables], [whole[name] for name in tables])
@@ -212,7 +212,7 @@ class Killed(Hostile):
             file.write(b"[7, 1")  # of a line that was cut
         self.assertRegex(
             self.run_ok(*contest, "--out", "parts").stderr,
-            r"^trophic contest: \d+ of \d+ contests were played already\n",
+            r"^trophic contest: \d+ of \d+ contests have been played already\n",
         )
         for name in ("contests.csv", "progress.csv"):
             self.assertEqual((self.folder / "parts" / name).read_bytes(), (self.folder / "whole" / name).read_bytes())
@@ -339,7 +339,7 @@ class Builds(Hostile):
         self.assertNotEqual(mixed["continued"][0]["code"], first["code"])
         self.assertEqual(mixed["continued"][0]["other_build"], "accepted")
         self.assertIn(
-            "2 builds of a program made these runs", self.run_ok(TROPHIC, "analyze", "run", "--out", "mixed").stderr
+            "2 different builds made these runs", self.run_ok(TROPHIC, "analyze", "run", "--out", "mixed").stderr
         )
         self.run_ok(OWN_RULE_3, *KINEMATIC, "--duration", 120, "--out", "run", "--resume")
         self.assertEqual(len({program["code"] for program in self.manifest("run")["continued"]}), 1)
@@ -351,7 +351,7 @@ class Builds(Hostile):
         said = self.refused(2, TROPHIC, "analyze", "one", "three", "--out", "pooled")
         self.assertIn("three: made by ", said)
         done = self.run_ok(TROPHIC, "analyze", "one", "three", "--accept-other-build", "--out", "pooled")
-        self.assertIn("2 builds of a program made these runs", done.stderr)
+        self.assertIn("2 different builds made these runs", done.stderr)
         runs = json.loads((self.folder / "pooled/summary.json").read_text())["sets"][0]["runs"]
         self.assertEqual([run["builds"] for run in runs], [[self.manifest(name)["code"]] for name in ("one", "three")])
 
@@ -520,7 +520,9 @@ class Converted(Hostile):
             "2: {id: none}", "2: {id: Far, type: ActiveHinge, slot: 1, children: {0: {id: End, type: FixedBrick}}}"
         )
         said, robot = self.converted("body.yaml", text)
-        self.assertIn("attached by their far end there, turned round: ActiveHinge Far (line 20)", said)
+        self.assertIn(
+            "turned around, because they are attached by their far end there: ActiveHinge Far (line 20)", said
+        )
         self.assertEqual(
             self.modules(robot["core"])["back"],
             ("hinge", 1, {"front": ("brick", 3, {"left": ("hinge", 0, {"front": ("brick", 0, {})})})}),
@@ -536,7 +538,7 @@ class Converted(Hostile):
             ("body.json", eye, json.dumps(REVOLVE2), "sensor Eye (line 16)"),
         ):
             said, robot = self.converted(name, text)
-            self.assertIn("left out, as trophic lacks it: " + left, said)
+            self.assertIn("omitted, because trophic does not have it: " + left, said)
             self.assertEqual(robot, self.converted(name, plain)[1])
 
     def test_revolve2(self):
@@ -570,14 +572,14 @@ class Converted(Hostile):
             deep = {"type": "hinge", "children": {"front": deep}}
         for text, sentence in (
             ('<robot name="two"/>', "is URDF: must be a body of revolve2 or Revolve"),
-            ("no body", "is in no format that is known"),
+            ("no body", "is in an unknown format"),
             (
                 "0 CoreComponent Core 0\n\t0 ActiveWheel W 0 0.04\n",
-                ":1: Core: has no hinge without ActiveWheel W (line 2), which trophic lacks",
+                ":1: Core: has no hinge without ActiveWheel W (line 2), which trophic does not have",
             ),
             (
                 "0 CoreComponent Core 0\n\t0 ParametricJoint J 0 0.02 0 0\n\t\t0 ActiveHinge H 0\n",
-                ":2: J: is of type ParametricJoint: must be a core, an active hinge or a brick, as it carries ActiveHinge H (line 3)",
+                ":2: J: is of type ParametricJoint: must be a core, an active hinge or a brick, because it carries ActiveHinge H (line 3)",
             ),
             *(
                 (json.dumps(robogen_result(ROBOGEN)).replace(right, wrong), sentence)
@@ -606,7 +608,7 @@ class Converted(Hostile):
             ),
             ("0 CoreComponent Core 0\n\tx ActiveHinge H 0\n", ':2: H: slot = "x": must be one digit'),
             ("0 CoreComponent Core 0\n\t0 ActiveHinge H\udcff 0\n", ":2: its name must be UTF-8"),
-            ("0 CoreComponent Core 0\n", "body: is a core alone: must have a hinge or a brick"),
+            ("0 CoreComponent Core 0\n", "body: has only a core: must have a hinge or a brick"),
             (REVOLVE, ":20: none: type: missing"),
             (REVOLVE.replace("{id: none}", "none"), ":14: core.0.1.2: must be a module with a type"),
             (
@@ -615,7 +617,7 @@ class Converted(Hostile):
             ),
             (
                 REVOLVE.replace("orientation : 90", "rotation : 90"),
-                ":8: Back: rotation: is not a key that is read here; orientation turns",
+                ":8: Back: rotation: is an unknown key here; orientation turns",
             ),
             (
                 REVOLVE.replace("type        : ActiveHinge", "type        : *x"),
@@ -655,7 +657,7 @@ class Converted(Hostile):
             ),
             (
                 json.dumps({"type": "core", "children": {"front": deep}}),
-                "is JSON nested more than 64 deep, which is not read",
+                "is JSON nested more than 64 levels deep, which is refused",
             ),
             ('{"type": "core", "children": {"front": ', "body: [json.exception.parse_error.101] parse error"),
         ):
@@ -696,7 +698,10 @@ class Foreign(Hostile):
                 said = self.refused(
                     2, PREDATOR_PREY, *KINEMATIC, "--robot", f"./{name}", "--duration", 4, "--out", "run"
                 )
-                self.assertIn(f"{name}: is {format_}: must be TOML, a robot a tree of cores, hinges and bricks", said)
+                self.assertIn(
+                    f"{name}: is {format_}: must be TOML that describes the robot as a tree of cores, hinges and bricks",
+                    said,
+                )
                 self.assertEqual("trophic convert" in said, name not in ("mod.xml", "mod.urdf"))
 
     def test_a_number_beyond_its_bound_is_refused(self):

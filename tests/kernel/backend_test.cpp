@@ -245,7 +245,7 @@ TEST_CASE("kernel backend: more robots in one heap than the kernel steps -> MuJo
     world.advance_to(0.012);
     return world.speed_remark(asked);
   };
-  CHECK(remark(40, 1.8, Mujoco::Stepping::fast).starts_with("backend.stepping = fast: MuJoCo itself took "));
+  CHECK(remark(40, 1.8, Mujoco::Stepping::fast).starts_with("backend.stepping = fast: MuJoCo itself computed "));
   CHECK(remark(40, 1.8, Mujoco::Stepping::islands).empty());
   CHECK(remark(4, 4.0, Mujoco::Stepping::islands, true) == "backend.stepping = islands does not count steps");
   CHECK(remark(4, 4.0, Mujoco::Stepping::fast).empty());

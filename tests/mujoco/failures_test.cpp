@@ -178,6 +178,6 @@ TEST_CASE("failures: bad input -> named error before the simulation") {
   Mujoco backend{spider, square, starts, {}, {}};
   const std::vector<double> three(3, 0.0);
   const std::vector<double> wrong{0.0, 0.0, std::nan(""), 0.0};
-  CHECK(contains(complaint([&] { backend.set_joint_targets(1, three); }), "joint targets of robot 1: 3 numbers, must be 4"));
+  CHECK(contains(complaint([&] { backend.set_joint_targets(1, three); }), "joint targets of robot 1: 3 numbers: must be 4"));
   CHECK(contains(complaint([&] { backend.set_joint_targets(1, wrong); }), "joint target 2 of robot 1"));
 }

@@ -56,7 +56,7 @@ TEST_CASE("screening: run -> its timestep and a remark are in the description, a
   CHECK(run.fingerprint != description(Stepping::fast, 0.002).fingerprint);
   CHECK(observe::short_name(run) == "paper (backend.stepping screening)");
   CHECK(run.remarks.at(0).starts_with(
-      "backend.stepping = screening: single precision and steps of 0.002 s, the table's have 0.0012 s; "));
+      "backend.stepping = screening: uses single precision and steps of 0.002 s, but the table has 0.0012 s; "));
   CHECK(value_text(*std::ranges::find(run.named_params, "physics.timestep_s", &NamedParam::path)) == "0.002");
 }
 

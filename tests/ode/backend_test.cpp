@@ -180,7 +180,7 @@ TEST_CASE("ODE backend: integrator rk4 -> its own steps, with a remark") {
   walk(asked, 0.5);
   CHECK(asked.save() == usual.save());
   CHECK(Ode::remarks(world.physics) ==
-        std::vector<std::string>{"physics.integrator = rk4 has no effect: ode steps by its own semi-implicit Euler method"});
+        std::vector<std::string>{"physics.integrator = rk4 has no effect: ode has its own semi-implicit Euler method"});
 }
 
 TEST_CASE("ODE backend: bad commands and states -> rejected") {

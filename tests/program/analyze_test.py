@@ -132,7 +132,7 @@ class Analyze(InFolderWithSets):
         refused = self.analyze("paper", "--out", "analysis-1")
         self.assertEqual(refused.stdout, "")
         self.assert_refused(refused, "analysis-1: exists already")
-        self.assert_refused(self.analyze("paper", "--out", "broken"), "the table was cut or changed after the run")
+        self.assert_refused(self.analyze("paper", "--out", "broken"), "the table was cut or modified after the run")
         self.assertFalse((self.folder / "broken").exists())
 
     @unittest.skipUnless(figures_python.PYTHON, "needs matplotlib and pandas")
@@ -158,9 +158,10 @@ class Analyze(InFolderWithSets):
         for name in captions:
             for ending in ("png", "pdf"):
                 self.assertGreater((self.folder / f"analysis/figures/{name}.{ending}").stat().st_size, 5000)
-        again = self.call(TROPHIC, "plot", "analysis")
+        again = self.call(TROPHIC, "plot", "analysis", "--out", "analysis/figures")
         self.assertEqual(again.stdout, "")
-        self.assert_refused(again, "figures: exists already; nothing is overwritten")
+        self.assert_refused(again, "figures: exists already; files are never overwritten")
+        self.assertIn("figures in analysis/figures-1, with", self.run_ok(TROPHIC, "plot", "analysis").stdout)
         self.analyze("--compare", "paper", self.sets / "released", "--out", "compared")
         self.run_ok(TROPHIC, "plot", "compared")
         self.assertIn("forest", json.loads((self.folder / "compared/figures/captions.json").read_text()))
@@ -189,7 +190,7 @@ class Analyze(InFolderWithSets):
         self.analyze_ok(set_, "--html", "both.html", "--replays", "0", "--out", "both")
         self.assertTrue((self.folder / "both/metrics.csv").exists())
         for arguments, sentence in (
-            (["--html", "page.html"], "--html page.html: exists already; nothing is overwritten"),
+            (["--html", "page.html"], "--html page.html: exists already; files are never overwritten"),
             (["--html", "x.html", "--figures", "none"], "none/captions.json: "),
         ):
             with self.subTest(arguments):

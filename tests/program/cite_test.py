@@ -94,7 +94,7 @@ class Cite(InFolder):
         plain = re.sub(r", revision [^}]*", "", entries).strip()
         readme = (ROOT / "README.md").read_text()
         self.assertIn(plain, readme)
-        for text in (readme, (ROOT / "docs/how-to/cite.md").read_text()):
+        for text in (readme, (ROOT / "docs/how-to/into-a-paper.md").read_text()):
             self.assertEqual(text.count(REQUEST), 1)
         citation = (ROOT / "CITATION.cff").read_text()
         self.assertIn(f"message: {REQUEST}\n", citation)

@@ -58,7 +58,7 @@ class Contest(InFolder):
             {("0", "study"), ("1", "again")},
         )
         done = self.contest("study", *short, "--out", "one", "--jobs", 1)
-        self.assertIn("3 replicates: no intervals and no conclusions; a test needs 6", done.stdout)
+        self.assertIn("3 replicates: too few for intervals and tests, which need 6", done.stdout)
         rows = self.rows("one/contests.csv")
         self.assertEqual(len(rows), 2 * 2 * 3 * 6 * 9)  # shadow, against, replicates, teams, pairs
         for row in rows:
@@ -149,7 +149,7 @@ class Contest(InFolder):
         self.run_ok(TROPHIC, *lineages, "study", "--window", 20, "--jobs", 2, "--out", "again")
         self.assertEqual(*((self.folder / name / "metrics.csv").read_bytes() for name in ("measured", "again")))
         refused = functools.partial(self.refused, command=lineages)
-        refused("study", "--window", 31, says="--window 31: must be > 0 and <= 30, a quarter of the runs")
+        refused("study", "--window", 31, says="--window 31: must be > 0 and <= 30, a quarter of the shortest run")
         refused("study", "--until", 60, says="--lineages: not with")
         refused("study", "--metric", "velocity", says="velocity")
         self.runs("shared", "--rules", "released", "--senses")
@@ -166,7 +166,7 @@ class Contest(InFolder):
         (first / "genomes.csv").unlink()
         refused("study", says="genomes.csv: is missing")
         self.runs("blind")
-        refused("blind", says="senses.csv: is missing: lineage measures need it of the first run; run with --senses")
+        refused("blind", says="senses.csv: is missing; lineage measures need it from the first run: run with --senses")
 
     def test_what_runs_cannot_give_is_refused_in_a_sentence(self):
         self.runs("study")
@@ -184,7 +184,7 @@ class Contest(InFolder):
         self.refused(first, says="--against others: needs at least two replicates")
         self.refused("study", "--program", "no-such-program", says="no-such-program: is not on the PATH")
         self.runs("other", "--set", "rules.mutation.sd=0.1")
-        self.refused("study", "other", says="runs of different rules or parameters are not pooled")
+        self.refused("study", "other", says="runs with different rules or parameters are not pooled")
         self.refused("study", "--shadow", "other", says="other")
         self.refused(
             "study",
@@ -213,7 +213,7 @@ class Contest(InFolder):
         )
         for path in (self.folder / "study").glob("replicate-*/manifest.json"):
             path.write_text(sealed_text({**json.loads(path.read_text()), "food_web": []}))
-        self.refused("study", says="no species of this food web hunts: a contest needs hunters and victims")
+        self.refused("study", says="this food web has no hunting species; a contest needs hunters and victims")
 
 
 if __name__ == "__main__":

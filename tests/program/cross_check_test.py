@@ -66,7 +66,7 @@ class CrossCheck(InFolderWithSets):
         for arguments, parts in [
             ([self.slow, self.fast, "--bogus"], ["--bogus"]),
             ([self.slow, "--out", "new"], ["runs"]),
-            ([self.slow, self.slow, "--out", "new"], ["replicate-00: must not be in both sets that are compared"]),
+            ([self.slow, self.slow, "--out", "new"], ["replicate-00: must not be in both of the compared sets"]),
             ([self.slow, self.fast, "--out", "there"], ["there", "exists already"]),
             ([self.slow, self.released, "--out", "new"], ["released", 'must be "paper"']),
             (

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """effects_test.py PREDATOR_PREY: nothing is without effect and silent. Each parameter changes a short run, or the run's remarks name
-it; studies/tests/test_ablations.py has the rules of the two tables. tests/unit/core/effects_test.cpp has the rules that are refused."""
+it; studies/tests/test_ablations.py has the rules of the two tables. tests/unit/core has the rules that are refused, and the parameters of every
+table on backends of points."""
 
 import json
 import pathlib
@@ -117,8 +118,6 @@ class Parameters(Effects):
             crowd = {path: value for path, value in CROWD.items() if path in values} | (
                 {"physics.timestep_s": 0.005} if table == "released" else {}
             )
-            if engine == "kinematic":
-                crowd |= {"ecology.clock_scale": 0.5, "ecology.duration_s": 800}
             if engine == "ode":  # slow; rules act on any engine
                 crowd |= {"ecology.duration_s": 60}
                 values = {
@@ -141,7 +140,8 @@ class Parameters(Effects):
         engines = re.search(r"--backend TEXT +physics: ([\w, ]+) \(", call(PREDATOR_PREY, "--help").stdout)[1].split(
             ", "
         )
-        engines.remove("torus")  # of points, which take neither bodies nor walks
+        for points in ("torus", "kinematic"):  # tests/unit/core/every_parameter_test.cpp has them, and every table
+            engines.remove(points)
         for engine in engines:
             self.check(engine)
 
@@ -180,31 +180,35 @@ class Policies(Effects):
 
 
 class Changes(Effects):
-    def test_a_change_without_effect_has_a_remark(self):
-        (self.folder / "changes.csv").write_text(
-            "time_s,number,value\n40,rules.community.predators,10\n60,rules.steering.exponent,3\n98,rules.capture.reach_m,2\n"
-        )
-        options = ["--backend", "kinematic", "--duration", 100, "--changes", "changes.csv"]
-        _, remarks = self.run_with("run", {}, *options)
-        self.assertEqual(
-            remarks[1:],
-            ["rules.community.predators: its change at 40 s has", "rules.steering.exponent: its change at 60 s has"],
-        )
-        self.run_with("origin", {}, *options[:4])
-        done = self.call(
-            PREDATOR_PREY,
-            "--backend",
-            "kinematic",
-            "--from",
-            "origin",
-            "--at",
-            50,
-            "--set",
-            "rules.community.predators=9",
-            "--out",
-            "branch",
-        )
-        self.assert_refused(done, "rules.community.predators = 9: must be 14, as of the run that it begins from")
+    def test_a_change_without_effect_is_refused_before_the_run(self):
+        options = ["--backend", "kinematic", "--duration", 100]
+        self.run_with("origin", {}, *options)
+        for change, why in (
+            (
+                ("rules.community.predators", 10),
+                "must be given to a new run, with --set rules.community.predators=10, because a run reads it",
+            ),
+            (("rules.steering.exponent", 3), "must be omitted, because it has no effect: kinematic has no joints"),
+        ):
+            path, value = change
+            (self.folder / "changes.csv").write_text(
+                f"time_s,number,value\n40,{path},{value}\n98,rules.capture.reach_m,2\n"
+            )
+            refusal = f"{path} = {value}: {why}"
+            self.assert_refused(self.call(PREDATOR_PREY, *options, "--changes", "changes.csv", "--out", "run"), refusal)
+            branch = ["--from", "origin", "--at", 50, "--set", f"{path}={value}", "--out", "branch"]
+            self.assert_refused(self.call(PREDATOR_PREY, *options[:2], *branch), refusal)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir() if path.is_dir()), ["origin"])
+
+    def test_each_parameter_says_when_it_is_read(self):
+        printed = call(PREDATOR_PREY, "--backend", "kinematic", "--print-config").stdout
+        for line in (
+            "predators = 14  # number of founders that are predators; the others are prey; read at the start",
+            "limit = 1.0  # bound on the absolute value of weights; read at the start and at births without a parent",
+            "sd = 0.05  # standard deviation; read at births",
+            "reach_m = 1.0  # distance within which a victim is caught",
+        ):
+            self.assertIn(f"\n{line}\n", printed)
 
 
 if __name__ == "__main__":

@@ -57,7 +57,7 @@ class EvolveGait(InFolder):
         code, printed = self.interrupt("stopped", signal.SIGINT, "gait.toml")
         self.assertIn(code, (0, 3))
         self.assertTrue(
-            (code == 3 and "the same command continues" in printed) or "generation 3 of 3" in printed, printed
+            (code == 3 and "repeat the command to resume" in printed) or "generation 3 of 3" in printed, printed
         )
         self.evolve("--config", "stopped/settings.toml", "--out", "stopped")
         self.assert_same_files("whole", "stopped")
@@ -69,8 +69,30 @@ class EvolveGait(InFolder):
 
         walked = self.run_ok(*MEASURE, "--gait", "whole/gait.toml", "--duration", "6")
         table = list(csv.DictReader(walked.stdout.splitlines()))
-        self.assertEqual([float(row["target_angle_rad"]) for row in table], [0.7, 0.0, -0.7] * 2)
+        self.assertEqual([float(row["target_angle_rad"]) for row in table], [0.7, 0.0, -0.7])
         self.assertAlmostEqual(float(table[1]["timestep_s"]), 0.0012)
+
+    def test_a_walk_that_diverges_is_an_error_in_one_sentence(self):
+        failed = self.call(*MEASURE, "--robot", "gecko", "--table", "released", "--duration", "20")
+        self.assertEqual(failed.returncode, 1, failed.stdout)
+        self.assertRegex(
+            failed.stderr,
+            r"\Atrophic.*: gecko with gecko_steered, mujoco .*, rk4 0.012 s: simulation diverged at .*\n\Z",
+        )
+
+    def test_a_robot_that_walks_backwards_or_sideways_is_remarked_on(self):
+        spider = (ROBOTS / "spider.toml").read_text()
+        for forward_deg, part in ((45 + 180, "walks backwards"), (45 + 60, "more to its side than ahead"), (45, "")):
+            turned = spider.replace("forward_deg = 45", f"forward_deg = {forward_deg}")
+            (self.folder / f"{forward_deg}.toml").write_text(turned)
+            measured = self.run_ok(*MEASURE, "--robot", f"{forward_deg}.toml", "--duration", "10")
+            self.assertIn(part, measured.stderr)
+            self.assertEqual(bool(part), bool(measured.stderr))
+
+    def test_without_a_name_it_takes_the_next_free_folder(self):
+        for number in (1, 2):
+            self.evolve(*SMALL, "--generations", 0)
+            self.assertTrue((self.folder / f"runs/spider-{number}/gait.toml").is_file())
 
     def test_a_pre_experiment_whose_every_trial_diverged_is_a_failure_and_leaves_no_gait(self):
         failed = self.call(
@@ -133,7 +155,6 @@ class EvolveGait(InFolder):
         (self.folder / "broken.toml").write_text("name = 'x'\nhinges = [")
         for part, program, arguments in (
             ("exists already", EVOLVE, [*SMALL, "--out", "taken"]),
-            ("--out: must name a new folder", EVOLVE, SMALL),
             ("no joints", EVOLVE, ["--backend", "kinematic", "--out", "new"]),
             ("--table late: must be paper or released", EVOLVE, ["--table", "late", "--out", "new"]),
             ("trial.duration_s = -1: must be > 0", EVOLVE, ["--set", "trial.duration_s=-1", "--out", "new"]),

@@ -145,13 +145,13 @@ class Exports(InFolderWithSets):
     def test_refusals(self):
         (self.folder / "mine.glb").write_text("mine")
         for arguments, sentence in (
-            (["-o", "mine.glb"], "--out mine.glb: exists already; nothing is overwritten"),
+            (["-o", "mine.glb"], "--out mine.glb: exists already; files are never overwritten"),
             (["-o", "x.obj"], "--out x.obj: must end in .glb or .gltf"),
             (["-o", "x.glb", "--from", "301"], "time 301 s: must be between 0 and 300"),
             (["-o", "x.glb", "--from", "20", "--to", "10"], "--from 20: must be <= --to, 10"),
             (
                 ["-o", "x.glb", "--follow", "9999", "--to", "10"],
-                "--follow 9999: no individual of that id lives between 0 and 10 s",
+                "--follow 9999: no individual with this id lives between 0 and 10 s",
             ),
         ):
             with self.subTest(arguments):

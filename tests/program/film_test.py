@@ -117,7 +117,7 @@ class Films(InFolderWithSets):
             (["--robot", "spider", "-o", "x.mp4"], "--out x.mp4: must end in .png with --robot"),
             (["--robot", "spider", "--catch", "1", "-o", "x.png"], "--robot: not with --from"),
             (["--robot", "spider", str(self.sets / "run"), "-o", "x.png"], "--robot: not with a run"),
-            (["-o", "x.png"], "either the folder of a run, or --robot and a robot file"),
+            (["-o", "x.png"], "needs either the folder of a run, or --robot with a robot file"),
         ):
             with self.subTest(arguments):
                 result = self.call(TROPHIC, "film", *arguments)
@@ -288,13 +288,13 @@ class Films(InFolderWithSets):
     def test_refusals(self):
         (self.folder / "mine.png").write_text("mine")
         for arguments, sentence in (
-            (["-o", "mine.png"], "--out mine.png: exists already; nothing is overwritten"),
+            (["-o", "mine.png"], "--out mine.png: exists already; files are never overwritten"),
             (["-o", "x.avi"], "--out x.avi: must end in .png, .mp4, .webm or .gif"),
             (["-o", "x.png", "--from", "201"], "time 201 s: must be between 0 and 200"),
             (["-o", "x.mp4", "--from", "20", "--to", "10"], "--from 20: must be <= --to, 10"),
             (
                 ["-o", "x.png", "--from", "10", "--follow", "9999"],
-                "--follow 9999: no individual of that id lives between 10 and 10 s",
+                "--follow 9999: no individual with this id lives between 10 and 10 s",
             ),
             (["-o", "x.png", "--size", "639x360"], "width = 639: must be even, >= 16 and <= 4096"),
             (

@@ -153,11 +153,11 @@ class Killed(InFolder):
                     after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime, 5.0
                 )  # the run's whole processor time
                 self.assertEqual(run.returncode, STOPPED, errors)
-                self.assertIn("stopping: finished work is kept", errors)
-                self.assertIn(f"--resume --out {out} resumes it", printed)
+                self.assertIn("stopping; finished work is kept", errors)
+                self.assertIn(f"repeat the command with --resume --out {out}", printed)
                 self.assertEqual(self.manifest(out)["status"], "stopped")
                 again = self.finish_ok(*self.command(out, 7, "--resume"))
-                self.assertIn("continues from its checkpoint at", again.stdout)
+                self.assertIn("resumes from its checkpoint at", again.stdout)
                 self.assert_same("whole", out)
 
     def started_and_kept(self, out, preexec=None):
@@ -185,10 +185,10 @@ class Killed(InFolder):
         self.whole(7)
         run = self.started_and_kept("here")
         (self.folder / "here").rename(self.folder / "there")
-        self.assertEqual(self.failed(run), "its folder was removed or moved: here")
+        self.assertEqual(self.failed(run), "the run's folder was removed or moved: here")
         self.assertNotEqual(self.manifest("there")["status"], "complete")
         again = self.finish(*self.command("there", 7, "--resume"))
-        self.assertIn("continues from its checkpoint at", again.stdout, again.stderr)
+        self.assertIn("resumes from its checkpoint at", again.stdout, again.stderr)
         self.assert_same("whole", "there")
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["there", "whole"])
 
@@ -210,11 +210,11 @@ class Killed(InFolder):
         self.whole(7)
         run = self.started_and_kept("run", preexec)
         (self.folder / "run").chmod(0o555)
-        self.assertEqual(self.failed(run), "everything written so far is in run")
+        self.assertEqual(self.failed(run), "all output so far is in run")
         (self.folder / "run").chmod(0o755)
         self.assertNotEqual(self.manifest("run")["status"], "complete")
         again = self.finish(*self.command("run", 7, "--resume"))
-        self.assertIn("continues from its checkpoint at", again.stdout, again.stderr)
+        self.assertIn("resumes from its checkpoint at", again.stdout, again.stderr)
         self.assert_same("whole", "run")
 
     def test_a_file_that_reaches_its_size_limit(self):
@@ -225,10 +225,10 @@ class Killed(InFolder):
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, resource.RLIM_INFINITY)),
         )
         self.assertEqual(run.returncode, 1, run.stderr)
-        self.assertRegex(run.stderr, r"^[^\n]*agents.csv: File too large\neverything written so far is in run\n$")
+        self.assertRegex(run.stderr, r"^[^\n]*agents.csv: File too large\nall output so far is in run\n$")
         self.assertNotEqual(self.manifest("run")["status"], "complete")
         again = self.finish(*self.command("run", 7, "--resume"))
-        self.assertIn("continues from its checkpoint at", again.stdout, again.stderr)
+        self.assertIn("resumes from its checkpoint at", again.stdout, again.stderr)
         self.assert_same("whole", "run")
 
     def test_replicates_whose_output_pipe_is_closed(self):
@@ -269,7 +269,7 @@ class Killed(InFolder):
         killed.kill()
         killed.communicate()
         resumed = self.finish_ok(*common, "--resume")
-        self.assertIn("replicate-00 continues from its checkpoint at", resumed.stdout)
+        self.assertIn("replicate-00 resumes from its checkpoint at", resumed.stdout)
         for number in range(3):
             self.assert_same(f"whole/replicate-0{number}", f"set/replicate-0{number}")
 

@@ -133,10 +133,10 @@ class Live(InFolder):
                 ({"do": "set", "number": "rules.capture.reach_m", "value": "far"}, "must be a number"),
                 (
                     {"do": "set", "number": "rules.newborn_tag.founder_tag", "value": "7"},
-                    "rules.newborn_tag.founder_tag = 7: the policy in rules.newborn_tag",
+                    "rules.newborn_tag.founder_tag = 7: must be given to a new run",
                 ),
                 ({"do": "set", "number": "rules.capture.reach_m", "value": "1" * 201}, "must have <= 200 bytes"),
-                ({"do": "set", "number": "ecology.robots", "value": "7"}, "is not a number of a rule"),
+                ({"do": "set", "number": "ecology.robots", "value": "7"}, "is not a rule parameter"),
                 ({"do": "set", "number": "rules.capture.reach_m", "value": "1\nx = 2"}, "one number"),
                 ({"do": "restart", "seed": -3, "rules": "paper"}, "seed = -3"),
                 ({"do": "restart", "seed": 3, "rules": "nonsense"}, "rules = nonsense"),
@@ -199,7 +199,7 @@ class Live(InFolder):
             facts = page.until_kind("run")
             self.assertEqual(facts["head"]["seed"], 9)
             at_start = {number["path"].split(".")[1] for number in facts["numbers"] if number["acts_at_start"]}
-            self.assertEqual(at_start - {"placement"}, {"community", "newborn_tag"})
+            self.assertEqual(at_start - {"placement"}, {"community", "newborn_tag", "steering"})
             self.assertEqual(
                 [number["value"] for number in facts["numbers"] if number["path"] == "rules.capture.reach_m"], ["0.5"]
             )

@@ -174,7 +174,7 @@ class Options(InFolderWithSets):
                     "--changes",
                     "changes.csv",
                 ],
-                "--changes changes.csv: must be left out, as the run in run has no changes.csv",
+                "--changes changes.csv: must be omitted, because the run in run has no changes.csv",
             ),
         ):
             with self.subTest(words):

@@ -61,8 +61,7 @@ class OwnBackend(InFolder):
                 (result.returncode, result.stderr),
                 (
                     2,
-                    f"{pathlib.Path(PROGRAM).name}: --backend {engine}: this program was built without it: "
-                    f"apt-get install {packages[1]}, build trophic again, or use --backend toy\n",
+                    f"{pathlib.Path(PROGRAM).name}: --backend {engine}: this program was built without it; run apt-get install {packages[1]} and build trophic again, or use --backend toy\n",
                 ),
             )
         self.assertEqual(list(self.folder.iterdir()), [])

@@ -249,7 +249,7 @@ class Ways(Sweeps):
             self.assert_same(out)
         for array in ({"SLURM_ARRAY_TASK_COUNT": "2"}, {"SLURM_ARRAY_TASK_COUNT": "3", "SLURM_ARRAY_TASK_STEP": "2"}):
             half = self.call("bash", "job.sh", env={**os.environ, "SLURM_ARRAY_TASK_ID": "1", **array})
-            self.assert_refused(half, "--array: must be 3 indices in a row; others would leave runs out")
+            self.assert_refused(half, "--array: must be 3 consecutive indices; otherwise some runs would be omitted")
         most = self.plan("--sbatch", 1000)
         self.assertIn(f"#SBATCH --array=1-{self.runs()}\n", most.stdout)
 
@@ -439,7 +439,7 @@ class Killed(Sweeps):
         self.wait_for("out/cell-001/replicate-00/checkpoint.bin", program)
         refused = self.call(*words)
         self.assertEqual(refused.returncode, 1, refused.stdout)
-        self.assertIn("cell-001/replicate-00: another program is making it\n", refused.stderr)
+        self.assertIn("cell-001/replicate-00: another program is running it\n", refused.stderr)
         program.kill()
         program.wait()
         self.run_ok(*words)
@@ -455,7 +455,7 @@ class Killed(Sweeps):
         program.send_signal(signal.SIGTERM)
         said = program.communicate(timeout=600)
         self.assertEqual(program.returncode, 3, said)
-        self.assertIn("the same command resumes these and no others", said[1])
+        self.assertIn("to resume only these, repeat the command", said[1])
         self.run_ok(*words)
         self.assert_same()
 
@@ -478,7 +478,7 @@ class Refusals(Sweeps):
             "[grid]\nrules.capture.reach_m = [1.0, 1]\n": "cell 1 (rules.capture.reach_m=1): is the same experiment as cell 0",
             "[set]\necology.robots = 0\n[grid]\nrules.capture.reach_m = [1.0]\n": "ecology.robots = 0: must be",
             "[grid]\n": "[grid]: is empty",
-            "neutral = true\n[grid]\nrules.capture.reach_m = [1.0]\n": "neutral: a sweep makes no neutral nulls; run a cell's settings with",
+            "neutral = true\n[grid]\nrules.capture.reach_m = [1.0]\n": "neutral: is not possible in a sweep; run a cell's settings with",
         }.items():
             self.write("bad.toml", 'engine = "kinematic"\n' + text if "engine" not in text else text)
             self.assertIn(says, self.refused(file="bad.toml"), text)
@@ -493,13 +493,13 @@ class Refusals(Sweeps):
         self.plan(file="diverges.toml")
         done = self.make_runs(run=self.call)
         self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
-        self.assertIn("1 diverged, as they will again with the same parameters\n", done.stderr)
+        self.assertIn("1 diverged, and will diverge again with the same parameters\n", done.stderr)
         self.assertNotIn("resume", done.stderr)
 
     def test_file_that_is_not_a_plan(self):
         for name, text, says in (
             ("none", None, "none: cannot be read: No such file"),
-            ("empty", "", "empty: must list a run"),
+            ("empty", "", "empty: must list at least one run"),
             ("grid", "[grid]\n", "grid:1: must be a JSON object"),
         ):
             if text is not None:
@@ -551,15 +551,16 @@ class Refusals(Sweeps):
     def test_options(self):
         for arguments, says in {("--sbatch", "0"): "--sbatch 0: must be >= 1"}.items():
             self.assertIn(says, self.refused(*arguments), arguments)
-        self.assert_refused(self.call(OPTIONS.trophic, "plan", "sweep.toml"), "needs --out or --dry-run")
+        both = self.call(OPTIONS.trophic, "plan", "sweep.toml", "--dry-run", "--out", "out")
+        self.assert_refused(both, "--out: not with --dry-run")
         self.plan()
         for arguments, says in {
             ("--run", "3", "99"): "--run 99: must be < ",
-            ("--run", "3", "--status"): "--run: not with --status, which goes with",
+            ("--run", "3", "--status"): "--run: not with --status, which combines with",
             ("--jobs", "0"): "--jobs 0: must be >= 1",
             ("--set", "rules.mutation.sd=0.1"): "--set: not with --plan",
             ("--replicates", "3"): "--replicates: not with --plan",
-            ("--senses",): "--senses: not with --plan, which goes with --jobs",
+            ("--senses",): "--senses: not with --plan, which combines with --jobs",
             ("--live",): "--live: not with --plan",
             ("--seed", "3"): "--seed: not with --plan",
             ("--resume",): "--resume: not with --plan",
@@ -604,7 +605,7 @@ class Refusals(Sweeps):
             (
                 "0.2, ",
                 "",
-                "small/plan.jsonl:5: the folder holds another plan, whose run the sweep lacks: rules.mutation.sd = 0.2 there",
+                "small/plan.jsonl:5: the folder has another plan, with a run that the sweep lacks: rules.mutation.sd = 0.2 there",
             ),
             ("40.0", "30.0", "until_s = 40.0 there, 30.0 here"),
             ("replicates = 2", "replicates = 1", "replicate = 1 there, 0 here"),
@@ -646,6 +647,12 @@ class Refusals(Sweeps):
     def test_folder_of_something_else_is_refused(self):
         (self.folder / "out").mkdir()
         self.assertIn("out: exists already and does not have plan.jsonl", self.refused())
+
+    def test_without_a_name_the_folder_has_the_name_of_the_sweep(self):
+        for _ in range(2):  # the same plan again
+            planned = self.run_ok(OPTIONS.trophic, "plan", "sweep.toml", "--program", OPTIONS.program)
+        self.assertIn("--plan runs/sweep/plan.jsonl", planned.stdout)
+        self.assertTrue((self.folder / "runs/sweep/plan.jsonl").is_file())
 
     def test_dry_run_prints_what_would_be_run(self):
         done = self.plan("--dry-run")

@@ -253,14 +253,15 @@ class Pages(InFolderWithSets):
         result = self.show(self.sets / "run", "-o", "page.html")
         self.assertEqual(
             (result.returncode, result.stderr),
-            (2, "trophic show: --out page.html: exists already; nothing is overwritten\n"),
+            (2, "trophic show: --out page.html: exists already; files are never overwritten\n"),
         )
         self.assertEqual((self.folder / "page.html").read_text(), "mine")
 
     def test_folders_without_a_recorded_run_are_refused(self):
         self.refused(r"none: does not exist", "none")
         self.refused(
-            r"unrecorded/replay.trp: is not there; a run with --replay-hz 0 leaves none", self.sets / "unrecorded"
+            r"unrecorded/replay.trp: does not exist; a run with --replay-hz 0 writes no recording",
+            self.sets / "unrecorded",
         )
         self.refused(
             r"thinned/agents.csv: has the ticks that are multiples of 2: must have all to be shown",
@@ -274,7 +275,7 @@ class Pages(InFolderWithSets):
         for damaged, sentence in (
             (
                 content[:7000] + bytes([content[7000] ^ 1]) + content[7001:],
-                r"replay.trp: damaged, a wrong checksum of the block at byte \d+",
+                r"replay.trp: damaged, wrong checksum of the block at byte \d+",
             ),
             (content[:100], r"replay.trp: ends before its first frames"),
             (b"\x89PNG\r\n\x1a\n" + content[8:], r"replay.trp: is not a trophic recording"),
@@ -291,7 +292,8 @@ class Pages(InFolderWithSets):
         (run / "events.csv").write_bytes((self.sets / "other" / "events.csv").read_bytes())
         self.forget_sums(run)
         self.refused(
-            r"events.csv:2: body 0 at 0 s is at .* in the recording next to it elsewhere; they are of two runs", run
+            r"events.csv:2: body 0 at 0 s is at .* in the recording next to it elsewhere; they belong to different runs",
+            run,
         )
 
     def test_each_table_of_another_run_with_the_same_start_is_refused(self):
@@ -328,7 +330,8 @@ class Pages(InFolderWithSets):
         self.refused(r"senses.csv: has checksum \d+: must be \d+, as its manifest says", run)
         self.forget_sums(run)
         self.refused(
-            r"senses.csv:\d+: is not of the robot and tick in that row of agents.csv; they are of two runs", run
+            r"senses.csv:\d+: is not of the robot and tick in that row of agents.csv; they belong to different runs",
+            run,
         )
         for cut_off in (own, own[:-1000]):
             (run / "senses.csv").write_bytes(cut_off)
@@ -347,7 +350,7 @@ class Pages(InFolderWithSets):
             ({5: "30"}, r"events.csv:2: body 30 at 0 s: the recording next to it has 30 bodies"),
             (
                 {2: "activation", 3: "4711"},
-                r"events.csv:2: body 0 at 0 s: robot 4711 was never born there; they are of two runs",
+                r"events.csv:2: body 0 at 0 s: robot 4711 was never born there; they belong to different runs",
             ),
         ):
             row = list(born)

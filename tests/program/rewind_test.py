@@ -114,9 +114,9 @@ class Rewind(InFolder):
         for arguments, text in [
             (
                 [*begun, "--at", 900],
-                "seed: its run began at 702 s of whole; it can be resumed, but not begin at 900 s of whole",
+                "seed: its run starts at 702 s of whole; it can be resumed, but it cannot start at 900 s of whole",
             ),
-            (["--from", "alone", *begun[2:], "--at", 701], "not begin at 701 s of alone"),
+            (["--from", "alone", *begun[2:], "--at", 701], "cannot start at 701 s of alone"),
             ([*begun[:-1], "alone", "--at", 701], "alone: its run began at 0 s"),
         ]:
             with self.subTest(arguments=arguments):
@@ -202,7 +202,7 @@ class Rewind(InFolder):
         for name in ("checkpoint.bin", "checkpoint.old.bin", "manifest.json"):
             (self.folder / "set/replicate-01" / name).unlink(missing_ok=True)
         again = self.run_ok(*self.REPLICATES, "--resume", "--out", "set")
-        self.assertIn("the snapshot, whole until 700 s, is made there", again.stdout)
+        self.assertIn("making the snapshot, whole until 700 s", again.stdout)
         self.assertIn("kept as replicate-01.incomplete-1, run anew; begins at 700 s of whole", again.stdout)
         self.assert_futures_of_700_s("set")
 
@@ -276,7 +276,7 @@ class Rewind(InFolder):
             with self.subTest(replicates=replicates):
                 self.assert_refused(
                     self.call("--from", there, "--at", 700, "--duration", 1500, *replicates, "--out", "new"),
-                    f"{there}: is in the way",
+                    f"{there}: must not exist",
                 )
                 self.assertEqual([path.name for path in self.folder.iterdir()], [there])
                 self.assertEqual(self.table(there, "events.csv"), events)

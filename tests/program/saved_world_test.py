@@ -41,7 +41,7 @@ class SavedWorld(InFolder):
         done = self.save()
         self.assertEqual((done.returncode, done.stdout), (2, ""))
         self.assertEqual(
-            done.stderr, "trophic-predator-prey: --save-mjcf world.xml: exists already; nothing is overwritten\n"
+            done.stderr, "trophic-predator-prey: --save-mjcf world.xml: exists already; files are never overwritten\n"
         )
         self.assertEqual((self.folder / "world.xml").read_text(), "mine")
 

@@ -144,9 +144,9 @@ class SweepAnalysis(InFolderWithSets):
             "sweep: 2 of 48 runs missing: run 14 (cell-001/replicate-02): no such folder; run 31 (cell-002/shadow/replicate-01): status "
             '"stopped", must be "complete"'
         )
-        self.refused(words + " (--allow-missing leaves them out)")
+        self.refused(words + " (--allow-missing omits them)")
         result = self.analyzed("--allow-missing")
-        self.assertIn(words.removeprefix("sweep: ") + "; left out", result.stderr)
+        self.assertIn(words.removeprefix("sweep: ") + "; omitted", result.stderr)
         cells = self.rows("analysis/cells.csv")
         self.assertEqual(
             [(cell["runs"], cell["runs_planned"], cell["shadow_runs"]) for cell in cells],
@@ -160,15 +160,15 @@ class SweepAnalysis(InFolderWithSets):
         shutil.rmtree(self.folder / "sweep/cell-000")
         self.assert_refused(
             self.analyze("sweep", "--allow-missing", "--out", "none"),
-            "--reference 0: must be a cell with a complete run",
+            "--reference 0: must be a cell that has a complete run",
         )
 
     def test_a_sweep_is_analyzed_alone(self):
         shutil.copytree(self.sets / "sweep", self.folder / "other")
         cell = "sweep/cell-000/replicate-00"
         for arguments, part in (
-            (["sweep", "other"], "sweep: is a sweep, which must be analyzed alone"),
-            ([cell, "sweep"], "sweep: is a sweep, which must be analyzed alone"),
+            (["sweep", "other"], "sweep: is a sweep and must be analysed alone"),
+            ([cell, "sweep"], "sweep: is a sweep and must be analysed alone"),
             (["--compare", "sweep", cell], "--compare sweep: is a sweep"),
             (["sweep", "--published"], "sweep: is a sweep: not with --published"),
             (["sweep", "--shadow", "other"], "sweep: is a sweep: not with --shadow"),

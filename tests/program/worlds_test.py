@@ -246,6 +246,9 @@ class Worlds(InFolder):
             self.assertGreater(int(re.search(rf"alive.* (\d+) {one}", out)[1]), 0, out)
         self.assertGreater(int(re.search(r"births\s+(\d+)", out)[1]), 200)
         energy = pandas.read_csv(folder / "energy.csv")
+        agents = pandas.read_csv(folder / "agents.csv").groupby(["time_s", "species"]).energy_J.sum()
+        stock = energy.set_index(["time_s", "species"]).stock_J
+        numpy.testing.assert_allclose(agents, stock[agents.index], atol=1e-6 * energy.stock_J.max())
         flows = energy.eval("outside_J + field_J + victims_J + received_J - upkeep_J - eaten_J - given_J - lost_J")
         for name, ledger in energy.groupby("species"):
             numpy.testing.assert_allclose(
@@ -315,7 +318,10 @@ class Worlds(InFolder):
             self.number = getattr(self, "number", 0) + 1
             folder = self.folder / str(self.number)
             options = ("--duration", 1000, "--replay-hz", 0, "--out", folder, *words)
-            self.run_ok(WORLDS, "--rules", rules, "--backend", "kinematic", *options)
+            said = self.run_ok(WORLDS, "--rules", rules, "--backend", "kinematic", *options).stdout
+            most = int(re.search(r"^writes  agents.csv, up to about (\d+) MB in an hour", said, re.M)[1])
+            grown = (folder / "agents.csv").stat().st_size / 1e6 * 3600 / 1000
+            self.assertTrue(most / 10 < grown < most, (grown, said))
             return [pandas.read_csv(folder / f"{table}.csv").query("tick > 0") for table in ("events", "agents")]
 
         def parents_active(events):

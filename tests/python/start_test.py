@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""start_test.py PREDATOR_PREY TROPHIC: runs that Python starts are those of the programs; what it cannot do is one sentence, and nothing is overwritten."""
+"""start_test.py PREDATOR_PREY TROPHIC: runs that Python starts are those of the programs; what it cannot do is one sentence, and files are never overwritten."""
 
 import os
 import pathlib
@@ -75,7 +75,7 @@ class Start(InFolder):
         self.assertIn("6 runs of 400 s", runs._repr_html_())
         before = sorted(self.folder.rglob("*.csv"))
         for name, function, sentence in (
-            ("catches", lambda run: 1, "exists already; nothing is overwritten"),
+            ("catches", lambda run: 1, "exists already; files are never overwritten"),
             ("broken", lambda run: 1 / 0, "ZeroDivisionError"),
             ("texts", lambda run: "many", "must return a number or a frame, not str"),
             ("frames", lambda run: pandas.DataFrame({"x": [1]}), "the frame has no column frames"),
@@ -108,7 +108,9 @@ class Start(InFolder):
         self.assertEqual(set(tips), {str(i) for i in tree.id})
         parent = dict(zip(tree.id, tree.ancestor_id))
         tree.loc[5, "ancestor_list"] = "[0,1]"
-        with self.assertRaisesRegex(trophic.RunError, "must be one parent at most: Newick has no second parent"):
+        with self.assertRaisesRegex(
+            trophic.RunError, "must be at most one parent, because Newick trees have no second parent"
+        ):
             run.to_newick()
         born = dict(zip(tree.id, tree.origin_time))
         for one in tree.id:
@@ -164,7 +166,7 @@ class Start(InFolder):
     def test_parquet_of_a_study(self):
         study = self.study()
         (self.folder / "there").mkdir()
-        with self.assertRaisesRegex(trophic.RunError, "there: exists already; nothing is overwritten"):
+        with self.assertRaisesRegex(trophic.RunError, "there: exists already; files are never overwritten"):
             trophic.to_parquet(study, self.folder / "there")
         before = sorted(self.folder.iterdir())
         try:
@@ -186,7 +188,7 @@ class Start(InFolder):
     def test_refusals_are_one_sentence(self):
         (self.folder / "there").mkdir()
         for arguments, sentence in (
-            (dict(out=self.folder / "there"), "exists already; nothing is overwritten"),
+            (dict(out=self.folder / "there"), "exists already; files are never overwritten"),
             (dict(out=self.folder / "x", backend="none"), "must be"),
             (dict(out=self.folder / "x", set={"rules.mutatio.sd": 1}), "did you mean rules.mutation.sd"),
         ):

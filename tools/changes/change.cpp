@@ -3,10 +3,13 @@
 #include <cstdlib>
 #include <set>
 #include <tools/changes/change.hpp>
+#include <trophic/io/own_table.hpp>
 #include <trophic/params/params.hpp>
 #include <trophic/support/whole_file.hpp>
 
 namespace trophic::changes {
+
+static_assert(io::is_run_table(file_name));
 
 namespace detail {
 
@@ -60,7 +63,7 @@ std::vector<Change> read_changes(const std::filesystem::path& path) {
     places[i] = static_cast<std::size_t>(found - header.begin());
   }
   if (lines.size() > most_changes + 1)
-    fail(most_changes + 2, "must be left out: a run has <= " + std::to_string(most_changes) + " changes");
+    fail(most_changes + 2, "must be omitted: a run can have at most " + std::to_string(most_changes) + " changes");
   std::vector<Change> changes;
   for (std::size_t line = 1; line < lines.size(); ++line) {
     if (lines[line].empty()) continue;

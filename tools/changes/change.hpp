@@ -29,9 +29,9 @@ struct ChangeRow {
 
   static constexpr auto columns() {
     return std::tuple{
-        io::column("time_s", &ChangeRow::time_s, "s", "the ecology's clock; the change acts on the ticks after it", io::seconds),
-        io::column("tick", &ChangeRow::tick, "", "number of the last decision step before the change"),
-        io::column("number", &ChangeRow::number, "", "its path, as --set has it"),
+        io::column("time_s", &ChangeRow::time_s, "s", "time by the ecology's clock; the change acts on later ticks", io::seconds),
+        io::column("tick", &ChangeRow::tick, "", "index of the last decision step before the change"),
+        io::column("number", &ChangeRow::number, "", "path of the parameter, as in --set"),
         io::column("value", &ChangeRow::value, "", "the new value"),
         io::column("before", &ChangeRow::before, "", "the value that it replaced")};
   }

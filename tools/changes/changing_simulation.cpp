@@ -1,21 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Definitions of changing_simulation.hpp.
 #include <exception>
-#include <set>
 #include <tools/changes/changing_simulation.hpp>
 #include <tools/changes/may_follow.hpp>
-#include <trophic/ecology/describe.hpp>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/params/named_params.hpp>
 
 namespace trophic::changes {
 
 namespace detail {
-
 /// The value of a number as text.
 [[nodiscard]] inline std::string value_in(const observe::RunDescription& run, const std::string& number) {
   const auto found = std::ranges::find(run.named_params, number, &NamedParam::path);
-  if (found == run.named_params.end()) throw std::invalid_argument{number + ": is not a number of this experiment"};
+  if (found == run.named_params.end()) throw std::invalid_argument{number + ": is not a parameter of this experiment"};
   return value_text(*found);
 }
 
@@ -120,16 +117,6 @@ observe::RunDescription ChangingSimulation::describe(double until_s) const {
   observe::RunDescription run = first_;
   run.until_s = until_s;
   run.changes = made_;
-  std::set<std::string_view> seen;
-  const auto remark_on = [&](const std::string& number, double time_s) {
-    if (!seen.insert(number).second) return;
-    const bool needs_joints = !backend().has_joints() && acts_through_joints(number);
-    if (!needs_joints && !acts_at_start(number)) return;
-    run.remarks.push_back(number + ": its change at " + number_text(time_s) + " s has no effect: it acts " +
-                          (needs_joints ? "through joints, which " + run.backend + " lacks" : "at the start of a run alone"));
-  };
-  for (const observe::ParameterChange& row : made_) remark_on(row.number, row.time_s);
-  for (const Change& change : schedule_) remark_on(change.number, change.time_s);
   return run;
 }
 
@@ -175,7 +162,7 @@ void ChangingSimulation::persist(Archive& archive) {
     for (const observe::ParameterChange& row : made) values_[row.number] = row.value;
     current_ = changed(values_, {});
     Archive::require(schedule_.empty() || are_scheduled(made, schedule),
-                     "other changes than those of --changes; without --changes the run continues with its own");
+                     "changes other than those of --changes; without --changes the run resumes with its own");
     made_ = std::move(made);
     schedule_ = std::move(schedule);
   }
@@ -236,7 +223,11 @@ bool ChangingSimulation::are_scheduled(const std::vector<observe::ParameterChang
 
 /// The ecology of the parameters after changes of these values, at its start.
 std::unique_ptr<Simulation> ChangingSimulation::changed(Values values, std::span<const Change> more) const {
-  for (const Change& change : more) values[change.number] = change.value;
+  for (const Change& change : more) {
+    const auto param = std::ranges::find(first_.named_params, change.number, &NamedParam::path);
+    if (param != first_.named_params.end() && change.number.starts_with("rules.")) check_acts_later(*param, change.value);
+    values[change.number] = change.value;
+  }
   std::vector<Change> all;
   for (const auto& [number, value] : values) all.push_back({.number = number, .value = value});
   std::unique_ptr<Simulation> ecology = make_(all);
@@ -244,7 +235,7 @@ std::unique_ptr<Simulation> ChangingSimulation::changed(Values values, std::span
   for (const Change& change : more) {
     static_cast<void>(detail::value_in(run, change.number));
     if (!change.number.starts_with("rules.")) {
-      throw std::invalid_argument{change.number + ": cannot change during a run; must be a number of a rule (rules. ...)"};
+      throw std::invalid_argument{change.number + ": cannot change during a run; must be a rule parameter (rules. ...)"};
     }
   }
   check_may_follow(first_, run, false);
@@ -257,7 +248,7 @@ void ChangingSimulation::make(std::span<const Change> changes, observe::Audience
   try {
     if (made_.size() + changes.size() > most_changes)
       throw std::invalid_argument{"this run has " + std::to_string(made_.size()) +
-                                  " changes: must have <= " + std::to_string(most_changes) + ", as many as can be made again"};
+                                  " changes: must have <= " + std::to_string(most_changes) + ", the most that can be replayed"};
     next = changed(values_, changes);
     Archive state;
     current_->persist(state);

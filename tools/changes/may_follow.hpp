@@ -2,18 +2,24 @@
 // What a run may change halfway.
 #pragma once
 
+#include <array>
 #include <string_view>
 #include <trophic/observe/run_description.hpp>
 
 namespace trophic::changes {
 
-/// Whether a parameter of a rule has no effect but on founders, so that its change during a run would have none.
-[[nodiscard]] constexpr bool acts_at_start(std::string_view path) {
-  return path.starts_with("rules.community.") || path.starts_with("rules.placement.") || path == "rules.newborn_tag.founder_tag";
+/// "; read at the start", of a parameter that is not read at any tick.
+[[nodiscard]] constexpr std::string_view when_read(Read read) {
+  constexpr std::array<std::string_view, 4> words{"; read at the start", "; read at the start and at births without a parent",
+                                                  "; read at births", ""};
+  return words.at(static_cast<std::size_t>(read));
 }
 
-/// Throws std::invalid_argument naming the first number in which two runs differ that a run cannot change halfway: all but
-/// rules, seed, duration and threads. `branches`: the run begins there, so that rules that act on founders alone cannot change.
+/// Throws std::invalid_argument for a parameter whose change to a value during a run would have no effect.
+void check_acts_later(const NamedParam& param, const std::string& value);
+
+/// Throws std::invalid_argument naming the first parameter that differs between two runs and cannot change during a run: all
+/// except rules, seed, duration and threads. `branches`: the run starts there, so changed rule parameters must act later.
 void check_may_follow(const observe::RunDescription& origin, const observe::RunDescription& run, bool branches = true);
 
 }  // namespace trophic::changes

@@ -56,7 +56,7 @@ BackendChoice joint_driven_backend(const std::string& name) {
   const std::vector<BackendChoice> backends = built_backends();
   const auto found = std::ranges::find(backends, name, &BackendChoice::name);
   if (found == backends.end()) throw std::invalid_argument{about_missing_backend(name, joint_driven_names())};
-  if (!found->has_joints()) throw std::invalid_argument{"--backend " + name + ": has no joints, so it walks no gait"};
+  if (!found->has_joints()) throw std::invalid_argument{"--backend " + name + ": has no joints, so it cannot simulate a gait"};
   return *found;
 }
 
@@ -71,14 +71,14 @@ std::string about_missing_backend(const std::string& name, const std::vector<std
   const auto engine = std::ranges::find(known_engines, name, &Engine::name);
   if (engine == known_engines.end()) return must_be_one_of(option, names) + did_you_mean(nearest_word(name, names));
   const std::string instead = names.empty() ? "" : ", or use --backend " + names.front();
-  return option + ": this program was built without it: apt-get install " + std::string{engine->packages} +
-         ", build trophic again" + instead;
+  return option + ": this program was built without it; run apt-get install " + std::string{engine->packages} +
+         " and build trophic again" + instead;
 }
 
 std::string backend_help(const std::vector<std::string>& names, std::string_view otherwise) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "physics: " : ", ") + name;
-  return text + " (" + std::string{otherwise} + ")";
+  return text + " (default: " + std::string{otherwise} + ")";
 }
 
 }  // namespace trophic::command

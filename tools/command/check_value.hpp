@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Checks of the texts that options take, for which CLI11 has no sentence or another opinion.
+// Checks of option values for which CLI11 has no clear message or different rules.
 #pragma once
 
 #include <algorithm>
@@ -39,12 +39,12 @@ inline void check_decimal_number(const std::string& option, const std::string& t
   }
 }
 
-/// Throws std::invalid_argument for an empty text: `--config "$FILE"` with FILE unset would run another experiment.
+/// Throws std::invalid_argument for an empty text: `--config "$FILE"` with FILE unset would otherwise run a different experiment.
 inline void check_text(const std::string& option, const std::string& text) {
   if (text.empty()) throw std::invalid_argument{option + ": must not be empty"};
 }
 
-/// Throws std::invalid_argument for a word that the option does not take.
+/// Throws std::invalid_argument for a word that the option does not accept.
 inline void check_word(const Option& option, const std::string& word) {
   if (std::ranges::find(option.words, word) != option.words.end()) return;
   throw std::invalid_argument{must_be_one_of(option.name + " " + word, option.words) +

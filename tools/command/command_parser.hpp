@@ -34,7 +34,7 @@ inline void add_option(CLI::App& app, const Option& option) {
   if (option.values > 0) added.expected(static_cast<int>(option.values));
   if (!option.group.empty()) added.group(option.group);
   const std::string type = added.get_type_name();
-  // A check throws; a text that it returned would be a complaint of CLI11's own.
+  // The check throws; CLI11 would turn a returned text into an error message of its own.
   added.check([&option, type](const std::string& text) {
     if (type == "UINT") check_whole_number(option.name, text);
     if (type == "FLOAT") check_decimal_number(option.name, text);
@@ -49,25 +49,26 @@ inline void add_option(CLI::App& app, const Option& option) {
 /// Adds the command's options, help and subcommands.
 inline void add_command(CLI::App& app, const Command& command) {
   for (const Option& option : command.options) add_option(app, option);
-  app.set_help_flag("-h,--help", "print this help and stop")->group("Help");
+  app.set_help_flag("-h,--help", "print this help and exit")->group("Help");
   app.footer(footer_of(command));
   for (const Command& subcommand : command.subcommands) {
     add_command(*app.add_subcommand(subcommand.name, subcommand.about)->group("Commands"), subcommand);
   }
 }
 
-/// Adds a program's command and --version. A subcommand that is named is passed to `choose`.
+/// Adds a program's command and --version. Passes the named subcommand to `choose`.
 inline void add_program(CLI::App& app, const Command& command, const std::function<void(const Command&)>& choose) {
   app.formatter(help_formatter());
   app.require_subcommand(0, 1);
-  app.allow_extras();  // check_arguments has a better sentence about them
+  app.allow_extras();  // check_arguments reports them more clearly
   add_command(app, command);
   for (const Command& subcommand : command.subcommands) {
     app.get_subcommand(subcommand.name)->preparse_callback([&subcommand, choose](std::size_t) { choose(subcommand); });
   }
   const std::string program = app.get_name();
   if (!command.version.empty())
-    app.set_version_flag("--version", command.version, "print what this program is made of and stop")->group("Help");
+    app.set_version_flag("--version", command.version, "print the versions of this program and its engines and exit")
+        ->group("Help");
 }
 
 /// The names of all commands.
@@ -78,7 +79,7 @@ inline void add_program(CLI::App& app, const Command& command, const std::functi
   return names;
 }
 
-/// Returns the sentence about arguments that no option takes.
+/// Returns the error message for arguments that no option takes.
 [[nodiscard]] inline std::string about_extras(const std::vector<std::string>& extras, const Command& command) {
   const auto option = std::ranges::find_if(extras, [](const std::string& extra) { return extra.starts_with('-'); });
   std::vector<std::string> names;
@@ -96,7 +97,7 @@ inline void add_program(CLI::App& app, const Command& command, const std::functi
   return must_be_one_of(word, names) + did_you_mean(nearest_word(word, names));
 }
 
-/// CLI11's complaint about an option with too few or too many values, in words: "--runs: needs 2 values".
+/// CLI11's error about an option with too few or too many values, in plain words: "--runs: needs 2 values".
 [[nodiscard]] inline std::string about_mismatch(const Command& command, const std::string& complaint) {
   const std::string name = complaint.substr(0, complaint.find(':'));
   const auto option = std::ranges::find(command.options, name, &Option::name);
@@ -104,7 +105,7 @@ inline void add_program(CLI::App& app, const Command& command, const std::functi
   return values > 1 ? name + ": needs " + std::to_string(values) + " values" : name + ": needs a value";
 }
 
-/// Throws std::invalid_argument for options that are given together and have no effect so.
+/// Throws std::invalid_argument for options that have no effect together.
 inline void check_combinations(const CLI::App& app, const Command& command) {
   const auto given = [&](const std::string& name) { return app.get_option_no_throw(name) != nullptr && app.count(name) > 0; };
   for (const Option& option : command.options) {
@@ -119,14 +120,14 @@ inline void check_combinations(const CLI::App& app, const Command& command) {
     for (const Option& other : command.options) {
       if (&other == &option || !given(other.name) || std::ranges::find(option.only_with, other.name) != option.only_with.end())
         continue;
-      throw std::invalid_argument{other.name + ": not with " + option.name + ", which goes with " + one_of(option.only_with) +
-                                  " alone"};
+      throw std::invalid_argument{other.name + ": not with " + option.name + ", which combines with " + one_of(option.only_with) +
+                                  " only"};
     }
   }
 }
 
-/// Throws std::invalid_argument for arguments that no option takes, options of the program that the chosen subcommand lacks, and
-/// a program without work of its own.
+/// Throws std::invalid_argument for arguments that no option takes, for options of the program that the chosen subcommand lacks,
+/// and if a subcommand must be named.
 inline void check_arguments(const CLI::App& app, const Command& command, const Command& chosen) {
   if (const auto extras = app.remaining(true); !extras.empty()) throw std::invalid_argument{about_extras(extras, chosen)};
   for (const Option& option : command.options) {

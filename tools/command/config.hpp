@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parameters from a configuration file and from --set, which may have been written for another table or backend.
+// Parameters from a configuration file, which may be for a different table or backend, and from --set.
 #pragma once
 
 #include <algorithm>
@@ -39,16 +39,16 @@ inline void check_made_for(const Config& config, const std::string& rule_table, 
                          const std::string& option, const std::string& section) {
     const toml::table* parameters = config.parameters[section].as_table();
     if (!there || *there == here || parameters == nullptr || parameters->empty()) return;
-    throw std::invalid_argument{config.file + ": was written for " + key + " = \"" + *there + "\" and has its parameters in [" +
-                                section + "], which are none of " + here + "; take " + option + " " + *there +
-                                ", or a file without " + key + " and [" + section + "]"};
+    throw std::invalid_argument{config.file + ": is for " + key + " = \"" + *there + "\", whose parameters are in [" + section +
+                                "], not for " + here + "; use " + option + " " + *there + ", or a file without " + key +
+                                " and [" + section + "]"};
   };
   check(config.engine, engine, "engine", "--backend", "backend");
   check(config.rule_table, rule_table, "rule_table", "--rules", "rules");
 }
 
-/// The number that an unknown path was probably meant to be: one that ends like it ("mutation.sd" for "rules.mutation.sd"), or
-/// the nearest of those that share the most of its first sections.
+/// The parameter that an unknown path probably means: one with the same ending ("mutation.sd" for "rules.mutation.sd"), or the
+/// nearest of those that share most of its leading sections.
 [[nodiscard]] inline std::optional<std::string> nearest_path(const std::string& path, const ParamRefs& params) {
   std::vector<std::string> ending;
   for (const ParamRef& param : params) {
@@ -87,14 +87,14 @@ inline void check_keys(const toml::table& table, const std::string& prefix, cons
 
 }  // namespace detail
 
-/// Throws std::invalid_argument "WHERE PATH: unknown key; did you mean ...?" for the first unknown key of a table that is near to
-/// one of these parameters. read_parameters refuses the other unknown keys.
+/// Throws std::invalid_argument "WHERE PATH: unknown key; did you mean ...?" for the first unknown key of a table that is similar
+/// to one of these parameters. read_parameters refuses the other unknown keys.
 inline void check_keys(const toml::table& table, const ParamRefs& params, const std::string& where) {
   detail::check_keys(table, "", params, where);
 }
 
-/// Sets the parameters of the file, then each assignment. Throws std::invalid_argument for an unknown or bad one, with the file's
-/// name for a fault in it.
+/// Sets the parameters of the file, then each assignment. Throws std::invalid_argument for an unknown or invalid one, with the
+/// file's name if the error is in the file.
 inline void apply_config(const ParamRefs& params, const Config& config) {
   read_parameters(params, config.origin);
   if (!config.parameters.empty()) {

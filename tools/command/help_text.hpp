@@ -19,9 +19,11 @@ namespace trophic::command::detail {
 /// The end of --help: commands elsewhere, exit codes, then examples.
 [[nodiscard]] inline std::string footer_of(const Command& command) {
   std::string text;
-  for (const std::string& name : command.elsewhere) text += (text.empty() ? "Programs of their own, with --help: " : ", ") + name;
+  for (const std::string& name : command.elsewhere)
+    text += (text.empty() ? "Further commands, each with its own --help: " : ", ") + name;
   text += text.empty() ? "" : "\n\n";
-  text += "Exit codes: 0 done; 1 a run or a computation failed; 2 wrong arguments, nothing was started; 3 stopped by a signal";
+  text +=
+      "Exit codes: 0 done; 1 a run or a computation failed; 2 wrong arguments, nothing was started; 3 interrupted by a signal";
   for (const std::string& example : command.examples) {
     text += (&example == command.examples.data() ? "\n\nExamples:\n  " : "\n  ") + example;
   }

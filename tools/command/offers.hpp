@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rule tables and backends of an offer by name.
+// Looks up the rule tables and backends of an offer by name.
 #pragma once
 
 #include <memory>
@@ -11,13 +11,13 @@ namespace trophic::command {
 
 [[nodiscard]] std::vector<std::string> table_names(const Offer& offer);
 
-/// The backend of this name; null if the offer lacks it.
+/// The backend with this name; null if the offer lacks it.
 [[nodiscard]] const BackendChoice* find_backend(const Offer& offer, const std::string& name);
 
-/// The backend on which a rule table runs if none is named: the first that the table names and the offer has, or the offer's.
+/// The default backend of a rule table: the first that both the table and the offer have, or the offer's default.
 [[nodiscard]] std::string default_backend_of(const Offer& offer, const std::string& table);
 
-/// The experiment of a rule table on a backend with their own parameters; null if the offer lacks one of them.
+/// The experiment of a rule table on a backend with default parameters; null if the offer lacks one of them.
 [[nodiscard]] std::unique_ptr<AnyExperiment> find_experiment(const Offer& offer, const std::string& table,
                                                              const std::string& backend);
 

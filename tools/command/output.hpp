@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Output of a program: it arrives, or its loss is an error.
+// Output of a program whose loss is an error.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +19,19 @@ inline void flush_output() {
 /// Throws std::invalid_argument, naming the option, if the path of a new file exists already.
 inline void check_new_file(const std::string& option, const std::filesystem::path& path) {
   if (!std::filesystem::exists(std::filesystem::symlink_status(path))) return;
-  throw std::invalid_argument{option + " " + path.string() + ": exists already; nothing is overwritten"};
+  throw std::invalid_argument{option + " " + path.string() + ": exists already; files are never overwritten"};
+}
+
+/// A default for --out: the name of a file or folder with a different ending, in the working folder, followed by -2, -3, ... if
+/// it is taken.
+[[nodiscard]] inline std::string free_name(const std::filesystem::path& of, const std::string& ending) {
+  const std::filesystem::path whole = std::filesystem::absolute(of).lexically_normal();
+  const std::string stem = (whole.has_filename() ? whole : whole.parent_path()).stem().string();
+  std::string name = stem + ending;
+  for (std::size_t number = 2; std::filesystem::exists(std::filesystem::symlink_status(name)); ++number) {
+    name = stem + "-" + std::to_string(number) + ending;
+  }
+  return name;
 }
 
 /// A number of bytes as "6.2 MB".

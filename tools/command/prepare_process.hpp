@@ -30,15 +30,15 @@ inline void use_installed_models() {
 inline void occupy_closed_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (::fcntl(stream, F_GETFD) >= 0) continue;
-    // It takes the lowest number that is free: this stream's.
+    // This opens the lowest free number, which is this stream's.
     static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
   }
 }
 
 inline std::terminate_handler die_otherwise = nullptr;  ///< the handler that exit_with_message replaces
 
-/// If memory runs out in a place that cannot throw, such as a destructor of a library: one line and `run_error`, and files as a
-/// killed program leaves them.
+/// If memory runs out where exceptions are impossible, such as in a library's destructor, prints one line and exits with
+/// `run_error`; files are as a killed program leaves them.
 [[noreturn]] inline void exit_with_message() noexcept {
   try {
     if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);

@@ -9,8 +9,8 @@
 #include <trophic/io/program_code.hpp>
 #include <trophic/support/version.hpp>
 
-/// `git describe` of the program's sources at the last build, its build type and flags. The CMake function
-/// trophic_add_experiment gives them by definitions that replace these; a program that is built otherwise lacks them.
+/// `git describe` of the program's sources at the last build, its build type and flags. The CMake function trophic_add_experiment
+/// sets them by definitions that replace these; a program that is built differently lacks them.
 extern "C" {
 [[gnu::weak]] const char* trophic_source_revision = nullptr;
 [[gnu::weak]] const char* trophic_build = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A new folder for results, which gets its name when they are complete.
+// A new folder for results, which gets its final name when they are complete.
 #pragma once
 
 #include <system_error>

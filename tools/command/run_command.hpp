@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From the arguments of main to an exit code: reads the options of a command, calls it, and prints an error in one line.
+// Converts the arguments of main to an exit code: reads the options of a command, calls it, and prints errors on one line.
 #pragma once
 
 #include <exception>
@@ -10,13 +10,13 @@ namespace trophic::command {
 /// The name with which a program was called, without folders.
 [[nodiscard]] std::string program_name(const char* called);
 
-/// The command as it was typed, words separated by blanks.
+/// The command as it was typed, with words separated by spaces.
 [[nodiscard]] std::string command_line(int argc, const char* const* argv);
 
 /// The text of an exception for users.
 [[nodiscard]] const char* what_of(const std::exception& error);
 
-/// Prints the error in one line on standard error and returns `run_error`. Allocates no memory, as there may be none.
+/// Prints the error in one line on standard error and returns `run_error`. Allocates no memory, because there may be none.
 [[nodiscard]] int report_failure(const char* called, const std::exception& error);
 
 /// Calls `work`, which returns the exit code, and report_failure for exceptions: the body of a program's main.

@@ -17,7 +17,7 @@
 
 namespace trophic {
 
-/// As in the command that started it. Does not allocate memory.
+/// The name in the command that started the program. Does not allocate memory.
 [[nodiscard]] inline const char* invocation_name() {
 #if defined(__APPLE__)
   return ::getprogname();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers, texts and switches of JSON as a configuration file has them.
+// Converts numbers, texts and switches in JSON to those of a configuration file.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace trophic::command {
 
-/// The largest whole number of TOML; a larger one stays a number, which no whole number can be read from.
+/// The largest whole number in TOML; a larger one becomes a floating-point number, which cannot be read as a whole number.
 inline constexpr std::uint64_t most_whole = std::numeric_limits<std::int64_t>::max();
 
 /// Puts a value into a table under a key. Throws Json::exception for a value that is not a number, text or switch.
@@ -27,8 +27,8 @@ void insert_value(toml::table& table, std::string_view key, const Json& value) {
   }
 }
 
-/// The parameters of a manifest as those of a configuration file. Throws Json::exception for a value that is not a number, text
-/// or switch.
+/// The parameters of a manifest in the form of a configuration file. Throws Json::exception for a value that is not a number,
+/// text or switch.
 template <class Json>
 [[nodiscard]] toml::table toml_of(const Json& json) {
   toml::table table;

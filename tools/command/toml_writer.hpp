@@ -10,7 +10,7 @@
 namespace trophic {
 
 /// Keys in insertion order, with comments; a toml::table keeps neither. Values: numbers (as toml_float), switches, enumerators
-/// by name, texts (quoted as by toml++), pairs and ranges of values as lists, and structs with fields() as inline tables, one a
+/// by name, texts (quoted as by toml++), pairs and ranges of values as lists, and structs with fields() as inline tables, one per
 /// line.
 class TomlWriter {
  public:

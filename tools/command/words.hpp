@@ -33,8 +33,8 @@ namespace trophic::command {
   return row[b.size()];
 }
 
-/// The nearest word to `word`, the first of several; `nullopt` if all are further than a third of the longer one's letters.
-/// `nullopt`, too, for the empty word and for a word that is one of them.
+/// The nearest word to `word` (the first of several); `nullopt` if all differ by more than a third of the longer one's letters,
+/// for the empty word, and for a word that is one of them.
 [[nodiscard]] inline std::optional<std::string> nearest_word(std::string_view word, std::span<const std::string> words) {
   std::optional<std::string> nearest;
   std::size_t least = word.size();

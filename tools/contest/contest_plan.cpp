@@ -105,10 +105,10 @@ Plan read_plan(const std::filesystem::path& path) {
     refuse("duration_s: must be > 0 and <= " + number_text(longest_run_s));
   if (!(plan.reach_m > 0.0)) refuse("reach_m: must be > 0");
   for (const Match& match : plan.matches) {
-    if (std::max(match.hunters, match.victims) >= plan.teams.size()) refuse("matches: a team that is not there");
+    if (std::max(match.hunters, match.victims) >= plan.teams.size()) refuse("matches: a team does not exist");
   }
   for (const Team& team : plan.teams) {
-    if (team.genomes.empty()) refuse("teams: one without individuals");
+    if (team.genomes.empty()) refuse("teams: each must have individuals");
   }
   return plan;
 }

@@ -38,7 +38,7 @@ std::string why_not_played(const contest::Plan& plan, const Offer& offer, const 
   for (Species species = 0; web.size() > 1 && species < web.size(); ++species)
     if (plan.fingerprint == fingerprint_of({Null::one_sided, web.name(species)})) return "";
   return "fingerprint " + plan.fingerprint + ": must be " + fingerprint_of(Null::none) +
-         ", what this program makes of the runs' parameters; rules, models or engine changed";
+         ", which this program computes from the runs' parameters; rules, models or engine changed";
 }
 
 int play_contests(const std::filesystem::path& path, std::size_t jobs, const Offer& offer) {

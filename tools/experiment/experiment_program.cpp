@@ -30,140 +30,138 @@ std::vector<Option> options_of(ExperimentOptions& options, const Offer& offer) {
     for (Option& option : in_group(group, std::move(some))) all.push_back(std::move(option));
   };
   add("The experiment",
-      {{"--rules", &options.rules, "rule table: " + one_of(tables) + " (" + tables.front() + ")"},
+      {{"--rules", &options.rules, "rule table: " + one_of(tables) + " (default: " + tables.front() + ")"},
        {"--backend", &options.backend, backend_help(backends, offer.default_backend)},
-       {"--config", &options.config, "TOML file with parameters, as --print-config writes it"},
-       {"--set", &options.assignments, "PATH=VALUE, e.g. rules.mutation.sd=0.1; may be repeated; wins over --config"},
-       {"--robot", &options.robot, "name or path of a robot file (the table's)"},
-       {"--robots", &options.robots, "number of bodies (the table's)"}});
+       {"--config", &options.config, "TOML file with parameters, in the format of --print-config"},
+       {"--set", &options.assignments, "PATH=VALUE, e.g. rules.mutation.sd=0.1; may be repeated; overrides --config"},
+       {"--robot", &options.robot, "name or path of a robot file (default: the table's)"},
+       {"--robots", &options.robots, "number of bodies (default: the table's)"}});
   add("How long and how many",
-      {{"--duration", &options.duration_s, "length of the run, seconds of the ecology's clock (the table's)"},
-       {"--seed", &options.seed, "every random number follows from it (1)"},
+      {{"--duration", &options.duration_s, "length of the run in simulated seconds (default: the table's)"},
+       {"--seed", &options.seed, "seed of all random numbers (default: 1)"},
        {"--replicates", &options.replicates,
-        "number of runs, into OUT/replicate-00, ...; their seeds follow from --seed and are written to replicates.json"},
+        "number of replicate runs, written to OUT/replicate-00, ...; their seeds are derived from --seed and listed in "
+        "replicates.json"},
        {.name = "--shadow",
         .target = &options.shadow,
-        .help =
-            "run the table's neutral shadow too, into OUT/shadow: the same rules, parameters and seeds, but nothing is inherited",
+        .help = "also run the table's neutral shadow (no-inheritance control) in OUT/shadow: the same rules, parameters and "
+                "seeds, but nothing is inherited",
         .needs = {"--replicates"}},
        {.name = "--neutral",
         .target = &options.neutral,
-        .help =
-            "run the table's neutral null too, into OUT/neutral: the births, deaths and parents of the runs are repeated with "
-            "genomes of their own, so that nothing is selected",
+        .help = "also run the table's neutral null in OUT/neutral: it repeats each run's births, deaths and parents with "
+                "independent genomes, so selection cannot act on them",
         .needs = {"--replicates"},
         .not_with = {"--from"}},
        {.name = "--clones",
         .target = &options.clones,
-        .help = "run the table with one genome for all too, into OUT/clones: who differs from whom cannot matter",
+        .help = "also run the table in OUT/clones with one genome for all individuals, so that differences between individuals "
+                "play no part",
         .needs = {"--replicates"},
         .not_with = {"--from"}},
        {.name = "--one-sided",
         .target = &options.one_sided,
-        .help = "run the table's one-sided worlds too, into OUT/one_sided_SPECIES for each species: that species inherits "
-                "nothing, all "
-                "others as the table says",
+        .help = "also run the table's one-sided worlds, one per species, in OUT/one_sided_SPECIES: that species inherits "
+                "nothing, all others follow the table",
         .needs = {"--replicates"}},
        {.name = "--jobs",
         .target = &options.jobs,
-        .help = "replicates, runs of a plan or contests at a time (one per core); results do not depend on it",
+        .help = "number of replicates, runs of a plan or contests to run in parallel (default: one per core); results do not "
+                "depend on it",
         .needs = {"--replicates", "--plan", "--play"}},
-       {"--threads", &options.threads, "threads of the physics; results do not depend on it (all cores; 1 with --replicates)"}});
+       {"--threads", &options.threads,
+        "number of physics threads (default: all cores, or 1 with --replicates); results do not depend on it"}});
   add("A plan of runs",
       {{.name = "--plan",
         .target = &options.plan,
-        .help = "make the runs that this file lists, next to it, or resume those that are not complete; trophic plan writes one",
+        .help = "make the runs listed in this file, next to it, and resume incomplete ones; trophic plan writes such a file",
         .only_with = {"--jobs", "--run", "--status", "--describe", "--checkpoint-s", "--accept-other-build", "--no-verify"}},
        {.name = "--run",
         .target = &options.run,
-        .help = "only the plan's runs with these numbers, from 0; for Slurm, GNU parallel, MPI, ...",
+        .help = "make only the runs of the plan with these numbers, counted from 0; for Slurm, GNU parallel, MPI, ...",
         .needs = {"--plan"}},
        {.name = "--status",
         .target = &options.status,
-        .help = "print how many runs of the plan are done, running, failed and missing, and the time left, and exit",
+        .help = "print how many runs of the plan are done, running, failed or missing and how much time is left, then exit",
         .needs = {"--plan"},
         .only_with = {"--plan", "--no-verify"}},
        {.name = "--describe",
         .target = &options.describe,
-        .help = "check each run of the plan, print its length, amount of work and fingerprint as JSON, and exit",
+        .help = "check each run of the plan, print its length, amount of work and fingerprint as JSON, then exit",
         .needs = {"--plan"},
         .only_with = {"--plan"}}});
   add("Output",
-      {{"--out", &options.out, "new folder for the run's files (the next free runs/" + options.program + "-1, -2, ...)"},
+      {{"--out", &options.out, "new folder for the run's files (default: the next free runs/" + options.program + "-1, -2, ...)"},
        {"--replay-hz", &options.replay_hz,
-        "frames of the recording in a simulated second: 0 (none), 5, 10 or 30 (5); nothing else of a run depends on it"},
-       {"--agents-every", &options.agents_every,
-        "agents.csv has the ticks whose number is a multiple of this (1); for large ecologies"},
-       {"--senses", &options.senses, "write senses.csv too: contacts, inputs and outputs of every robot"},
-       {"--states", &options.states, "write states.csv too: what rules with a State keep for every robot"},
+        "recorded frames per simulated second: 0 (none), 5, 10 or 30 (default: 5); it changes nothing else in the run"},
+       {"--agents-every", &options.agents_every, "write only every N-th tick to agents.csv (default: 1); for large ecologies"},
+       {"--senses", &options.senses, "also write senses.csv: contacts, inputs and outputs of every robot"},
+       {"--states", &options.states, "also write states.csv: what rules with a State store for every robot"},
        {"--checkpoint-s", &options.checkpoint_s,
-        "seconds of the ecology's clock between two checkpoints (300); 0: only when a run ends or is stopped"},
+        "simulated seconds between two checkpoints (default: 300); with 0, only when a run ends or is interrupted"},
        {.name = "--profile",
         .target = &options.profile,
-        .help = "print at the end what the steps of MuJoCo's robots were, if it counts them: apart, in touching pairs, ...",
+        .help = "print at the end how MuJoCo's robots were stepped, if it counts that: apart, in touching pairs, ...",
         .not_with = {"--replicates"}},
        {.name = "--save-mjcf",
         .target = &options.save_mjcf,
-        .help = "write the model at the start as MJCF (opens in MuJoCo's simulate); without --out nothing is run",
+        .help = "write the initial model as MJCF, which opens in MuJoCo's simulate; without --out there is no run",
         .not_with = {"--replicates"}}});
-  add("Look",
-      {{.name = "--live",
-        .target = &options.live,
-        .help = "show the run in a browser of this machine and let the page pause it, change rule parameters and start again; it "
-                "prints the page's address",
-        .not_with = {"--replicates", "--from", "--save-mjcf"}},
-       {.name = "--live-port",
-        .target = &options.live_port,
-        .help = "port of that address, for ssh -L (any free one)",
-        .needs = {"--live"}}});
+  add("Look", {{.name = "--live",
+                .target = &options.live,
+                .help = "show the run in a browser on this machine, where it can be paused and restarted and rule parameters can "
+                        "be changed; prints the page's address",
+                .not_with = {"--replicates", "--from", "--save-mjcf"}},
+               {.name = "--live-port",
+                .target = &options.live_port,
+                .help = "port of that address, for ssh -L (default: any free port)",
+                .needs = {"--live"}}});
   add("Resume and branch",
       {{.name = "--resume",
         .target = &options.resume,
-        .help = "resume in OUT: a run, or those replicates that are missing or were interrupted, from their last checkpoints. It "
-                "keeps what OUT has of --replay-hz, --agents-every, --senses and --states",
+        .help = "resume an interrupted run in OUT from its last checkpoint, or all missing or interrupted replicates; "
+                "--replay-hz, --agents-every, --senses and --states keep the values they have in OUT",
         .needs = {"--out"}},
        {.name = "--accept-other-build",
         .target = &options.accept_other_build,
-        .help = "resume runs that another build of this program made, whose rules may be other code under the same names; "
-                "manifests record it",
+        .help = "accept runs made by another build of this program, whose rules may have the same names but "
+                "other code; manifests record it",
         .needs = {"--resume", "--from", "--plan"}},
        {.name = "--no-verify",
         .target = &options.no_verify,
-        .help = "keep complete runs without comparing their files with their checksums, which takes time for ten thousand runs",
+        .help = "skip the verification of complete runs' checksums, which is slow for ten thousand runs",
         .needs = {"--resume", "--plan"}},
        {.name = "--from",
         .target = &options.from,
-        .help = "begin at the state of the run in this folder at --at, with another --seed, other rules or other parameters of "
-                "rules, or with --replicates of its future",
+        .help = "start from the state at --at of the run in this folder, with another --seed, other rules "
+                "or rule parameters, or --replicates of its future",
         .not_with = {"--save-mjcf", "--changes"}},
        {.name = "--at",
         .target = &options.at_s,
-        .help = "seconds of that run's clock (its last checkpoint)",
+        .help = "moment of that run, in simulated seconds (default: its last checkpoint)",
         .needs = {"--from"}}});
-  add("Changes",
-      {{"--changes", &options.changes,
-        "CSV file with columns time_s, number and value: rule parameters that change during the run; replaying a run's "
-        "changes.csv reproduces the live run exactly"}});
-  add("Contests",
-      {{.name = "--play",
-        .target = &options.play,
-        .help = "play the contests in this file, with --jobs at a time, and write their outcomes next to it; trophic contest "
-                "--program writes the file and calls this",
-        .only_with = {"--jobs"}},
-       {.name = "--signatures",
-        .target = &options.signatures,
-        .help = "print which genomes in this file decide alike; trophic analyze --lineages --program writes the file and calls "
-                "this",
-        .only_with = {"--signatures"}}});
+  add("Changes", {{"--changes", &options.changes,
+                   "CSV file with columns time_s, number and value: changes to rule parameters during the run; replaying a run's "
+                   "changes.csv reproduces the live run exactly"}});
+  add("Contests", {{.name = "--play",
+                    .target = &options.play,
+                    .help = "play the contests in this file, --jobs in parallel, and write their outcomes next to it; trophic "
+                            "contest --program writes the file and calls this option",
+                    .only_with = {"--jobs"}},
+                   {.name = "--signatures",
+                    .target = &options.signatures,
+                    .help = "print which genomes in this file make the same decisions; trophic analyze --lineages --program "
+                            "writes the file and calls this option",
+                    .only_with = {"--signatures"}}});
   const std::vector<std::string> of_the_experiment{"--rules",  "--backend",  "--config", "--set",    "--robot",
                                                    "--robots", "--duration", "--seed",   "--threads"};
   add("Print", {{.name = "--print-config",
                  .target = &options.print_config,
-                 .help = "print every parameter as TOML and stop",
+                 .help = "print every parameter as TOML, then exit",
                  .only_with = of_the_experiment},
                 {.name = "--print-table",
                  .target = &options.print_table,
-                 .help = "print the rules with their parameters and sources as a Markdown table, and stop",
+                 .help = "print the rules with their parameters and sources as a Markdown table, then exit",
                  .only_with = of_the_experiment}});
   return all;
 }
@@ -197,7 +195,7 @@ void check_unchanged(const OriginRun& origin) {
   if (origin.description.fingerprint == moment.fingerprint) return;
   throw std::invalid_argument{"--from " + moment.run.string() + ": fingerprint = " + moment.fingerprint + ": must be " +
                               origin.description.fingerprint +
-                              ", what this program makes of its parameters; rules, models or engine changed"};
+                              ", which this program computes from its parameters; rules, models or engine changed"};
 }
 
 /// The experiment of a table and a backend that the options name. Throws std::invalid_argument if the offer lacks one.
@@ -227,7 +225,7 @@ int run_chosen(ExperimentOptions& options, const Offer& offer) {
   if (options.resume && !has_snapshot && !std::filesystem::exists(options.out)) {
     throw std::invalid_argument{
         "--resume: " + options.out +
-        " is not there: must be the folder of a run or of replicates; without --resume a run begins there"};
+        " does not exist: must be the folder of a run or of replicates; without --resume a new run starts there"};
   }
   if (options.out.empty() && options.save_mjcf.empty()) {
     options.out = io::next_free_folder(std::filesystem::path{"runs"} / options.program).string();
@@ -236,8 +234,8 @@ int run_chosen(ExperimentOptions& options, const Offer& offer) {
   if (origin) {
     its = find_experiment(offer, origin->rule_table, origin->engine);
     if (its == nullptr) {
-      throw std::invalid_argument{"--from " + options.from + ": is a run of " + origin->rule_table + " on " + origin->engine +
-                                  ", which this program lacks"};
+      throw std::invalid_argument{"--from " + options.from + ": has the table " + origin->rule_table + " on " + origin->engine +
+                                  ", which this program does not have"};
     }
     origin->description = describe(*its, *origin);
     check_unchanged(*origin);
@@ -254,7 +252,7 @@ int run_options(ExperimentOptions& options, const Offer& offer) {
   const auto tables = table_names(offer);
   for (const std::string& table : tables) {
     if (std::ranges::count(tables, table) > 1) {
-      throw std::invalid_argument{"two rule tables are called " + table + ": each needs a name of its own"};
+      throw std::invalid_argument{"two rule tables are called " + table + ": each must have its own name"};
     }
   }
   if (!options.play.empty()) return play_contests(options.play, options.jobs.value_or(1), offer);
@@ -275,8 +273,8 @@ int experiment_program(int argc, const char* const* argv, const std::function<Of
     options.own_tables = offer.tables;
     return run_command(argc, argv,
                        {.name = {},
-                        .about = "Runs an ecology of simulated robots by the rules of " + one_of(table_names(offer)) +
-                                 ", and writes its events, agents, phylogeny and genomes with a manifest into a new folder.",
+                        .about = "Runs an ecology of simulated robots under the rule table " + one_of(table_names(offer)) +
+                                 ", and writes its events, agents, phylogeny and genomes to a new folder with a manifest.",
                         .options = detail::options_of(options, offer),
                         .work = [&] { return detail::run_options(options, offer); },
                         .version = version_text(backend_versions(offer.backends)),

@@ -61,7 +61,9 @@ namespace detail {
 }
 
 /// The parameters of a table on a backend as a configuration file.
-[[nodiscard]] inline int print_config(const std::string& table, const std::string& backend, const NamedParams& named_params) {
+[[nodiscard]] inline int print_config(const std::string& table, const std::string& backend, NamedParams named_params) {
+  for (NamedParam& param : named_params)
+    if (param.path.starts_with("rules.")) param.help += std::string{changes::when_read(param.read)};
   TomlWriter writer;
   writer.put("rule_table", table);
   writer.put("engine", backend);
@@ -74,7 +76,7 @@ namespace detail {
   flush_output();
   if (unfinished.empty()) return 0;
   for (const std::string& sentence : unfinished) std::cerr << options.program << ": " << sentence << "\n";
-  std::cerr << "the same command with --resume resumes these and no others\n";
+  std::cerr << "to resume only these, repeat the command with --resume\n";
   return replicates::StopOnSignal::caught() != 0 ? stopped : run_error;
 }
 
@@ -86,9 +88,9 @@ namespace detail {
   const bool is_stopped = view.time_s < until_s && !view.is_over;
   if (is_stopped) {
     const int signal = replicates::StopOnSignal::caught();
-    std::cout << (signal != 0 ? "stopped by signal " + std::to_string(signal) : "ended by its page") << " at "
-              << number_text(view.time_s) << " of " << number_text(until_s) << " s; the same command with --resume --out "
-              << folder.path().string() << " resumes it\n";
+    std::cout << (signal != 0 ? "stopped by signal " + std::to_string(signal) : "ended from its page") << " at "
+              << number_text(view.time_s) << " of " << number_text(until_s)
+              << " s; to resume it, repeat the command with --resume --out " << folder.path().string() << "\n";
   }
   progress.summary(std::cout, view);
   if (!slow.empty()) std::cout << "remark  " << slow << "\n";
@@ -113,13 +115,13 @@ namespace detail {
   changes::check_may_follow(origin.description, run);
   if (!(origin.moment.at_s <= run.until_s)) {
     throw std::invalid_argument{"--at " + number_text(origin.moment.at_s) + ": must be <= " + number_text(run.until_s) +
-                                ", the duration of the run that begins there"};
+                                ", the duration of the new run"};
   }
   if (!options.resume) io::check_new_folder(options.out);
   checkpoint::Snapshot snapshot{origin.moment, checkpoint::snapshot_folder(options.out, origin.moment)};
   for (const std::filesystem::path& place : {snapshot.folder.parent_path(), snapshot.folder}) {
     if (std::filesystem::exists(place) && std::filesystem::equivalent(place, origin.moment.run)) {
-      throw std::invalid_argument{place.string() + ": is in the way: there the snapshot of " + options.out + " would be made"};
+      throw std::invalid_argument{place.string() + ": must not exist: the snapshot of " + options.out + " is made there"};
     }
   }
   return snapshot;
@@ -156,7 +158,7 @@ inline void check_resumed(const std::filesystem::path& folder, const observe::Ru
   }
   if (found == 0) return;
   if (found > 3) text += " and " + std::to_string(found - 3) + " more";
-  throw std::invalid_argument{"--resume: " + folder.string() + " is a run of other rules or parameters: " + text};
+  throw std::invalid_argument{"--resume: " + folder.string() + " has a run with different rules or parameters: " + text};
 }
 
 /// Throws std::invalid_argument if a run that is to be resumed had changes and the options have none, or the other way round.
@@ -165,22 +167,24 @@ inline void check_same_changes(const ExperimentOptions& options, const std::file
   if (!options.resume || options.live || !std::filesystem::exists(folder / "manifest.json", unknown)) return;
   const bool has_changes = std::filesystem::exists(folder / changes::file_name);
   if (has_changes == !options.changes.empty()) return;
-  throw std::invalid_argument{has_changes ? "--changes: needed to resume, as " + folder.string() + " has changes.csv"
-                                          : "--changes " + options.changes + ": must be left out, as the run in " +
+  throw std::invalid_argument{has_changes ? "--changes: is needed to resume, because " + folder.string() + " has changes.csv"
+                                          : "--changes " + options.changes + ": must be omitted, because the run in " +
                                                 folder.string() + " has no changes.csv"};
 }
 
-/// Makes the past of runs that begin at a moment. Returns false if a signal came before it was made.
-[[nodiscard]] inline bool make_snapshot(const checkpoint::Snapshot& snapshot, const OriginRun& origin) {
-  std::cout << snapshot.folder.string() << ": the snapshot, " << origin.moment.run.string() << " until "
-            << number_text(origin.moment.at_s) << " s, is made there" << std::endl;
-  return origin.make(snapshot.folder);
+/// Makes the past of runs that begin at a moment. Returns false if a signal came before it was made. Throws
+/// std::invalid_argument if `first`, the ecology of such a run, cannot begin there.
+[[nodiscard]] inline bool make_snapshot(const checkpoint::Snapshot& snapshot, const OriginRun& origin, Simulation& first) {
+  std::cout << snapshot.folder.string() << ": making the snapshot, " << origin.moment.run.string() << " until "
+            << number_text(origin.moment.at_s) << " s" << std::endl;
+  if (!origin.make(snapshot.folder)) return false;
+  checkpoint::check_begins(snapshot, first);
+  return true;
 }
 
 /// The state from which the run of the options starts; `nullopt` if a signal came before its past was made.
-[[nodiscard]] inline std::optional<checkpoint::RunState> run_state_for(const ExperimentOptions& options,
-                                                                       const Simulation& ecology, double until_s,
-                                                                       const std::optional<OriginRun>& origin) {
+[[nodiscard]] inline std::optional<checkpoint::RunState> run_state_for(const ExperimentOptions& options, Simulation& ecology,
+                                                                       double until_s, const std::optional<OriginRun>& origin) {
   const observe::RunDescription run = ecology.describe(until_s);
   const checkpoint::Schedule schedule = schedule_of(options);
   if (!options.changes.empty()) check_same_changes(options, options.out);  // else the checkpoint has them
@@ -192,10 +196,18 @@ inline void check_same_changes(const ExperimentOptions& options, const std::file
   }
   checkpoint::SnapshotFolder room{snapshot};
   if (!options.resume) io::check_new_folder(options.out);
-  if (checkpoint::needs_snapshot(options.out, run.until_s) && !make_snapshot(snapshot, *origin)) return std::nullopt;
+  if (checkpoint::needs_snapshot(options.out, run.until_s) && !make_snapshot(snapshot, *origin, ecology)) return std::nullopt;
   auto run_state = checkpoint::run_state_in(options.out, run, snapshot, schedule);
   room.clear();
   return run_state;
+}
+
+/// How fast agents.csv grows, a line.
+[[nodiscard]] inline std::string growth(const View& view, std::uint64_t every_ticks) {
+  constexpr double bytes_a_row = 90.0;  // measured in ponds, wolf_sheep and paper
+  const double rows_an_hour = static_cast<double>(view.robots.size()) * 3600.0 / (view.tick_s * static_cast<double>(every_ticks));
+  return "writes  agents.csv, up to about " + number_text(std::ceil(bytes_a_row * rows_an_hour / 1e6)) +
+         " MB in an hour of the ecology's clock" + (every_ticks == 1 ? "; --agents-every 10: a tenth" : "");
 }
 
 /// Runs an ecology into the folder that the options name and returns the exit code. `live`: null without --live.
@@ -206,8 +218,9 @@ inline void check_same_changes(const ExperimentOptions& options, const std::file
   io::RunFolder folder{options.out,         options.provenance,      output_options_of(options),
                        run_state.opening(), ecology.state_columns(), changes::with_changes(options.own_tables)(ecology)};
   if (options.states && ecology.state_columns().columns.empty()) {
-    std::cout << "states  none: no rule of this table has a State; states.csv lists the robots only\n";
+    std::cout << "states  none: no rule in this table has a State, so states.csv lists only the robots\n";
   }
+  if (run_state.opening() == Opening::created) std::cout << growth(ecology.view(), options.agents_every) << std::endl;
   observe::Progress progress;
   try {
     if (run_state.begins) {
@@ -224,7 +237,7 @@ inline void check_same_changes(const ExperimentOptions& options, const std::file
     if (live != nullptr) live->failed(error.what());
     std::error_code unknown;
     const bool is_there = std::filesystem::exists(folder.path(), unknown);
-    std::cerr << (is_there ? "everything written so far is in " : "its folder was removed or moved: ") << folder.path().string()
+    std::cerr << (is_there ? "all output so far is in " : "the run's folder was removed or moved: ") << folder.path().string()
               << "\n";
     return code;
   }
@@ -274,8 +287,8 @@ int run_once(const ExperimentOptions& options, AnyExperiment& experiment, const 
   if (!options.one_sided) return nulls;
   const FoodWeb web = make(seed)->view().web;
   if (web.size() < 2) {
-    throw std::invalid_argument{"--one-sided: needs a table with two species or more; with " + web.name(0) +
-                                " alone it would be the --shadow"};
+    throw std::invalid_argument{"--one-sided: needs a table with at least two species; with " + web.name(0) +
+                                " only, it would be the same as --shadow"};
   }
   for (Species species = 0; species < web.size(); ++species) nulls.emplace_back(Null::one_sided, web.name(species));
   return nulls;
@@ -297,7 +310,7 @@ int run_once(const ExperimentOptions& options, AnyExperiment& experiment, const 
     plan.snapshot = snapshot_of(options, *origin, make(plan.master_seed)->describe(until_s));
     if (needs_snapshot(plan, nulls, until_s) || checkpoint::SnapshotFolder::exists(*plan.snapshot)) room.emplace(*plan.snapshot);
     if (!options.resume) io::check_new_folder(options.out);
-    if (needs_snapshot(plan, nulls, until_s) && !make_snapshot(*plan.snapshot, *origin)) return stopped;
+    if (needs_snapshot(plan, nulls, until_s) && !make_snapshot(*plan.snapshot, *origin, *make(plan.master_seed))) return stopped;
   }
   std::vector<replicates::SetOfRuns> sets{{Null::none, make}};
   for (const Null& null : nulls) {
@@ -317,7 +330,7 @@ OriginRun read_origin(const ExperimentOptions& options) {
   const std::filesystem::path path = origin.moment.run / "manifest.json";
   const Json json = parse_sealed(read_whole_file(path));
   try {
-    if (!json.is_object()) throw std::invalid_argument{"is not a run's manifest, or was changed after trophic wrote it"};
+    if (!json.is_object()) throw std::invalid_argument{"is not a run's manifest, or was modified after trophic wrote it"};
     if (const std::string damage = checkpoint::damage_in(origin.moment.run); !damage.empty()) throw std::runtime_error{damage};
     origin.rule_table = json.at("rule_table").get<std::string>();
     origin.engine = json.at("backend").get<std::string>();
@@ -343,7 +356,8 @@ OriginRun read_origin(const ExperimentOptions& options) {
                                 "--changes, or begin from a run without changes"};
   }
   const auto last_s = checkpoint::last_moment_s(origin.moment.run);
-  if (!options.at_s && !last_s) throw std::invalid_argument{"--at: needed, as " + options.from + " has no whole checkpoint"};
+  if (!options.at_s && !last_s)
+    throw std::invalid_argument{"--at: is needed, because " + options.from + " has no complete checkpoint"};
   origin.moment.at_s = options.at_s.value_or(last_s.value_or(0.0));
   if (!(origin.moment.at_s >= 0.0) || std::isinf(origin.moment.at_s)) {
     throw std::invalid_argument{"--at " + number_text(origin.moment.at_s) + ": must be >= 0 and finite"};

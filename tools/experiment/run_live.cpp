@@ -12,9 +12,8 @@ namespace trophic::command {
 
 namespace detail {
 
-/// The rule parameters of an experiment.
-[[nodiscard]] NamedParams rule_parameters(AnyExperiment& experiment) {
-  NamedParams parameters = named_params_of(experiment.params());
+/// Those of rules.
+[[nodiscard]] NamedParams of_rules(NamedParams parameters) {
   std::erase_if(parameters, [](const NamedParam& one) { return !one.path.starts_with("rules."); });
   return parameters;
 }
@@ -58,13 +57,14 @@ int run_live(std::unique_ptr<AnyExperiment> chosen, ExperimentOptions options, C
     int code = 0;
     try {
       const auto experiment = detail::experiment_of(*chosen, options, config);
-      server->begin({.folder = options.out,
-                     .rule_table = chosen->rule_table(),
-                     .rule_tables = table_names(offer),
-                     .seed = experiment->seed(),
-                     .until_s = experiment->ecology().duration_s,
-                     .numbers = detail::rule_parameters(*experiment),
-                     .table = detail::rule_parameters(*chosen->fresh())});
+      server->begin(
+          {.folder = options.out,
+           .rule_table = chosen->rule_table(),
+           .rule_tables = table_names(offer),
+           .seed = experiment->seed(),
+           .until_s = experiment->ecology().duration_s,
+           .numbers = detail::of_rules(experiment->simulations(Null::none)(experiment->seed())->describe(0.0).named_params),
+           .table = detail::of_rules(named_params_of(chosen->fresh()->params()))});
       code = detail::run_once(options, *experiment,
                               detail::simulations(*chosen, options, config, *experiment, Null::none, {}, &server->conductor()),
                               std::nullopt, server.get());
@@ -76,7 +76,7 @@ int run_live(std::unique_ptr<AnyExperiment> chosen, ExperimentOptions options, C
     if (!next) return code;
     detail::restart(*next, chosen->rule_table(), first_out, options, config);
     chosen = find_experiment(offer, next->rule_table, chosen->backend().name());
-    if (chosen == nullptr) throw std::invalid_argument{"rule table " + next->rule_table + ": is not one of this program"};
+    if (chosen == nullptr) throw std::invalid_argument{"rule table " + next->rule_table + ": is not a table of this program"};
     options.provenance.emplace_back("restarted", "by the live page of the run in " + first_out.string());
     std::cout << "live    seed " << next->seed << ", rules " << next->rule_table << ", into " << options.out << std::endl;
   }

@@ -23,6 +23,7 @@
 #include <tools/replicates/parallel.hpp>
 #include <tools/replicates/stop_on_signal.hpp>
 #include <trophic/backend/contract.hpp>
+#include <trophic/observe/print_remarks.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/support/whole_file.hpp>
 
@@ -38,7 +39,7 @@ inline void insert(toml::table& table, std::string_view path, const Json& value)
   const std::size_t dot = path.find('.');
   if (dot == std::string_view::npos) return insert_value(table, path, value);
   toml::node* nested = &table.insert(path.substr(0, dot), toml::table{}).first->second;
-  if (!nested->is_table()) throw std::invalid_argument{std::string{path} + ": is below a key that has a value"};
+  if (!nested->is_table()) throw std::invalid_argument{std::string{path} + ": is nested under a key that has a value"};
   insert(*nested->as_table(), path.substr(dot + 1), value);
 }
 
@@ -46,7 +47,7 @@ inline void insert(toml::table& table, std::string_view path, const Json& value)
 [[nodiscard]] inline Config config_of(const Json& settings) {
   Config config{.origin = {}, .file = {}, .parameters = {}, .rule_table = {}, .engine = {}, .assignments = {}};
   for (const auto& [path, value] : settings.items()) {
-    if (path == "seed" || path == "backend.threads") throw std::invalid_argument{path + ": is not a setting of a plan"};
+    if (path == "seed" || path == "backend.threads") throw std::invalid_argument{path + ": is not allowed in a plan"};
     insert(config.parameters, path, value);
   }
   return config;
@@ -104,7 +105,7 @@ class Runner {
     const auto same = [&](const std::string& field, const Json& there, const Json& here) {
       if (there == here) return;
       throw std::invalid_argument{plan::place_of(path_, index) + field + " = " + json_text(there) + ": must be " +
-                                  json_text(here) + ", as this program makes the run; rules, models or engine changed"};
+                                  json_text(here) + " in this program; rules, models or engine changed"};
     };
     same("fingerprint", run.fingerprint, facts(index).description.fingerprint);
     same("until_s", run.until_s, facts(index).description.until_s);
@@ -141,8 +142,8 @@ class Runner {
     const std::string kind = kind_of(repeated);
     const auto of =
         std::ranges::find_if(runs_, [&](const PlannedRun& one) { return one.seed == run.seed && kind_of(one) == kind; });
-    if (of == runs_.end()) throw std::invalid_argument{"null = neutral: needs the run without a null in the plan"};
-    if (!plan::is_complete(folder_, *of)) throw std::invalid_argument{"needs " + of->folder.string() + ", which is not complete"};
+    if (of == runs_.end()) throw std::invalid_argument{"null = neutral: needs the run that it repeats in the plan"};
+    if (!plan::is_complete(folder_, *of)) throw std::invalid_argument{"needs " + of->folder.string() + " to be complete"};
     return [folder = folder_ / of->folder](std::uint64_t) { return replicates::read_history(folder); };
   }
 
@@ -178,7 +179,7 @@ class Runner {
 [[nodiscard]] inline int report(const ExperimentOptions& options, std::size_t runs,
                                 const std::map<std::size_t, std::string>& unfinished, std::size_t diverged) {
   constexpr std::size_t most_sentences = 20;
-  std::cout << runs - unfinished.size() << " of " << runs << " runs complete by " << options.plan << "\n";
+  std::cout << runs - unfinished.size() << " of " << runs << " runs complete in " << options.plan << "\n";
   flush_output();
   if (unfinished.empty()) return 0;
   std::size_t printed = 0;
@@ -187,8 +188,8 @@ class Runner {
     std::cerr << options.program << ": " << sentence << "\n";
   }
   if (unfinished.size() > most_sentences) std::cerr << "and " << unfinished.size() - most_sentences << " more\n";
-  if (diverged > 0) std::cerr << diverged << " diverged, as they will again with the same parameters\n";
-  if (diverged < unfinished.size()) std::cerr << "the same command resumes these and no others\n";
+  if (diverged > 0) std::cerr << diverged << " diverged, and will diverge again with the same parameters\n";
+  if (diverged < unfinished.size()) std::cerr << "to resume only these, repeat the command\n";
   return replicates::StopOnSignal::caught() != 0 ? stopped : run_error;
 }
 
@@ -261,11 +262,12 @@ struct Spent {
     if (spent.left > 0.0) left_s += spent.left * spent.wall_s / spent.done;  // unknown: not a number
   }
   if (!std::isfinite(left_s)) {
-    return print_text(text +
-                      "left: unknown, as no run of some rule table and engine is done; trophic plan --dry-run estimates it\n");
+    return print_text(
+        text +
+        "left: unknown, because some rule table and engine has no finished run yet; trophic plan --dry-run estimates it\n");
   }
   return print_text(text + "left: about " + observe::duration_text(left_s) + " of one core (" +
-                    number_text(std::ceil(left_s / 36.0) / 100.0) + " core-hours) by the runs that are done\n");
+                    number_text(std::ceil(left_s / 36.0) / 100.0) + " core-hours), estimated from the finished runs\n");
 }
 
 }  // namespace detail::plans
@@ -278,7 +280,9 @@ int run_plan(const ExperimentOptions& options, const Offer& offer) {
   const replicates::StopOnSignal stop;
   const std::vector<std::size_t> runs = detail::plans::chosen_runs(options, runner.runs());
   for (const std::size_t run : runs) {
-    if (!plan::is_complete(runner.folder(), runner.runs()[run])) runner.check(run);
+    if (plan::is_complete(runner.folder(), runner.runs()[run])) continue;
+    runner.check(run);
+    observe::print_remarks(runner.facts(run).description.remarks);
   }
   if (!options.accept_other_build) plan::check_builds(runner.folder(), runner.runs());
 

@@ -82,7 +82,7 @@ int print_signatures(const std::filesystem::path& file, const Offer& offer) {
   } catch (const Json::exception& error) {
     throw std::invalid_argument{"--signatures " + file.string() + ": " + reason_of(error)};
   } catch (const std::out_of_range&) {
-    throw std::invalid_argument{"--signatures " + file.string() + ": a genome of an unknown species"};
+    throw std::invalid_argument{"--signatures " + file.string() + ": has a genome of an unknown species"};
   }
 }
 

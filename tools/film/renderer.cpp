@@ -53,7 +53,7 @@ ModelPtr empty_model(std::size_t width, std::size_t height, const Arena& arena, 
   std::array<char, 1000> error{};
   ModelPtr model{mj_loadXML("empty.xml", files.get(), error.data(), static_cast<int>(error.size()))};
   mj_deleteVFS(files.get());
-  if (!model) throw std::runtime_error{std::string{"MuJoCo refuses an empty world: "} + error.data()};
+  if (!model) throw std::runtime_error{std::string{"MuJoCo rejects an empty world: "} + error.data()};
   if (has_slopes) {
     const double tallest_m = std::ranges::max(arena.height_field->height_m);
     std::ranges::transform(arena.height_field->height_m, model->hfield_data,
@@ -189,7 +189,7 @@ class Renderer::Scene {
   mjvGeom* add(int type, const Eigen::Vector3d& size, const Eigen::Vector3d& at, const Eigen::Matrix3d& turn,
                const Colour& colour, float opacity) {
     if (scene_.ngeom >= scene_.maxgeom)
-      throw std::runtime_error{"too much in one picture: " + std::to_string(most_geoms) + " shapes"};
+      throw std::runtime_error{"too many objects in one picture: " + std::to_string(most_geoms) + " shapes"};
     mjvGeom* geom = scene_.geoms + scene_.ngeom++;
     const Eigen::Matrix<double, 3, 3, Eigen::RowMajor> rows = turn;
     const std::array<float, 4> rgba{colour[0], colour[1], colour[2], opacity};

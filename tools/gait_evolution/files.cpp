@@ -124,8 +124,8 @@ void save(const PreExperiment& experiment, const std::filesystem::path& folder) 
 void resume(PreExperiment& experiment, const std::filesystem::path& folder) {
   const auto file = trophic::detail::TomlTable::read(folder / "checkpoint.toml");
   if (const std::string found = file.text("fingerprint"), ours = fingerprint(experiment); found != ours) {
-    file.fail("fingerprint", " = \"" + found + "\": must be \"" + ours +
-                                 "\"; robot, parameters or engine are not those that the checkpoint was made with");
+    file.fail("fingerprint",
+              " = \"" + found + "\": must be \"" + ours + "\"; robot, parameters or engine differ from those of the checkpoint");
   }
   const std::vector<double> fitness = file.numbers("fitness");
   file.no_other_keys();

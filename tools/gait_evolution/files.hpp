@@ -20,14 +20,15 @@ struct TaxonRow {
 
   static constexpr auto columns() {
     using io::column;
-    return std::tuple{column("id", &TaxonRow::id, "", "the candidate"),
-                      column("ancestor_list", &TaxonRow::ancestor_list, "", "[none], [3] or, of a crossover, [3,9]"),
-                      column("origin_time", &TaxonRow::origin_time, "generations", "when it was born"),
-                      column("destruction_time", &TaxonRow::destruction_time, "generations",
-                             "when it was not selected; inf for who lives at the end", {.none = "inf"}),
-                      column("fitness", &TaxonRow::fitness, "m", "-inf: its trial diverged"),
-                      column("hidden_nodes", &TaxonRow::hidden_nodes, "", "of its CPPN"),
-                      column("enabled_links", &TaxonRow::enabled_links, "", "of its CPPN")};
+    return std::tuple{
+        column("id", &TaxonRow::id, "", "the candidate"),
+        column("ancestor_list", &TaxonRow::ancestor_list, "", "parents: [none], [3] or, after a crossover, [3,9]"),
+        column("origin_time", &TaxonRow::origin_time, "generations", "generation of birth"),
+        column("destruction_time", &TaxonRow::destruction_time, "generations",
+               "generation in which the candidate was not selected; inf if it is alive at the end", {.none = "inf"}),
+        column("fitness", &TaxonRow::fitness, "m", "fitness; -inf if the trial diverged"),
+        column("hidden_nodes", &TaxonRow::hidden_nodes, "", "number of hidden nodes in its CPPN"),
+        column("enabled_links", &TaxonRow::enabled_links, "", "number of enabled links in its CPPN")};
   }
 };
 

@@ -91,16 +91,20 @@ struct Variation {
   static constexpr auto fields() {
     using V = Variation;
     return std::tuple{
-        field("initial_weight_limit", &V::initial_weight_limit, at_least(0), "founders' weights are uniform in +- this"),
-        field("crossover_probability", &V::crossover_probability, between(0, 1), "that a child has two parents"),
-        field("weight_mutation_probability", &V::weight_mutation_probability, between(0, 1), "of each link"),
-        field("weight_standard_deviation", &V::weight_standard_deviation, at_least(0), "of the normal perturbation"),
+        field("initial_weight_limit", &V::initial_weight_limit, at_least(0),
+              "founders' weights are uniform within +- this value"),
+        field("crossover_probability", &V::crossover_probability, between(0, 1), "probability that a child has two parents"),
+        field("weight_mutation_probability", &V::weight_mutation_probability, between(0, 1),
+              "probability that a link's weight mutates"),
+        field("weight_standard_deviation", &V::weight_standard_deviation, at_least(0),
+              "standard deviation of the normal perturbation"),
         field("weight_replacement_probability", &V::weight_replacement_probability, between(0, 1),
-              "that a mutated weight is drawn anew as a founder's"),
-        field("weight_limit", &V::weight_limit, above(0), "mutated weights are clipped to +- this"),
-        field("add_link_probability", &V::add_link_probability, between(0, 1), "of each child"),
-        field("add_node_probability", &V::add_node_probability, between(0, 1), "of each child"),
-        field("activation_mutation_probability", &V::activation_mutation_probability, between(0, 1), "of each hidden node")};
+              "probability that a mutated weight is redrawn like a founder's"),
+        field("weight_limit", &V::weight_limit, above(0), "mutated weights are clipped to +- this value"),
+        field("add_link_probability", &V::add_link_probability, between(0, 1), "probability that a child gets a new link"),
+        field("add_node_probability", &V::add_node_probability, between(0, 1), "probability that a child gets a new node"),
+        field("activation_mutation_probability", &V::activation_mutation_probability, between(0, 1),
+              "probability that a hidden node changes its activation")};
   }
 };
 

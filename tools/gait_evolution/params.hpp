@@ -23,10 +23,11 @@ struct Plan {
   std::size_t generations = 20;
 
   static constexpr auto fields() {
-    return std::tuple{field("population", &Plan::population, between(1, 1e6), "founders, and survivors of each generation"),
-                      field("parents", &Plan::parents, between(2, 1e6), "selected for each generation; two in turn have a child"),
-                      field("children", &Plan::children, between(1, 1e6), "of each generation"),
-                      field("generations", &Plan::generations, between(0, 1e6), "after the founders")};
+    return std::tuple{
+        field("population", &Plan::population, between(1, 1e6), "number of founders and of survivors of each generation"),
+        field("parents", &Plan::parents, between(2, 1e6), "number selected for each generation; two in turn have a child"),
+        field("children", &Plan::children, between(1, 1e6), "number of children in each generation"),
+        field("generations", &Plan::generations, between(0, 1e6), "number of generations after the founders")};
   }
 };
 
@@ -57,7 +58,7 @@ struct Selection {
       visit(FieldText{"opponents", at_least(0), "number of opponents of each individual; 0: all"}, self.opponents);
     } else {
       const Bound bound = self.rule == SelectionRule::tournament ? at_least(1) : between(1, 16);
-      visit(FieldText{"size", bound, "individuals in a tournament"}, self.size);
+      visit(FieldText{"size", bound, "number of individuals in a tournament"}, self.size);
     }
   }
 
@@ -105,8 +106,9 @@ struct Fitness {
     if (self.rule == FitnessRule::displacement_minus_x) {
       visit(FieldText{"aim", {}, "none or minus_x (steered)"}, self.aim);
     } else {
-      visit(FieldText{"turn_angle_rad", between(0.0, std::numbers::pi), "size of the target angle"}, self.turn_angle_rad);
-      visit(FieldText{"decision_s", above(0.0), "time between two choices of the target angle"}, self.decision_s);
+      visit(FieldText{"turn_angle_rad", between(0.0, std::numbers::pi), "absolute value of the target angle"},
+            self.turn_angle_rad);
+      visit(FieldText{"decision_s", above(0.0), "time between two changes of the target angle"}, self.decision_s);
       visit(FieldText{"start_turn_rad", between(0.0, std::numbers::pi), "how far -x is to the side at first"},
             self.start_turn_rad);
     }
@@ -134,7 +136,7 @@ struct Params {
 
   template <class Self, class Visit>
   static constexpr void visit_fields(Self& self, const Visit& visit) {
-    visit(FieldText{"seed", any_seed(), "every random number follows from it"}, self.seed);
+    visit(FieldText{"seed", any_seed(), "seed of all random numbers"}, self.seed);
     visit(FieldText{"robot", {}, "name or path of a robot file"}, self.robot);
     visit(FieldText{"plan"}, self.plan);
     visit(FieldText{"parent_selection"}, self.parent_selection);

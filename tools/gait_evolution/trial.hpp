@@ -50,11 +50,12 @@ struct Trial {
   CpgIntegration cpg_integration = CpgIntegration::exact;
 
   static constexpr auto fields() {
-    return std::tuple{field("duration_s", &Trial::duration_s, above_to(0.0, 1e5), "simulated time of one evaluation"),
-                      field("control_hz", &Trial::control_hz, between(1.0, 1e5), "gait control per simulated second"),
-                      field("idle_steps", &Trial::idle_steps, between(0, 1e6), "control periods before the gait begins"),
-                      field("facing", &Trial::facing, "what points along -x at the start: forward_axis or core_x"),
-                      field("cpg_integration", &Trial::cpg_integration, "exact or rk4")};
+    return std::tuple{
+        field("duration_s", &Trial::duration_s, above_to(0.0, 1e5), "simulated time of one evaluation"),
+        field("control_hz", &Trial::control_hz, between(1.0, 1e5), "control steps of the gait per simulated second"),
+        field("idle_steps", &Trial::idle_steps, between(0, 1e6), "control periods before the gait begins"),
+        field("facing", &Trial::facing, "what points along -x at the start: forward_axis or core_x"),
+        field("cpg_integration", &Trial::cpg_integration, "exact or rk4")};
   }
 
   [[nodiscard]] std::int64_t steps() const { return std::llround(duration_s * control_hz); }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Definitions of footage.hpp.
-#include <tools/changes/may_follow.hpp>
 #include <tools/live/footage.hpp>
 #include <trophic/io/recording_head.hpp>
 #include <trophic/io/recording_planes.hpp>
@@ -19,7 +18,7 @@ Json json_of(const NamedParam& number, const std::string& table) {
             {"value", value_text(number)},
             {"table", table},
             {"help", number.help},
-            {"acts_at_start", changes::acts_at_start(number.path)}};
+            {"acts_at_start", number.read == Read::at_start || !number.no_effect.empty()}};
   const bool is_whole = std::holds_alternative<std::int64_t>(number.value);
   if (std::holds_alternative<bool>(number.value)) {
     json["kind"] = "switch";

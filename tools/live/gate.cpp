@@ -41,14 +41,14 @@ std::string new_token() {
 
 std::optional<Refusal> refusal_of(const Request& request, std::string_view token) {
   if (request.method != "GET") return Refusal{405, "This address accepts no data; it only shows a run."};
-  if (!is_this_machine(request.host)) return Refusal{403, "The run is shown on its own machine only."};
+  if (!is_this_machine(request.host)) return Refusal{403, "The run can be viewed only on its own machine."};
   const std::size_t question = request.target.find('?');
   const std::string_view path = request.target.substr(0, question);
   const std::string_view query = question == std::string_view::npos ? "" : request.target.substr(question + 1);
-  if (path != (request.is_upgrade ? "/live" : "/")) return Refusal{404, "This address has no page."};
+  if (path != (request.is_upgrade ? "/live" : "/")) return Refusal{404, "There is no page at this address."};
   constexpr std::string_view name = "token=";
   if (!query.starts_with(name) || !same(query.substr(name.size()), token)) {
-    return Refusal{403, "The address lacks the run's token: open the one that the program printed."};
+    return Refusal{403, "The address lacks the run's token: use the address that the program printed."};
   }
   if (!request.is_upgrade) return std::nullopt;
   constexpr std::string_view scheme = "http://";

@@ -54,7 +54,7 @@ class Session final : public command::LiveServer, private Listener {
                  .state = [this](std::size_t told) { return state(told); }}},
         sight_{server_, steering_} {
     std::cout << "live    " << server_.address()
-              << "\n        open it in a browser of this machine; the run begins then. From another machine first: ssh -L "
+              << "\n        open it in a browser on this machine to start the run. From another machine, first run: ssh -L "
               << server_.port() << ":127.0.0.1:" << server_.port() << " HOST" << std::endl;
     command::flush_output();  // without its address no user opens the page, and the run waits for ever
   }

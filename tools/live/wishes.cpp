@@ -47,10 +47,10 @@ Wish read_wish(std::string_view message, const command::LiveRun& run) {
       wish.number = text_at(json, "number");
       wish.value = text_at(json, "value");
       if (std::ranges::find(run.numbers, wish.number, &NamedParam::path) == run.numbers.end()) {
-        throw std::invalid_argument{wish.number + ": is not a number of a rule of this run"};
+        throw std::invalid_argument{wish.number + ": is not a rule parameter of this run"};
       }
       if (wish.value.empty() || wish.value.find_first_of("\n\r\"'[]{}#=") != std::string::npos) {
-        throw std::invalid_argument{wish.number + ": must be one number, switch or word"};
+        throw std::invalid_argument{wish.number + ": must be one number, true or false, or one word"};
       }
     }
     if (wish.kind == Wish::Kind::restart) {

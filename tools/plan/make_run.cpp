@@ -29,7 +29,7 @@ class RunLock {
   explicit RunLock(const std::filesystem::path& run) : name_{lock_of(run)} {
     // Another program may look at it (stage_of) or remove it at this moment.
     for (int left = 5; !take(); --left) {
-      if (left == 0) throw std::runtime_error{"another program is making it"};
+      if (left == 0) throw std::runtime_error{"another program is running it"};
       std::this_thread::sleep_for(std::chrono::milliseconds{20});
     }
   }
@@ -108,7 +108,7 @@ void make_run(const std::filesystem::path& plan, const PlannedRun& run,
     work(folder);
   } catch (const DamagedFile& error) {
     throw DamagedFile{std::string{error.what()} + "; kept as " + checkpoint::rename_incomplete(folder).string() +
-                      ", the next attempt begins without it"};
+                      "; the next attempt starts without it"};
   }
   const std::string status = checkpoint::status_of(folder);
   if (status != "complete") throw std::runtime_error{"status \"" + status + "\""};

@@ -19,7 +19,7 @@ class PlanLine {
     constexpr std::array known{"rule_table", "engine", "settings", "seed", "null",        "folder", "replay_hz", "agents_every",
                                "senses",     "states", "until_s",  "work", "fingerprint", "cell",   "replicate", "species"};
     for (const auto& [field, value] : json_.items()) {
-      if (std::ranges::find(known, std::string_view{field}) == known.end()) reject(field, "not be there: no such field");
+      if (std::ranges::find(known, std::string_view{field}) == known.end()) reject(field, "be omitted: there is no such field");
     }
   }
 
@@ -29,7 +29,7 @@ class PlanLine {
   [[nodiscard]] bool has(std::string_view field) const { return json_.contains(std::string{field}); }
   [[nodiscard]] const Json& at(std::string_view field) const {
     const auto found = json_.find(std::string{field});
-    if (found == json_.end()) throw std::invalid_argument{where_ + std::string{field} + ": must be there"};
+    if (found == json_.end()) throw std::invalid_argument{where_ + std::string{field} + ": is missing"};
     return *found;
   }
   [[nodiscard]] std::uint64_t whole(std::string_view field) const {
@@ -48,7 +48,7 @@ class PlanLine {
     return value;
   }
   [[nodiscard]] std::string text(std::string_view field) const {
-    if (!at(field).is_string() || at(field).get_ref<const std::string&>().empty()) reject(field, "be a text that is not empty");
+    if (!at(field).is_string() || at(field).get_ref<const std::string&>().empty()) reject(field, "be a text, and not empty");
     if (!is_plain(at(field).get_ref<const std::string&>())) reject(field, "have no control characters");
     return at(field).get<std::string>();
   }
@@ -57,7 +57,7 @@ class PlanLine {
     return at(field).get<bool>();
   }
   [[nodiscard]] Json settings(std::string_view field) const {
-    if (!at(field).is_object()) reject(field, "be an object of settings by their paths");
+    if (!at(field).is_object()) reject(field, "be an object with settings by their paths");
     for (const auto& [path, value] : at(field).items()) {
       if (!path.empty() && (value.is_number() || value.is_string() || value.is_boolean())) continue;
       reject(field, "have a number, a text, true or false at each path");
@@ -117,10 +117,10 @@ std::vector<PlannedRun> read_plan(const std::filesystem::path& path, Lines lines
     const std::size_t end = rest.find('\n');
     const detail::PlanLine line{place_of(path, runs.size()), rest.substr(0, end)};
     runs.push_back(detail::planned_run(line, lines));
-    if (!folders.insert(runs.back().folder.string()).second) line.reject("folder", "be another for each run");
+    if (!folders.insert(runs.back().folder.string()).second) line.reject("folder", "be unique among the runs");
     rest.remove_prefix(end == std::string_view::npos ? rest.size() : end + 1);
   }
-  if (runs.empty()) throw std::invalid_argument{path.string() + ": must list a run"};
+  if (runs.empty()) throw std::invalid_argument{path.string() + ": must list at least one run"};
   return runs;
 }
 

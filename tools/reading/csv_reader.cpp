@@ -9,7 +9,7 @@ CsvReader::CsvReader(const std::filesystem::path& path, std::initializer_list<st
     const std::string beginning = read_part(path, io::TableSum::longest_header);
     if (beginning.find('\0') != std::string::npos ||
         (beginning.size() == io::TableSum::longest_header && beginning.find('\n') == std::string::npos)) {
-      throw std::invalid_argument{file_ + ":1: is not a line of a table"};
+      throw std::invalid_argument{file_ + ":1: is not the header of a table"};
     }
     text_ = read_whole_file(path, largest_table);
   } catch (const std::invalid_argument& reason) {

@@ -10,7 +10,8 @@ namespace trophic::replicates {
 
 SharedHistory read_history(const std::filesystem::path& folder) {
   const analysis::RunManifest manifest = analysis::read_manifest(folder);
-  if (manifest.status != "complete") throw std::runtime_error{folder.string() + ": is not complete: its neutral null repeats it"};
+  if (manifest.status != "complete")
+    throw std::runtime_error{folder.string() + ": must be complete, because its neutral null repeats it"};
   auto history = std::make_shared<History>();
   std::unordered_map<IndividualId, std::vector<IndividualId>> parents;
   analysis::for_each_row<io::TaxonRow>(manifest, "phylogeny.csv", [&](const io::TaxonRow& row) {

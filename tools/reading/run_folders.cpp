@@ -17,7 +17,7 @@ std::vector<std::filesystem::path> run_folders(const std::filesystem::path& path
   try {
     const Json json = parse_sealed(read_whole_file(list));
     if (!json.is_object())
-      throw std::invalid_argument{list.string() + ": is not a JSON object, or was changed after trophic wrote it"};
+      throw std::invalid_argument{list.string() + ": is not a JSON object, or was modified after trophic wrote it"};
     for (const auto& replicate : json.at("replicates")) {
       const auto folder_name = replicate.at("folder").get<std::string>();
       if (!is_plain(folder_name)) {
@@ -32,7 +32,7 @@ std::vector<std::filesystem::path> run_folders(const std::filesystem::path& path
       if (std::filesystem::is_directory(folder)) {
         folders.push_back(folder);
       } else {
-        remarks.push_back(folder.string() + ": missing, the replicate was not run");
+        remarks.push_back(folder.string() + ": is missing, because the replicate was not run");
       }
     }
   } catch (const Json::exception& error) {

@@ -69,7 +69,7 @@ std::string builds_text(const std::vector<std::string>& builds) {
 RunManifest manifest_of(std::string_view text, const std::filesystem::path& path) {
   try {
     auto json = parse_sealed(text);
-    if (!json.is_object()) throw std::invalid_argument{"is not a JSON object, or was changed after trophic wrote it"};
+    if (!json.is_object()) throw std::invalid_argument{"is not a JSON object, or was modified after trophic wrote it"};
     for (const char* unprinted : {"command_line", "error"}) json.erase(unprinted);  // may quote what was typed
     check_plain(json);
     RunManifest manifest;

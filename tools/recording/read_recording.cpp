@@ -61,7 +61,7 @@ RobotModel robot_of(const Json& json) {
     }
     robot.links.push_back(std::move(link));
   }
-  if (robot.links.empty()) throw std::runtime_error{"a robot without links"};
+  if (robot.links.empty()) throw std::runtime_error{"a robot has no links"};
   return robot;
 }
 
@@ -93,10 +93,11 @@ Arena arena_of(const Json& json) {
 
 /// The run of a head.
 void read_run(const Json& json, RecordingHead& head) {
-  if (json.at("format") != Json("trophic recording")) throw std::runtime_error{"its format is " + json_text(json.at("format"))};
+  if (json.at("format") != Json("trophic recording"))
+    throw std::runtime_error{"must have the format trophic recording, not " + json_text(json.at("format"))};
   const Json& its_version = json.at("version");
   if (its_version != Json(version) && its_version != Json(version_of_bodies)) {
-    throw std::runtime_error{"version " + json_text(its_version) + " of the format; this program reads " +
+    throw std::runtime_error{"format version " + json_text(its_version) + ": must be one that this program reads, " +
                              std::to_string(version) + " and " + std::to_string(version_of_bodies)};
   }
   head.bodies_differ = its_version == Json(version_of_bodies);
@@ -128,7 +129,7 @@ RecordingHead head_of(const Json& json) {
   if (!(head.times.tick_s > 0.0)) throw std::runtime_error{"tick_s = " + number_text(head.times.tick_s) + ": must be > 0"};
   if (!head.bodies_differ && head.joints != 0 && head.joints != head.robot.hinges.size()) {
     throw std::runtime_error{"joints = " + std::to_string(head.joints) + ": must be 0 or " +
-                             std::to_string(head.robot.hinges.size()) + ", as its robot has"};
+                             std::to_string(head.robot.hinges.size()) + ", the number of its robot's hinges"};
   }
   return head;
 }
@@ -186,17 +187,17 @@ void RecordingReader::scan() {
     const auto damaged = [&](const std::string& what) {
       return std::runtime_error{name + ": damaged, " + what + " at byte " + std::to_string(at)};
     };
-    if (sum != recording::u32_at({written_sum.data(), written_sum.size()}, 0)) throw damaged("a wrong checksum of the block");
-    if (is_kept && size > recording::largest_head) throw damaged("a head that is too long");
+    if (sum != recording::u32_at({written_sum.data(), written_sum.size()}, 0)) throw damaged("wrong checksum of the block");
+    if (is_kept && size > recording::largest_head) throw damaged("too long a header");
     if (head_.robots == 0) {
-      if (kind != recording::head_kind) throw damaged("no head");
+      if (kind != recording::head_kind) throw damaged("missing header");
       read_head(data);
     } else if (kind == recording::head_kind) {
       read_head(data);
     } else if (kind == recording::body_kind && head_.bodies_differ) {
       read_body(data);
     } else if (kind == recording::who_kind && head_.bodies_differ) {
-      if (!read_set_down(data)) throw damaged("a block of other robots or bodies");
+      if (!read_set_down(data)) throw damaged("wrong robots or bodies in the block");
     } else if (kind == recording::frames_kind && size > (head_.bodies_differ ? 12 : 8)) {
       const std::size_t front_bytes = head_.bodies_differ ? 12 : 8;
       const Block block{.first_frame = recording::u32_at(data, 0),
@@ -205,22 +206,22 @@ void RecordingReader::scan() {
                         .bytes = size - front_bytes,
                         .channels = head_.bodies_differ ? recording::u32_at(data, 8) : recording::pose_channels + head_.joints};
       if (block.channels < recording::pose_channels || block.channels > recording::most_channels)
-        throw damaged("a block of other channels");
-      if (block.first_frame != frames_ || block.frames == 0) throw damaged("a block of other frames");
+        throw damaged("wrong number of channels in the block");
+      if (block.first_frame != frames_ || block.frames == 0) throw damaged("wrong frame numbers in the block");
       if (block.frames > recording::most_values(block.bytes) / (block.channels * head_.robots))
-        throw damaged("a block of more frames than it can hold");
+        throw damaged("more frames than its bytes can hold in the block");
       blocks_.push_back(block);
       frames_ += block.frames;
     } else if (kind == recording::end_kind && size == 4) {
-      if (recording::u32_at(data, 0) != frames_ || frames_ == 0) throw damaged("an end of other frames");
+      if (recording::u32_at(data, 0) != frames_ || frames_ == 0) throw damaged("wrong number of frames in the end block");
       ended = true;
     } else {
-      throw damaged("an unknown block");
+      throw damaged("unknown kind of block");
     }
     at = file.tellg();
   }
   if (file.peek() != std::ifstream::traits_type::eof()) {
-    throw std::runtime_error{name + ": damaged, it continues after its end at byte " + std::to_string(at)};
+    throw std::runtime_error{name + ": damaged, data after its end at byte " + std::to_string(at)};
   }
 }
 
@@ -235,7 +236,7 @@ void RecordingReader::read_head(const std::string& text) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    throw std::runtime_error{path_.string() + ": its head cannot be read: " + error.what()};
+    throw std::runtime_error{path_.string() + ": cannot read its header: " + error.what()};
   }
 }
 
@@ -245,7 +246,7 @@ void RecordingReader::read_body(const std::string& text) {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
-    throw std::runtime_error{path_.string() + ": a body cannot be read: " + error.what()};
+    throw std::runtime_error{path_.string() + ": cannot read a body: " + error.what()};
   }
 }
 
@@ -274,10 +275,10 @@ std::size_t RecordingReader::body(std::size_t frame, std::size_t robot) const {
                             std::to_string(frames_) + ", " + std::to_string(head_.robots)};
   }
   if (!head_.bodies_differ) return 0;
-  if (robot >= set_down_.size()) throw std::runtime_error{path_.string() + ": names no body of robot " + std::to_string(robot)};
+  if (robot >= set_down_.size()) throw std::runtime_error{path_.string() + ": names no body for robot " + std::to_string(robot)};
   const auto& own = set_down_[robot];
   const auto after = std::ranges::upper_bound(own, frame, {}, &SetDown::frame);
-  if (after == own.begin()) throw std::runtime_error{path_.string() + ": names no body of robot " + std::to_string(robot)};
+  if (after == own.begin()) throw std::runtime_error{path_.string() + ": names no body for robot " + std::to_string(robot)};
   return std::prev(after)->body;
 }
 
@@ -301,7 +302,7 @@ std::size_t RecordingReader::frame_at(double time_s) const {
   const double last_s = this->time_s(frames_ - 1);
   if (!(time_s >= head_.first_time_s && time_s <= last_s)) {
     throw std::invalid_argument{"time " + number_text(time_s) + " s: must be between " + number_text(head_.first_time_s) +
-                                " and " + number_text(last_s) + ", what " + path_.string() + " has"};
+                                " and " + number_text(last_s) + ", the times in " + path_.string()};
   }
   const double per_s = static_cast<double>(head_.frames_per_tick) / head_.times.tick_s;
   const double guess = (time_s - head_.first_time_s) * per_s + 1.0;
@@ -341,7 +342,8 @@ void RecordingReader::unpack(std::size_t number) const {
   std::string bytes(block.bytes, '\0');
   file.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   const auto damaged = [&] {
-    return std::runtime_error{path_.string() + ": damaged, the block of frame " + std::to_string(block.first_frame)};
+    return std::runtime_error{path_.string() + ": damaged in the block that begins at frame " +
+                              std::to_string(block.first_frame)};
   };
   if (file.bad()) throw std::runtime_error{path_.string() + ": cannot be read at byte " + std::to_string(block.at)};
   if (!file) throw damaged();

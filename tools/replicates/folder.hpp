@@ -106,7 +106,7 @@ class Folder {
   static void same(const std::filesystem::path& file, const std::string& field, const Json& there, const Json& ours) {
     if (there == ours) return;
     throw std::invalid_argument{file.string() + ": " + field + " = " + json_text(there) + ": must be " + json_text(ours) +
-                                ", as in the experiment to be resumed"};
+                                ", as in the experiment to resume"};
   }
 
   static Json read(const std::filesystem::path& path) {
@@ -120,7 +120,7 @@ class Folder {
     }
     auto json = parse_sealed(text);
     if (!json.is_object())
-      throw std::invalid_argument{path.string() + ": is not a JSON object, or was changed after trophic wrote it"};
+      throw std::invalid_argument{path.string() + ": is not a JSON object, or was modified after trophic wrote it"};
     return json;
   }
 

@@ -55,8 +55,8 @@ inline void check_began_at(const Moment& moment, const std::filesystem::path& fo
   const bool same_run = said("fingerprint") == moment.fingerprint && said("seed") == std::to_string(moment.seed);
   if (same_run && is_tick_of(moment, std::strtod(said("at_s").c_str(), nullptr), tick_s)) return;
   throw std::invalid_argument{
-      folder.string() + ": its run began " + (origin.empty() ? "at 0 s" : "at " + said("at_s") + " s of " + said("run")) +
-      "; it can be resumed, but not begin at " + number_text(moment.at_s) + " s of " + moment.run.string()};
+      folder.string() + ": its run starts " + (origin.empty() ? "at 0 s" : "at " + said("at_s") + " s of " + said("run")) +
+      "; it can be resumed, but it cannot start at " + number_text(moment.at_s) + " s of " + moment.run.string()};
 }
 
 [[nodiscard]] inline FolderLock make_and_lock(const std::filesystem::path& folder) {
@@ -147,6 +147,13 @@ RunState run_state_in(const std::filesystem::path& folder, const observe::RunDes
   Checkpoint moment = read_last(folder);
   remark += "begins at " + number_text(moment.time_s) + " s of " + snapshot->moment.run.string();
   return {.complete = false, .from = std::move(moment), .remark = std::move(remark), .begins = true};
+}
+
+void check_begins(const Snapshot& snapshot, Simulation& ecology) {
+  const Checkpoint moment = read_last(snapshot.folder);
+  Archive archive{moment.section(ecology_section)};
+  ecology.persist(archive);
+  archive.finish();
 }
 
 void begin_at(RunState& run_state, const Moment& moment, Simulation& ecology, io::Manifest& manifest, const Parts& parts) {

@@ -72,6 +72,9 @@ void copy_until(const std::filesystem::path& run, double at_s, const std::filesy
 [[nodiscard]] RunState run_state_in(const std::filesystem::path& folder, const observe::RunDescription& run,
                                     const std::optional<Snapshot>& snapshot, const Schedule& schedule = {});
 
+/// Throws std::invalid_argument if an ecology cannot begin at a moment: living individuals may be beyond its bounds of traits.
+void check_begins(const Snapshot& snapshot, Simulation& ecology);
+
 /// Starts a run at a moment of another one. Throws as `restore_any`.
 void begin_at(RunState& run_state, const Moment& moment, Simulation& ecology, io::Manifest& manifest, const Parts& parts);
 

@@ -4,6 +4,7 @@
 #include <tools/replicates/folder.hpp>
 #include <tools/replicates/parallel.hpp>
 #include <tools/replicates/run.hpp>
+#include <trophic/observe/print_remarks.hpp>
 #include <trophic/support/unreadable_file.hpp>
 
 namespace trophic::replicates {
@@ -24,9 +25,9 @@ namespace detail {
 Outcome run_pending(const Plan& plan, const observe::RunDescription& run, const io::Provenance& provenance, std::ostream& out,
                     const RunOne& run_one) {
   const Folder folder{plan, run, provenance};
-  for (const std::string& remark : run.remarks) out << remark << "\n";
+  observe::print_remarks(run.remarks);
   for (const std::string& remark : folder.remarks()) out << remark << "\n";
-  if (folder.kept() > 0) out << folder.kept() << " of " << plan.count << " were complete and are kept" << std::endl;
+  if (folder.kept() > 0) out << folder.kept() << " of " << plan.count << " are complete already and are kept" << std::endl;
 
   const auto& pending = folder.pending();
   const replicates::StopOnSignal stop;

@@ -52,7 +52,7 @@ class StopOnSignal {
     const int before = count_++;
     if (before == 0) {
       signal_ = signal;
-      constexpr std::string_view text = "\nstopping: finished work is kept\n";
+      constexpr std::string_view text = "\nstopping; finished work is kept\n";
       [[maybe_unused]] const auto ignore = ::write(STDERR_FILENO, text.data(), text.size());
     } else if (before > ignored) {
       std::signal(signal, SIG_DFL);

@@ -25,7 +25,8 @@ struct Options {
 /// Larger than any body; also the bound of a robot file's text.
 inline constexpr std::uint64_t most_bytes = std::uint64_t{1} << 20U;
 
-[[nodiscard]] int run(const Options& options) {
+[[nodiscard]] int run(Options options) {
+  if (options.out.empty()) options.out = free_name(options.body, ".toml");
   const std::filesystem::path out = options.out;
   if (out.extension() != ".toml") throw std::invalid_argument{"--out " + options.out + ": must end in .toml"};
   check_new_file("--out", out);
@@ -42,7 +43,7 @@ inline constexpr std::uint64_t most_bytes = std::uint64_t{1} << 20U;
   const auto bricks = std::ranges::count(body.modules.modules(), body::ModuleType::brick, &body::Module::type);
   std::cout << options.out << ": " << robot.hinges.size() << (robot.hinges.size() == 1 ? " hinge, " : " hinges, ") << bricks
             << (bricks == 1 ? " brick" : " bricks") << ", from " << body.format
-            << "; its brain, sizes and masses are not converted\n";
+            << "; its brain, sizes and masses were not converted\n";
   for (const std::string& remark : body.remarks) std::cout << remark << '\n';
   flush_output();
   return 0;
@@ -55,11 +56,13 @@ Command convert_body() {
   const auto options = std::make_shared<detail::convert_body::Options>();
   return {.name = "convert",
           .about =
-              "Writes a robot file from a body of another program that has the same modules, cores, active hinges and bricks: "
-              "RoboGen's text or JSON, Revolve's YAML, or a tree of revolve2's modules as JSON or YAML.",
+              "Converts another program's body of cores, active hinges and bricks to a robot file. It reads RoboGen's text or "
+              "JSON, Revolve's YAML, or a tree of revolve2's modules as JSON or YAML.",
           .options = {{.name = "body", .target = &options->body, .help = "file of the body", .required = true},
-                      {.name = "--out", .target = &options->out, .help = "new robot file, ROBOT.toml", .required = true},
-                      {.name = "--name", .target = &options->name, .help = "name of the robot (of the file)"}},
+                      {.name = "--out",
+                       .target = &options->out,
+                       .help = "new robot file (default: BODY.toml, or the next free BODY-2.toml, ...)"},
+                      {.name = "--name", .target = &options->name, .help = "name of the robot (default: the file's name)"}},
           .work = [options] { return detail::convert_body::run(*options); },
           .examples = {"trophic convert starfish.txt --out starfish.toml"}};
 }

@@ -12,6 +12,7 @@
 #include <tools/gait_evolution/files.hpp>
 #include <tools/replicates/stop_on_signal.hpp>
 #include <trophic/habitat/load/robot.hpp>
+#include <trophic/io/next_free_folder.hpp>
 #include <trophic/observe/progress.hpp>
 #include <trophic/support/replace_file.hpp>
 #include <trophic/support/whole_file.hpp>
@@ -90,7 +91,7 @@ void report(const PreExperiment& experiment, std::size_t evaluations, double ela
     report(experiment, lineage.individuals.size() - before, watch.elapsed_s());
   }
   if (!experiment.done()) {
-    std::cout << "stopped by signal " << replicates::StopOnSignal::caught() << "; the same command continues" << std::endl;
+    std::cout << "stopped by signal " << replicates::StopOnSignal::caught() << "; repeat the command to resume" << std::endl;
     return stopped;
   }
   if (!lineage.has_champion()) {
@@ -123,8 +124,9 @@ void report(const PreExperiment& experiment, std::size_t evaluations, double ela
   validate(refs);
   if (options.print_config) return print_text(settings_text(params, backend));
   PreExperiment experiment{params, backend, load_robot(params.robot)};
-  if (options.out.empty()) throw std::invalid_argument{"--out: must name a new folder"};
-  return evolve(experiment, options.out, options.threads);
+  const std::filesystem::path own = std::filesystem::path{"runs"} / experiment.robot().name;
+  return evolve(experiment, options.out.empty() ? io::next_free_folder(own) : std::filesystem::path{options.out},
+                options.threads);
 }
 
 }  // namespace detail::evolve_gait
@@ -135,20 +137,23 @@ Command evolve_gait() {
   const auto options = std::make_shared<Options>();
   return {
       .name = "evolve-gait",
-      .about = "Evolves the CPPN that makes a robot's gait, by the paper's pre-experiment or that of its released code.",
-      .options = {{"--robot", &options->robot, "name or path of a robot file (spider)"},
-                  {"--table", &options->table, "pre-experiment: paper or released (paper)", words_of<Table>()},
-                  {"--fitness", &options->fitness, "displacement_minus_x or steered_displacement (displacement_minus_x)",
-                   words_of<FitnessRule>()},
-                  {"--backend", &options->backend, backend_help(joint_driven_names())},
-                  {"--seed", &options->seed, "every random number follows from it (1)"},
-                  {"--generations", &options->generations, "after the founders (20)"},
-                  {"--threads", &options->threads, "evaluations at a time; results do not depend on it (all cores)"},
-                  {"--config", &options->config, "TOML file with parameters, as --print-config writes it"},
-                  {"--set", &options->assignments, "PATH=VALUE, e.g. trial.duration_s=20; may be repeated; wins over --config"},
-                  {"--out", &options->out,
-                   "folder for the files, with a checkpoint after every generation; the same command again continues"},
-                  {"--print-config", &options->print_config, "print every parameter as TOML and exit"}},
+      .about =
+          "Evolves the CPPN that generates a robot's gait, as in the paper's pre-experiment or in that of its released code.",
+      .options =
+          {{"--robot", &options->robot, "name or path of a robot file (default: spider)"},
+           {"--table", &options->table, "pre-experiment: paper or released (default: paper)", words_of<Table>()},
+           {"--fitness", &options->fitness,
+            "fitness: displacement_minus_x or steered_displacement (default: displacement_minus_x)", words_of<FitnessRule>()},
+           {"--backend", &options->backend, backend_help(joint_driven_names())},
+           {"--seed", &options->seed, "seed of all random numbers (default: 1)"},
+           {"--generations", &options->generations, "generations after the founders (default: 20)"},
+           {"--threads", &options->threads, "number of parallel evaluations (default: all cores); results do not depend on it"},
+           {"--config", &options->config, "TOML file with parameters, in the format of --print-config"},
+           {"--set", &options->assignments, "PATH=VALUE, e.g. trial.duration_s=20; may be repeated; overrides --config"},
+           {"--out", &options->out,
+            "folder for the files, with a checkpoint after every generation; repeat the command to resume (default: the next "
+            "free runs/ROBOT-1, ...)"},
+           {"--print-config", &options->print_config, "print every parameter as TOML, then exit"}},
       .work = [options] { return run(*options); },
       .subcommands = {},
       .version = {}};

@@ -21,7 +21,8 @@ struct Options {
   std::optional<std::uint64_t> follow;
 };
 
-[[nodiscard]] int run(const Options& options) {
+[[nodiscard]] int run(Options options) {
+  if (options.out.empty()) options.out = free_name(options.run, ".glb");
   const std::filesystem::path out = options.out;
   if (out.extension() != ".glb" && out.extension() != ".gltf") {
     throw std::invalid_argument{"--out " + options.out + ": must end in .glb or .gltf"};
@@ -48,17 +49,18 @@ Command export_run() {
   return {
       .name = "export",
       .about =
-          "Writes a stretch of a recorded run as glTF 2.0, which Blender, slides and web pages open: robots as boxes in the "
-          "colours of their species, how they and their joints moved, floor and walls.",
+          "Writes part of a recorded run as glTF 2.0, which Blender, slides and web pages can open: robots as boxes in the "
+          "colours of their species, the motion of robots and joints, the floor and the walls.",
       .options = {{.name = "run", .target = &options->run, .help = "folder of a run", .required = true},
                   {.name = "--out",
                    .target = &options->out,
-                   .help = "new file, .glb (bytes) or .gltf (text)",
-                   .required = true,
+                   .help = "new file, .glb (binary) or .gltf (text) (default: RUN.glb, or the next free RUN-2.glb, ...)",
                    .shorthand = "-o"},
-                  {.name = "--from", .target = &options->window.from_s, .help = "the start, seconds (the run's)"},
-                  {.name = "--to", .target = &options->window.to_s, .help = "the end, seconds (the run's); as --from: one pose"},
-                  {.name = "--follow", .target = &options->follow, .help = "only the individual of that id"}},
+                  {.name = "--from", .target = &options->window.from_s, .help = "start, in seconds (default: the run's start)"},
+                  {.name = "--to",
+                   .target = &options->window.to_s,
+                   .help = "end, in seconds (default: the run's end); a value equal to --from gives one pose"},
+                  {.name = "--follow", .target = &options->follow, .help = "only the individual with this id"}},
       .work = [options] { return detail::export_run::run(*options); }};
 }
 

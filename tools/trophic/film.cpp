@@ -40,9 +40,9 @@ struct Options {
 #ifdef TROPHIC_WITH_FILM
 /// The picture of a robot file.
 [[nodiscard]] int draw_robot(const Options& options) {
-  if (!options.run.empty()) throw std::invalid_argument{"--robot: not with a run; its recording has its robot"};
+  if (!options.run.empty()) throw std::invalid_argument{"--robot: not with a run, whose recording has its robot"};
   if (options.from_s || options.to_s || options.follow || options.catch_ || !options.sheet.empty()) {
-    throw std::invalid_argument{"--robot: not with --from, --to, --follow, --catch or --sheet, which are of a run"};
+    throw std::invalid_argument{"--robot: not with --from, --to, --follow, --catch or --sheet, which need a run"};
   }
   if (!options.out.ends_with(".png")) throw std::invalid_argument{"--out " + options.out + ": must end in .png with --robot"};
   check_new_file("--out", options.out);
@@ -60,7 +60,7 @@ struct Options {
 
 [[nodiscard]] int run(const Options& options) {
   if (!options.robot.empty()) return draw_robot(options);
-  if (options.run.empty()) throw std::invalid_argument{"either the folder of a run, or --robot and a robot file"};
+  if (options.run.empty()) throw std::invalid_argument{"needs either the folder of a run, or --robot with a robot file"};
   return replay::film_run({.folder = options.run,
                            .out = options.out,
                            .window = {options.from_s, options.to_s},
@@ -79,7 +79,7 @@ struct Options {
 #else
 [[nodiscard]] int run(const Options&) {
   throw std::invalid_argument{
-      "this program was built without pictures; apt-get install libmujoco-dev libegl-dev libpng-dev and build again"};
+      "this program was built without pictures; run apt-get install libmujoco-dev libegl-dev libpng-dev and build it again"};
 }
 #endif
 
@@ -91,45 +91,50 @@ Command film() {
   return {
       .name = "film",
       .about =
-          "Draws a recorded run on any machine, without a screen: a picture or a contact sheet as PNG, a film as mp4, webm or "
-          "gif (by ffmpeg).",
-      .options = {{.name = "run", .target = &options->run, .help = "folder of a run"},
-                  {.name = "--robot", .target = &options->robot, .help = "draw a robot file instead of a run: its name or path"},
-                  {.name = "--out",
-                   .target = &options->out,
-                   .help = "new file: .png, .mp4, .webm or .gif",
-                   .required = true,
-                   .shorthand = "-o"},
-                  {.name = "--from",
-                   .target = &options->from_s,
-                   .help = "the moment of a picture, or the start of a film, seconds (the run's)"},
-                  {.name = "--to", .target = &options->to_s, .help = "the end, seconds (the run's)"},
-                  {.name = "--follow", .target = &options->follow, .help = "stay near the individual of that id, and mark it"},
-                  {.name = "--catch",
-                   .target = &options->catch_,
-                   .help = "show a catch from 8 s before it, both robots in the picture: its number in the run, from 1, or best"},
-                  {.name = "--sheet",
-                   .target = &options->sheet,
-                   .help = "a contact sheet of so many pictures, e.g. 4x3, from --from to --to"},
-                  {.name = "--size", .target = &options->size, .help = "pixels of each picture (1280x720; 480x360 in a sheet)"},
-                  {.name = "--view",
-                   .target = &options->view,
-                   .help = "orbit, the arena from the south, or top (orbit)",
-                   .words = {"orbit", "top"}},
-                  {.name = "--speed", .target = &options->speed, .help = "ecology seconds a second of film (10; of a catch 1)"},
-                  {.name = "--fps", .target = &options->fps, .help = "pictures a second of film (30)"},
-                  {.name = "--lines",
-                   .target = &options->lines,
-                   .help = "trails, and lines from robots to those that they perceive (on)",
-                   .words = {"on", "off"}},
-                  {.name = "--legend",
-                   .target = &options->legend,
-                   .help = "title, marks with their meaning, counts of species, a scale, in pictures of at least 560 pixels (on)",
-                   .words = {"on", "off"}},
-                  {.name = "--title", .target = &options->title, .help = "the title (the run's name, rules, backend and seed)"},
-                  {.name = "--fine",
-                   .target = &options->fine,
-                   .help = "films with edges as smooth as those of pictures; four times as slow"}},
+          "Draws a recorded run on any machine, without a screen: a picture or a contact sheet as PNG, or a film as mp4, webm or "
+          "gif (with ffmpeg).",
+      .options =
+          {{.name = "run", .target = &options->run, .help = "folder of a run"},
+           {.name = "--robot", .target = &options->robot, .help = "draw this robot file instead of a run (its name or path)"},
+           {.name = "--out",
+            .target = &options->out,
+            .help = "new file: .png, .mp4, .webm or .gif (default: RUN.mp4, or .png with --sheet or --robot; or the next free "
+                    "RUN-2.mp4, ...)",
+            .shorthand = "-o"},
+           {.name = "--from",
+            .target = &options->from_s,
+            .help = "time of a picture, or start of a film, in seconds (default: the run's start)"},
+           {.name = "--to", .target = &options->to_s, .help = "end of a film, in seconds (default: the run's end)"},
+           {.name = "--follow", .target = &options->follow, .help = "follow the individual with this id, and mark it"},
+           {.name = "--catch",
+            .target = &options->catch_,
+            .help = "show a catch, from 8 s before it, with both robots in the picture: its number in the run, counted from 1, "
+                    "or best"},
+           {.name = "--sheet",
+            .target = &options->sheet,
+            .help = "make a contact sheet of this many pictures, e.g. 4x3, from --from to --to"},
+           {.name = "--size", .target = &options->size, .help = "pixels of each picture (default: 1280x720; 480x360 in a sheet)"},
+           {.name = "--view",
+            .target = &options->view,
+            .help = "camera: orbit (the arena from the south) or top (default: orbit)",
+            .words = {"orbit", "top"}},
+           {.name = "--speed",
+            .target = &options->speed,
+            .help = "simulated seconds per second of film (default: 10; 1 for a catch)"},
+           {.name = "--fps", .target = &options->fps, .help = "frames per second of film (default: 30)"},
+           {.name = "--lines",
+            .target = &options->lines,
+            .help = "draw trails, and a line from each robot to the one that it perceives (default: on)",
+            .words = {"on", "off"}},
+           {.name = "--legend",
+            .target = &options->legend,
+            .help = "draw the title, the meaning of marks, species counts and a scale, in pictures at least 560 pixels wide "
+                    "(default: on)",
+            .words = {"on", "off"}},
+           {.name = "--title", .target = &options->title, .help = "title (default: the run's name, rules, backend and seed)"},
+           {.name = "--fine",
+            .target = &options->fine,
+            .help = "smooth the edges of films as in pictures, which takes four times as long"}},
       .work = [options] { return detail::film::run(*options); },
       .subcommands = {},
       .version = {}};

@@ -13,7 +13,7 @@ namespace {
 trophic::command::Command program() {
   using namespace trophic::command;
   return {.name = {},
-          .about = "From plans to results: lists of runs, analyses, figures, pages and films; gaits for robots.",
+          .about = "Plans sweeps, analyses runs, and makes their figures, pages and films; evolves gaits for robots.",
           .options = {},
           .work = {},
           .subcommands = {show(), film(), export_run(), evolve_gait(), measure_gait(), convert_body()},

@@ -34,15 +34,16 @@ struct Options {
     }
     for (const std::string& remark : remarks) std::cerr << "trophic show: " << remark << "\n";
   }
-  if (folders.empty()) throw std::invalid_argument{"runs: no run is there"};
+  if (folders.empty()) throw std::invalid_argument{"runs: no runs found"};
   if (folders.size() > most_runs) {
     throw std::invalid_argument{std::to_string(folders.size()) + " runs: must be <= " + std::to_string(most_runs) +
-                                " in one page; name some, such as " + folders.front().string()};
+                                " in one page; choose some, such as " + folders.front().string()};
   }
   return folders;
 }
 
-[[nodiscard]] int run(const Options& options) {
+[[nodiscard]] int run(Options options) {
+  if (options.out.empty()) options.out = free_name(options.runs.front(), ".html");
   if (const auto ending = std::filesystem::path{options.out}.extension(); ending != ".html" && ending != ".htm") {
     throw std::invalid_argument{"--out " + options.out + ": must end in .html or .htm"};
   }
@@ -57,7 +58,7 @@ struct Options {
   }
   const std::string page = replay::page_of(runs, options.window);
   write_new_file(options.out, page);
-  std::cout << options.out << ": " << megabytes_text(page.size()) << ", opens in any browser, without a server\n";
+  std::cout << options.out << ": " << megabytes_text(page.size()) << ", opens in any browser and needs no server\n";
   flush_output();
   return 0;
 }
@@ -70,17 +71,21 @@ Command show() {
   return {
       .name = "show",
       .about =
-          "Makes one HTML file of recorded runs: the world in 3-D on a bar of time with what happened, population, tags, speed, "
-          "the phylogeny and the data of each robot. It opens from disk and needs no server.",
-      .options = {{.name = "runs",
-                   .target = &options->runs,
-                   .help = "folders of runs, or of replicates; several are shown side by side",
-                   .required = true},
-                  {.name = "--out", .target = &options->out, .help = "new HTML file", .required = true, .shorthand = "-o"},
-                  {.name = "--from", .target = &options->window.from_s, .help = "show only what comes after, seconds"},
-                  {.name = "--to", .target = &options->window.to_s, .help = "show only what comes before, seconds"}},
+          "Makes one HTML page of recorded runs: the world in 3-D, a timeline of events, population, tags, speed, the phylogeny "
+          "and each robot's data. It opens from disk and needs no server.",
+      .options =
+          {{.name = "runs",
+            .target = &options->runs,
+            .help = "folders of runs, or of replicates; several are shown side by side",
+            .required = true},
+           {.name = "--out",
+            .target = &options->out,
+            .help = "new HTML file (default: RUN.html, or the next free RUN-2.html, ...)",
+            .shorthand = "-o"},
+           {.name = "--from", .target = &options->window.from_s, .help = "show only what happens after this time, in seconds"},
+           {.name = "--to", .target = &options->window.to_s, .help = "show only what happens before this time, in seconds"}},
       .work = [options] { return detail::show::run(*options); },
-      .examples = {"trophic show runs/quickstart-1 -o run.html"}};
+      .examples = {"trophic show runs/quickstart-1"}};
 }
 
 }  // namespace trophic::command

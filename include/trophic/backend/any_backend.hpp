@@ -8,8 +8,8 @@
 
 namespace trophic {
 
-/// The bodies of one run in a backend of any type. Each function follows the contract of backends. An ecology calls them about
-/// 60 times a second and robot, so the cost of virtual calls is negligible.
+/// The bodies of one run in a backend of any type. Each function follows the contract of backends. An ecology calls them about 60
+/// times per second and robot, so the cost of virtual calls is negligible.
 class AnyBackend {
  public:
   AnyBackend(const AnyBackend&) = delete;
@@ -34,19 +34,21 @@ class AnyBackend {
   /// Throws std::logic_error if the backend cannot exchange bodies (Embodying).
   virtual void embody(std::size_t robot, const RobotModel& model, const Pose& pose) = 0;
 
-  /// Whether robots that leave the arena come back on the other side (its own `is_periodic`).
+  /// Whether robots that leave the arena re-enter it on the other side (the backend's `is_periodic`).
   [[nodiscard]] virtual bool is_periodic() const = 0;
-  /// Both throw std::logic_error if the backend's robots cannot come and go (Placing).
+  /// Both throw std::logic_error if robots cannot be removed and added (Placing).
   virtual void take_away(std::size_t robot) = 0;
   virtual void place(std::size_t robot, const Pose& pose) = 0;
-  /// True for all robots of a backend that cannot.
+  /// True for all robots of a backend without Placing.
   [[nodiscard]] virtual bool is_there(std::size_t robot) const = 0;
 
-  /// A sentence if the backend was much slower than it promises, or what its steps were if `asked` (its own speed_remark).
+  /// Returns a sentence if the backend was much slower than it promises, or a profile of its steps if `asked` (the backend's
+  /// speed_remark).
   [[nodiscard]] virtual std::string speed_remark(bool asked = false) const = 0;
-  /// The share of steps that the engine itself took (its own engine_share()); 0 without such a function.
+  /// The share of steps that the engine itself computed (the backend's engine_share()); 0 without such a function.
   [[nodiscard]] virtual double engine_share() const = 0;
-  /// Writes the engine's model, robots in these colours (its own save_mjcf). Returns false for an engine without such a file.
+  /// Writes the engine's model with robots in these colours (the backend's save_mjcf). Returns false for an engine without such a
+  /// file.
   [[nodiscard]] virtual bool save_mjcf(const std::string& path, std::span<const Colour> colours) const = 0;
 
   /// The backend's State, for `restore` of the same AnyBackend.
@@ -86,7 +88,7 @@ class BackendOf final : public AnyBackend {
     if constexpr (JointDriven<B>) {
       backend.set_joint_targets(robot, targets_rad);
     } else {
-      throw std::logic_error{"backend " + std::string{B::name} + ": has no joints to set targets of"};
+      throw std::logic_error{"backend " + std::string{B::name} + ": has no joints whose targets can be set"};
     }
   }
   void set_target_angle([[maybe_unused]] std::size_t robot, [[maybe_unused]] double target_angle_rad) override {
@@ -120,7 +122,7 @@ class BackendOf final : public AnyBackend {
     if constexpr (Placing<B>) {
       backend.take_away(robot);
     } else {
-      throw std::logic_error{"backend " + std::string{B::name} + ": cannot take robots away"};
+      throw std::logic_error{"backend " + std::string{B::name} + ": cannot remove robots"};
     }
   }
   void place([[maybe_unused]] std::size_t robot, [[maybe_unused]] const Pose& pose) override {

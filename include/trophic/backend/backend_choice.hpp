@@ -12,8 +12,8 @@ namespace trophic {
 class BackendChoice {
  public:
   template <class Params>
-  requires(Backend<typename Params::Backend>&& std::same_as<typename Params::Backend::Params, Params>)
-      BackendChoice(Params params);  // NOLINT(google-explicit-constructor): the parameters are the choice
+  requires requires { typename Params::Backend; }
+  BackendChoice(Params params);  // NOLINT(google-explicit-constructor): the parameters are the choice
 
   BackendChoice(const BackendChoice& other) : choice_{other.choice_->copy()} {}
   BackendChoice(BackendChoice&&) noexcept = default;
@@ -24,7 +24,7 @@ class BackendChoice {
   BackendChoice& operator=(BackendChoice&&) noexcept = default;
   ~BackendChoice() = default;
 
-  /// Returns the same backend with its own parameters.
+  /// Returns the same backend with default parameters.
   [[nodiscard]] BackendChoice fresh() const {
     BackendChoice same{*this};
     same.choice_ = choice_->fresh();
@@ -34,30 +34,31 @@ class BackendChoice {
   [[nodiscard]] std::string version() const { return choice_->version(); }
   /// One sentence for each parameter of `physics` without effect.
   [[nodiscard]] std::vector<std::string> remarks(const Physics& physics) const { return choice_->remarks(physics); }
-  /// Sets what its own parameters prescribe of `physics`, such as the timestep of a mode of stepping, and returns a sentence
-  /// about it. Throws std::invalid_argument if `physics` has neither that nor what `table`, the physics of the rule table, has.
+  /// Sets the members of `physics` that the backend's parameters prescribe, such as the time step of a stepping mode, and returns
+  /// a sentence about it. Throws std::invalid_argument if `physics` has neither the prescribed value nor that of `table`, the
+  /// physics of the rule table.
   std::string prescribe(Physics& physics, const Physics& table) const { return choice_->prescribe(physics, table); }
   [[nodiscard]] bool has_joints() const { return choice_->has_joints(); }
   /// Whether bodies can be exchanged (Embodying).
   [[nodiscard]] bool can_embody() const { return choice_->can_embody(); }
-  /// Whether robots can come and go (Placing).
+  /// Whether robots can be removed and added (Placing).
   [[nodiscard]] bool can_place() const { return choice_->can_place(); }
-  /// Its number of threads; null for a backend without threads.
+  /// The backend's number of threads; null for a backend without threads.
   [[nodiscard]] std::size_t* threads() { return choice_->threads(); }
 
-  /// Appends its parameters in place, under "PATH.".
+  /// Appends references to its parameters, under "PATH.".
   void append_param_refs(std::string_view path, ParamRefs& params) { choice_->append_param_refs(path, params); }
   /// Throws std::invalid_argument naming the first number outside its bounds, as "PATH.NAME".
   void validate(std::string_view path) const { choice_->validate(path); }
 
-  /// The parameters of backend B; null if another one was chosen.
+  /// The parameters of backend B; null if a different backend was chosen.
   template <Backend B>
   [[nodiscard]] typename B::Params* as() {
     auto* choice = dynamic_cast<Of<B>*>(choice_.get());
     return choice == nullptr ? nullptr : &choice->params;
   }
 
-  /// The backend with one body for each start pose. Throws as the backend's constructor does.
+  /// Makes the backend with one body per start pose. Throws as the backend's constructor does.
   [[nodiscard]] std::unique_ptr<AnyBackend> build(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts,
                                                   const Physics& physics) const {
     return choice_->build(robot, arena, starts, physics);
@@ -120,8 +121,17 @@ class BackendChoice {
 };
 
 template <class Params>
-requires(Backend<typename Params::Backend>&& std::same_as<typename Params::Backend::Params, Params>)
-    BackendChoice::BackendChoice(Params params)
-    : choice_{std::make_unique<Of<typename Params::Backend>>(std::move(params))} {}
+requires requires {
+  typename Params::Backend;
+}
+BackendChoice::BackendChoice(Params params) {
+  constexpr bool is_backend = Backend<typename Params::Backend>;
+  static_assert(is_backend,
+                "the backend that these Params name needs name, version(), remarks(const Physics&), Params that name it and list "
+                "their fields(), a State that can be saved, a constructor from (const RobotModel&, const Arena&, std::span<const "
+                "Pose>, const Physics&, const Params&), advance_to, robots, time_s, pose, joint_angles, save and restore; see "
+                "trophic/backend/contract.hpp");
+  if constexpr (is_backend) choice_ = std::make_unique<Of<typename Params::Backend>>(std::move(params));
+}
 
 }  // namespace trophic

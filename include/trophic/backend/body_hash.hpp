@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bodies to which a saved state of an engine belongs.
+// Identifies the bodies to which a saved state of an engine belongs.
 #pragma once
 
 #include <bit>
@@ -10,7 +10,7 @@
 
 namespace trophic::backend {
 
-/// Returns a hash of the parameters that decide how a body moves. Names, gaits and the order of module parts are not among them.
+/// Returns a hash of the parameters that determine how a body moves, which exclude names, gaits and the order of module parts.
 [[nodiscard]] inline std::uint64_t body_hash(const RobotModel& robot) {
   WordHash hash;
   const auto add = [&](double number) { hash.add(std::bit_cast<std::uint64_t>(number + 0.0)); };
@@ -42,7 +42,7 @@ namespace trophic::backend {
   return hash.value();
 }
 
-/// Throws std::invalid_argument that names the first robot whose body differs. Both: hashes of robots' bodies.
+/// Throws std::invalid_argument that names the first robot whose body differs. Both arguments are hashes of robots' bodies.
 inline void require_same_bodies(std::span<const std::uint64_t> of_state, std::span<const std::uint64_t> own) {
   if (of_state.size() != own.size()) {
     throw std::invalid_argument{"state.bodies.size() = " + std::to_string(of_state.size()) + ": must be " +

@@ -11,7 +11,7 @@
 
 namespace trophic::backend {
 
-/// A disc on the floor that a robot cannot leave within the coming steps. A negative radius: the robot is absent.
+/// A disc on the floor that a robot cannot leave within the coming steps. A negative radius means that the robot is absent.
 struct Disc {
   double x_m = 0.0;
   double y_m = 0.0;
@@ -28,8 +28,8 @@ struct Disc {
 }
 
 /// Splits the discs 0 .. n-1 into the connected sets of "overlap or touch". Each set is ascending; the sets are ordered by
-/// size, largest first, then by their first member. Absent robots are in no set, nor are robots alone if `lone` takes them. Grid
-/// and union-find: linear in n for scattered discs.
+/// size, largest first, then by their first member. Absent robots are in no set; neither are single robots if `lone` takes them.
+/// Grid and union-find: linear in n for scattered discs.
 [[nodiscard]] inline std::vector<std::vector<std::size_t>> connected_sets(std::span<const Disc> discs,
                                                                           std::vector<std::size_t>* lone = nullptr) {
   std::vector<std::size_t> root(discs.size());

@@ -11,7 +11,7 @@
 
 namespace trophic {
 
-/// A simulation whose numbers became infinite, or about which its engine warned. Holds the time and the robot.
+/// Thrown if the state of a simulation became infinite or its engine reported instability. Holds the time and the robot.
 class Diverged : public std::runtime_error {
  public:
   Diverged(double time_s, std::size_t robot, const std::string& what)
@@ -61,16 +61,17 @@ concept Backend = requires(B backend, const B& observed, std::size_t robot, doub
   {backend.restore(state)};
 };
 
-/// Driven by servo targets, rad, one per hinge in the model's order, held until the next call; clipped to the servo's limit.
+/// A backend driven by servo targets in radians, one per hinge in the model's order, held until the next call and clipped to the
+/// servo's limit.
 template <class B>
 concept JointDriven = Backend<B> && requires(B backend, std::size_t robot, std::span<const double> targets_rad) {
   {backend.set_joint_targets(robot, targets_rad)};
 };
 
-/// Robots whose bodies differ. Built with one model; then `embody(robot, model, pose)` takes a robot's body away and puts this
-/// one at `pose`, joint angles 0, at rest, targets 0, without warm start. The other robots are not affected. Throws
-/// std::invalid_argument as the constructor does, and then changes nothing. `model(robot)`: returns what the robot is now.
-/// `restore` takes a state of the same models. Kinds of bodies that no robot has take no memory.
+/// A backend whose robots may differ in their bodies. It is built with one model; then `embody(robot, model, pose)` replaces a
+/// robot's body by this one at `pose`, with joint angles and targets 0, at rest and without warm start. The other robots are not
+/// affected. It throws std::invalid_argument as the constructor does, and then changes nothing. `model(robot)`: returns the
+/// robot's current model. `restore` takes a state of the same models. Models that no robot has use no memory.
 template <class B>
 concept Embodying = JointDriven<B> &&
     requires(B backend, const B& observed, std::size_t robot, const RobotModel& model, const Pose& pose) {
@@ -78,10 +79,11 @@ concept Embodying = JointDriven<B> &&
   { observed.model(robot) } -> std::same_as<const RobotModel&>;
 };
 
-/// Robots that come and go; all are there at first. `take_away(robot)`: it leaves the world: nothing touches it, it does
-/// not move and costs no step; it keeps its pose. `place(robot, pose)`: it is there again, or elsewhere, as it was built: joint
-/// angles and targets 0, at rest, without warm start; throws std::invalid_argument as the constructor does. `embody` does the
-/// same with another body. `is_there(robot)`: returns whether it is in the world. The state holds which robots are.
+/// A backend whose robots can be removed and added; all are present at first. `take_away(robot)`: removes the robot from the
+/// world, so that nothing touches it, it does not move and it costs no time; it keeps its pose. `place(robot, pose)`: adds or
+/// moves the robot in its initial state: joint angles and targets 0, at rest, without warm start; throws std::invalid_argument as
+/// the constructor does. `embody` does the same with a different body. `is_there(robot)`: returns whether the robot is in the
+/// world; this is part of the state.
 template <class B>
 concept Placing = Backend<B> && requires(B backend, const B& observed, std::size_t robot, const Pose& pose) {
   {backend.take_away(robot)};
@@ -89,9 +91,9 @@ concept Placing = Backend<B> && requires(B backend, const B& observed, std::size
   { observed.is_there(robot) } -> std::same_as<bool>;
 };
 
-/// Driven by the target angle alone (no joints): positive turns right, held until the next call. A backend for tables with a Pace
-/// or the act Effort also has `void set_pace(std::size_t robot, double pace)`: the factor of its speed and turning rate, set
-/// before each tick and not a part of the state.
+/// A backend driven by the target angle alone (no joints): positive turns right; held until the next call. A backend for tables
+/// with a Pace or the act Effort also has `void set_pace(std::size_t robot, double pace)`: the factor of its speed and turning
+/// rate, set before each tick and not a part of the state.
 template <class B>
 concept SteeringDriven = Backend<B> && requires(B backend, std::size_t robot, double target_angle_rad) {
   {backend.set_target_angle(robot, target_angle_rad)};

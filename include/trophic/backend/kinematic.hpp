@@ -11,10 +11,10 @@ namespace trophic::backend {
 
 /// A robot is a point that walks along its heading at a constant speed and turns clockwise at a rate proportional to its target
 /// angle: each step it follows an exact arc. Walls, obstacles and the feet of slopes stop it (it slides along them); robots
-/// pass through each other, and rough ground is flat. For tests of rules and observers, and for fast trials.
+/// pass through each other, and rough ground is flat. This backend is for tests of rules and observers and for fast trials.
 ///
-/// Speed and turning rate are the robot's `walk`: its own gait, measured in MuJoCo at target angles of +-0.7 rad, those of the
-/// cognitive brain. `ecology.gait` does not change them; the pace of a robot scales both.
+/// Speed and turning rate are the robot's `walk`, measured with its own gait in MuJoCo at target angles of +-0.7 rad, those of
+/// the cognitive brain. `ecology.gait` does not change them; the pace of a robot scales both.
 ///
 /// Ignores joints, Physics and the height and tilt of the start poses: reported poses stand upright at the robot's rest height.
 /// No random draws; the same bits with every compiler and optimisation level that keeps IEEE arithmetic.
@@ -24,8 +24,8 @@ class Kinematic : public Points {
   [[nodiscard]] static std::string version() { return "1"; }
   [[nodiscard]] static std::vector<std::string> remarks(const Physics&) {
     return {
-        "physics.timestep_s, physics.integrator and physics.gravity_m_s2 have no effect: kinematic moves points on exact arcs, "
-        "by backend.timestep_s"};
+        "physics.timestep_s, physics.integrator and physics.gravity_m_s2 have no effect: kinematic moves points on exact arcs "
+        "with backend.timestep_s"};
   }
 
   struct Params {
@@ -37,10 +37,10 @@ class Kinematic : public Points {
 
     static constexpr auto fields() {
       return std::tuple{
-          field("speed_scale", &Params::speed_scale, between(0.0, 100.0), "factor of the speed of the robot's walk"),
-          field("turn_scale", &Params::turn_scale, between(0.0, 100.0), "factor of the turning rate of the robot's walk"),
+          field("speed_scale", &Params::speed_scale, between(0.0, 100.0), "factor applied to the speed of the robot's walk"),
+          field("turn_scale", &Params::turn_scale, between(0.0, 100.0), "factor applied to the turning rate of the robot's walk"),
           field("radius_m", &Params::radius_m, at_least(0.0), "distance at which walls stop the robot's centre"),
-          field("timestep_s", &Params::timestep_s, above_to(0.0, 10.0), "own step, simulated seconds")};
+          field("timestep_s", &Params::timestep_s, above_to(0.0, 10.0), "the backend's own time step, simulated seconds")};
     }
   };
 
@@ -61,7 +61,7 @@ class Kinematic : public Points {
     }
     if (!(robot.walk.turn_rate_per_rad > 0.0)) {
       throw std::invalid_argument{"robot " + robot.name + ": walk.turn_rate_per_rad = " +
-                                  number_text(robot.walk.turn_rate_per_rad) + ": must be > 0, else brains cannot turn the robot"};
+                                  number_text(robot.walk.turn_rate_per_rad) + ": must be > 0, or brains cannot turn the robot"};
     }
     if (!(limit_m_ > 0.0)) {
       throw std::invalid_argument{"kinematic.radius_m = " + number_text(params.radius_m) + ": must be < the arena's half side, " +
@@ -93,7 +93,7 @@ class Kinematic : public Points {
     body.heading_rad = wrap_angle(direction_rad + half_turn_rad);
   }
 
-  /// Less than half of an obstacle's width at once. A robot that would get stuck between two stays where it was.
+  /// Moves less than half of an obstacle's width at once. A robot that would get stuck between two obstacles stays where it was.
   void walk_among_obstacles(Body& body, double dx_m, double dy_m) const {
     double x_m = std::clamp(body.x_m + dx_m, -limit_m_, limit_m_);
     double y_m = std::clamp(body.y_m + dy_m, -limit_m_, limit_m_);
@@ -116,7 +116,8 @@ class Kinematic : public Points {
   }
 
   Params params_;
-  double thinnest_m_ = std::numeric_limits<double>::infinity();  ///< from an obstacle's axis to where it stops a robot
+  double thinnest_m_ =
+      std::numeric_limits<double>::infinity();  ///< smallest distance from an obstacle's axis at which it stops a robot
   double speed_m_s_;
   double turn_rate_per_rad_;
   double limit_m_;

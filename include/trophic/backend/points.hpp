@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The part that backends of points share: places, headings, target angles, and who is there.
+// The common part of backends of points: positions, headings, target angles, and which robots are present.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace trophic::backend {
 
-/// Robots that are oriented points. Ignores the height and tilt of poses: reported ones stand upright at the robot's rest height.
+/// Robots as oriented points. Height and tilt of given poses are ignored: reported poses are upright at the robot's rest height.
 class Points {
  public:
   struct Body {
@@ -66,7 +66,7 @@ class Points {
 
   [[nodiscard]] State save() const { return state_; }
 
-  /// Throws std::invalid_argument for a state with another number of robots.
+  /// Throws std::invalid_argument for a state with a different number of robots.
   void restore(const State& state) {
     if (state.bodies.size() != state_.bodies.size()) {
       throw std::invalid_argument{"state.bodies.size() = " + std::to_string(state.bodies.size()) + ": must be " +
@@ -85,8 +85,8 @@ class Points {
     for (std::size_t i = 0; i < starts.size(); ++i) state_.bodies.push_back(body_at(i, starts[i]));
   }
 
-  /// Takes `step(body, seconds)` of each robot that is there, until the first step time >= `time_s`; the seconds are those of a
-  /// step times its pace.
+  /// Calls `step(body, seconds)` for each present robot until the first step time >= `time_s`; the seconds are a step's length
+  /// times the robot's pace.
   template <class Step>
   void step_until(double time_s, const Step& step) {
     while (this->time_s() < time_s - 1e-9) {
@@ -117,7 +117,7 @@ class Points {
   Arena arena_;
   double timestep_s_;
   State state_;
-  std::vector<double> paces_ = {};  ///< of each robot; empty if all are 1
+  std::vector<double> paces_ = {};  ///< one per robot; empty if all are 1
 };
 
 }  // namespace trophic::backend

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The check of poses at which robots with bodies start.
+// Checks the start poses of robots with bodies.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,8 +12,8 @@
 
 namespace trophic::backend {
 
-/// Throws std::invalid_argument unless the pose is inside the walls, in no obstacle, within the arena's extent in height, and the
-/// norm of its orientation is > 0.5 and < 2.
+/// Throws std::invalid_argument unless the pose is inside the walls, outside obstacles and within the arena's extent in height,
+/// and the norm of its orientation is > 0.5 and < 2.
 inline void check_start_pose(std::size_t robot, const Pose& start, const Arena& arena) {
   const Eigen::Vector3d& at = start.position_m;
   const double norm = start.orientation.norm();

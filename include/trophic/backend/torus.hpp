@@ -6,10 +6,10 @@
 
 namespace trophic::backend {
 
-/// A robot is a point. In each step it turns clockwise by a part of its target angle, then walks straight; who leaves the square
-/// on one side comes in on the other, and distances are the shortest over its edges (View::distance_m). Points pass through each
-/// other. The arena gives the size of the square; its walls have no effect. For worlds of equations and of patches, such as
-/// wolf_sheep.
+/// A robot is a point. In each step it turns clockwise by a part of its target angle and then walks straight. A robot that leaves
+/// the square on one side re-enters it on the other, and distances are the shortest across its edges (View::distance_m). Points
+/// pass through each other. The arena gives the size of the square; its walls have no effect. This backend is for worlds of
+/// equations or patches, such as wolf_sheep.
 ///
 /// Ignores joints and walks of robots, Physics and the height and tilt of poses. No random draws; the same bits everywhere.
 class Torus : public Points {
@@ -19,7 +19,7 @@ class Torus : public Points {
   [[nodiscard]] static std::string version() { return "1"; }
   [[nodiscard]] static std::vector<std::string> remarks(const Physics&) {
     return {
-        "physics.timestep_s, physics.integrator and physics.gravity_m_s2 have no effect: torus moves points, by "
+        "physics.timestep_s, physics.integrator and physics.gravity_m_s2 have no effect: torus moves points with "
         "backend.timestep_s"};
   }
 
@@ -31,8 +31,8 @@ class Torus : public Points {
     static constexpr auto fields() {
       return std::tuple{
           field("speed_m_s", &Params::speed_m_s, between(0.0, 1e6), "speed of every robot"),
-          field("turn_1_s", &Params::turn_1_s, between(0.0, 1e3), "part of the target angle that it turns a second"),
-          field("timestep_s", &Params::timestep_s, above_to(0.0, 10.0), "own step, simulated seconds")};
+          field("turn_1_s", &Params::turn_1_s, between(0.0, 1e3), "fraction of the target angle that a robot turns per second"),
+          field("timestep_s", &Params::timestep_s, above_to(0.0, 10.0), "the backend's own time step, simulated seconds")};
     }
   };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The part that backends share whose engine's own headers are included only by an .ipp.
+// The common part of backends whose engine headers are included only by an .ipp.
 #pragma once
 
 #include <trophic/backend/contract.hpp>
@@ -42,21 +42,21 @@ class WithEngine {
   void set_joint_targets(std::size_t robot, std::span<const double> targets_rad) {
     engine_->set_joint_targets(robot, targets_rad);
   }
-  /// Takes a robot's body away and puts this one at `pose`: joint angles and targets 0, at rest. Throws std::invalid_argument as
+  /// Replaces a robot's body by this one at `pose`, with joint angles and targets 0 and at rest. Throws std::invalid_argument as
   /// the constructor does. Names and gaits of models have no effect here.
   void embody(std::size_t robot, const RobotModel& model, const Pose& pose) { engine_->embody(robot, model, pose); }
-  /// The robot comes and goes; a placed one has the body that it had.
+  /// Removes and adds a robot; a placed robot has its previous body.
   void take_away(std::size_t robot) { engine_->take_away(robot); }
   void place(std::size_t robot, const Pose& pose) { engine_->embody(robot, RobotModel{model(robot)}, pose); }
   [[nodiscard]] bool is_there(std::size_t robot) const { return engine_->is_there(robot); }
-  /// The body of a robot now.
+  /// The current body of a robot.
   [[nodiscard]] const RobotModel& model(std::size_t robot) const { return engine_->model(robot); }
   [[nodiscard]] std::size_t robots() const { return engine_->robots(); }
   [[nodiscard]] double time_s() const { return engine_->time_s(); }
   [[nodiscard]] Pose pose(std::size_t robot) const { return engine_->pose(robot); }
   [[nodiscard]] std::span<const double> joint_angles(std::size_t robot) const { return engine_->joint_angles(robot); }
   [[nodiscard]] SavedState save() const { return engine_->save(); }
-  /// Throws std::invalid_argument for a state of other bodies or another number of robots: `embody` first.
+  /// Throws std::invalid_argument for a state with different bodies (call `embody` first) or a different number of robots.
   void restore(const State& state) { engine_->restore(state); }
 
  protected:

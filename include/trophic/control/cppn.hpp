@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A compositional pattern producing network: writes the weights of a robot's CPG.
+// A compositional pattern-producing network that generates the weights of a robot's CPG.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,14 +11,14 @@
 
 namespace trophic::control {
 
-/// What a node makes of the weighted sum of its links.
+/// The activation function of a node, applied to the weighted sum of its links.
 enum class Activation : std::uint8_t { sine, gaussian, tanh, linear, abs, step };
 [[nodiscard]] constexpr std::array<std::string_view, 6> enum_names(Activation) {
   return {"sine", "gaussian", "tanh", "linear", "abs", "step"};
 }
 
-/// sin(x), exp(-x^2), tanh(x), x, |x|, or 1 for x >= 0 and else 0; with x = `sum` clipped to +-1e6, so that no chain of nodes
-/// leaves the finite numbers.
+/// sin(x), exp(-x^2), tanh(x), x, |x|, or the step function (1 for x >= 0, else 0), where x is `sum` clipped to +-1e6, so that
+/// every chain of nodes stays finite.
 [[nodiscard]] inline double activate(Activation activation, double sum) {
   const double x = std::clamp(sum, -1e6, 1e6);
   switch (activation) {
@@ -39,7 +39,7 @@ enum class Activation : std::uint8_t { sine, gaussian, tanh, linear, abs, step }
 }
 
 /// A feed-forward CPPN [stanley2007] of seven inputs (1 and the grid cells of two hinges), hidden nodes in an order in which each
-/// link leads to a later node, and one sine as output. Nodes are numbered: inputs 0 to 6, hidden ones, output. As inherited
+/// link leads to a later node, and one sine output. Nodes are numbered in the order inputs (0 to 6), hidden, output. As inherited
 /// genes: the number of hidden nodes, their activations (all but step), then (from, to, weight) for each link.
 struct Cppn {
   static constexpr std::size_t inputs = 7;
@@ -89,7 +89,7 @@ struct Cppn {
     return all;
   }
 
-  /// The output for the grid cells of two hinges, within [-1, 1].
+  /// Returns the output for the grid cells of two hinges, within [-1, 1].
   [[nodiscard]] double operator()(const Eigen::Vector3i& first, const Eigen::Vector3i& second) const {
     std::vector<double> value(output() + 1, 0.0);
     value[0] = 1.0;
@@ -110,7 +110,7 @@ struct Cppn {
     if (links.empty() || hidden.size() >= most_hidden) return;
     const Link old = links[rng.index(links.size())];
     const auto activation = static_cast<Activation>(rng.index(inherited_activations));
-    const std::size_t place = old.to;  // the new node comes just before the node that the link led to
+    const std::size_t place = old.to;  // the new node comes just before the end of the link
     std::erase_if(links, [&](const Link& link) { return link.from == old.from && link.to == old.to; });
     for (Link& link : links) {
       link.from += link.from >= place ? 1U : 0U;
@@ -121,7 +121,7 @@ struct Cppn {
     links.push_back({.from = place, .to = old.to + 1, .weight = old.weight});
   }
 
-  /// Adds a link between two nodes that none joins, each such pair as probable. 2 draws.
+  /// Adds a link between two unlinked nodes, each such pair equally likely. 2 draws.
   void add_link(double limit, Rng& rng) {
     std::vector<std::pair<std::size_t, std::size_t>> free;
     for (std::size_t to = inputs; to <= output(); ++to) {
@@ -135,8 +135,8 @@ struct Cppn {
     links.push_back({.from = from, .to = to, .weight = rng.uniform(-limit, limit)});
   }
 
-  /// The gait that it gives a robot (Sec. "Targeted Steering"): with the grid cells of the hinges, w_i is CPPN(i, i) and c_ij of
-  /// two neighbours i < j is CPPN(i, j).
+  /// The gait that it generates for a robot (Sec. "Targeted Steering"): with the grid cells of the hinges, w_i is CPPN(i, i) and
+  /// c_ij of two neighbours i < j is CPPN(i, j).
   [[nodiscard]] Gait gait_of(const RobotModel& robot) const {
     const auto n = static_cast<Eigen::Index>(robot.hinges.size());
     Gait gait{.name = {},

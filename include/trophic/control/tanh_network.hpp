@@ -14,7 +14,7 @@ namespace trophic::control {
 
 enum class Biases { none, both_layers };
 
-/// to = tanh(W from + b). `weight` points to W row by row, then b if there are biases.
+/// to = tanh(W from + b). `weight` points to W, row by row, followed by b if there are biases.
 template <std::size_t bias>
 void tanh_layer(std::span<const double> from, std::span<double> to, const double* weight) {
   for (std::size_t row = 0; row < to.size(); ++row) {
@@ -24,7 +24,7 @@ void tanh_layer(std::span<const double> from, std::span<double> to, const double
   }
 }
 
-/// The neuron that each weight of tanh_layers enters: of `hidden` neurons that each list in `from` feeds, then of the outputs.
+/// The neuron that each weight of tanh_layers enters: first the hidden neurons, then the outputs.
 template <std::size_t bias>
 [[nodiscard]] std::vector<std::size_t> neurons_of(std::initializer_list<std::size_t> from, std::size_t hidden,
                                                   std::size_t outputs) {

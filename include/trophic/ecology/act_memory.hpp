@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keeps the values of the acts of each body.
+// Stores the values of the acts of each body.
 #pragma once
 
 #include <trophic/params/archive.hpp>
@@ -15,9 +15,9 @@ class ActMemory {
   using Acts = PolicyIn<Rules, RuleSlot::acts>;
   using Outputs = std::array<double, Acts::outputs>;
 
-  [[nodiscard]] ActValues values() const { return {.acts = Acts::keys, .values = values_}; }
+  [[nodiscard]] ActValues values() const { return {.acts = Acts::keys, .names = Acts::kept_names, .values = values_}; }
 
-  /// Sets the acts of a body to those before the first decision of a life; adds bodies that are new.
+  /// Resets the acts of a body to their values before the first decision of a life; adds new bodies.
   void rest(BodyIndex body) {
     values_.resize(std::max(values_.size(), (body + 1) * Acts::count));
     Acts::each(Outputs{}, [&]<class One>(std::size_t place, std::span<const double, One::outputs>) {
@@ -25,7 +25,7 @@ class ActMemory {
     });
   }
 
-  /// Keeps the values of a decision's outputs. Throws RuleError for a value out of its bounds.
+  /// Stores the values of a decision's outputs. Throws RuleError for a value outside its bounds.
   void act(BodyIndex body, const Outputs& outputs) {
     Acts::each(outputs, [&]<class One>(std::size_t place, std::span<const double, One::outputs> out) {
       const auto value = static_cast<double>(One::value(out));
@@ -40,14 +40,14 @@ class ActMemory {
   void persist(Archive& archive) {
     const std::size_t size = values_.size();
     archive(values_);
-    Archive::require(values_.size() == size, "another number of acts");
+    Archive::require(values_.size() == size, "a different number of acts");
   }
 
  private:
-  std::vector<double> values_;  ///< of each body, one for each act
+  std::vector<double> values_;  ///< one per body and act
 };
 
-/// In a table with the paper's acts there are none: individuals hold those.
+/// With the paper's acts nothing is stored here, because individuals hold their values.
 template <class Rules>
 class ActMemory<Rules, false> {
  public:

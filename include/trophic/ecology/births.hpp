@@ -14,25 +14,25 @@ namespace trophic {
 /// The origin of the next individual in a body.
 struct Parentage {
   reproduction::Descent descent = reproduction::Descent::random;
-  std::vector<Ancestor> parents = {};  ///< none if the genome is random by rule or there is no individual to inherit from
-  double endowment_J = 0.0;            ///< of the living parents; if 0 the energy comes from outside
+  std::vector<Ancestor> parents = {};  ///< empty if the genome is random by rule or there is no individual to inherit from
+  double endowment_J = 0.0;            ///< energy from the living parents; if 0, the energy comes from outside
 };
 
-/// The circumstances of births besides the rules: `habitat` is for tables whose bodies or gaits differ, `nursery` for those that
-/// try newborns; both outlive the population.
+/// The circumstances of births other than the rules: `habitat` is for tables whose bodies or gaits differ, `nursery` for those
+/// that test newborns. Both must outlive the population.
 struct BirthSetting {
   Null null = Null::none;
   const Habitat* habitat = nullptr;
   const Nursery* nursery = nullptr;
 };
 
-/// The species that inherits nothing in a one-sided world; none under another null. Throws std::invalid_argument for a species
+/// The species that inherits nothing in a one-sided world; empty under other nulls. Throws std::invalid_argument for a species
 /// that the food web lacks, and for its only one, whose one-sided world is the shadow.
 [[nodiscard]] inline OneSpecies species_of(const Null& null, const FoodWeb& web) {
   if (null.kind != Null::one_sided) return std::nullopt;
   if (web.size() < 2) {
     throw std::invalid_argument{"null = " + name_of(null) +
-                                ": must be in a table with two species or more; with one species it is the shadow"};
+                                ": must be in a table with at least two species; with one species it is the shadow"};
   }
   std::string names;
   for (Species species = 0; species < web.size(); ++species) {

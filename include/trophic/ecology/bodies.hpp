@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The robots of an ecology: where they stand, how they move, and the bodies and gaits of newborns.
+// The robots of an ecology: their positions, their motion, and the bodies and gaits of newborns.
 #pragma once
 
 #include <algorithm>
@@ -26,11 +26,11 @@
 namespace trophic {
 
 /// The robots of a population in a backend. Each has the body and the gait of its individual's phenotype; if these
-/// phenotypes_differ, `embody` sets a newborn's body down and starts its gait.
+/// phenotypes_differ, `embody` puts a newborn's body in place and starts its gait.
 template <class Rules>
 class Bodies final : public BodyReading {
  public:
-  /// `population` holds the founders: embody_founders() comes next. All arguments outlive the bodies.
+  /// `population` holds the founders; call embody_founders() next. All arguments must outlive the bodies.
   Bodies(const Experiment<Rules>& params, const BackendChoice& choice, const Habitat& habitat, const Policies<Rules>& rules,
          Population<Rules>& population)
       : rules_{rules},
@@ -73,7 +73,7 @@ class Bodies final : public BodyReading {
   /// Restarts the gait of a body.
   void restart(BodyIndex body) { locomotion_.reset(body); }
 
-  /// Gives a body the phenotype of its individual. Founders are embodied in order, each among the `standing` ones before it.
+  /// Gives a body the phenotype of its individual. Founders are embodied in order; `standing` is the number of those before it.
   void embody(BodyIndex body, std::size_t standing) {
     if (bodies_differ) {
       const Pose pose = rules_.embodiment.set_down(poses_[body], robot(body), habitat_.arena, boxes_near(body, standing));
@@ -83,7 +83,7 @@ class Bodies final : public BodyReading {
     }
     if (phenotypes_differ) walk_by(body);
   }
-  /// Embodies the founders. Bodies that no individual has yet have their shape, as in a resumed run, and are away.
+  /// Embodies the founders. Bodies without an individual get their shape, as in a resumed run, and are removed from the world.
   void embody_founders() {
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
       const bool lives = population_[body].lives();
@@ -93,9 +93,10 @@ class Bodies final : public BodyReading {
     }
   }
 
-  /// Takes a body without an individual out of the world.
+  /// Removes a body without an individual from the world.
   void take_away(BodyIndex body) { backend_->take_away(body); }
-  /// Sets the body of an individual that was born without a death into the world, at rest. `stand` comes after the tick's last.
+  /// Adds the body of an individual that was born without a death to the world, at rest. Call `stand` after the last one in a
+  /// tick.
   void set_down(BodyIndex body, const GroundPose& place) {
     poses_[body] = place;
     population_.leave_tree();
@@ -107,11 +108,11 @@ class Bodies final : public BodyReading {
       restart(body);
     }
   }
-  /// Searches can use a tree again.
+  /// Lets searches use a tree again.
   void stand() { population_.stand_at(poses_); }
 
-  /// A place for a birth at which no robot's circle overlaps another's: on rings around `parent`, or anywhere without one. None
-  /// if none was found.
+  /// Returns a place for a birth at which no circles of robots overlap: on rings around `parent`, or anywhere without a parent.
+  /// Empty if none was found.
   [[nodiscard]] std::optional<GroundPose> free_place(std::optional<BodyIndex> parent, IndividualId newborn) const {
     Rng rng{seed_, Stream::birth_place, newborn};
     const double radius_m = habitat_.robot.bounding_radius_m;
@@ -134,9 +135,9 @@ class Bodies final : public BodyReading {
     return std::nullopt;
   }
 
-  /// Moves all bodies through the tick that begins now. Returns false, with everything as before, if an observer
-  /// cancelled it. If the table lets a body that diverges end its individual, `end(body)` is called and the tick begins anew. If
-  /// a body diverges again and again although it was replaced, those next to it end, which it may touch.
+  /// Moves all bodies through the tick that begins now. Returns false and leaves everything unchanged if an observer cancelled
+  /// it. If the table lets a body that diverges end its individual, `end(body)` is called and the tick starts again. If a body
+  /// keeps diverging after replacements, its neighbours, which it may touch, end as well.
   template <class End>
   [[nodiscard]] bool move(observe::Audience& audience, const View& view, const End& end) {
     const bool ends_individuals =
@@ -160,7 +161,7 @@ class Bodies final : public BodyReading {
   }
   [[nodiscard]] std::span<const GroundPose> poses_before() const { return poses_before_; }
 
-  /// After the population's. Bodies and gaits are expressed again.
+  /// Call this after the population's. Bodies and gaits are expressed again.
   void persist(Archive& archive) {
     archive(poses_);
     if (archive.reads()) {
@@ -180,9 +181,9 @@ class Bodies final : public BodyReading {
       !is_neutral<Rules, RuleSlot::pace> || PolicyIn<Rules, RuleSlot::acts>::template contains<control::acts::Effort>;
   static constexpr bool bodies_differ = BodyGenes<Rules>::differ;
   static constexpr int places_on_ring = 16;
-  static constexpr int places_tried = 64;             ///< for a birth
-  static constexpr std::size_t most_ended = 1000;     ///< individuals in a tick; then the run ends
-  static constexpr std::ptrdiff_t most_replaced = 5;  ///< times that one body is replaced in a tick before those next to it
+  static constexpr int places_tried = 64;             ///< for each birth
+  static constexpr std::size_t most_ended = 1000;     ///< individuals that may end in a tick before the run ends
+  static constexpr std::ptrdiff_t most_replaced = 5;  ///< replacements of one body in a tick before its neighbours are replaced
 
   using Locomotion = locomotion::Locomotion<typename Rules::Steering>;
 
@@ -190,7 +191,7 @@ class Bodies final : public BodyReading {
     return static_cast<std::size_t>(std::ranges::count_if(population.individuals(), &Individual::lives));
   }
 
-  /// Whether all individuals stand at least this far away, and obstacles half as far.
+  /// Whether all individuals are at least this far away, and obstacles at least half as far.
   [[nodiscard]] bool is_free(const GroundPose& place, double distance_m) const {
     if (!is_clear(habitat_.arena, place, 0.5 * distance_m)) return false;
     for (BodyIndex body = 0; body < poses_.size(); ++body) {
@@ -210,12 +211,12 @@ class Bodies final : public BodyReading {
     locomotion_.restore(motion.rhythms);
   }
 
-  /// The poses after some control steps of a tick.
+  /// The poses after each of some control steps in a tick.
   struct Poses {
     std::int64_t step = 0;
     std::vector<Pose> roots = {};
     std::vector<double> joint_angles_rad = {};
-    std::vector<std::size_t> first_angle = {};  ///< of each robot
+    std::vector<std::size_t> first_angle = {};  ///< one per robot
   };
   [[nodiscard]] Poses poses_after(std::int64_t step) const {
     Poses now{.step = step};
@@ -242,7 +243,7 @@ class Bodies final : public BodyReading {
                    poses.step);
   }
 
-  /// The body nearest to this one, itself if possible, that is less than `most_replaced` times among `ended`.
+  /// Returns the body nearest to this one, itself if possible, that occurs fewer than `most_replaced` times in `ended`.
   [[nodiscard]] BodyIndex cause_of(BodyIndex body, std::span<const BodyIndex> ended) const {
     BodyIndex nearest = body;
     for (BodyIndex other = 0; other < poses_.size(); ++other) {
@@ -253,8 +254,8 @@ class Bodies final : public BodyReading {
     return nearest;
   }
 
-  /// Moves the bodies through a whole tick, then passes observers the frames that they want: a backend's steps do not depend on
-  /// where it pauses. If an observer cancels the tick, the bodies return to where they were, and the result is false.
+  /// Moves the bodies through a whole tick, then passes observers the frames that they want; a backend's steps do not depend on
+  /// pauses. If an observer cancels the tick, the bodies return to their previous state, and the result is false.
   [[nodiscard]] bool advance(observe::Audience& audience, const View& view) {
     if (paces_differ) locomotion_.set_paces(paces(view));
     std::vector<double> target_angles_rad;
@@ -294,7 +295,8 @@ class Bodies final : public BodyReading {
     return {.x_m = root.position_m.x(), .y_m = root.position_m.y(), .heading_rad = heading_rad};
   }
 
-  /// The boxes of the robots that a body could touch where it is or may be set down. Only the first `standing` bodies stand.
+  /// The boxes of the robots that a body could touch where it is or might be put. Only the first `standing` bodies are in the
+  /// world.
   [[nodiscard]] std::vector<PlacedBox> boxes_near(BodyIndex body, std::size_t standing) const {
     std::vector<PlacedBox> near;
     for (BodyIndex other = 0; other < standing; ++other) {
@@ -312,7 +314,7 @@ class Bodies final : public BodyReading {
 
   void walk_by(BodyIndex body) { locomotion_.walk_by(body, robot(body), *population_.phenotypes()[body].gait); }
 
-  /// Gives the backend the body, where the robot stands, and the gait.
+  /// Gives the backend the body at the robot's pose, and the gait.
   void take_shape(BodyIndex body) {
     if (bodies_differ) backend_->embody(body, robot(body), backend_->pose(body));
     walk_by(body);

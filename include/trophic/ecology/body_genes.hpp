@@ -16,8 +16,8 @@ class BodyGenes {
  public:
   using Plan = AnswersForSpecies<PolicyIn<Rules, RuleSlot::body_plan>>;
   static constexpr bool are_inherited = reproduction::InheritedBody<Plan>;
-  static constexpr bool differ = !is_neutral<Rules, RuleSlot::body_plan>;  ///< whether individuals have bodies of their own
-  static constexpr std::size_t most_draws = 1000;                          ///< of a body without a parent
+  static constexpr bool differ = !is_neutral<Rules, RuleSlot::body_plan>;  ///< whether individuals have their own bodies
+  static constexpr std::size_t most_draws = 1000;                          ///< for a body without a parent
 
   BodyGenes(const Policies<Rules>& rules, const Habitat* habitat) : rules_{rules}, habitat_{habitat} {}
 
@@ -58,7 +58,8 @@ class BodyGenes {
 
   [[noreturn]] static void throw_refused(std::string_view what, const std::string& refusal) {
     throw RuleError{"body_plan", std::to_string(most_draws) + " random " + std::string{what} +
-                                     " in a row refused, the last one for \"" + refusal + "\": some must be viable"};
+                                     " in a row were refused, the last one because \"" + refusal +
+                                     "\": some bodies must be viable"};
   }
 
  private:

@@ -18,7 +18,7 @@ class BrainGenes {
   using Brain = AnswersForSpecies<PolicyIn<Rules, RuleSlot::brain>>;
   static constexpr bool grow = control::GrowingBrain<Brain>;  ///< whether their number may change
   static constexpr bool mix_neurons =
-      reproduction::MixesNeurons<AnswersForSpecies<PolicyIn<Rules, RuleSlot::heredity>>>;  ///< of several parents
+      reproduction::MixesNeurons<AnswersForSpecies<PolicyIn<Rules, RuleSlot::heredity>>>;  ///< with several parents
   static_assert(!mix_neurons || control::NamesNeurons<Brain>,
                 "the policy in Rules::Heredity mixes brains by neuron, so the policy in Rules::Brain needs "
                 "std::vector<std::size_t> neurons(std::size_t inputs, std::size_t outputs) const; see "

@@ -13,6 +13,7 @@
 #include <trophic/params/policy.hpp>
 #include <trophic/reproduction/viability/contract.hpp>
 #include <trophic/rules/table.hpp>
+#include <trophic/support/arithmetic.hpp>
 
 namespace trophic {
 
@@ -26,7 +27,7 @@ struct CheckedExperiment {
 
 namespace detail {
 
-/// Calls `visit(policy)` with the policy of each species, or with the one of all.
+/// Calls `visit(policy)` with each species' policy, or with the common one.
 template <class P, class Visitor>
 void for_each_species_policy(const P& policy, const Visitor& visit) {
   if constexpr (requires {
@@ -39,7 +40,7 @@ void for_each_species_policy(const P& policy, const Visitor& visit) {
   }
 }
 
-/// Throws std::invalid_argument if a table names its backends and this is none of them.
+/// Throws std::invalid_argument if a table names its backends and this is not one of them.
 template <class Rules>
 void check_backend(const std::string& name) {
   constexpr auto backends = backends_of<Rules>();
@@ -60,8 +61,9 @@ template <class Rules>
   return names;
 }
 
-/// Throws std::invalid_argument if the backend cannot show what the rules Gait and BodyPlan give individuals, if these do not go
-/// together, or for a rule that this table on this backend would never ask: a run would be the same without it.
+/// Throws std::invalid_argument if the backend cannot simulate the gaits and bodies that the rules Gait and BodyPlan give
+/// individuals, if these rules are incompatible, or for a rule that this table on this backend would never use, so that the run
+/// would be the same without it.
 template <class Rules>
 void check_parts(const BackendChoice& backend) {
   constexpr bool bodies_differ = BodyGenes<Rules>::differ;
@@ -81,35 +83,35 @@ void check_parts(const BackendChoice& backend) {
     if (refused) throw std::invalid_argument{what + ": must be " + must};
   };
   refuse_if(GaitGenes<Rules>::differ && !backend.has_joints(), (bodies_differ ? bodies : gaits) + on_backend,
-            "a backend with joints, which show bodies and gaits of individuals");
+            "a backend with joints, on which the bodies and gaits of individuals matter");
   refuse_if(bodies_differ && !backend.can_embody(), bodies + on_backend,
             "a backend that exchanges bodies (Embodying in backend/contract.hpp)");
   refuse_if(!is_neutral<Rules, RuleSlot::recruitment> && !backend.can_place(),
             "rules.recruitment = " + std::string{policy_name<PolicyIn<Rules, RuleSlot::recruitment>>()} + on_backend,
-            "a backend whose robots come and go (Placing in backend/contract.hpp)");
+            "a backend that adds and removes robots (Placing in backend/contract.hpp)");
   refuse_if(bodies_differ && is_neutral<Rules, RuleSlot::embodiment>, bodies + " with rules.embodiment = keeps_body",
-            "a rule Embodiment that sets bodies down");
+            "a rule Embodiment that puts bodies down");
   refuse_if(bodies_inherited && fits_one_body, gaits + " with " + bodies,
             "a rule Gait that fits any body, such as inherited_cppn");
   refuse_if(has_trials && !GaitGenes<Rules>::differ, viability + " with " + gaits, "in a table with a rule Gait or BodyPlan");
   refuse_if(!has_trials && !is_neutral<Rules, RuleSlot::viability> && !bodies_inherited, viability + " with " + bodies,
-            "in a table that inherits bodies; else no rule Viability is asked");
+            "in a table that inherits bodies; otherwise the rule Viability is never used");
   refuse_if(!bodies_differ && !is_neutral<Rules, RuleSlot::embodiment>, embodiment + " with " + bodies,
-            "in a table with a rule BodyPlan; else no rule Embodiment is asked");
+            "in a table with a rule BodyPlan; otherwise the rule Embodiment is never used");
   if constexpr (requires { AnswersForSpecies<PolicyIn<Rules, RuleSlot::heredity>>::left_out; }) {
     constexpr std::string_view left_out = AnswersForSpecies<PolicyIn<Rules, RuleSlot::heredity>>::left_out;
     const bool is_nothing = (left_out == "gait" && !GaitGenes<Rules>::are_inherited) ||
                             (left_out == "body" && !bodies_inherited) ||
                             (left_out == "traits" && is_neutral<Rules, RuleSlot::traits>);
     refuse_if(is_nothing, heredity + " with " + gaits + " and " + bodies,
-              "in a table that inherits that part; else it is own_copy");
+              "in a table that inherits that part; otherwise it is the same as own_copy");
   }
   refuse_if(PolicyIn<Rules, RuleSlot::sensors>::needs_joints && !backend.has_joints(),
             "rules.sensors = " + std::string{policy_name<PolicyIn<Rules, RuleSlot::sensors>>()} + on_backend,
             "a backend with joints, whose robots have joint angles, tilt and touch");
   if constexpr (!requires { requires PolicyIn<Rules, RuleSlot::steering>::walks_use_it; }) {
     refuse_if(!backend.has_joints(), steering + on_backend,
-              "a backend with joints; without them robots turn by their walk, which is measured with targeted_steering");
+              "a backend with joints; without joints robots turn as in their measured walk, which uses targeted_steering");
   }
 }
 
@@ -118,6 +120,7 @@ void check_parts(const BackendChoice& backend) {
 /// Throws std::invalid_argument naming field, value and bound, or a robot that the rules cannot steer.
 template <class Rules>
 [[nodiscard]] CheckedExperiment<Rules> checked(Experiment<Rules> params, BackendChoice backend, Habitat habitat) {
+  check_arithmetic<Rules>();
   validate(params, "");
   backend.validate("backend");
   backend.prescribe(params.physics, Rules::physics());
@@ -150,8 +153,8 @@ template <class Rules>
     return checked(std::move(params), std::move(backend), std::move(habitat));
   } else {
     static_assert(std::same_as<Rules, void>,
-                  "Ecology(params, backend) reads the robot, arena and gait that params.ecology names, and this program has no "
-                  "reader of model files: include <trophic/run.hpp> or <trophic/habitat/load/habitat.hpp>, or give the ecology a "
+                  "Ecology(params, backend) reads the robot, arena and gait that params.ecology names, but this program cannot "
+                  "read model files: include <trophic/run.hpp> or <trophic/habitat/load/habitat.hpp>, or give the ecology a "
                   "Habitat as its third argument");
   }
 }

@@ -39,7 +39,7 @@ inline void check_lives(std::string_view slot, std::string_view what, BodyIndex 
   throw RuleError{slot, std::string{what} + " " + std::to_string(body) + ": must be a body with an individual"};
 }
 
-/// The same of all bodies that a rule of death returned.
+/// The same for all bodies that a rule of death returned.
 inline void check_captures(std::span<const death::Capture> captures, std::span<const Individual> robots) {
   for (const death::Capture& capture : captures) {
     check_lives("capture", "hunter", capture.hunter, robots);
@@ -54,18 +54,18 @@ inline void check_sacrifices(std::span<const death::Sacrifice> sacrifices, std::
   for (const death::Sacrifice& sacrifice : sacrifices) check_lives("minimum_predators", "victim", sacrifice.victim, robots);
 }
 
-/// Throws std::invalid_argument unless a saved individual has one of the tags and perceives one of the bodies and, if it lives,
-/// `is_of_rules`; a spare body has nothing else.
+/// Throws std::invalid_argument unless a saved individual has one of the tags, perceives one of the bodies and, if it lives,
+/// `is_of_rules`; a spare body must have nothing but a tag.
 inline void check_saved(const Individual& one, std::span<const int> tags, bool is_of_rules, std::size_t bodies) {
   const bool has_tag = std::ranges::count(tags, one.tag) == 1;
   const bool is_spare = one.id == no_individual && !one.genome && !one.active && !one.adversary;
-  if (!one.lives()) return Archive::require(is_spare && has_tag, "a spare body of other rules");
-  Archive::require(is_of_rules && has_tag && one.adversary.value_or(0) < bodies, "an individual of other rules");
+  if (!one.lives()) return Archive::require(is_spare && has_tag, "a spare body from different rules");
+  Archive::require(is_of_rules && has_tag && one.adversary.value_or(0) < bodies, "an individual from different rules");
 }
 
 /// Throws std::invalid_argument unless a checkpoint has a finite position for each robot.
 inline void check_saved_poses(std::span<const GroundPose> poses, std::size_t robots) {
-  Archive::require(poses.size() == robots, "another number of robots");
+  Archive::require(poses.size() == robots, "a different number of robots");
   for (const GroundPose& pose : poses) {
     const bool is_somewhere = std::abs(pose.x_m) < 1e9 && std::abs(pose.y_m) < 1e9 && std::isfinite(pose.heading_rad);
     Archive::require(is_somewhere, "a robot without a finite position");

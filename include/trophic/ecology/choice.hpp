@@ -19,11 +19,11 @@ struct Choice {
   typename Population<Rules>::Outputs outputs{};
 };
 
-/// One moment of an ecology, as robots perceive it and decide.
+/// One moment of an ecology at which robots perceive and decide.
 template <class Rules>
 class Moment {
  public:
-  /// All arguments outlive it.
+  /// All arguments must outlive it.
   Moment(const Policies<Rules>& rules, Population<Rules>& population, std::uint64_t seed, const View& now)
       : rules_{rules}, population_{population}, seed_{seed}, now_{now} {}
 
@@ -33,13 +33,13 @@ class Moment {
     return perception::ask::perceives(rules_.visibility, population_.states().visibility[self], self, other, now_, rng);
   }
 
-  /// The adversary that one robot sees.
+  /// The adversary that a robot perceives.
   [[nodiscard]] std::optional<Sighting> sighting(BodyIndex body) const {
     const auto horizon = perception::ask::horizon(rules_.visibility, population_[body]);
     return perception::adversary(body, now_, std::bind_front(&Moment::sees, this), horizon);
   }
 
-  /// The choice of a robot that sees this. `common`: the sensors that are the same for all robots.
+  /// The choice of a robot with this sighting. `common`: the values of sensors that are the same for all robots.
   template <class Common>
   [[nodiscard]] Choice<Rules> choice(BodyIndex body, const std::optional<Sighting>& sighting, const Common& common,
                                      WithoutTarget without_target) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Perception and decisions of all robots at a tick, and what follows from them.
+// Perception and decisions of all robots at a tick, and their consequences.
 #pragma once
 
 #include <trophic/ecology/choice.hpp>
@@ -12,7 +12,7 @@ namespace trophic {
 template <class Rules>
 class Decisions {
  public:
-  /// All arguments outlive it.
+  /// All arguments must outlive it.
   Decisions(const EcologyParams& params, const Policies<Rules>& rules, std::uint64_t seed, Population<Rules>& population)
       : params_{params}, rules_{rules}, seed_{seed}, population_{population} {}
 
@@ -24,7 +24,7 @@ class Decisions {
     choices_.resize(population_.individuals().size());
     const bool in_turn = params_.decision_order == DecisionOrder::in_turn;
     for (std::size_t i = 0; i < choices_.size() && !in_turn; ++i) {
-      const BodyIndex body = now.tree == nullptr ? i : now.tree->by_place(i);  // neighbours look at the same robots
+      const BodyIndex body = now.tree == nullptr ? i : now.tree->by_place(i);  // neighbours perceive the same robots
       if (population_[body].lives()) choices_[body].sighting = moment.sighting(body);
     }
     for (BodyIndex body = 0; body < choices_.size(); ++body) {

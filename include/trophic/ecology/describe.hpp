@@ -7,19 +7,20 @@
 #include <trophic/ecology/body_genes.hpp>
 #include <trophic/ecology/brain_genes.hpp>
 #include <trophic/ecology/economy.hpp>
+#include <trophic/ecology/effects.hpp>
 #include <trophic/ecology/experiment.hpp>
 #include <trophic/ecology/gait_genes.hpp>
+#include <trophic/ecology/idle_rules.hpp>
 #include <trophic/ecology/trait_genes.hpp>
 #include <trophic/habitat/habitat.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/params/numbers_text.hpp>
-#include <trophic/reproduction/heredity/nothing_inherited.hpp>
 #include <trophic/rules/table.hpp>
 #include <trophic/support/joined_text.hpp>
 
 namespace trophic {
 
-/// The name of a table's rule Heredity under a null, which the population applies in its place; empty without a null.
+/// The name of the rule that replaces a table's rule Heredity under a null; empty without a null.
 template <class Rules>
 [[nodiscard]] std::string heredity_under(const Null& null) {
   const std::string own{detail::policy_name<PolicyIn<Rules, RuleSlot::heredity>>()};
@@ -37,26 +38,6 @@ template <class Rules>
       return own + ", " + nothing + " for " + null.species;
   }
   return {};
-}
-
-/// The rule or parameter by which a species inherits nothing without a null, too; empty if it may inherit.
-template <class Rules>
-[[nodiscard]] std::string why_nothing_inherited(const Policies<Rules>& policies, Species species) {
-  const auto& heredity = for_species(policies.heredity, species);
-  if constexpr (std::same_as<std::remove_cvref_t<decltype(heredity)>, reproduction::heredity::NothingInherited>)
-    return "rules.heredity = " + std::string{reproduction::heredity::NothingInherited::name};
-  if constexpr (requires { heredity.params.inherited; })
-    if (!heredity.params.inherited) return "rules.heredity: inherited = false";
-  const auto& source = for_species(policies.genome_source, species);
-  if constexpr (requires { source.params.random_share; })
-    if (source.params.random_share >= 1.0) return "rules.genome_source: random_share = 1";
-  return {};
-}
-
-/// Whether a parameter has no effect but through joints.
-[[nodiscard]] constexpr bool acts_through_joints(std::string_view path) {
-  return path.starts_with("rules.steering.") || path == "ecology.gait" || path == "ecology.control_hz" ||
-         path == "ecology.cpg_integration" || path == "ecology.idle_control_steps" || path == "ecology.phase_at_birth";
 }
 
 /// All parameters of an experiment on a backend, in order.
@@ -85,6 +66,7 @@ template <class Rules>
                               .clock_scale = experiment.ecology.clock_scale,
                               .until_s = until_s,
                               .fingerprint = {}};
+  note_effects(run.named_params, experiment, policies, backend);
   const std::string heredity = heredity_under<Rules>(experiment.null);
   if (!heredity.empty()) run.rules += " with heredity = " + heredity;
   for (const rules::SlotRule& rule : rules::slot_rules<Rules>())
@@ -97,22 +79,19 @@ template <class Rules>
     std::erase_if(run.named_params, [&](const NamedParam& param) { return param.path.starts_with(its_params); });
     if (const std::string why = why_nothing_inherited<Rules>(policies, *one_sided); !why.empty())
       run.remarks.push_back("null = " + name_of(experiment.null) + " has no effect: " + experiment.null.species +
-                            " inherits nothing anyway by " + why);
+                            " already inherits nothing because of " + why);
   }
-  using Capture = PolicyIn<Rules, RuleSlot::capture>;
-  const std::string zone{death::ask::zone<Capture>()};
-  if (!zone.empty() && std::ranges::count(habitat.arena.zones, zone, &Zone::name) == 0) {
-    run.remarks.push_back("rules.capture = " + std::string{detail::policy_name<Capture>()} + ": arena " + habitat.arena.name +
-                          " has no zone named " + zone);
-  }
+  if (experiment.lineup.empty())
+    for (std::string& idle : idle_rules<Rules>(policies, habitat.arena, experiment.ecology.robots))
+      run.remarks.push_back(std::move(idle));
   Experiment<Rules> table;
   if (!experiment.ecology.gait.empty()) table.ecology.gait = habitat.robot.gait;
   if (std::string said = backend.prescribe(table.physics, Rules::physics()); !said.empty())
     run.remarks.push_back(std::move(said));
   run.other_params = observe::other_params(run.named_params, named_params_of(std::move(table), backend.fresh()));
   for (const observe::OtherParam& param : run.other_params) {
-    if (backend.has_joints() || !acts_through_joints(param.path)) continue;
-    run.remarks.push_back(param.path + " = " + param.value + " has no effect: " + backend.name() + " has no joints");
+    const std::string& why = std::ranges::find(run.named_params, param.path, &NamedParam::path)->no_effect;
+    if (!why.empty()) run.remarks.push_back(param.path + " = " + param.value + " has no effect" + why);
   }
   if constexpr (requires { requires Rules::Heading::acts_on_tilt_alone; }) {
     if (run.rules.find("heading = ") != std::string::npos && !backend.has_joints())

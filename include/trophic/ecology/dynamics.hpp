@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ecology's course: what happens in a tick, and in which order.
+// The dynamics of an ecology: what happens in a tick, and in which order.
 #pragma once
 
 #include <exception>
@@ -13,10 +13,10 @@
 
 namespace trophic {
 
-/// Steps an ecology by the rules of its table. Within a tick, after the bodies have moved: activation of newborn, catches,
+/// Steps an ecology by the rules of its table. Within a tick, after the bodies have moved: activation of newborns, catches,
 /// senescence, hunger by the rule Metabolism, starvation, the minimum-predators rule, births without a death, perception and
-/// brains, log. Energy is spent and taken from the resource before them all; the rule Order may let species act in turn. Tick 0
-/// is the start. A policy that returns a value that does not exist or violates its contract causes a RuleError.
+/// brains, log. Before all of these, energy is spent and taken from the resource; the rule Order may let species act in turn.
+/// Tick 0 is the start. A policy that returns an invalid value or violates its contract causes a RuleError.
 template <class Rules>
 class Dynamics final : public TableSimulation<Rules> {
  public:
@@ -43,7 +43,7 @@ class Dynamics final : public TableSimulation<Rules> {
     return run;
   }
 
-  [[nodiscard]] io::StateColumns state_columns() const override { return io::state_columns(states(), view().robots); }
+  [[nodiscard]] io::StateColumns state_columns() const override { return io::state_columns(states()); }
 
  private:
   void run(double until_s, observe::Audience& audience) override {
@@ -73,7 +73,7 @@ class Dynamics final : public TableSimulation<Rules> {
     tick(audience);
   }
 
-  /// Moves the bodies through a tick. Returns false, with everything as before, if an observer cancelled it.
+  /// Moves the bodies through a tick. Returns false and leaves everything unchanged if an observer cancelled it.
   [[nodiscard]] bool move(observe::Audience& audience) {
     population().open_ledger();
     repetition_.bring_back();
@@ -88,7 +88,8 @@ class Dynamics final : public TableSimulation<Rules> {
     return true;
   }
 
-  /// The individual dies and a random one of its species follows. One with a history lives on, away until the next tick.
+  /// The individual dies and is replaced by a random one of its species. In a repetition of a history it lives on, removed from
+  /// the world until the next tick.
   void end_diverged(observe::Audience& audience, BodyIndex body) {
     const Individual& self = population()[body];
     if (!self.lives() || repetition_) return all_.bodies.take_away(body);
@@ -122,7 +123,7 @@ class Dynamics final : public TableSimulation<Rules> {
     return all_.rules.order.in_turn();
   }
 
-  /// All acts of one species after another. `lives_end`: whether there are deaths and births.
+  /// Performs all acts of one species after another. `lives_end`: whether there are deaths and births.
   void act_in_turn(observe::Audience& audience, bool lives_end) {
     for (Species species = 0; species < all_.web.size(); ++species) {
       const SpeciesActs acting{species};
@@ -135,7 +136,7 @@ class Dynamics final : public TableSimulation<Rules> {
     if (all_.tick > 0) population().grow(view());
   }
 
-  /// Catches, deaths of age and of hunger.
+  /// Catches, and deaths of age and hunger.
   void kill(observe::Audience& audience, const auto& acting) {
     capture(audience, acting);
     age(audience, acting);
@@ -158,7 +159,7 @@ class Dynamics final : public TableSimulation<Rules> {
     }
   }
 
-  /// Catches by those who act.
+  /// Catches by the acting individuals.
   void capture(observe::Audience& audience, const auto& acting) {
     Rng rng{all_.params.seed, Stream::captures, acting.turn, tick_number()};
     const IndividualId first_newborn = population().next_id();
@@ -168,7 +169,7 @@ class Dynamics final : public TableSimulation<Rules> {
     for (const death::Capture& capture : captures) {
       const Individual& hunter = population()[capture.hunter];
       if (!acting(hunter)) continue;
-      if (std::max(hunter.id, population()[capture.victim].id) >= first_newborn) continue;  // one was caught
+      if (std::max(hunter.id, population()[capture.victim].id) >= first_newborn) continue;  // an individual was caught
       detail::check_prey(all_.web, capture.hunter, hunter.species, capture.victim, population()[capture.victim].species);
       if (!death::ask::may_die(all_.rules.floor, population()[capture.victim].species, all_.view())) continue;
       population().feed(capture.hunter, capture.victim, all_.view());
@@ -191,7 +192,7 @@ class Dynamics final : public TableSimulation<Rules> {
     }
   }
 
-  /// Deaths of hunger by the rule Metabolism.
+  /// Deaths of hunger under the rule Metabolism.
   void exhaust(observe::Audience& audience, const auto& acting) requires has_energy<Rules> {
     const IndividualId first_newborn = population().next_id();
     for (BodyIndex body = 0; body < population().individuals().size(); ++body) {
@@ -233,7 +234,7 @@ class Dynamics final : public TableSimulation<Rules> {
     }
   }
 
-  /// Whether there was a tick at which brains could decide before this one: the first decisions come after births.
+  /// Whether brains could decide in an earlier tick: the first decisions come after births.
   [[nodiscard]] bool have_decided() const {
     const EcologyParams& ecology = all_.params.ecology;
     return all_.tick > 0 && clock_s(all_.tick - 1, ecology.tick_s) >= ecology.first_tick_s;
@@ -258,7 +259,7 @@ template <class Rules>
   return std::make_unique<Dynamics<Rules>>(load_checked(std::move(params), std::move(backend), installed));
 }
 
-/// The same in a habitat that a program made.
+/// The same in a habitat made by the program.
 template <class Rules>
 [[nodiscard]] std::unique_ptr<TableSimulation<Rules>> make_dynamics_in(Habitat habitat, Experiment<Rules> params,
                                                                        BackendChoice backend) {

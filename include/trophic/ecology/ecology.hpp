@@ -10,11 +10,11 @@
 
 namespace trophic {
 
-/// A population of robots that live, perceive, catch, starve and reproduce by the rules of one table, in a physics backend
+/// A population of robots that live, perceive, catch, starve and reproduce under the rules of one table, in a physics backend
 /// of any type: `Ecology<Paper> ecology({.seed = 1}, backend::Mujoco::Params{.threads = 2})`.
 ///
-/// A tick is `EcologyParams::tick_s` of the ecology's clock; ecology/dynamics.hpp has what happens in it. Equal parameters and
-/// seeds give equal runs, for any number of threads and any observers.
+/// A tick is `EcologyParams::tick_s` of the ecology's clock; ecology/dynamics.hpp defines what happens in it. Equal parameters
+/// and seeds give equal runs, for any number of threads and any observers.
 template <class Rules, bool is_table>
 class Ecology final : public Simulation {
  public:

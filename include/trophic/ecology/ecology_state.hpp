@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an ecology is at a moment: its parameters, models, rules, individuals and bodies.
+// The state of an ecology at a moment: its parameters, models, rules, individuals and bodies.
 #pragma once
 
 #include <trophic/backend/backend_choice.hpp>
@@ -18,7 +18,7 @@ namespace trophic {
 template <class Rules>
 inline constexpr bool grows = !is_neutral<Rules, RuleSlot::recruitment>;
 
-/// The data that all parts of an ecology share. It stays where it is: its members refer to each other.
+/// The data that all parts of an ecology share. It cannot be moved, because its members refer to each other.
 template <class Rules>
 struct EcologyState {
   explicit EcologyState(CheckedExperiment<Rules> from)
@@ -74,10 +74,10 @@ struct EcologyState {
   Population<Rules> population;
   Bodies<Rules> bodies;
   std::int64_t tick = 0;
-  std::uint64_t refused_births = 0;  ///< without a free body or a free place
+  std::uint64_t refused_births = 0;  ///< births that found no free body or place
 
  private:
-  /// A neutral null has other genomes than the run that it repeats.
+  /// A neutral null has different genomes from the run that it repeats.
   [[nodiscard]] std::uint64_t genome_seed() const {
     return params.history ? Rng{params.seed, Stream::null_model}.bits() : params.seed;
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moves energy between the resource, the individuals and the outside, and keeps the ledger.
+// Transfers energy between the resource, the individuals and the outside, and keeps the ledger.
 #pragma once
 
 #include <trophic/habitat/habitat.hpp>
@@ -21,7 +21,7 @@ inline constexpr bool has_field = !is_neutral<Rules, RuleSlot::resource>;
 template <class Rules, bool = has_field<Rules>>
 class Food {
  public:
-  /// All arguments outlive it.
+  /// All arguments must outlive it.
   Food(const Policies<Rules>& rules, std::uint64_t seed, const Habitat* habitat) : rules_{rules}, seed_{seed} {
     if (habitat == nullptr) throw std::invalid_argument{"a rule Resource: needs an arena"};
     Rng rng{seed_, Stream::resource};
@@ -40,7 +40,7 @@ class Food {
     change("on_death", [&] { energy::ask::on_death(rules_.resource, field_, death, left_J, view); });
   }
 
-  /// Lets an individual take `bite_J(there_J)` of the food where it stands. Returns it.
+  /// Lets an individual take `bite_J(there_J)` of the food at its position. Returns the amount.
   template <class Bite>
   double bite(BodyIndex body, const View& view, const Bite& bite_J) {
     const std::size_t cell = field_.cell_at(view.poses[body]);
@@ -82,7 +82,7 @@ class Food {
   ResourceFlow flow_;
 };
 
-/// In a table without that rule there is none.
+/// In a table without that rule there is no field.
 template <class Rules>
 class Food<Rules, false> {
  public:
@@ -95,19 +95,19 @@ class Food<Rules, false> {
   void persist(Archive&) {}
 };
 
-/// The energy of individuals and of the world under the rules Metabolism and Resource of a table. Each transfer takes from one
-/// what it gives to the other.
+/// The energy of individuals and of the world under the rules Metabolism and Resource of a table. Each transfer removes as much
+/// energy on one side as it adds on the other.
 template <class Rules, bool = has_energy<Rules>>
 class Economy {
  public:
-  /// All arguments outlive it.
+  /// All arguments must outlive it.
   Economy(const Policies<Rules>& rules, std::uint64_t seed, std::size_t species, const Habitat* habitat)
       : rules_{rules}, seed_{seed}, food_{rules, seed, habitat}, flows_(species) {}
 
   [[nodiscard]] const Food<Rules>& food() const { return food_; }
-  [[nodiscard]] std::span<const EnergyFlow> flows() const { return flows_; }  ///< of each species
+  [[nodiscard]] std::span<const EnergyFlow> flows() const { return flows_; }  ///< one per species
 
-  /// The energy of an individual that no parent endows.
+  /// The initial energy of an individual that no parent endows.
   void endow_from_outside(Individual& newborn) {
     Rng rng{seed_, Stream::endowment, newborn.id};
     const double energy_J = rule_of(newborn).first_J(newborn, rng);
@@ -139,7 +139,7 @@ class Economy {
     food_.open_ledger();
   }
 
-  /// Those who act spend, having walked from `before`.
+  /// The acting individuals spend energy for their walk from `before`.
   template <class Acting>
   void spend(std::span<Individual> robots, std::span<const GroundPose> before, const View& view, const Acting& acting) {
     for (BodyIndex body = 0; body < robots.size(); ++body) {
@@ -153,7 +153,7 @@ class Economy {
   }
   void grow(const View& view) { food_.grow(view); }
 
-  /// Those who act bite, in random order.
+  /// The acting individuals bite, in random order.
   template <class Acting>
   void bite(std::span<Individual> robots, const View& view, const Acting& acting) {
     if constexpr (has_field<Rules>) {
@@ -176,7 +176,7 @@ class Economy {
     }
   }
 
-  /// A hunter gets its part of what its victim has.
+  /// A hunter gets its part of its victim's energy.
   void eat(BodyIndex hunter, BodyIndex victim, std::span<Individual> robots, const View& view) {
     Individual& eater = robots[hunter];
     Individual& eaten = robots[victim];
@@ -196,7 +196,7 @@ class Economy {
     return rule_of(self).starves(body, view);
   }
 
-  /// The energy of one who dies is lost.
+  /// The energy of a dying individual is lost.
   void lose(const Vacancy& death, Individual& dying, const View& view) {
     const double left_J = std::exchange(dying.energy_J, 0.0);
     flows_[dying.species].lost_J += left_J;
@@ -206,7 +206,7 @@ class Economy {
   void persist(Archive& archive) {
     const std::size_t species = flows_.size();
     archive(flows_);
-    Archive::require(flows_.size() == species, "energy of another number of species");
+    Archive::require(flows_.size() == species, "energy of a different number of species");
     archive(food_);
   }
 
@@ -226,7 +226,7 @@ class Economy {
   std::vector<EnergyFlow> flows_;
 };
 
-/// In a table without a rule Metabolism individuals have no energy. A field grows, and none bites.
+/// In a table without a rule Metabolism individuals have no energy. A field grows, but it is not eaten.
 template <class Rules>
 class Economy<Rules, false> {
  public:

@@ -13,11 +13,11 @@
 
 namespace trophic {
 
-/// Each walk has an engine of its own with one thread. The robot starts upright, at rest, with target angle 0.
+/// Each walk has its own engine with one thread. The robot starts upright, at rest, with target angle 0.
 template <control::Steering SteeringRule>
 class EngineNursery final : public Nursery {
  public:
-  /// All arguments outlive the nursery.
+  /// All arguments must outlive the nursery.
   EngineNursery(const BackendChoice& choice, const Arena& arena, const Physics& physics, const EcologyParams& ecology,
                 const SteeringRule& steering)
       : choice_{choice}, arena_{arena}, physics_{physics}, ecology_{ecology}, steering_{steering} {
@@ -40,7 +40,7 @@ class EngineNursery final : public Nursery {
 
  private:
   const BackendChoice& choice_;
-  Arena arena_;  ///< without what stands in the middle
+  Arena arena_;  ///< without obstacles in the middle
   const Physics& physics_;
   const EcologyParams& ecology_;
   const SteeringRule& steering_;

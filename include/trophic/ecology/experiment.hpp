@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All parameters of an experiment but its backend's, in one aggregate.
+// All parameters of an experiment except its backend's, in one aggregate.
 #pragma once
 
 #include <cmath>
@@ -14,7 +14,8 @@
 
 namespace trophic {
 
-/// All parameters of an experiment but those of its backend (BackendChoice). Defaults to the parameters of its rule table.
+/// All parameters of an experiment except those of its backend (BackendChoice). The defaults are the parameters of the rule
+/// table.
 template <class Rules>
 struct Experiment {
   std::uint64_t seed = 1;
@@ -22,14 +23,14 @@ struct Experiment {
   Physics physics = Rules::physics();
   RuleParams<Rules> rules{};
   Null null = Null::none;      ///< files cannot set it
-  SharedHistory history = {};  ///< of the neutral null: the run that it repeats
-  /// A contest of these individuals, one for each robot, all active from the start: robots move, perceive and decide, and there
-  /// are no activations, catches, deaths and births. Empty: an ecology. Files cannot set it.
+  SharedHistory history = {};  ///< for the neutral null: the run that it repeats
+  /// If not empty, the run is a contest of these individuals, one per robot, all active from the start: robots move, perceive and
+  /// decide, but there are no activations, catches, deaths or births. Files cannot set it.
   Lineup lineup = {};
 
   template <class Self, class Visitor>
   static constexpr void visit_fields(Self& experiment, Visitor&& visit) {
-    visit(FieldText{"seed", any_seed(), "determines every random number"}, experiment.seed);
+    visit(FieldText{"seed", any_seed(), "seed of all random numbers"}, experiment.seed);
     visit(FieldText{"ecology"}, experiment.ecology);
     visit(FieldText{"physics"}, experiment.physics);
     visit(FieldText{"rules"}, experiment.rules);
@@ -57,7 +58,7 @@ inline void check_control_steps(const EcologyParams& ecology, const Physics& phy
     throw std::invalid_argument{"ecology.tick_s = " + number_text(ecology.tick_s) + ": tick_s * clock_scale * control_hz = " +
                                 number_text(steps) + " control steps, must be a whole number >= 1"};
   }
-  constexpr double most_steps = 1e6;  // of a tick, which can be given up: what is shown of it is kept until its end
+  constexpr double most_steps = 1e6;  // limit for a tick, whose frames are stored until its end because it may be cancelled
   constexpr double most_simulated_s = 3600.0;
   if (whole > most_steps || ecology.tick_s * ecology.clock_scale > most_simulated_s) {
     throw std::invalid_argument{"ecology.tick_s = " + number_text(ecology.tick_s) + ": a tick has " +

@@ -15,7 +15,7 @@ class GaitGenes {
   using Rule = AnswersForSpecies<PolicyIn<Rules, RuleSlot::gait>>;
   static constexpr bool are_inherited = control::InheritedGait<Rule>;
   static constexpr bool are_learnt = control::LearntGait<Rule>;
-  /// Whether individuals have gaits of their own.
+  /// Whether individuals have their own gaits.
   static constexpr bool differ = !is_neutral<Rules, RuleSlot::gait> || !is_neutral<Rules, RuleSlot::body_plan>;
 
   GaitGenes(const Policies<Rules>& rules, const Habitat* habitat, const Nursery* nursery)
@@ -36,7 +36,7 @@ class GaitGenes {
     }
   }
 
-  /// The indices of those genes that are structure.
+  /// The indices of the genes that are structure.
   [[nodiscard]] std::vector<std::size_t> structure(Species species, std::span<const double> genes) const {
     if constexpr (are_inherited) {
       std::vector<std::size_t> indices = control::ask::gait_structure(for_species(rules_.gait, species), genes);
@@ -46,7 +46,7 @@ class GaitGenes {
     return {};
   }
 
-  /// The gait of these genes. Throws std::invalid_argument for genes of other rules.
+  /// Returns the gait of these genes. Throws std::invalid_argument for genes from different rules.
   [[nodiscard]] std::shared_ptr<const Gait> express(Species species, std::span<const double> genes,
                                                     const RobotModel& robot) const {
     auto gait = std::make_shared<Gait>(for_species(rules_.gait, species).express(genes, robot, *habitat_));

@@ -16,8 +16,8 @@ namespace trophic {
 template <class Rules>
 class Genomes {
  public:
-  /// All arguments outlive it. Throws std::invalid_argument for a one-sided world of a species that `web` lacks, or of its only
-  /// one.
+  /// All arguments must outlive it. Throws std::invalid_argument for a one-sided world of a species that `web` lacks, or of its
+  /// only one.
   Genomes(const Policies<Rules>& rules, const FoodWeb& web, std::uint64_t seed, const BirthSetting& setting)
       : rules_{rules},
         seed_{seed},
@@ -29,7 +29,7 @@ class Genomes {
 
   [[nodiscard]] const Phenotypes<Rules>& phenotypes() const { return phenotypes_; }
   void add_spare() { phenotypes_.add_spare(); }
-  /// The demand of a species' brain that a genome violates, "a genome of 15 weights"; none if it fits.
+  /// Returns the requirement of a species' brain that a genome violates, such as "a genome of 15 weights"; empty if it fits.
   [[nodiscard]] std::optional<std::string> misfit(Species species, const Genome* genome) const {
     return brains_.misfit(species, genome);
   }
@@ -44,8 +44,8 @@ class Genomes {
     return genome;
   }
 
-  /// The genome that the Heredity rule makes of the parents'; null without parents, or under a null that draws it anew. Throws
-  /// RuleError for one that the species' brain does not take.
+  /// Returns the genome that the Heredity rule makes from the parents'; a null pointer without parents or under a null model that
+  /// draws it anew. Throws RuleError for a genome that is invalid for the species' brain.
   [[nodiscard]] std::shared_ptr<Genome> inherit(const Individual& born, std::span<const Ancestor> parents) const {
     if (parents.empty() || null_ == Null::shadow || null_ == Null::clones || one_sided_ == born.species) return nullptr;
     Rng rng{seed_, Stream::crossover, born.id};
@@ -56,8 +56,8 @@ class Genomes {
     return genome;
   }
 
-  /// Sets origin, parents and genome of a newborn with parents. `genome` is the inherited one, mutated here, with parts that are
-  /// empty drawn; if null, a genome is drawn. `own`: its state of the rule Mutation.
+  /// Sets origin, parents and genome of a newborn with parents. `genome` is the inherited one; it is mutated here, and its empty
+  /// parts are drawn. If it is null, a genome is drawn. `own`: the newborn's state of the rule Mutation.
   template <class State>
   void descend(Individual& born, BodyIndex body, std::span<const Ancestor> parents, std::shared_ptr<Genome> genome, State& own) {
     born.origin = Origin::inherited;
@@ -76,32 +76,34 @@ class Genomes {
     }
   }
 
-  /// Gives an individual of a contest its genome. Throws std::invalid_argument for one that the brain does not take, or without
-  /// the table's parts.
+  /// Gives an individual of a contest its genome. Throws std::invalid_argument for a genome that is invalid for the brain or
+  /// lacks a part of the table's genomes.
   void enlist(BodyIndex body, const Individual& one, const Contestant& contestant) {
     const Genome& given = contestant.genome;
     Genome& genome = *one.genome;
     if (const auto demand = misfit(contestant.species, &given)) {
       throw std::invalid_argument{"a contest of genomes of " + std::to_string(given.weights.size()) + " weights: must have " +
-                                  *demand + ", as the table's brain takes it"};
+                                  *demand + ", as the table's brain needs"};
     }
     const auto is_in_one = [&](auto part) { return (genome.*part).empty() != (given.*part).empty(); };
     if (is_in_one(&Genome::gait_genes) || is_in_one(&Genome::body_genes) || genome.traits.size() != given.traits.size())
-      throw std::invalid_argument{"a contest of genomes without some parts: must have the table's gaits, bodies and traits"};
+      throw std::invalid_argument{"a contest of genomes with missing parts: must have the table's gaits, bodies and traits"};
     genome = {genome.id, given.weights, given.gait_genes, given.body_genes, given.traits};
     phenotypes_.express(body, one, genome);
   }
 
-  /// Whether an archive's genome is one of these rules.
+  /// Whether a genome from an archive is valid under these rules.
   [[nodiscard]] bool fits(const Individual& one) const {
     return !misfit(one.species, one.genome.get()) && one.genome->traits.size() == TraitGenes<Rules>::names.size();
   }
+  /// As TraitGenes::check_bounds.
+  void check_bounds(std::span<const Individual> individuals, const FoodWeb& web) const { traits_.check_bounds(individuals, web); }
   /// The id of the next genome.
   [[nodiscard]] std::uint64_t& next_id() { return next_id_; }
   void persist(Archive& archive, std::size_t species) { phenotypes_.persist(archive, species); }
 
  private:
-  /// The structure of the first of several parents, if the rule Heredity takes it.
+  /// The structure of the first of several parents, if the rule Heredity uses it.
   [[nodiscard]] reproduction::GenomeStructure structure_of(Species species, std::span<const Ancestor> parents) const {
     reproduction::GenomeStructure structure;
     if (!reproduction::HeredityByStructure<AnswersForSpecies<PolicyIn<Rules, RuleSlot::heredity>>> || parents.size() < 2)
@@ -115,7 +117,7 @@ class Genomes {
   const Policies<Rules>& rules_;
   std::uint64_t seed_;
   Null::Kind null_;
-  OneSpecies one_sided_;  ///< that inherits nothing where the others inherit; none: no such species
+  OneSpecies one_sided_;  ///< the species that inherits nothing while the others inherit; empty: no such species
   BrainGenes<Rules> brains_;
   TraitGenes<Rules> traits_;
   Phenotypes<Rules> phenotypes_;

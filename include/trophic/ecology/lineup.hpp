@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Individuals that meet in a contest: an ecology without births and deaths.
+// Individuals in a contest, which is an ecology without births and deaths.
 #pragma once
 
 #include <trophic/ecology/simulation.hpp>
@@ -15,7 +15,7 @@ struct Contestant {
 /// One individual for each body.
 using Lineup = std::vector<Contestant>;
 
-/// Makes an experiment's ecology with given individuals at places drawn from a seed.
+/// Makes an experiment's ecology with given individuals at positions drawn from a seed.
 using MakeContest = std::function<std::unique_ptr<Simulation>(std::uint64_t places, Lineup lineup)>;
 
 }  // namespace trophic

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The body and the gait in each robot, kept as genes and expressed.
+// The body and the gait of each robot, as genes and expressed.
 #pragma once
 
 #include <trophic/ecology/body_genes.hpp>
@@ -16,8 +16,8 @@
 
 namespace trophic {
 
-/// The species and the genes with which an individual was born. Kept for each body: heredities may share genomes, which then
-/// change while their individuals live, and a spare body keeps its last individual's.
+/// The species and the genes with which an individual was born. They are stored per body, because genomes may be shared and then
+/// change while their individuals live, and because a spare body keeps those of its last individual.
 struct BornWith {
   IndividualId individual = 0;
   Species species = no_species;
@@ -28,14 +28,14 @@ struct BornWith {
   }
 };
 
-/// The body and the gait in each robot under a table whose individuals differ in them. Otherwise it is empty, and all functions
-/// do nothing.
+/// The body and the gait of each robot in a table whose individuals differ in them. Otherwise it is empty, and all functions do
+/// nothing.
 template <class Rules>
 class Phenotypes {
  public:
   static constexpr bool differ = GaitGenes<Rules>::differ;
 
-  /// All arguments outlive the phenotypes. Throws std::invalid_argument for rules that try newborns without a nursery.
+  /// All arguments must outlive the phenotypes. Throws std::invalid_argument for rules that test newborns without a nursery.
   Phenotypes(const Policies<Rules>& rules, std::uint64_t seed, const Habitat* habitat, const Nursery* nursery)
       : rules_{rules},
         seed_{seed},
@@ -48,11 +48,11 @@ class Phenotypes {
   }
 
   [[nodiscard]] std::span<const Phenotype> all() const { return expressed_; }
-  /// The number of mutations of bodies that were refused.
+  /// The number of refused mutations of bodies.
   [[nodiscard]] std::uint64_t refused() const { return refused_; }
 
   /// Draws the genes of body and gait that the genome of a newborn lacks, mutates the others, and expresses them in its body; the
-  /// body after the last one is a new one. If the rule Viability refuses the newborn after a trial, they are drawn or mutated
+  /// index after the last body adds a new one. If the rule Viability refuses the newborn after a trial, they are drawn or mutated
   /// again. Random numbers are those of the individual `as`.
   void develop(BodyIndex body, const Individual& born, Genome& genome, IndividualId as) {
     if (!differ) return;
@@ -78,7 +78,7 @@ class Phenotypes {
     express(body, born, genome);
   }
 
-  /// Expresses the genes of an individual in its body as they are.
+  /// Expresses the genes of an individual in its body unchanged.
   void express(BodyIndex body, const Individual& born, const Genome& genome) {
     if (differ) keep(body, born, genome, expressed(born.species, genome.body_genes, genome.gait_genes));
   }
@@ -89,7 +89,7 @@ class Phenotypes {
     structure.has_modules = reproduction::genes_are_modules<typename BodyGenes<Rules>::Plan>;
   }
 
-  /// Adds a body that starts without an individual: it is as the first one.
+  /// Adds a body without an individual, with the shape of the first one.
   void add_spare() {
     if (!differ) return;
     if (genes_.empty()) throw RuleError{"recruitment", "a spare body 0: the first body must have an individual"};
@@ -97,14 +97,14 @@ class Phenotypes {
     expressed_.push_back(expressed_.front());
   }
 
-  /// Writes the genes, or reads them and expresses them again. Throws std::invalid_argument for genes of other rules or of a
-  /// species beyond this number.
+  /// Writes the genes, or reads them and expresses them again. Throws std::invalid_argument for genes from different rules or of
+  /// a species beyond this number.
   void persist(Archive& archive, std::size_t species) {
     if (!differ) return;
     const std::size_t bodies = genes_.size();
     archive(refused_, genes_);
     if (!archive.reads()) return;
-    Archive::require(genes_.size() == bodies, "another number of bodies than of robots");
+    Archive::require(genes_.size() == bodies, "different numbers of bodies and robots");
     for (BodyIndex body = 0; body < bodies; ++body) {
       const BornWith& genes = genes_[body];
       Archive::require(genes.species < species, "a body of no species");

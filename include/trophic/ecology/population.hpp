@@ -15,9 +15,9 @@
 
 namespace trophic {
 
-/// One individual per body, starting with the founders, and the states of all rules: the only writer of both. Applies the birth
-/// rules of a table; the ecology decides which body falls vacant, and when. A table with a Recruitment rule has bodies without an
-/// individual, too.
+/// One individual per body, starting with the founders, and the states of all rules; the only writer of both. Applies the birth
+/// rules of a table; the ecology decides which body becomes vacant, and when. A table with a Recruitment rule also has bodies
+/// without an individual.
 template <class Rules>
 class Population {
  public:
@@ -25,11 +25,11 @@ class Population {
   using Brain = AnswersForSpecies<PolicyIn<Rules, RuleSlot::brain>>;
   using Acts = typename ActMemory<Rules>::Acts;
   static_assert(control::detail::SameInputs<Sensors::size, control::detail::inputs_taken<Brain, Sensors::size>>,
-                "the brain in Rules::Brain takes another number of inputs than the sensors in Rules::Sensors give");
+                "the brain in Rules::Brain needs a different number of inputs than the sensors in Rules::Sensors provide");
 
   /// Founders of these species, one per body, all with random genomes (Sec. "Initialization"). Hunted species start inactive.
   /// A body for which `founders` has no_species starts spare; the id of every founder is the number of its body.
-  /// Throws RuleError for a brain that lists no tag or one twice, and for a species or a tag that does not exist, here and at
+  /// Throws RuleError for a brain that lists no tag or a tag twice, and for a species or a tag that does not exist, here and at
   /// later births.
   Population(const Policies<Rules>& rules, const FoodWeb& web, std::uint64_t seed, std::span<const Species> founders,
              const BirthSetting& setting = {})
@@ -48,10 +48,10 @@ class Population {
   }
 
   [[nodiscard]] std::span<const Individual> individuals() const { return census_.all(); }
-  [[nodiscard]] std::span<const std::size_t> members() const { return census_.members(); }  ///< of each species
-  [[nodiscard]] IndividualId next_id() const { return next_id_; }                           ///< of the next newborn
+  [[nodiscard]] std::span<const std::size_t> members() const { return census_.members(); }  ///< number per species
+  [[nodiscard]] IndividualId next_id() const { return next_id_; }                           ///< id of the next newborn
   [[nodiscard]] const Individual& operator[](BodyIndex body) const { return census_[body]; }
-  [[nodiscard]] std::uint64_t seed() const { return seed_; }  ///< of all random numbers of births
+  [[nodiscard]] std::uint64_t seed() const { return seed_; }  ///< seed of all random numbers of births
   [[nodiscard]] const RuleStates<Rules>& states() const { return states_; }
   [[nodiscard]] const Economy<Rules>& economy() const { return economy_; }
 
@@ -66,18 +66,19 @@ class Population {
     archive(economy_);
     acts_.persist(archive);
     if (!archive.reads()) return;
-    Archive::require(census_.bodies() == bodies, "another number of robots");
+    Archive::require(census_.bodies() == bodies, "a different number of robots");
     for (const Individual& one : census_.all()) {
       const bool has_rules = one.id < next_id_ && one.species < web_.size() && genomes_.fits(one);
       detail::check_saved(one, tags_, one.lives() && has_rules, bodies);
     }
+    genomes_.check_bounds(census_.all(), web_);
     census_.count_all();
     for_each_state(rules_, states_, [&](const auto&, const auto& states) {
-      Archive::require(states.all().size() == bodies, "another number of states than of robots");
+      Archive::require(states.all().size() == bodies, "different numbers of states and robots");
     });
   }
 
-  /// As those of the census.
+  /// Like those of the census.
   void stand_at(std::span<const GroundPose> poses) { census_.stand_at(poses); }
   void leave_tree() { census_.leave_tree(); }
   [[nodiscard]] const SearchTree* tree() const { return census_.tree(); }
@@ -91,7 +92,7 @@ class Population {
     }
   }
 
-  /// Lets the newborn in a body be caught and seen; restarts its age if the rule requires it.
+  /// Lets the newborn in a body be caught and perceived; restarts its age if the rule requires it.
   void activate(BodyIndex body, double time_s, bool restarts_age) {
     census_.change(body).active = true;
     census_.mark(body);
@@ -101,9 +102,9 @@ class Population {
   /// Begins the ledger of energy of a tick.
   void open_ledger() { economy_.open_ledger(); }
 
-  /// Notes that all bodies have moved, from `before`.
+  /// Registers that all bodies have moved, from `before`.
   void walk(std::span<const GroundPose> before, const View& view) { notify_walk(rules_, states_, before, view); }
-  /// Lets those who act spend; lets the resource grow; lets those who act bite.
+  /// Let the acting individuals spend energy; let the resource grow; let the acting individuals bite.
   void spend(std::span<const GroundPose> before, const View& view, const auto& acting) {
     economy_.spend(census_.change_all(), before, view, acting);
   }
@@ -123,7 +124,7 @@ class Population {
     economy_.lose(death, census_.change(death.body), view);
   }
 
-  /// Notes an individual's adversary at this tick, if it perceives one.
+  /// Registers an individual's adversary at this tick, if it perceives one.
   void sight(BodyIndex body, const std::optional<Sighting>& sighting, const View& view) {
     Individual& self = census_.change(body);
     self.adversary = sighting ? std::optional{sighting->adversary} : std::nullopt;
@@ -131,8 +132,8 @@ class Population {
     notify_sighting(rules_, states_, body, sighting, view);
   }
 
-  /// The brain's decision for these inputs, and its outputs. Throws RuleError for a tag that is not listed and a number that is
-  /// not finite.
+  /// Returns the brain's decision for these inputs, and its outputs. Throws RuleError for an unlisted tag or a number that is not
+  /// finite.
   using Outputs = typename ActMemory<Rules>::Outputs;
   [[nodiscard]] control::Decision decide(BodyIndex body, std::span<const double> inputs, Outputs& outputs) {
     check_finite("sensors", "inputs", inputs);
@@ -158,9 +159,9 @@ class Population {
   }
   void restart_tag_clock(BodyIndex body, double time_s) { census_.change(body).tag_since_s = time_s; }
 
-  /// The body of an individual; none for the dead.
+  /// The body of an individual; empty if it is dead.
   [[nodiscard]] std::optional<BodyIndex> body_of(IndividualId id) const { return census_.body_of(id); }
-  /// The bodies of those ancestors that live.
+  /// The bodies of the living ancestors among these.
   [[nodiscard]] std::vector<BodyIndex> bodies_of(std::span<const Ancestor> ancestors) const {
     std::vector<BodyIndex> bodies;
     for (const Ancestor& one : ancestors) {
@@ -173,12 +174,12 @@ class Population {
   [[nodiscard]] std::optional<std::string> misfit(Species species, const Genome* genome) const {
     return genomes_.misfit(species, genome);
   }
-  /// The body and the gait in each body; empty if all have the habitat's.
+  /// The phenotype of each body; empty if all have the habitat's.
   [[nodiscard]] std::span<const Phenotype> phenotypes() const { return genomes_.phenotypes().all(); }
-  /// The number of mutations of bodies that were refused.
+  /// The number of refused mutations of bodies.
   [[nodiscard]] std::uint64_t refused_bodies() const { return genomes_.phenotypes().refused(); }
 
-  /// Takes the individual out of a body, which is spare from then on.
+  /// Removes the individual from a body, which is spare from then on.
   void vacate(BodyIndex body) { census_.vacate(body); }
 
   /// Replaces the body's occupant by an offspring or a random newcomer of `species`, in the same place; fills a spare body.
@@ -231,7 +232,7 @@ class Population {
     });
   }
 
-  /// A newborn without its genome. `previous` is the body's last occupant, none for a founder.
+  /// Returns a newborn without its genome. `previous` is the body's last occupant, empty for a founder.
   [[nodiscard]] Individual newborn(Species species, double time_s, std::int64_t tick, const Individual* previous) {
     Individual born = newborn_at(next_id_++, species, !web_.is_hunted(species), time_s, tick);
     Rng rng{seed_, Stream::newborn_tag, born.id};
@@ -248,7 +249,7 @@ class Population {
   Genomes<Rules> genomes_;
   Economy<Rules> economy_;
   Census census_;
-  IndividualId next_id_ = 0;  ///< of the next newborn
+  IndividualId next_id_ = 0;  ///< id of the next newborn
   RuleStates<Rules> states_;
   ActMemory<Rules> acts_;
 };

@@ -6,7 +6,7 @@
 
 namespace trophic {
 
-/// Whether the living parents of a birth have the energy that it hands over, in equal parts.
+/// Whether the living parents of a birth have the energy that they must give, in equal parts.
 template <class Rules>
 [[nodiscard]] bool can_endow(const Population<Rules>& population, const reproduction::Recruit& recruit) {
   const std::vector<BodyIndex> living = population.bodies_of(recruit.parents);
@@ -15,8 +15,8 @@ template <class Rules>
   return std::ranges::all_of(living, [&](BodyIndex body) { return part_J <= std::max(population[body].energy_J, 0.0); });
 }
 
-/// Asks the rule Recruitment for the births of a tick. Each takes the first spare body; one without a body, without room, or
-/// whose parents have too little energy is refused and counted. `acting`: those of whose species newborns are.
+/// Gets the births of a tick from the rule Recruitment. Each takes the first spare body; a birth without a body or room, or whose
+/// parents have too little energy, is refused and counted. `acting`: the species that may have newborns.
 template <class Rules>
 void recruit(EcologyState<Rules>& all, Turnover<Rules>& turnover, observe::Audience& audience, const auto& acting) {
   auto& population = all.population;

@@ -14,7 +14,7 @@ namespace trophic {
 template <class Rules, bool is_table = is_rule_table<Rules>>
 class Ecology;
 
-/// Has the interface of an ecology and no definitions: a program with it does not compile.
+/// Has the interface of an ecology but no definitions: a program that uses it does not compile.
 template <class Rules>
 class Ecology<Rules, false> final : public Simulation {
   static_assert(sizeof(RuleParams<Rules>) > 0);  // reports the error in the table

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Drives a run of the neutral null: the births, deaths, activations and catches of another run, in place of the rules.
+// Drives a run of the neutral null: the births, deaths, activations and catches of another run replace the rules.
 #pragma once
 
 #include <trophic/ecology/history.hpp>
@@ -7,11 +7,11 @@
 
 namespace trophic {
 
-/// Repeats the history that an experiment has, tick by tick. Without a history it does nothing.
+/// Repeats an experiment's history tick by tick. Without a history it does nothing.
 template <class Rules>
 class Repetition {
  public:
-  /// Both outlive it.
+  /// Both must outlive it.
   Repetition(EcologyState<Rules>& all, Turnover<Rules>& turnover)
       : all_{all}, turnover_{turnover}, history_{all.params.history} {}
 
@@ -23,13 +23,13 @@ class Repetition {
     if (all_.params.null == Null::neutral && !history_) throw std::invalid_argument{"a neutral null: needs the history of a run"};
   }
 
-  /// Notes the founders. Throws std::invalid_argument for a history of other founders.
+  /// Notes the founders. Throws std::invalid_argument for a history with different founders.
   void start() {
     for (const Individual& one : all_.population.individuals())
       if (history_ && one.lives()) history_.found(one);
   }
 
-  /// Brings bodies back that diverged in the last tick: their individuals live on.
+  /// Brings back bodies that diverged in the last tick, because their individuals live on.
   void bring_back() {
     for (BodyIndex body = 0; history_ && body < all_.population.individuals().size(); ++body)
       if (all_.population[body].lives() && !all_.is_there(body)) all_.bodies.embody(body, all_.population.individuals().size());

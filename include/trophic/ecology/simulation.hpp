@@ -29,19 +29,19 @@ class Simulation {
     observe::AudienceOf<std::remove_reference_t<Observers>...> audience{observers...};
     run(until_s, audience);
   }
-  /// The same with observers that were gathered before.
+  /// The same with observers that were collected before.
   void run_before(observe::Audience& audience, double until_s) { run(until_s, audience); }
 
-  /// Writes the whole state of the run to an archive, or reads it: an ecology of the same parameters then continues from that
-  /// moment to the same bytes. Between ticks only. Reading throws std::invalid_argument for bytes that are not such a state,
-  /// and leaves the ecology in an unspecified state.
+  /// Writes the whole state of the run to an archive, or reads it: an ecology with the same parameters then continues from that
+  /// moment with bitwise equal results. Only between ticks. Reading throws std::invalid_argument for bytes that are not such a
+  /// state, and leaves the ecology in an unspecified state.
   virtual void persist(Archive& archive) = 0;
 
   [[nodiscard]] virtual double time_s() const = 0;
   [[nodiscard]] virtual std::int64_t tick() const = 0;
-  /// The world as rules see it now. Valid while the ecology lives and does not run.
+  /// The current world as rules see it. Valid during the ecology's lifetime while it does not run.
   [[nodiscard]] virtual View view() const = 0;
-  /// The bodies. Valid while the ecology lives.
+  /// The bodies. Valid during the ecology's lifetime.
   [[nodiscard]] virtual const AnyBackend& backend() const = 0;
   /// Everything that determines this run, for observers.
   [[nodiscard]] virtual observe::RunDescription describe(double until_s) const = 0;

@@ -11,7 +11,7 @@
 namespace trophic {
 
 /// Makes ecologies of these parameters that differ only in their seed and, for a neutral null, in the history that they repeat.
-/// `installed`: the folder of installed models, which outlives the result. The result throws as the ecology's constructor and
+/// `installed`: the folder of installed models, which must outlive the result. The result throws as the ecology's constructor and
 /// `history` do.
 template <class Rules>
 [[nodiscard]] MakeSimulation simulations_of(const Experiment<Rules>& experiment, const BackendChoice& backend,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The start of an ecology: the species of each founder, and places.
+// The start of an ecology: the species and the place of each founder.
 #pragma once
 
 #include <trophic/ecology/checks.hpp>
@@ -13,8 +13,8 @@
 
 namespace trophic {
 
-/// The species of the founder in each body, no_species for a spare body. Throws RuleError for other numbers than of robots,
-/// or for a name of a species that breaks a table.
+/// Returns the species of the founder in each body, no_species for a spare body. Throws RuleError unless there is one per robot,
+/// or for a species' name that would break a table.
 template <class Rules>
 [[nodiscard]] std::vector<Species> founders_of(const Experiment<Rules>& params, const Policies<Rules>& rules,
                                                const FoodWeb& web) {
@@ -35,8 +35,8 @@ template <class Rules>
   return species;
 }
 
-/// A place for each founder by the Placement rule; a spare body, which is not in the world, has that of a founder. Throws
-/// RuleError for other numbers of places, or for one that is not finite.
+/// Returns a place for each founder by the Placement rule; a spare body, which is not in the world, has the place of a founder.
+/// Throws RuleError for a wrong number of places or one that is not finite.
 template <class Rules>
 [[nodiscard]] std::vector<GroundPose> places_of(const Experiment<Rules>& params, const Policies<Rules>& rules,
                                                 const Habitat& habitat, std::size_t founders) {

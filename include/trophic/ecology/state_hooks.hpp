@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Notifies the policies that have a State of what happened to its individuals.
+// Notifies the policies that have a State of events.
 #pragma once
 
 #include <trophic/params/archive.hpp>
@@ -38,7 +38,7 @@ concept TakesOffspring = requires(const P policy, StateOf<P>& own, BodyIndex bod
   policy.on_offspring(own, body, body, view);
 };
 
-/// Calls `call(policy, states)` for each policy with a State that `call` takes: a lambda names the hook that it calls.
+/// Calls `call(policy, states)` for each policy with a State that `call` accepts: a lambda names the hook that it calls.
 template <class Rules, class Call>
 void for_each_with_hook(const Policies<Rules>& rules, RuleStates<Rules>& all, const Call& call) {
   for_each_state(rules, all, [&](const auto& policy, auto& states) {
@@ -48,14 +48,14 @@ void for_each_with_hook(const Policies<Rules>& rules, RuleStates<Rules>& all, co
 
 }  // namespace detail
 
-/// Writes the names of the rules that keep states, or compares them: states can only be read by the rules that wrote them.
+/// Writes the names of the rules with states, or compares them: states can be read only by the rules that wrote them.
 template <class Rules>
 void persist_keepers(Archive& archive, const Policies<Rules>& rules, RuleStates<Rules>& all) {
   std::string keepers;
   for_each_state(rules, all, [&](const auto& policy, auto&) { keepers.append(policy.name).push_back(' '); });
   std::string there = keepers;
   archive(there);
-  Archive::require(there == keepers, "rules with other states");
+  Archive::require(there == keepers, "rules with different states");
 }
 
 /// All bodies have moved, from `before`.
@@ -109,7 +109,7 @@ void notify_sighting(const Policies<Rules>& rules, RuleStates<Rules>& all, BodyI
       });
 }
 
-/// The individual in body `parent` has offspring in body `newborn`.
+/// The individual in body `parent` has an offspring in body `newborn`.
 template <class Rules>
 void notify_offspring(const Policies<Rules>& rules, RuleStates<Rules>& all, BodyIndex parent, BodyIndex newborn,
                       const View& view) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The simulation of one rule table, by which a program reaches its parameters and states.
+// The simulation of one rule table, which gives a program access to its parameters and states.
 #pragma once
 
 #include <trophic/ecology/experiment.hpp>
@@ -11,7 +11,7 @@ namespace trophic {
 template <class Rules>
 struct RuleStates;
 
-/// A Simulation with what has the types of its table. Dynamics is its only implementation.
+/// A Simulation with the members whose types depend on its table. Dynamics is its only implementation.
 template <class Rules>
 class TableSimulation : public Simulation {
  public:

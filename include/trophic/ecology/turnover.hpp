@@ -26,7 +26,7 @@ template <class Rules>
 template <class Rules>
 class Turnover {
  public:
-  /// `all` outlives it.
+  /// `all` must outlive it.
   explicit Turnover(EcologyState<Rules>& all) : all_{all} {}
 
   void emit(observe::Audience& audience, observe::EventKind kind, BodyIndex body, std::optional<Cause> cause = {},
@@ -52,7 +52,7 @@ class Turnover {
     reproduce_into(audience, vacancy);
   }
 
-  /// `place`: where the body of an individual comes into the world; none if it is there.
+  /// `place`: where the body of an individual enters the world; empty if it is there already.
   void begin_life(observe::Audience& audience, BodyIndex body, const std::optional<GroundPose>& place = {}) {
     if (place) {
       all_.bodies.set_down(body, *place);
@@ -64,7 +64,7 @@ class Turnover {
     emit(audience, observe::EventKind::birth, body);
   }
 
-  /// A free place next to the first living one of these, or anywhere; none if there is no room.
+  /// Returns a free place next to the first living one of these, or anywhere; empty if there is no room.
   [[nodiscard]] std::optional<GroundPose> place_of_birth(std::span<const Ancestor> parents) const {
     std::optional<BodyIndex> beside;
     for (const Ancestor& parent : parents) {

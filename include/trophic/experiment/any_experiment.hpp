@@ -13,10 +13,10 @@
 
 namespace trophic {
 
-/// Returns what a species' brain with these weights does for these inputs, a whole number for each act of its table: the tag, and
-/// of another act whether its value is below (-1), at (0) or above (1) the middle of its bounds, as the side of a turn; of an act
-/// without bounds its default. A brain with a State has its initial one. Throws std::invalid_argument for inputs or weights that
-/// the brain does not take.
+/// Returns the response of a species' brain with these weights to these inputs, one whole number per act of its table: the tag
+/// or, for other acts, whether the value is below (-1), at (0) or above (1) the middle of its bounds, such as the side of a turn;
+/// for an act without bounds, its default. A brain with a State has its initial one. Throws std::invalid_argument for inputs or
+/// weights that are invalid for the brain.
 using AskBrain =
     std::function<std::vector<int>(Species species, std::span<const double> inputs, std::span<const double> weights)>;
 
@@ -28,23 +28,23 @@ class AnyExperiment {
   AnyExperiment& operator=(const AnyExperiment&) = delete;
   virtual ~AnyExperiment() = default;
 
-  /// The name of its rule table.
+  /// The name of the rule table.
   [[nodiscard]] virtual std::string rule_table() const = 0;
-  /// Returns an experiment of the same table and backend with their own parameters.
+  /// Returns an experiment with the same table and backend and default parameters.
   [[nodiscard]] virtual std::unique_ptr<AnyExperiment> fresh() const = 0;
-  /// All parameters, in place. Valid while the experiment lives.
+  /// References to all parameters. Valid during the experiment's lifetime.
   [[nodiscard]] virtual ParamRefs params() = 0;
   [[nodiscard]] virtual std::uint64_t& seed() = 0;
   [[nodiscard]] virtual EcologyParams& ecology() = 0;
   [[nodiscard]] virtual Physics& physics() = 0;
   [[nodiscard]] virtual BackendChoice& backend() = 0;
-  /// The backends that its table names, its own first; none for a table that runs on any.
+  /// The backends that the table lists, its default first; empty for a table that runs on any.
   [[nodiscard]] virtual std::vector<std::string> backends() const = 0;
   /// The rules of its table.
   [[nodiscard]] virtual std::vector<rules::SlotRule> slot_rules() const = 0;
-  /// Makes its ecologies with the present parameters, under a null. `history`: of the neutral null, by seed.
+  /// Makes ecologies with the current parameters, under a null. `history`: for the neutral null, by seed.
   [[nodiscard]] virtual MakeSimulation simulations(const Null& null, const HistoryOf& history = {}) const = 0;
-  /// Makes contests in its arena, with its brains and backend.
+  /// Makes contests in the experiment's arena, with its brains and backend.
   [[nodiscard]] virtual MakeContest contests() const = 0;
   /// The brain of its table.
   [[nodiscard]] virtual AskBrain brain() const = 0;

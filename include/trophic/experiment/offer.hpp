@@ -11,8 +11,8 @@ namespace trophic {
 /// Tables that every run writes, including shadows and runs of plans; backends, the first of them the default.
 struct Offer {
   io::OwnTables tables = {};
-  std::vector<BackendChoice> backends = {};  ///< empty: the kinematic one and every engine that trophic was built with
-  std::string default_backend = {};          ///< empty: the first, or "mujoco" if there are none; need not be among them
+  std::vector<BackendChoice> backends = {};  ///< if empty, kinematic and all engines with which trophic was built
+  std::string default_backend = {};  ///< if empty, the first backend, or "mujoco" if there are none; need not be among them
   std::vector<std::pair<std::string, MakeExperiment>> rule_tables = {};  ///< by name, the default first; set by `experiment`
 };
 

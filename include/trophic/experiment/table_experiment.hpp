@@ -18,7 +18,7 @@ namespace trophic {
 template <class Rules>
 class TableExperiment final : public AnyExperiment {
  public:
-  /// `installed`: the folder of installed models, which outlives the experiment.
+  /// `installed`: the folder of installed models, which must outlive the experiment.
   explicit TableExperiment(const BackendChoice& backend, std::string_view installed = TROPHIC_MODEL_DIR)
       : default_backend_{backend}, installed_{installed}, backend_{backend} {}
 
@@ -62,7 +62,7 @@ class TableExperiment final : public AnyExperiment {
       const auto check = [](bool good, std::string_view what, std::size_t given, const std::string& must) {
         if (good) return;
         throw std::invalid_argument{std::string{what} + ": " + std::to_string(given) + ": must be " + must +
-                                    ", as the rule table's brain takes"};
+                                    ", as the rule table's brain needs"};
       };
       const Brain& brain = for_species(brains, species);
       check(inputs.size() == shape.inputs, "inputs", inputs.size(), std::to_string(shape.inputs));
@@ -103,7 +103,7 @@ extern template std::unique_ptr<AnyExperiment> make_experiment<rules::Paper>(con
 extern template std::unique_ptr<AnyExperiment> make_experiment<rules::Released>(const BackendChoice&, std::string_view);
 #endif
 
-/// Rule tables by name, as an Offer has them; their models are those that the program's headers name.
+/// Rule tables by name, for an Offer; their models are those that the program's headers find.
 template <class... Rules>
 [[nodiscard]] std::vector<std::pair<std::string, MakeExperiment>> rule_tables() {
   return {

@@ -22,7 +22,7 @@ struct HeightField {
   }
 };
 
-/// A circle on the floor, without effect on bodies: rules read it by its name.
+/// A circle on the floor without effect on bodies; rules refer to it by its name.
 struct Zone {
   std::string name;
   double x_m = 0.0;
@@ -41,10 +41,10 @@ struct Zone {
 /// A square arena centred at the origin with its floor at z = 0, or rough above it.
 struct Arena {
   std::string name;
-  double half_side_m = 10.0;                ///< of the floor: walls or slopes begin at |x| or |y| = half_side_m
+  double half_side_m = 10.0;                ///< half side of the floor: walls or slopes begin at |x| or |y| = half_side_m
   double extent_m = 20.0;                   ///< largest terrain extent (the paper's "maximum terrain bounds")
   double friction = 1.0;                    ///< sliding friction coefficient of floor, walls and obstacles
-  std::optional<HeightField> height_field;  ///< none: a plane with four vertical walls
+  std::optional<HeightField> height_field;  ///< if empty, a plane with four vertical walls
   std::vector<Obstacle> obstacles = {};
   std::vector<Zone> zones = {};
 

@@ -26,19 +26,19 @@ struct NamedGait {
   static constexpr auto fields() { return std::tuple{field("gait", &NamedGait::gait)}; }
 };
 
-/// The models that `EcologyParams` names, loaded, or any others, made by a program.
+/// The loaded models that `EcologyParams` names, or any models made by a program.
 struct Habitat {
   RobotModel robot;
   Arena arena;
   Gait gait;
-  std::optional<body::Design> design = {};  ///< of `robot`: bodies that evolve have its masses, servos and friction
-  std::vector<NamedRobot> robots = {};      ///< that the rule BodyPlan names
-  std::vector<NamedGait> gaits = {};        ///< that the rule Gait names
+  std::optional<body::Design> design = {};  ///< design of `robot`: evolving bodies have its masses, servos and friction
+  std::vector<NamedRobot> robots = {};      ///< robots that the rule BodyPlan names
+  std::vector<NamedGait> gaits = {};        ///< gaits that the rule Gait names
 
   /// The robot or the gait that a rule names; null if it is not loaded.
   [[nodiscard]] const NamedRobot* robot_named(std::string_view name) const;
   [[nodiscard]] const Gait* gait_named(std::string_view name) const;
-  /// A robot's own gait; null for a robot that is not of this habitat.
+  /// A robot's own gait; null for a robot that is not in this habitat.
   [[nodiscard]] const Gait* gait_of(const RobotModel& one) const;
 
   static constexpr auto fields() {
@@ -53,7 +53,7 @@ struct ModelNames {
   bool needs_design = false;  ///< whether rules need the design of `ecology.robot`
 };
 
-/// Every number of a habitat as text, for fingerprints: params/numbers_text.hpp. Models that rules name follow if there are any.
+/// All numbers of a habitat as text, for fingerprints: params/numbers_text.hpp. Models that rules name follow if there are any.
 [[nodiscard]] std::string numbers_text(const Habitat& habitat);
 
 }  // namespace trophic

@@ -8,7 +8,7 @@
 
 namespace trophic {
 
-/// The side of a robot's axis of symmetry that a hinge is on.
+/// The side of a robot's axis of symmetry on which a hinge is.
 enum class Side { left, right, middle };
 [[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(Side) {
   return {"left", "right", "middle"};
@@ -18,11 +18,11 @@ enum class Side { left, right, middle };
 /// axis lies at 45 degrees through its core, so x - y < 0 is left and x - y > 0 right.
 [[nodiscard]] Side side_of(const Hinge& hinge, double forward_rad);
 
-/// A hinge as rules that steer see it, on a robot that stands with all joint angles 0.
+/// A hinge from the point of view of steering rules, on a robot that stands with all joint angles 0.
 struct HingePlace {
   Side side = Side::middle;
-  double ahead = 0.0;    ///< of the core along the forward axis, in cells of the module grid; negative behind
-  double upright = 0.0;  ///< upward part of the axis about which the hinge turns what it carries, in [-1, 1]: 0 lifts, +-1 sweeps
+  double ahead = 0.0;    ///< position ahead of the core along the forward axis, in cells of the module grid; negative behind
+  double upright = 0.0;  ///< upward component of the hinge's axis, in [-1, 1]: 0 lifts, +-1 sweeps
   friend bool operator==(const HingePlace&, const HingePlace&) = default;
 };
 

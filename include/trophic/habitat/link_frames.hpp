@@ -8,8 +8,8 @@
 
 namespace trophic {
 
-/// Forward kinematics: the frame of each link in the world, in the model's order. `joint_angles_rad` has one angle a hinge, in
-/// the model's order; empty: all 0.
+/// Forward kinematics: the frame of each link in the world, in the model's order. `joint_angles_rad` has one angle per hinge, in
+/// the model's order; if empty, all are 0.
 [[nodiscard]] std::vector<Eigen::Isometry3d> link_frames(const RobotModel& robot, const Pose& root,
                                                          std::span<const double> joint_angles_rad);
 

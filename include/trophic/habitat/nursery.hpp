@@ -13,8 +13,8 @@ class Nursery {
  public:
   virtual ~Nursery() = default;
 
-  /// The distance that this robot covers by this gait in `duration_s` of simulated time, in the direction that it faces at the
-  /// start, m; negative if it walks backwards. Empty if its motion diverges. A pure function.
+  /// The distance in metres that this robot covers with this gait in `duration_s` of simulated time, in the direction that it
+  /// faces at the start; negative if it walks backwards. Empty if its motion diverges. A pure function.
   [[nodiscard]] virtual std::optional<double> walked_m(const RobotModel& robot, const Gait& gait, double duration_s) const = 0;
 
  protected:

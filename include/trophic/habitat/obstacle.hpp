@@ -10,8 +10,8 @@
 
 namespace trophic {
 
-/// All points of the floor at most `radius_m` from the segment between two points, up to a height. Both points are one for a
-/// pillar; else it is a wall with round ends.
+/// All points of the floor at most `radius_m` from the segment between two points, up to a height. For a pillar both points are
+/// equal; otherwise it is a wall with round ends.
 struct Obstacle {
   double x_m = 0.0;
   double y_m = 0.0;
@@ -25,7 +25,7 @@ struct Obstacle {
 
   [[nodiscard]] double middle_x_m() const { return 0.5 * (x_m + to_x_m); }
   [[nodiscard]] double middle_y_m() const { return 0.5 * (y_m + to_y_m); }
-  /// Counter-clockwise from world x to a wall's length.
+  /// The angle counter-clockwise from world x to a wall's length.
   [[nodiscard]] double turn_rad() const { return std::atan2(to_y_m - y_m, to_x_m - x_m); }
 
   static constexpr auto fields() {
@@ -49,7 +49,7 @@ struct Obstacle {
   return {obstacle.x_m + part * along_x_m, obstacle.y_m + part * along_y_m};
 }
 
-/// From a point to an obstacle's surface on the floor; negative inside.
+/// The distance from a point to an obstacle's surface on the floor; negative inside.
 [[nodiscard]] inline double distance_m(const Obstacle& obstacle, double x_m, double y_m) {
   const auto [axis_x_m, axis_y_m] = closest_on_axis(obstacle, x_m, y_m);
   return std::sqrt((x_m - axis_x_m) * (x_m - axis_x_m) + (y_m - axis_y_m) * (y_m - axis_y_m)) - obstacle.radius_m;
@@ -57,7 +57,7 @@ struct Obstacle {
 
 namespace detail {
 
-/// The distance along a ray to a circle, none if it misses; 0 from inside. The direction has length 1.
+/// The distance along a ray to a circle, empty if it misses; 0 from inside. The direction has length 1.
 [[nodiscard]] inline std::optional<double> ray_to_circle_m(double dx_m, double dy_m, double cos, double sin, double radius_m) {
   const double ahead_m = dx_m * cos + dy_m * sin;
   const double distance2 = dx_m * dx_m + dy_m * dy_m;
@@ -69,7 +69,7 @@ namespace detail {
 
 }  // namespace detail
 
-/// The distance from a point along a direction of length 1 to an obstacle; 0 from inside, none if the ray misses it.
+/// The distance from a point along a direction of length 1 to an obstacle; 0 from inside, empty if the ray misses it.
 [[nodiscard]] inline std::optional<double> ray_m(const Obstacle& obstacle, const GroundPose& from, double cos, double sin) {
   if (distance_m(obstacle, from.x_m, from.y_m) <= 0.0) return 0.0;
   double nearest_m = std::numeric_limits<double>::infinity();

@@ -17,7 +17,7 @@ namespace trophic {
   return result;
 }
 
-/// An upper bound for the distance of any box point from the root frame's origin, m, at any joint angles: the sum of the
+/// An upper bound in metres for the distance of any box point from the root frame's origin, at any joint angles: the sum of the
 /// outstretched lengths from link to link. Parents must come before their children.
 [[nodiscard]] inline double reach_m(const RobotModel& robot) {
   std::vector<double> reach_m(robot.links.size(), 0.0);  // farthest box point beyond the link's anchor

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The robot for any physics engine: rigid links, boxes and servo-driven hinges. Backends read only this.
+// The robot for any physics engine: rigid links, boxes and servo-driven hinges. Backends read only this model.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -74,9 +74,8 @@ struct Hinge {
   }
 };
 
-/// A robot's walk with its own gait, steered to one side: measured once in an engine with joints
-/// (gait_evolution/trial.hpp) and written into its file. Backends without joints move it by these two numbers; 0 and 0:
-/// not measured.
+/// A robot's walk with its own gait, steered to one side: measured once in an engine with joints (gait_evolution/trial.hpp) and
+/// written to its file. Backends without joints move the robot by these two numbers; 0 and 0 mean not measured.
 struct MeasuredWalk {
   double speed_m_s = 0.0;          ///< along the heading
   double turn_rate_per_rad = 0.0;  ///< rad/s to the right per rad of target angle

@@ -16,7 +16,7 @@ struct PlacedBox {
   double radius_m = 0.0;
 };
 
-/// All boxes of a robot. `joint_angles_rad` as those of `link_frames`.
+/// All boxes of a robot. `joint_angles_rad` as in `link_frames`.
 [[nodiscard]] std::vector<PlacedBox> placed_boxes(const RobotModel& robot, const Pose& root,
                                                   std::span<const double> joint_angles_rad);
 
@@ -30,8 +30,8 @@ struct PlacedBox {
 /// Whether a robot reaches |x| or |y| = `half_side_m`, where an arena's walls or slopes begin.
 [[nodiscard]] bool touch_wall(std::span<const PlacedBox> boxes, double half_side_m);
 
-/// Whether a box reaches an obstacle, seen from above, below its top. A pillar that stands inside the box, away from its edges
-/// and its centre, is not found: no engine lets that happen.
+/// Whether a box reaches an obstacle, seen from above, below its top. A pillar inside the box, away from its edges and its
+/// centre, is not detected, because engines do not let that happen.
 [[nodiscard]] bool touch(const PlacedBox& box, const Obstacle& obstacle);
 
 /// Whether a robot reaches an obstacle.

@@ -8,7 +8,23 @@
 
 namespace trophic::io {
 
-/// The row of the individual that lives in a body now.
+namespace detail {
+
+/// The traits and acts of the individual that lives in a body; only names for a spare body.
+[[nodiscard]] inline NamedNumbers own_numbers(const View& view, BodyIndex body) {
+  NamedNumbers own{.names = {view.traits.begin(), view.traits.end()}, .values = {}};
+  if (view.robots[body].genome) own.values = view.robots[body].genome->traits;
+  for (std::size_t place = 0; place < view.acts.names.size(); ++place) {
+    if (view.acts.names[place].empty()) continue;
+    own.names.emplace_back(view.acts.names[place]);
+    own.values.push_back(view.acts.values[body * view.acts.names.size() + place]);
+  }
+  return own;
+}
+
+}  // namespace detail
+
+/// The row of the individual that currently lives in a body.
 [[nodiscard]] inline AgentRow agent_row(const View& view, BodyIndex body) {
   const Individual& self = view.robots[body];
   const GroundPose& pose = view.poses[body];
@@ -26,7 +42,9 @@ namespace trophic::io {
           .target_angle_rad = self.target_angle_rad,
           .adversary = self.adversary ? std::optional{view.robots[*self.adversary].id} : std::nullopt,
           .adversary_distance_m = self.adversary ? std::optional{self.adversary_distance_m} : std::nullopt,
-          .hunger_ticks = view.web.hunts(self.species) ? std::optional{view.hunger_ticks(self)} : std::nullopt};
+          .hunger_ticks = view.web.hunts(self.species) ? std::optional{view.hunger_ticks(self)} : std::nullopt,
+          .energy_J = view.energy.empty() ? std::nullopt : std::optional{self.energy_J},
+          .own = detail::own_numbers(view, body)};
 }
 
 /// Writes an AgentRow per robot and tick, or only at the ticks whose number is a multiple of `every_ticks`.
@@ -34,13 +52,14 @@ class AgentLog {
  public:
   static constexpr std::string_view file_name = "agents.csv";
 
-  /// Throws std::invalid_argument unless `every_ticks` >= 1. With `Opening::resumed` `persist` comes next: the file continues
-  /// with the interval that it began with.
+  /// Throws std::invalid_argument unless `every_ticks` >= 1. With `Opening::resumed`, call `persist` next: the file keeps its
+  /// original interval.
   explicit AgentLog(const std::filesystem::path& path, Opening opening = Opening::created, std::int64_t every_ticks = 1)
-      : every_ticks_{checked(every_ticks)}, file_{path, opening} {}
+      : every_ticks_{checked(every_ticks)}, file_{path, std::nullopt, opening} {}
 
   void on_tick(const View& view) {
     if (view.tick % every_ticks_ != 0) return;
+    file_.begin(agent_row(view, 0));
     for (BodyIndex body = 0; body < view.robots.size(); ++body) {
       if (view.robots[body].lives()) file_.write(agent_row(view, body), view.web);
     }

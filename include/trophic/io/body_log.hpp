@@ -80,7 +80,7 @@ class BodyLog {
 
   LineFile file_;
   std::vector<std::string> plans_;
-  std::vector<std::uint64_t> plan_of_;  ///< of each individual
+  std::vector<std::uint64_t> plan_of_;  ///< one per individual
 };
 
 }  // namespace trophic::io

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Columns: a table's row lists them once; its file's header and cells, its reader and docs/tables.md all follow that list.
+// Columns: the row of a table lists them once; the header and cells of its file, its reader and docs/tables.md follow that list.
 #pragma once
 
 #include <string_view>
@@ -12,18 +12,18 @@ namespace trophic::io {
 /// Format of a cell. Numbers are written in their shortest exact form unless `decimals` >= 0 fixes their count.
 struct Written {
   int decimals = -1;
-  std::string_view none = {};  ///< what stands for an optional that is none
+  std::string_view none = {};  ///< written for an empty optional
   bool plain = false;          ///< never with an exponent: 100000, not 1e+05
-  bool if_any = false;         ///< of an optional: a file has the column only if its rows have values
+  bool if_any = false;         ///< for an optional: a file has the column only if its rows have values
 };
 
 /// Seconds of the ecology's clock.
 inline constexpr Written seconds{.decimals = -1, .none = {}, .plain = true};
 
-/// A metre's cell has six decimals: a micrometre.
+/// Metres have six decimals: a micrometre.
 inline constexpr Written micro{.decimals = 6};
 
-/// A member of a row with the name of its column. `unit`: "s", "m", "rad"; empty for what has none.
+/// A member of a row with the name of its column. `unit`: "s", "m", "rad"; empty if there is none.
 template <class Row, class T>
 struct Column {
   std::string_view name;
@@ -41,7 +41,7 @@ struct SpeciesColumn {
   std::string_view help;
 };
 
-/// As many columns as a row has numbers: w0, w1, ... Every row of a file has the same count.
+/// One column per number in a row: w0, w1, ... Every row of a file has the same count.
 template <class Row>
 struct ListColumns {
   std::string_view name;
@@ -56,10 +56,10 @@ struct NamedNumbers {
   std::vector<double> values = {};
 };
 
-/// As many columns as a row has named numbers: NAME_output for each name and the ending "_output".
+/// One column per named number in a row: NAME_output for each name with the suffix "_output".
 template <class Row>
 struct NamedColumns {
-  std::string_view name;  ///< the ending
+  std::string_view name;  ///< the suffix
   NamedNumbers Row::*member;
   std::string_view unit;
   std::string_view help;
@@ -98,7 +98,7 @@ inline constexpr bool is_named_columns = false;
 template <class Row>
 inline constexpr bool is_named_columns<NamedColumns<Row>> = true;
 
-/// Whether a file whose rows have the same values as this one lacks a column.
+/// Whether a column is omitted in a file whose rows have values like this one.
 template <class C, class Row>
 [[nodiscard]] bool is_left_out(const C& column, const Row& row) {
   if constexpr (requires { column.written.if_any && (row.*column.member).has_value(); })

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// CSV: rows as text by their columns.
+// CSV: rows as text, according to their columns.
 #pragma once
 
 #include <cmath>
@@ -21,8 +21,8 @@ void append_number(std::string& text, Format... format) {
   text.append(digits.data(), end.ptr);
 }
 
-/// A number with `decimals` decimals, the digits that std::to_chars writes, which are slow to find exactly. Rounding the product
-/// is right unless the number lies near the middle of two results: below 2^40 the product is wrong by less than 2^-13.
+/// Writes a number with `decimals` decimals, with the same digits as std::to_chars but faster. Rounding the product is correct
+/// unless the number is near the midpoint of two results: below 2^40 the error of the product is below 2^-13.
 inline void append_fixed(std::string& text, double value, int decimals) {
   constexpr std::array<double, 7> powers{1.0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
   const bool is_known = decimals >= 1 && static_cast<std::size_t>(decimals) < powers.size();
@@ -114,7 +114,7 @@ void append_row(std::string& text, const Row& row, const FoodWeb& web) {
   text.back() = '\n';
 }
 
-/// The type of cells as Arrow names it.
+/// The Arrow name of the type of cells.
 template <class Cell>
 inline constexpr std::string_view type_name = std::integral<Cell>         ? "int64"
                                               : std::floating_point<Cell> ? "double"
@@ -125,7 +125,7 @@ inline constexpr std::string_view type_name<std::optional<Cell>> = type_name<Cel
 /// The name and the type (type_name) of a column.
 using TypedColumn = std::pair<std::string, std::string_view>;
 
-/// The columns of a table but those of lists, which are numbers.
+/// The columns of a table except those of lists, which are numbers.
 template <TableRow Row>
 [[nodiscard]] std::vector<TypedColumn> typed_columns() {
   std::vector<TypedColumn> columns;
@@ -156,7 +156,7 @@ struct TableSum {
   std::uint32_t crc32 = 0;
   std::vector<TypedColumn> columns = {};
 
-  /// The columns of a table's first line: a name has its type, and those that are not known are numbers of a list.
+  /// The columns in a table's first line: a known name has its type, and unknown names are numbers of a list.
   void add_columns(std::string_view table, const std::vector<TypedColumn>& known) {
     std::istringstream names{std::string{table.substr(0, table.find('\n'))}};
     for (std::string name; std::getline(names, name, ',');) {
@@ -175,7 +175,7 @@ template <TableRow Row>
   return text;
 }
 
-/// The states of rules with a State, as text; state_columns.hpp makes it from a table's states.
+/// The states of rules with a State, as text; state_columns.hpp makes this from a table's states.
 struct StateColumns {
   std::vector<TypedColumn> columns = {};                                   ///< SLOT.MEMBER
   std::function<void(BodyIndex body, std::string& row)> append = nullptr;  ///< a comma and a cell for each column

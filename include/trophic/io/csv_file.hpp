@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A file of lines and one of rows, which are never overwritten and never fail silently.
+// Files of lines and of rows, which are never overwritten and never fail silently.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +9,8 @@
 
 namespace trophic::io {
 
-/// A file that grows by lines. Throws std::runtime_error naming the file if it exists, cannot be written, or begins too long.
+/// A file that grows by lines. Throws std::runtime_error naming the file if it exists, cannot be written, or has too long a first
+/// line.
 class LineFile {
  public:
   /// Writes the first lines at once into a new file.
@@ -21,13 +22,13 @@ class LineFile {
     flush();
   }
 
-  /// The text that the next flush writes, which is soon if it is long. Asked for at the beginning of a line.
+  /// The text that the next flush writes; a long text is flushed soon. Call this at the beginning of a line.
   [[nodiscard]] std::string& buffer() {
     if (buffer_.size() > (std::size_t{1} << 16U)) flush();
     return buffer_;
   }
 
-  /// Passes all text so far to the system.
+  /// Passes all text written so far to the operating system.
   void flush() {
     file_.append(buffer_);
     lines_ += static_cast<std::uint64_t>(std::ranges::count(buffer_, '\n'));
@@ -59,7 +60,7 @@ class LineFile {
   std::uint64_t lines_ = 0;
 };
 
-/// A file of rows. Errors as those of LineFile.
+/// A file of rows, with the errors of LineFile.
 template <TableRow Row>
 class CsvFile {
  public:

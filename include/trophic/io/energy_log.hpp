@@ -7,8 +7,8 @@
 
 namespace trophic::io {
 
-/// energy.csv: one row per species and tick, after that tick's rules. stock_J is the last one's plus the other columns, those
-/// from upkeep_J on subtracted.
+/// energy.csv: one row per species and tick, after that tick's rules. stock_J is the previous row's plus the other columns, minus
+/// those from upkeep_J on.
 struct EnergyRow {
   double time_s = 0.0;
   std::int64_t tick = 0;
@@ -25,24 +25,24 @@ struct EnergyRow {
   double stock_J = 0.0;
 
   static constexpr auto columns() {
-    return std::tuple{column("time_s", &EnergyRow::time_s, "s", "the ecology's clock", seconds),
-                      column("tick", &EnergyRow::tick, "", "number of the decision step; 0 at the start"),
+    return std::tuple{column("time_s", &EnergyRow::time_s, "s", "time by the ecology's clock", seconds),
+                      column("tick", &EnergyRow::tick, "", "index of the decision step; 0 at the start"),
                       species_column("species", &EnergyRow::species, "the species"),
-                      column("individuals", &EnergyRow::individuals, "", "that live"),
+                      column("individuals", &EnergyRow::individuals, "", "number of living members"),
                       column("outside_J", &EnergyRow::outside_J, "J",
-                             "of founders and newcomers, whom no parent endows, and bonuses of catches"),
+                             "gained by founders and newcomers, which no parent endows, and as bonuses for catches"),
                       column("field_J", &EnergyRow::field_J, "J", "taken from the resource"),
-                      column("victims_J", &EnergyRow::victims_J, "J", "got of those that it caught"),
-                      column("received_J", &EnergyRow::received_J, "J", "of newborns, from their parents"),
+                      column("victims_J", &EnergyRow::victims_J, "J", "gained from caught victims"),
+                      column("received_J", &EnergyRow::received_J, "J", "gained by newborns from their parents"),
                       column("upkeep_J", &EnergyRow::upkeep_J, "J", "spent on living and walking"),
-                      column("eaten_J", &EnergyRow::eaten_J, "J", "that those got who caught it"),
-                      column("given_J", &EnergyRow::given_J, "J", "by parents to newborns"),
-                      column("lost_J", &EnergyRow::lost_J, "J", "with the dead"),
-                      column("stock_J", &EnergyRow::stock_J, "J", "of all who live")};
+                      column("eaten_J", &EnergyRow::eaten_J, "J", "lost to the hunters that caught members"),
+                      column("given_J", &EnergyRow::given_J, "J", "given by parents to newborns"),
+                      column("lost_J", &EnergyRow::lost_J, "J", "lost with the dead"),
+                      column("stock_J", &EnergyRow::stock_J, "J", "energy of all living members")};
   }
 };
 
-/// resource.csv: one row per tick. stock_J is the last one's plus grown_J less taken_J.
+/// resource.csv: one row per tick. stock_J is the previous row's plus grown_J minus taken_J.
 struct ResourceRow {
   double time_s = 0.0;
   std::int64_t tick = 0;
@@ -51,11 +51,12 @@ struct ResourceRow {
   double stock_J = 0.0;
 
   static constexpr auto columns() {
-    return std::tuple{column("time_s", &ResourceRow::time_s, "s", "the ecology's clock", seconds),
-                      column("tick", &ResourceRow::tick, "", "number of the decision step; 0 at the start"),
-                      column("grown_J", &ResourceRow::grown_J, "J", "by the rule Resource; negative if it decays"),
-                      column("taken_J", &ResourceRow::taken_J, "J", "by individuals"),
-                      column("stock_J", &ResourceRow::stock_J, "J", "of all cells")};
+    return std::tuple{
+        column("time_s", &ResourceRow::time_s, "s", "time by the ecology's clock", seconds),
+        column("tick", &ResourceRow::tick, "", "index of the decision step; 0 at the start"),
+        column("grown_J", &ResourceRow::grown_J, "J", "grown by the rule Resource; negative if the resource decays"),
+        column("taken_J", &ResourceRow::taken_J, "J", "taken by individuals"),
+        column("stock_J", &ResourceRow::stock_J, "J", "energy of all cells")};
   }
 };
 
@@ -67,10 +68,10 @@ struct FieldRow {
   double food_J = 0.0;
 
   static constexpr auto columns() {
-    return std::tuple{column("time_s", &FieldRow::time_s, "s", "the ecology's clock", seconds),
-                      column("x_m", &FieldRow::x_m, "m", "the centre of the cell", micro),
-                      column("y_m", &FieldRow::y_m, "m", "the centre of the cell", micro),
-                      column("food_J", &FieldRow::food_J, "J", "in the cell")};
+    return std::tuple{column("time_s", &FieldRow::time_s, "s", "time by the ecology's clock", seconds),
+                      column("x_m", &FieldRow::x_m, "m", "centre of the cell", micro),
+                      column("y_m", &FieldRow::y_m, "m", "centre of the cell", micro),
+                      column("food_J", &FieldRow::food_J, "J", "energy in the cell")};
   }
 };
 
@@ -122,7 +123,7 @@ class ResourceLog : public CsvFile<ResourceRow> {
   }
 };
 
-/// Writes a FieldRow per cell at every tenth tick, of a field of more than 10,000 cells at every hundredth.
+/// Writes a FieldRow per cell at every tenth tick, or every hundredth for a field of more than 10,000 cells.
 class FieldLog : public CsvFile<FieldRow> {
  public:
   using CsvFile::CsvFile;

@@ -11,7 +11,7 @@
 namespace trophic::io {
 
 /// Writes a GenomeRow per birth, with a column for each heritable trait. The file has as many weights as the largest brain of a
-/// species; smaller ones leave the last cells empty.
+/// species; smaller brains leave the last cells empty.
 class GenomeLog {
  public:
   static constexpr std::string_view file_name = "genomes.csv";
@@ -35,7 +35,7 @@ class GenomeLog {
   }
 
   void persist(Archive& archive) {
-    if (!file_) throw std::runtime_error{path_.string() + ": no individual was born, so there is no file to continue"};
+    if (!file_) throw std::runtime_error{path_.string() + ": no individual was born, so there is no file to resume"};
     file_->persist(archive);
   }
   [[nodiscard]] TableSum sum() const { return file_ ? file_->sum() : TableSum{}; }
@@ -43,10 +43,10 @@ class GenomeLog {
  private:
   std::filesystem::path path_;
   std::optional<CsvFile<GenomeRow>> file_;
-  std::size_t weights_ = 0;  ///< of the largest brain; 0 if brains grow
+  std::size_t weights_ = 0;  ///< number of weights of the largest brain; 0 if brains grow
 };
 
-/// Writes a GeneRow per gene of a newborn: of its gait, its body and, if brains grow, its brain.
+/// Writes a GeneRow per gene of a newborn: the genes of its gait, its body and, if brains grow, its brain.
 class GeneLog : public CsvFile<GeneRow> {
  public:
   static constexpr std::string_view file_name = "genes.csv";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A file that grows at its end and can be cut back to a length that it had.
+// A file that grows at its end and can be truncated to an earlier length.
 #pragma once
 
 #include <filesystem>
@@ -18,9 +18,9 @@ class DamagedFile : public std::runtime_error {
 
 /// Appends to a file. Throws std::runtime_error naming the file if the system refuses.
 ///
-/// With `Opening::created` nothing of that name may exist. With `Opening::resumed` the file must be a regular file without
-/// another name, and no link: nothing is written elsewhere. `persist` then compares it with the archive and cuts it. An observer
-/// that owns such files takes part in checkpoints by a `persist` of its own that calls theirs.
+/// With `Opening::created`, no file may have this name. With `Opening::resumed`, the file must be a regular file without a second
+/// name and must not be a link, so that nothing is written elsewhere. `persist` then compares it with the archive and truncates
+/// it. An observer that owns such files takes part in checkpoints by its own `persist`, which calls theirs.
 class GrowingFile {
  public:
   GrowingFile(const std::filesystem::path& path, Opening opening);
@@ -36,21 +36,21 @@ class GrowingFile {
   GrowingFile& operator=(const GrowingFile&) = delete;
   ~GrowingFile();
 
-  /// Passes the bytes to the system: if the program dies later, they are written.
+  /// Passes the bytes to the operating system: they are written even if the program dies later.
   void append(std::string_view bytes);
 
-  /// Puts all bytes on the disk, so that they survive a power failure.
+  /// Writes all bytes to the disk, so that they survive a power failure.
   void sync();
 
   /// Returns the length of the file in bytes.
   [[nodiscard]] std::uint64_t length() const { return length_; }
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// Returns the CRC-32 of all its bytes; of the file of a resumed run, after `persist`.
+  /// Returns the CRC-32 of all its bytes; in a resumed run only after `persist`.
   [[nodiscard]] std::uint32_t checksum() const { return checksum_; }
 
-  /// Writing: puts all bytes on the disk and notes length and checksum. Reading: cuts the file to that length. Throws
-  /// DamagedFile, and leaves the file as it is, if it is shorter or if its bytes up to that length have another checksum.
+  /// Writing: writes all bytes to the disk and records length and checksum. Reading: truncates the file to that length. Throws
+  /// DamagedFile, and leaves the file unchanged, if it is shorter or if its bytes up to that length have a different checksum.
   void persist(Archive& archive);
 
  private:

@@ -15,7 +15,7 @@ namespace trophic {
 
 TROPHIC_INLINE GrowingFile::GrowingFile(const std::filesystem::path& path, Opening opening) : path_{path} {
   const bool is_new = opening == Opening::created;
-  // O_NONBLOCK: the program must not wait for a reader of a pipe. O_RDWR: what is there is compared with the checkpoint.
+  // O_NONBLOCK: the program must not wait for a reader of a pipe. O_RDWR: the content is compared with the checkpoint.
   const int flags = O_APPEND | O_CLOEXEC | O_NONBLOCK | O_NOFOLLOW | (is_new ? O_WRONLY | O_CREAT | O_EXCL : O_RDWR);
   file_ = ::open(path.c_str(), flags, 0666);
   if (file_ < 0 && errno == ELOOP) throw std::runtime_error{"cannot open " + path.string() + ": it is a symbolic link"};
@@ -27,7 +27,7 @@ TROPHIC_INLINE GrowingFile::GrowingFile(const std::filesystem::path& path, Openi
     ::close(std::exchange(file_, -1));
     throw std::runtime_error{
         "cannot continue " + path.string() + ": " +
-        (is_file ? "it has another name (a hard link), whose file would change, too" : "it is not a regular file")};
+        (is_file ? "it has a second name (a hard link), whose file would change as well" : "it is not a regular file")};
   }
   length_ = static_cast<std::uint64_t>(status.st_size);
 }
@@ -84,7 +84,7 @@ TROPHIC_INLINE void GrowingFile::check_content(std::uint64_t length, std::uint32
   if (sum == checksum) return;
   throw DamagedFile{"cannot continue " + path_.string() + ": its first " + std::to_string(length) + " bytes have checksum " +
                     std::to_string(sum) + ": must be " + std::to_string(checksum) +
-                    ", as at the checkpoint; the file was damaged or changed after the run wrote it"};
+                    ", as at the checkpoint; the file was damaged or modified after the run wrote it"};
 }
 
 TROPHIC_INLINE void GrowingFile::fail(std::string_view what) const {

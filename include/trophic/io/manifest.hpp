@@ -9,11 +9,11 @@
 
 namespace trophic::io {
 
-/// Facts that only the program has: command line, host, revision of its own source. trophic's programs give them
-/// (tools/command/provenance.hpp); your own program gives those that it has.
+/// Facts that only the program knows: command line, host, and revision of its own source. trophic's programs provide them
+/// (tools/command/provenance.hpp); your own program may provide its own.
 using Provenance = std::vector<std::pair<std::string, std::string>>;
 
-/// The compiler that made trophic (if a program links it compiled: the library), with its version: "g++ 12.2.0".
+/// The compiler that built trophic (or the compiled library, if a program links it), with its version: "g++ 12.2.0".
 [[nodiscard]] std::string compiler();
 
 /// Writes the manifest when the run starts (status "running") and again when it ends: "complete", "stopped" (an observer ended it
@@ -24,12 +24,12 @@ class Manifest {
   Manifest(Manifest&&) noexcept = default;
   Manifest& operator=(Manifest&&) noexcept = default;
 
-  /// Takes part in checkpoints. Read from one, the manifest keeps what it said of the program that started the run; what this
-  /// program says of itself is added under "continued", with "other_build": "accepted" if its code is other code.
+  /// Takes part in checkpoints. After reading one, the manifest keeps the entries of the program that started the run; those of
+  /// this program are added under "continued", with "other_build": "accepted" if its code differs.
   void persist(Archive& archive);
 
-  /// Adds that the run began from another one, as read from its checkpoint; `origin`: that run ("run") and the moment ("at_s"),
-  /// with its "seed" and "fingerprint".
+  /// Records that the run starts from another one, as read from its checkpoint; `origin`: that run ("run") and the moment
+  /// ("at_s"), with its "seed" and "fingerprint".
   void begin_from(Provenance origin) {
     if (!continued_.empty()) provenance_ = continued_.back().provenance;
     continued_.clear();
@@ -50,19 +50,19 @@ class Manifest {
   }
   void on_failure(std::string_view what);
 
-  /// Sets the interval of agents.csv, if it lacks some ticks; call before `on_start`.
+  /// Sets the interval of agents.csv if it does not have all ticks; call this before `on_start`.
   void set_agents_every_ticks(std::int64_t every) { agents_every_ticks_ = every; }
 
-  /// Sets the names of the inputs in senses.csv, of a run that has that table; call before `on_start`.
+  /// Sets the names of the inputs in senses.csv, for a run with that table; call this before `on_start`.
   void set_inputs(const std::vector<std::string>& inputs) { inputs_ = inputs; }
 
-  /// Sets the sums of the run's tables, for the next time that it is written.
+  /// Sets the sums of the run's tables, for the next write.
   void set_tables(const std::vector<std::pair<std::string, TableSum>>& tables);
 
-  /// Sets the description of the run's recording, for the next time that it is written.
+  /// Sets the description of the run's recording, for the next write.
   void set_recording(std::uint64_t frames, std::uint32_t crc32);
 
-  /// Adds provenance that is known only now, such as the wall time, and writes again.
+  /// Adds provenance that is known only now, such as the wall time, and writes the manifest again.
   void add(const Provenance& provenance);
 
  private:
@@ -84,14 +84,14 @@ class Manifest {
   observe::Tally tally_;
   std::int64_t agents_every_ticks_ = 1;
   std::optional<std::vector<std::string>> inputs_;
-  std::optional<observe::RunDescription> changed_;  ///< by changes of parameters
+  std::optional<observe::RunDescription> changed_;  ///< the description after changes of parameters
   std::size_t described_ = 0;                       ///< changes in the file
   double until_s_ = 0.0;
   double reached_s_ = 0.0;
-  std::string end_text_ = {};  ///< of a run that ends before its time
+  std::string end_text_ = {};  ///< for a run that ends early
   bool inherits_bodies_ = false;
-  std::uint64_t refused_bodies_ = 0;  ///< mutations, up to the last tick
-  std::uint64_t refused_births_ = 0;  ///< without a free body or room, up to the last tick
+  std::uint64_t refused_bodies_ = 0;  ///< refused mutations, up to the last tick
+  std::uint64_t refused_births_ = 0;  ///< births without a free body or space, up to the last tick
 };
 
 }  // namespace trophic::io

@@ -15,7 +15,7 @@ namespace trophic::io {
 
 namespace detail {
 
-/// "rules.tag_switch.cool_down_s" as the place in a nested object.
+/// The path "rules.tag_switch.cool_down_s" as a place in a nested object.
 [[nodiscard]] inline Json::json_pointer json_place(std::string path) {
   for (char& c : path) {
     if (c == '.') c = '/';
@@ -23,7 +23,7 @@ namespace detail {
   return Json::json_pointer{"/" + path};
 }
 
-/// Puts identity and description of a run with this origin, which may be empty, into its manifest.
+/// Adds identity and description of a run with this origin, which may be empty, to its manifest.
 inline void describe(observe::RunDescription run, const Provenance& origin, Json& json) {
   if (!origin.empty()) {
     const auto text = [&](std::string_view key) {
@@ -67,8 +67,8 @@ struct Manifest::Content {
 
   void write() const { replace_file(path, sealed_text(json)); }
 
-  /// Calls `change(json)`; its effect is kept if it throws nothing. If memory runs out in it, the library's values may hold
-  /// null pointers that their destructors follow: such a copy is leaked.
+  /// Calls `change(json)` and keeps its effect unless it throws. If memory runs out in the call, the JSON library's values may
+  /// hold null pointers that their destructors dereference, so such a copy is leaked.
   template <class Change>
   void change(Change&& change) {
     auto changed = std::make_unique<Json>(json);

@@ -9,7 +9,7 @@
 
 namespace trophic::io {
 
-/// The first of PATH-1, PATH-2, ... that does not exist: a program that is started twice has two folders.
+/// The first of PATH-1, PATH-2, ... that does not exist, so a program that is started twice has two folders.
 [[nodiscard]] inline std::filesystem::path next_free_folder(const std::filesystem::path& path) {
   for (std::size_t number = 1;; ++number) {
     std::filesystem::path numbered = path;

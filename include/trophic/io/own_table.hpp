@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Own tables: observers that a program gives to its experiments, so that every run writes their tables, too.
+// Own tables: observers that a program adds to its experiments, so that every run also writes their tables.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <functional>
 #include <trophic/io/csv_file.hpp>
 #include <trophic/observe/audience.hpp>
@@ -13,15 +15,23 @@ class Simulation;
 
 namespace trophic::io {
 
+/// The tables that runs write themselves, in the folder that own tables share with them.
+inline constexpr std::array<std::string_view, 12> run_tables{"events.csv", "agents.csv",   "phylogeny.csv", "genomes.csv",
+                                                             "senses.csv", "states.csv",   "genes.csv",     "bodies.csv",
+                                                             "energy.csv", "resource.csv", "field.csv",     "changes.csv"};
+[[nodiscard]] constexpr bool is_run_table(std::string_view file_name) {
+  return std::ranges::find(run_tables, file_name) != run_tables.end();
+}
+
 /// An observer (trophic/observe/hooks.hpp) that writes one table into the folder of a run:
 ///
-///   static constexpr std::string_view file_name = "distances.csv";
+///   static constexpr std::string_view file_name = "distances.csv";  its own: ends in .csv and is none of run_tables
 ///   Distances(const std::filesystem::path& path, Opening opening)   `path` ends in file_name; a resumed run continues the file
 ///   void persist(Archive& archive)                                  its state, and its CsvFile
 ///   TableSum sum() const                                            its CsvFile's
 ///
-/// The run puts the file on the disk when it ends.
-/// It observes; it neither asks for frames nor ends a run: such observers are passed to run_until.
+/// The run writes the file to the disk when it ends. Such an observer neither requests frames nor ends a run; observers that do
+/// are passed to run_until.
 template <class O>
 concept OwnTable = observe::Observer<O> && Persists<O> && std::constructible_from<O, const std::filesystem::path&, Opening> &&
     requires(const O& table) {
@@ -30,7 +40,7 @@ concept OwnTable = observe::Observer<O> && Persists<O> && std::constructible_fro
 } && !observe::detail::Names_on_frame<O> && !observe::detail::Names_between_ticks<O> && !observe::detail::Names_keep_running<O> &&
     !observe::detail::Names_cancels_tick<O>;
 
-/// A table of a run, its type erased.
+/// A type-erased table of a run.
 class AnyOwnTable {
  public:
   AnyOwnTable() = default;
@@ -67,6 +77,16 @@ class OwnTableOf final : public AnyOwnTable {
   observe::AudienceOf<O> observer_;
 };
 
+/// Whether tables of these names can be in one folder with those of a run.
+template <class... Observers>
+[[nodiscard]] consteval bool have_own_names() {
+  const std::array<std::string_view, sizeof...(Observers)> names{Observers::file_name...};
+  return std::ranges::all_of(names, [&](std::string_view name) {
+    const bool is_plain = name.ends_with(".csv") && name.find('/') == std::string_view::npos;
+    return is_plain && !is_run_table(name) && std::ranges::count(names, name) == 1;
+  });
+}
+
 }  // namespace detail
 
 /// The tables of these observers, for `trophic::experiment`.
@@ -76,6 +96,11 @@ template <class... Observers>
                 "an own table is an observer with file_name, a constructor from (const std::filesystem::path&, Opening), "
                 "persist(Archive&) and TableSum sum() const, and without on_frame, between_ticks, "
                 "keep_running and cancels_tick; see trophic/io/own_table.hpp");
+  if constexpr ((OwnTable<Observers> && ...)) {
+    static_assert(detail::have_own_names<Observers...>(),
+                  "the file_name of an own table must end in .csv, without a folder, and be neither that of another own table "
+                  "nor that of a table of every run, such as events.csv; see run_tables in trophic/io/own_table.hpp");
+  }
   return {[](const std::filesystem::path& folder, Opening opening) -> std::unique_ptr<AnyOwnTable> {
     return std::make_unique<detail::OwnTableOf<Observers>>(folder / std::string{Observers::file_name}, opening);
   }...};

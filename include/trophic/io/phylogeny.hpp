@@ -52,7 +52,7 @@ class Phylogeny : public CsvFile<TaxonRow> {
   }
 
  private:
-  /// The row of an individual that lives.
+  /// The row of a living individual.
   [[nodiscard]] TaxonRow row_of(const Individual& self, BodyIndex body) const {
     return {.id = self.id,
             .ancestor_list = ancestor_list_of(self),

@@ -8,9 +8,9 @@
 namespace trophic {
 
 /// Returns 16 hexadecimal digits: a hash of this program's machine code and constants, as they are in memory. Rules are code, so
-/// another rule, and another constant in a rule, is another hash. Another compiler, another option of it or another version of a
-/// library that is linked in is another hash, too; debugging information and the revision of the sources are not in it, nor are
-/// shared libraries.
+/// a different rule, or a different constant in a rule, gives a different hash. So does a different compiler, compiler option or
+/// version of a statically linked library. Debugging information, the revision of the sources and shared libraries have no
+/// effect.
 [[nodiscard]] const std::string& program_code();
 
 }  // namespace trophic

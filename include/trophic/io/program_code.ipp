@@ -14,7 +14,7 @@ namespace trophic {
 
 namespace detail {
 
-/// Whether a segment is code or constants. The first one without code has the file's head and the names of symbols.
+/// Whether a segment is code or constants. The first one without code has the file's header and the names of symbols.
 [[nodiscard]] inline bool is_code(const ElfW(Phdr) & segment) {
   const bool runs = (segment.p_flags & PF_X) != 0;
   return segment.p_type == PT_LOAD && (segment.p_flags & PF_W) == 0 && (runs || segment.p_offset != 0);
@@ -23,7 +23,7 @@ namespace detail {
 /// Eight bytes at any address.
 using LooseWord = std::uint64_t __attribute__((aligned(1), may_alias));
 
-/// Copies bytes without AddressSanitizer's checks, which would refuse the guards that it puts between constants.
+/// Copies bytes without AddressSanitizer's checks, which would reject its own guards between constants.
 __attribute__((no_sanitize("address"))) inline void copy_unchecked(const char* from, std::size_t size, std::uint64_t* into) {
   const volatile auto* const words = reinterpret_cast<const volatile LooseWord*>(from);
   const std::size_t whole = size / sizeof(*into);
@@ -33,7 +33,7 @@ __attribute__((no_sanitize("address"))) inline void copy_unchecked(const char* f
     into[whole] |= std::uint64_t{static_cast<unsigned char>(rest[i])} << 8 * i;
 }
 
-/// The bytes of a segment as words, without notes: the linker's note changes with all that the file holds.
+/// The bytes of a segment as words, without notes, because the linker's note changes with everything in the file.
 [[nodiscard]] inline std::vector<std::uint64_t> words_of(const ElfW(Phdr) & segment, std::span<const ElfW(Phdr)> all,
                                                          ElfW(Addr) base) {
   std::vector<std::uint64_t> words(segment.p_memsz / sizeof(std::uint64_t) + 1);

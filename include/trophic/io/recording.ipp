@@ -124,7 +124,7 @@ TROPHIC_INLINE void Recording::on_frame(const observe::Frame& frame) {
   if (bodies_differ_) write_bodies(frame);
   const std::size_t joints = channels_ - recording::pose_channels;
   if (frame.roots.size() != robots_ || (!bodies_differ_ && frame.joint_angles_rad.size() / robots_ != joints)) {
-    throw std::runtime_error{"recording: a frame of other robots or joints than its head has"};
+    throw std::runtime_error{"recording: a frame whose robots or joints differ from its header"};
   }
   for (std::size_t robot = 0; robot < robots_; ++robot) {
     const auto pose = recording::whole(frame.roots[robot], units_);
@@ -137,7 +137,7 @@ TROPHIC_INLINE void Recording::on_frame(const observe::Frame& frame) {
   if (values_.size() / (channels_ * robots_) >= block_frames_) write_frames();
 }
 
-/// The bodies that were set down since the last frame. A body with more joints than all before begins a block.
+/// The bodies that were put in place since the last frame. A body with more joints than all previous ones begins a block.
 TROPHIC_INLINE void Recording::write_bodies(const observe::Frame& frame) {
   std::string who;
   recording::append_u32(who, frames_);
@@ -181,7 +181,7 @@ TROPHIC_INLINE void Recording::on_failure(std::string_view) {
   try {
     if (file_) write_frames();
   } catch (const std::runtime_error&) {
-    // A full disk is the reason of the failure, or a worse one is reported.
+    // The disk is full, or a worse failure is reported elsewhere.
   }
 }
 
@@ -189,7 +189,7 @@ TROPHIC_INLINE void Recording::on_failure(std::string_view) {
 TROPHIC_INLINE std::string Recording::waiting() const {
   const std::size_t columns = channels_ * robots_;
   const std::size_t frames = values_.size() / columns;
-  // Channel by channel, as `packed` takes the columns.
+  // Channel by channel, as `packed` expects the columns.
   std::vector<std::int16_t> ordered(values_.size());
   for (std::size_t frame = 0; frame < frames; ++frame) {
     for (std::size_t robot = 0; robot < robots_; ++robot) {
@@ -216,7 +216,8 @@ TROPHIC_INLINE void Recording::write_frames() {
 
 TROPHIC_INLINE void Recording::persist(Archive& archive) {
   archive(hz_);
-  Archive::require((hz_ > 0.0) == (file_ != nullptr), "a recording of another rate, or none where there was one");
+  Archive::require((hz_ > 0.0) == (file_ != nullptr),
+                   "a recording with a different rate, or no recording although there was one");
   if (!file_) return;
   archive(file_->file, units_, channels_, robots_, block_frames_, fingerprint_, seed_, frames_);
   archive(bodies_differ_, bodies_, individual_);
@@ -233,7 +234,7 @@ TROPHIC_INLINE void Recording::persist(Archive& archive) {
   const std::size_t most = recording::most_values(bytes.size());
   const std::size_t frames = bodies_differ_ ? waiting_frames : frames_ % block_frames_;
   Archive::require(frames > 0 && frames < block_frames_ && frames <= most / channels_ / robots_,
-                   "more frames of a recording than their bytes can hold");
+                   "more frames of a recording than its bytes can hold");
   const std::size_t columns = channels_ * robots_;
   const std::vector<std::int16_t> ordered = recording::unpacked(bytes, columns, frames);
   values_.resize(ordered.size());

@@ -15,25 +15,26 @@
 
 namespace trophic::io::recording {
 
-/// The first bytes of every recording. As in PNG: not text, and damaged by a conversion of line ends.
+/// The first bytes of every recording. As in PNG, they are not text and are damaged by a conversion of line ends.
 inline constexpr std::string_view magic{"\x89TRP\r\n\x1a\n", 8};
 inline constexpr int version = 1;
-inline constexpr int version_of_bodies = 2;  ///< of a run whose bodies differ: it has BODY and WHO blocks
+inline constexpr int version_of_bodies = 2;  ///< for a run whose bodies differ, with BODY and WHO blocks
 
 /// After the magic come blocks: length of the data (4 bytes), kind (4 letters), data, CRC-32 of kind and data. Whole numbers are
 /// unsigned, 4 bytes, little-endian.
-inline constexpr std::string_view head_kind = "HEAD";  ///< JSON: what is recorded and in which units; later ones: of which run
+inline constexpr std::string_view head_kind =
+    "HEAD";  ///< JSON: the recorded quantities and their units; in later blocks: the run
 inline constexpr std::string_view frames_kind =
     "POSE";  ///< first frame, number of frames, in version 2 number of channels, then zlib
 inline constexpr std::string_view body_kind = "BODY";  ///< JSON: a body; bodies are numbered from 0 in the order of these blocks
 inline constexpr std::string_view who_kind = "WHO ";   ///< a frame, then for each body set down before it: robot, body
-inline constexpr std::string_view end_kind = "DONE";   ///< the number of frames: the run ended; a run that was killed has none
+inline constexpr std::string_view end_kind = "DONE";  ///< the number of frames, when the run ended; missing if the run was killed
 
 inline void append_u32(std::string& bytes, std::uint32_t value) {
   for (int shift = 0; shift < 32; shift += 8) bytes.push_back(static_cast<char>((value >> shift) & 0xFFU));
 }
 
-/// The whole number that begins at a byte.
+/// Returns the whole number that begins at a byte.
 [[nodiscard]] constexpr std::uint32_t u32_at(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;
   for (std::size_t i = 4; i-- > 0;) value = (value << 8U) | static_cast<unsigned char>(bytes[at + i]);
@@ -45,7 +46,7 @@ inline void append_u32(std::string& bytes, std::uint32_t value) {
 /// each written as 2 d for d >= 0 and as -2 d - 1 for d < 0; first the low bytes of all of them, then the high bytes.
 inline constexpr std::size_t pose_channels = 6;
 
-/// Units of the whole numbers. Angles are as fine as a millimetre at the end of a leg of 0.3 m.
+/// Units of the whole numbers. An angle unit is a millimetre at the end of a leg of 0.3 m.
 struct Units {
   double position_m = 0.001;
   double yaw_rad = 2.0 * std::numbers::pi / 2048.0;
@@ -72,8 +73,8 @@ struct Units {
   return static_cast<std::int16_t>(std::clamp(std::round(value / unit), -32768.0, 32767.0));
 }
 
-/// The orientation is taken apart into a turn about the vertical axis after a tilt about a horizontal one: q = yaw * tilt, with
-/// tilt the turn by hypot(x, y) about (x, y, 0). A yaw that jumps by a whole turn does not change it.
+/// The orientation is decomposed into a rotation about the vertical axis after a tilt about a horizontal one: q = yaw * tilt,
+/// where tilt is the rotation by hypot(x, y) about (x, y, 0). A yaw that jumps by a whole turn does not change it.
 [[nodiscard]] inline std::array<std::int16_t, pose_channels> whole(const Pose& pose, const Units& units) {
   const Eigen::Vector3d& at = pose.position_m;
   const Eigen::Quaterniond q = pose.orientation.normalized();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Robots and arenas in the head of a recording.
+// Robots and arenas in the header of a recording.
 #pragma once
 
 #include <trophic/habitat/arena.hpp>

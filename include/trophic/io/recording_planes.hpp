@@ -14,14 +14,14 @@ namespace trophic::io::recording {
 /// A block with its length and checksum.
 [[nodiscard]] std::string block(std::string_view kind, std::string_view data);
 
-/// zlib's levels: `small` for recordings with joints, which physics makes slow, and `fast` for those of poses alone, which it
-/// makes a fifth larger in a third of the time.
+/// zlib's levels: `small` for recordings with joints, whose runs are slow, and `fast` for those of poses only, with files a fifth
+/// larger in a third of the time.
 enum class Effort { fast = 3, small = 6 };
 
 /// The bytes of the frames in a block, as in docs/recording.md. `values`: frame by frame, `columns` of them each.
 [[nodiscard]] std::string packed(const std::vector<std::int16_t>& values, std::size_t columns, Effort effort = Effort::small);
 
-/// The largest number of values in so many packed bytes: zlib makes them 1032 times as many, and a value takes two.
+/// The largest number of values in this many packed bytes: zlib expands them at most 1032 times, and a value takes two.
 [[nodiscard]] constexpr std::size_t most_values(std::size_t packed_bytes) {
   return 516 * packed_bytes;
 }

@@ -32,25 +32,25 @@ class SenseLog;
 
 /// Optional output of a run.
 struct OutputOptions {
-  double replay_hz = default_replay_hz;  ///< frames of the recording in a simulated second; 0: no recording
-  std::int64_t agents_every_ticks = 1;   ///< agents.csv has the ticks whose number is a multiple of it
-  bool senses = false;                   ///< senses.csv too, at the ticks of agents.csv
-  bool states = false;                   ///< states.csv too, at the ticks of agents.csv
+  double replay_hz = default_replay_hz;  ///< recorded frames per simulated second; 0: no recording
+  std::int64_t agents_every_ticks = 1;   ///< agents.csv has only ticks that are multiples of this
+  bool senses = false;                   ///< also write senses.csv, at the ticks of agents.csv
+  bool states = false;                   ///< also write states.csv, at the ticks of agents.csv
   friend bool operator==(const OutputOptions&, const OutputOptions&) = default;
 };
 
 /// events.csv, agents.csv, phylogeny.csv, genomes.csv, manifest.json, the recording replay.trp and, if requested, senses.csv
-/// and states.csv in a new folder, with own tables (own_table.hpp). Tables are flushed at every tick, so that a crash
-/// keeps the past events, and on the disk before the manifest has the run's end and the number of rows of each. Observes one call
-/// of run_until. No other program can resume in the folder meanwhile.
+/// and states.csv in a new folder, with own tables (own_table.hpp). Tables are flushed at every tick, so a crash keeps the past
+/// events; they are on the disk before the manifest has the run's end and the number of rows of each. Observes one call of
+/// run_until. Meanwhile no other program can resume in the folder.
 class RunFolder {
  public:
-  static constexpr std::string_view section = "run_folder";  ///< of a checkpoint
+  static constexpr std::string_view section = "run_folder";  ///< name of its section in a checkpoint
 
   /// Makes the folder at once: see make_new_folder. The manifest has the interval of a thinned agents.csv and, with senses.csv,
   /// the names of the brain's inputs. `states`: `ecology.state_columns()`, for states.csv.
-  /// With `Opening::resumed` the folder must exist, and is to be read from a checkpoint next, with the output with
-  /// which it began; throws std::runtime_error if a file is missing or another program works in it.
+  /// With `Opening::resumed` the folder must exist; read it from a checkpoint next, with its original output options. Throws
+  /// std::runtime_error if a file is missing or another program works in the folder.
   explicit RunFolder(const std::filesystem::path& path, Provenance provenance = {}, const OutputOptions& output = {},
                      Opening opening = Opening::created, StateColumns states = {}, const OwnTables& own_tables = {});
 
@@ -91,7 +91,7 @@ class RunFolder {
   }
 
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-  /// The names of a run's files in it, without checkpoints.
+  /// The names of the run's files in the folder, without checkpoints.
   [[nodiscard]] std::vector<std::string> files() const {
     std::vector<std::string> names;
     each([&](const AnyOwnTable& table) { names.push_back(table.file_name()); });
@@ -120,7 +120,7 @@ class RunFolder {
   FolderLock lock_;
   std::int64_t agents_every_ticks_ = 1;
   StateColumns states_;
-  std::vector<std::unique_ptr<AnyOwnTable>> tables_;  ///< each shipped one, null in a run without it; then own ones
+  std::vector<std::unique_ptr<AnyOwnTable>> tables_;  ///< all shipped ones, null in a run without them; then own ones
   const AgentLog* agents_ = nullptr;
   SenseLog* senses_ = nullptr;
   Manifest manifest_;

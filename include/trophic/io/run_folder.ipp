@@ -25,7 +25,7 @@ TROPHIC_INLINE std::filesystem::path make_new_folder(const std::filesystem::path
   const std::filesystem::path name = without_slash(path);
   if (name.has_parent_path()) std::filesystem::create_directories(name.parent_path(), error);
   require(error);
-  // If two programs want the same folder, one makes it.
+  // If two programs request the same folder, only one makes it.
   const bool made = std::filesystem::create_directory(name, error);
   require(error);
   if (!made) check_new_folder(path);
@@ -68,6 +68,7 @@ struct RunFolder::Shipped {
                                        Shipped{EnergyLog::file_name, plain<EnergyLog>},
                                        Shipped{ResourceLog::file_name, plain<ResourceLog>},
                                        Shipped{FieldLog::file_name, plain<FieldLog>}};
+    static_assert(std::ranges::all_of(tables, is_run_table, &Shipped::file_name));
     return tables;
   }
   static constexpr std::size_t in_every_run = 4;  ///< the first ones
@@ -111,7 +112,7 @@ TROPHIC_INLINE void RunFolder::persist(Archive& archive) {
   for (const auto& table : tables.subspan(Shipped::all().size())) {
     std::string name = table->file_name();
     archive(name);
-    Archive::require(name == table->file_name(), "other tables of one's own");
+    Archive::require(name == table->file_name(), "different own tables");
     table->persist(archive);
   }
 }
@@ -140,7 +141,7 @@ TROPHIC_INLINE double RunFolder::frame_hz() const {
 }
 
 TROPHIC_INLINE void RunFolder::on_end(const View& view) {
-  // On the disk before the manifest says that the run is complete.
+  // The files must be on the disk before the manifest says that the run is complete.
   each([&](AnyOwnTable& table) {
     table.observer().end(view);
     if (const auto file = path_ / table.file_name(); std::filesystem::exists(file)) sync_file(file);

@@ -15,14 +15,14 @@
 
 namespace trophic::io {
 
-/// Writes a SenseRow per robot at the ticks whose number is a multiple of `every_ticks`. Height, tilt and contacts are those of
-/// the moment at which rules decide, by the shapes and poses of the bodies, and unknown if bodies have no joints; the inputs of a
-/// brain are unknown at a tick at which it was not evaluated, and beyond those of its species.
+/// Writes a SenseRow per robot at the ticks whose number is a multiple of `every_ticks`. Height, tilt and contacts are those at
+/// the moment at which rules act, from the shapes and poses of the bodies, and are empty if bodies have no joints. The inputs of
+/// a brain are empty at ticks without an evaluation, and beyond the inputs of its species.
 class SenseLog {
  public:
   static constexpr std::string_view file_name = "senses.csv";
 
-  /// `every_ticks` >= 1. The file begins with the run, which sets the numbers of a brain's inputs and outputs.
+  /// `every_ticks` >= 1. The file is made when the run starts, which determines the numbers of a brain's inputs and outputs.
   explicit SenseLog(std::filesystem::path path, Opening opening = Opening::created, std::int64_t every_ticks = 1)
       : path_{std::move(path)}, every_ticks_{every_ticks} {
     if (opening == Opening::resumed) file_.emplace(path_, opening);
@@ -54,7 +54,7 @@ class SenseLog {
 
   void on_exemption(BodyIndex hunter, const View& view) { exempt_[hunter] = view.robots[hunter].id; }
 
-  /// One a tick is enough: that at which rules decide is always the last.
+  /// One frame per tick is enough: the one at which rules act is always the last.
   [[nodiscard]] double frame_hz() const { return once_a_tick_hz; }
   void on_frame(const observe::Frame& frame) {
     if (frame.joint_angles_rad.empty()) return;
@@ -76,7 +76,7 @@ class SenseLog {
   }
 
   void persist(Archive& archive) {
-    if (!file_) throw std::runtime_error{path_.string() + ": the run did not begin, so there is no file to continue"};
+    if (!file_) throw std::runtime_error{path_.string() + ": the run had not begun, so there is no file to resume"};
     archive(*file_);
   }
   [[nodiscard]] TableSum sum() const { return file_ ? file_->sum() : TableSum{}; }
@@ -147,13 +147,13 @@ class SenseLog {
   std::int64_t every_ticks_;
   std::optional<CsvFile<SenseRow>> file_;
   std::size_t inputs_ = 0;
-  std::vector<std::string> outputs_ = {};            ///< names; empty if turn and tag are all
-  std::vector<SenseRow> rows_;                       ///< of the current tick, by body
+  std::vector<std::string> outputs_ = {};            ///< names; empty if turn and tag are the only outputs
+  std::vector<SenseRow> rows_;                       ///< rows of the current tick, by body
   std::vector<std::optional<IndividualId>> exempt_;  ///< the exempt individual of each body
-  std::optional<RobotModel> robot_;                  ///< none on a backend without joints
+  std::optional<RobotModel> robot_;                  ///< empty on a backend without joints
   std::vector<Pose> roots_;
   std::vector<std::vector<double>> joint_angles_rad_;
-  std::vector<std::shared_ptr<const RobotModel>> robots_;  ///< of each body, if they differ
+  std::vector<std::shared_ptr<const RobotModel>> robots_;  ///< one per body, if they differ
 };
 
 }  // namespace trophic::io

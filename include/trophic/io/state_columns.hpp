@@ -48,18 +48,14 @@ void append_state(const State& state, std::string& row) {
 
 }  // namespace detail
 
-/// The column energy_J of individuals in a table with a rule Metabolism, and the columns SLOT.MEMBER of all States of a table.
-/// Refers to both.
+/// The columns SLOT.MEMBER of all States of a table. Refers to them.
 template <class Rules>
-[[nodiscard]] StateColumns state_columns(const RuleStates<Rules>& states, std::span<const Individual> robots = {}) {
-  constexpr bool has_energy = !is_neutral<Rules, RuleSlot::metabolism>;
+[[nodiscard]] StateColumns state_columns(const RuleStates<Rules>& states) {
   StateColumns columns;
-  if (has_energy) columns.columns.emplace_back("energy_J", "double");
   for_each_state(states, [&]<class P>(std::string_view slot, const BodyStates<P>&) {
     detail::append_names(StateOf<P>{}, std::string{slot}, columns);
   });
-  columns.append = [&states, robots](BodyIndex body, std::string& row) {
-    if (has_energy) detail::append_cell(row += ',', robots[body].energy_J);
+  columns.append = [&states](BodyIndex body, std::string& row) {
     for_each_state(states, [&](std::string_view, const auto& of_slot) { detail::append_state(of_slot[body], row); });
   };
   return columns;

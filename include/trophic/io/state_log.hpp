@@ -8,15 +8,15 @@
 namespace trophic::io {
 
 /// One row per robot and tick, after that tick's rules: `StateLog log{path, ecology.state_columns()};`.
-/// Columns: time_s, tick, body, id, energy_J in a table with a rule Metabolism, then SLOT.MEMBER for each member of each State of
-/// the table: numbers exact, an Ancestor by its id, a vector's numbers with spaces between, nothing as an empty cell. The first
-/// four alone if no rule has a State.
+/// Columns: time_s, tick, body, id, then SLOT.MEMBER for each member of each State of
+/// the table. Numbers are exact, an Ancestor is its id, a vector's numbers are separated by spaces, and an empty cell means no
+/// value. Only the first four columns exist if no rule has a State.
 class StateLog {
  public:
   static constexpr std::string_view section = "states.csv";
   static constexpr std::string_view file_name = "states.csv";
 
-  /// `every_ticks`: rows of the ticks whose number is a multiple of it.
+  /// `every_ticks`: only ticks that are multiples of this have rows.
   StateLog(const std::filesystem::path& path, StateColumns columns, Opening opening = Opening::created,
            std::int64_t every_ticks = 1)
       : append_{std::move(columns.append)},

@@ -38,7 +38,7 @@ class Audience {
   virtual void decision(const DecisionRecord& decision, const View& view) = 0;
   virtual void exemption(BodyIndex hunter, const View& view) = 0;
 
-  /// The first control step of a tick after `step` at which an observer wants a frame; the tick's last step at the latest.
+  /// The first control step of a tick after `step` at which an observer wants a frame, at the latest the tick's last step.
   [[nodiscard]] virtual std::int64_t next_frame(const FrameTimes& times, std::int64_t step) = 0;
   [[nodiscard]] virtual bool wants_frame(const FrameTimes& times, std::int64_t step) = 0;
   /// Passes the frame after `step` to the observers that want it.

@@ -12,15 +12,15 @@
 
 namespace trophic::observe {
 
-/// The control steps of one tick, and those of them at which a frame rate takes a frame. Every tick has the same whole number
-/// of frames, as evenly spaced as its steps allow. Its last step always has one, so that frames show the state on which rules
-/// decide.
+/// The control steps of one tick, and those at which a frame is taken. Every tick has the same whole number of frames, spaced as
+/// evenly as its steps allow. Its last step always has one, so that frames show the state on which rules act.
 struct FrameTimes {
-  std::int64_t steps = 1;    ///< control steps of a tick
-  double tick_s = 1.0;       ///< ecology seconds of a tick
-  double clock_scale = 1.0;  ///< simulated seconds per ecology second
+  std::int64_t steps = 1;    ///< control steps in a tick
+  double tick_s = 1.0;       ///< length of a tick, seconds of the ecology's clock
+  double clock_scale = 1.0;  ///< simulated seconds per second of the ecology's clock
 
-  /// Number of frames a tick that is closest to `hz` frames a simulated second: at least one, at most one a step; none at 0.
+  /// The number of frames per tick that is closest to `hz` frames per simulated second: at least one and at most one per step; 0
+  /// if `hz` is 0.
   [[nodiscard]] std::int64_t per_tick(double hz) const {
     if (!(hz > 0.0)) return 0;
     return static_cast<std::int64_t>(std::clamp(std::round(hz * tick_s * clock_scale), 1.0, static_cast<double>(steps)));
@@ -31,7 +31,7 @@ struct FrameTimes {
     return (frame * steps + per_tick - 1) / per_tick;
   }
 
-  /// The first step after `step` with a frame at that rate; `steps` at the latest.
+  /// The first step after `step` with a frame at that rate, at the latest `steps`.
   [[nodiscard]] std::int64_t next(std::int64_t step, double hz) const {
     const std::int64_t frames = per_tick(hz);
     return frames == 0 ? steps : step_of(step * frames / steps + 1, frames);
@@ -44,13 +44,13 @@ struct FrameTimes {
 /// One moment. Its spans are valid during the call.
 struct Frame {
   double time_s = 0.0;                       ///< the ecology's clock
-  FrameTimes times;                          ///< of every tick of the run
-  std::span<const Pose> roots;               ///< of each robot's root link
+  FrameTimes times;                          ///< times in every tick of the run
+  std::span<const Pose> roots;               ///< pose of each robot's root link
   std::span<const double> joint_angles_rad;  ///< robot by robot, in the order of the model's hinges; empty without joints
-  const RobotModel& robot;                   ///< of all, unless `phenotypes` has one for each
+  const RobotModel& robot;                   ///< the model of all robots, unless `phenotypes` has one for each
   const Arena& arena;
-  std::span<const Phenotype> phenotypes = {};     ///< of each robot; empty if all have the same body
-  std::span<const std::size_t> first_angle = {};  ///< of each robot in the joint angles; empty: all have as many
+  std::span<const Phenotype> phenotypes = {};     ///< one per robot; empty if all have the same body
+  std::span<const std::size_t> first_angle = {};  ///< index of each robot's first joint angle; empty if all have the same number
 
   /// The model of a robot, and its joint angles.
   [[nodiscard]] const RobotModel& model(std::size_t index) const {

@@ -58,7 +58,7 @@ struct NotProbed {};
 TROPHIC_OBSERVER_HOOKS(TROPHIC_PROBE)
 #undef TROPHIC_PROBE
 
-/// Fails to compile, with one sentence, if a hook has a wrong signature or if there is no hook.
+/// Fails to compile with one message if a hook has a wrong signature or if there is no hook.
 template <class Observer>
 struct CheckObserver {
   static_assert(!std::is_final_v<Observer>,
@@ -97,7 +97,7 @@ struct CheckObserver {
 ///                                                          seconds; true ends the run in its state after the tick before
 ///   void on_frame(const Frame&)                            the poses of all bodies: at the start, before the rules of each
 ///                                                          tick, and at the rate of frame_hz in between
-///   double frame_hz()                                      frames a simulated second; 0: never
+///   double frame_hz()                                      frames per simulated second; 0: never
 ///   void on_decision(const DecisionRecord&, const View&)   inputs, outputs and decision of each brain, robot by robot
 ///   bool wants_decisions()                                 whether on_decision is called
 ///   void on_exemption(BodyIndex, const View&)              a hunter that is exempt from starving, once or more in a

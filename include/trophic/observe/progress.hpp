@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <ostream>
 #include <trophic/observe/event.hpp>
+#include <trophic/observe/print_remarks.hpp>
 #include <trophic/observe/run_description.hpp>
 #include <trophic/observe/tally.hpp>
 #include <trophic/observe/terminal.hpp>
@@ -25,7 +26,7 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// A duration for readers: "45 s", "3 min 20 s", "2 h 5 min".
+/// A human-readable duration: "45 s", "3 min 20 s", "2 h 5 min".
 [[nodiscard]] inline std::string duration_text(double seconds) {
   const auto whole = static_cast<long long>(std::llround(seconds));
   if (whole < 60) return std::to_string(whole) + " s";
@@ -33,23 +34,23 @@ class Stopwatch {
   return std::to_string(whole / 3600) + " h " + std::to_string(whole % 3600 / 60) + " min";
 }
 
-/// A number with one decimal, or none from 100 on.
+/// A number with one decimal, or without decimals from 100 on.
 [[nodiscard]] inline std::string short_text(double number) {
   std::string text(32, '\0');
   text.resize(static_cast<std::size_t>(std::snprintf(text.data(), text.size(), number < 100.0 ? "%.1f" : "%.0f", number)));
   return text;
 }
 
-/// Shows the progress of the run on stderr if that is a terminal, as much of it as fits one line. Always counts for the
-/// summary.
+/// Prints the remarks on the run to stderr and, if that is a terminal, its progress, as much of it as fits one line. Always
+/// counts for the summary.
 class Progress {
  public:
   explicit Progress(bool show = stderr_is_terminal()) : show_{show} {}
 
-  static constexpr std::string_view section = "progress";  ///< of a checkpoint
+  static constexpr std::string_view section = "progress";  ///< name of its section in a checkpoint
   template <class Archive>
   void persist(Archive& archive) {
-    archive(tally_);
+    archive(tally_, gone_s_);
   }
 
   void on_start(const RunDescription& run, const View& view) {
@@ -57,10 +58,19 @@ class Progress {
     from_s_ = view.time_s;
     watch_ = {};
     drawn_s_ = 0.0;
+    print_remarks(run.remarks);
   }
-  void on_change(const RunDescription& run, const View&) { run_.remarks = run.remarks; }
+  void on_change(const RunDescription& run, const View&) {
+    clear();
+    print_remarks(run.remarks);
+  }
   void on_event(const Event& event, const View& view) { tally_.on_event(event, view); }
   void on_tick(const View& view) {
+    gone_s_.resize(view.web.size(), -1.0);
+    for (Species species = 0; species < view.web.size(); ++species) {
+      if (view.count(species) > 0) gone_s_[species] = -1.0;
+      if (view.count(species) == 0 && gone_s_[species] < 0.0) gone_s_[species] = view.time_s;
+    }
     if (!show_ || watch_.elapsed_s() - drawn_s_ < 0.1) return;
     drawn_s_ = watch_.elapsed_s();
     const std::string text = line(view);
@@ -70,33 +80,50 @@ class Progress {
   void on_end(const View&) { clear(); }
   void on_failure(std::string_view) { clear(); }
 
-  /// Simulated over wall time, the engine's remarks, births, deaths by cause, living individuals.
+  /// Prints the ratio of simulated to wall time, the engine's remarks, births, deaths by cause, living individuals, and species
+  /// that died out.
   void summary(std::ostream& out, const View& view) const {
     const double wall_s = watch_.elapsed_s();
     const double simulated_s = (view.time_s - from_s_) * run_.clock_scale;
     out << run_.rules << " on " << run_.backend << ", seed " << run_.seed << ": " << short_text(view.time_s - from_s_)
         << " s of the ecology's clock, " << short_text(simulated_s) << " simulated s in " << duration_text(wall_s) << " ("
         << short_text(simulated_s / wall_s) << " simulated s per wall s)\n";
-    for (const std::string& remark : run_.remarks) out << "remark  " << remark << "\n";
     out << "births  " << tally_.births() << " (" << view.robots.size() - run_.spare_bodies << " founders; "
         << tally_.births(Origin::inherited) << " inherited)\n";
     out << "deaths  " << tally_.deaths();
     bool is_first = true;
-    for (const auto& [cause, deaths] : tally_.deaths_by_cause())
+    for (const auto& [cause, deaths] : tally_.deaths_by_cause()) {
+      if (deaths == 0 && !can_happen(cause)) continue;
       out << (std::exchange(is_first, false) ? " (" : ", ") << deaths << " " << cause;
-    out << ")\n";
-    if (view.refused_births > 0) out << "remark  " << view.refused_births << " births had no free body or no room\n";
+    }
+    out << (is_first ? "\n" : ")\n");
+    if (view.refused_births > 0) out << "remark  " << view.refused_births << " births found no free body or no room\n";
     if (view.is_over)
       out << "ended   at " << short_text(view.time_s) << " of " << short_text(run_.until_s) << " s; " << end_text(view) << "\n";
     out << "alive  ";
     for (Species species = 0; species < view.web.size(); ++species)
       out << " " << view.count(species) << " " << view.web.name(species);
     out << "\n";
+    for (Species species = 0; species < gone_s_.size(); ++species)
+      if (gone_s_[species] >= 0.0)
+        out << "gone    " << view.web.name(species) << " since " << short_text(gone_s_[species]) << " s\n";
   }
 
   [[nodiscard]] double elapsed_s() const { return watch_.elapsed_s(); }
 
  private:
+  /// Whether the rule table has a rule by which individuals die of this cause.
+  [[nodiscard]] bool can_happen(std::string_view cause) const {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 5> rules{{{"caught", "capture"},
+                                                                                  {"starved", "starvation"},
+                                                                                  {"starved", "metabolism"},
+                                                                                  {"sacrificed", "minimum_predators"},
+                                                                                  {"senescence", "senescence"}}};
+    return std::ranges::any_of(rules, [&](const auto& rule) {
+      return rule.first == cause && std::ranges::any_of(run_.slots, [&](const auto& slot) { return slot.first == rule.second; });
+    });
+  }
+
   [[nodiscard]] std::string line(const View& view) const {
     const double done = (view.time_s - from_s_) / (run_.until_s - from_s_);
     const double wall_s = watch_.elapsed_s();
@@ -124,6 +151,7 @@ class Progress {
   Stopwatch watch_;
   double drawn_s_ = 0.0;
   Tally tally_;
+  std::vector<double> gone_s_;  ///< time since which each species has no member; negative while it has members
 };
 
 }  // namespace trophic::observe

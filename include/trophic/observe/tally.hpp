@@ -7,7 +7,7 @@
 
 namespace trophic::observe {
 
-/// The species that are gone, of a run that is over: "gone: prey, predator"; else empty.
+/// The extinct species of a run that is over, "gone: prey, predator"; else empty.
 [[nodiscard]] inline std::string end_text(const View& view) {
   std::string text;
   for (Species species = 0; view.is_over && species < view.web.size(); ++species) {

@@ -26,15 +26,15 @@ namespace trophic::observe {
   return columns > 0 && columns <= 10'000 ? static_cast<std::size_t>(columns) : 80;
 }
 
-/// Columns of a text, one for each UTF-8 character.
+/// Columns of a text, one per UTF-8 character.
 [[nodiscard]] inline std::size_t columns_of(const std::string& text) {
   std::size_t columns = 0;
   for (const char c : text) columns += (static_cast<unsigned char>(c) & 0xC0U) != 0x80U ? 1 : 0;
   return columns;
 }
 
-/// Joins the parts, most important first, by two blanks: as many whole ones as fit in fewer than `columns` columns. The last
-/// column stays free, so that no terminal wraps the line. A first part that does not fit is truncated.
+/// Joins the parts, most important first, with two spaces: as many whole parts as fit in fewer than `columns` columns. The last
+/// column stays free, so that terminals do not wrap the line. A first part that does not fit is truncated.
 [[nodiscard]] inline std::string fitting_line(std::span<const std::string> parts, std::size_t columns) {
   std::string line;
   for (const std::string& part : parts) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Values as bytes and back. One function writes and reads, so that both formats are the same.
+// Converts values to bytes and back. One function does both, so the formats cannot differ.
 #pragma once
 
 #include <bit>
@@ -59,15 +59,15 @@ concept Savable = detail::is_savable<T>;
 
 /// Writes values to bytes or reads them from bytes, depending on the constructor. `archive(a, b, c)` does either. Numbers keep
 /// their bits. A value that several shared pointers share is written once and shared again after reading. Throws
-/// std::invalid_argument while reading if the bytes end too early or are not such values, before it takes more memory than the
-/// bytes can account for.
+/// std::invalid_argument while reading if the bytes end too early or are not such values, before it allocates more memory than
+/// the bytes justify.
 class Archive {
  public:
   /// Writes.
   Archive() = default;
   /// Reads these bytes, which must outlive the archive.
   explicit Archive(std::string_view bytes) : left_{bytes}, reads_{true} {}
-  /// Writes, and passes the bytes on in pieces, the last one in `finish`.
+  /// Writes and passes on the bytes in pieces, the last one in `finish`.
   explicit Archive(std::function<void(std::string_view piece)> pass_on) : pass_on_{std::move(pass_on)} {}
 
   [[nodiscard]] bool reads() const { return reads_; }
@@ -81,13 +81,13 @@ class Archive {
   [[nodiscard]] const std::string& bytes() const& { return written_; }
   [[nodiscard]] std::string bytes() && { return std::move(written_); }
 
-  /// Throws std::invalid_argument if bytes are left unread. Passes on those that are left to write.
+  /// Throws std::invalid_argument if unread bytes are left. Passes on the remaining bytes to write.
   void finish() {
     if (reads_ && !left_.empty()) throw std::invalid_argument{std::to_string(left_.size()) + " bytes too many"};
     if (pass_on_) pass_on_(std::exchange(written_, {}));
   }
 
-  /// Throws std::invalid_argument with a description of a value that was read and is wrong.
+  /// Throws std::invalid_argument with a description of an invalid value that was read.
   static void require(bool good, std::string_view what) {
     if (!good) throw std::invalid_argument{std::string{what}};
   }
@@ -98,7 +98,7 @@ class Archive {
   template <class T>
   void exchange(T& value) {
     static_assert(Savable<T>,
-                  "what is saved must be a number, an enumeration, an optional, vector or array of such, or a struct that lists "
+                  "a saved value must be a number, an enumeration, an optional, vector or array of these, or a struct that lists "
                   "every member in saved() or fields(); see trophic/params/archive.hpp");
     if constexpr (Savable<T>) exchange_savable(value);
   }
@@ -130,7 +130,7 @@ class Archive {
     }
   }
 
-  // Inlined into loops over arrays, g++ 12 warns of a write beyond them that does not happen.
+  // If this is inlined into loops over arrays, g++ 12 warns of an out-of-bounds write that does not happen.
   [[gnu::noinline]] void raw(void* value, std::size_t size) {
     if (size == 0) return;  // an empty vector has no address to copy from or to
     if (!reads_) {
@@ -220,7 +220,7 @@ class Archive {
     }
     require(number <= shared_.size() + 1, "a reference to a missing object");
     if (number <= shared_.size()) {
-      require(shared_type_[number - 1] == type_of<T>(), "a reference to an object of another type");
+      require(shared_type_[number - 1] == type_of<T>(), "a reference to an object of a different type");
       value = std::static_pointer_cast<T>(shared_[number - 1]);
       return;
     }
@@ -230,7 +230,7 @@ class Archive {
     exchange(*value);
   }
 
-  /// A different number for each type.
+  /// A unique number per type.
   template <class T>
   [[nodiscard]] static const void* type_of() {
     static const char own = 0;

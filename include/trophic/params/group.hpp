@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Several structs of parameters in one, each under a name: the parameters of a policy that is made of policies.
+// Several structs of parameters in one, each under a name: the parameters of a policy that is composed of policies.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Parameters by their paths, in place and by value: for configuration files and manifests.
+// Parameters by their paths, by reference and by value, for configuration files and manifests.
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <trophic/params/params.hpp>
 #include <variant>
@@ -9,12 +10,14 @@
 
 namespace trophic {
 
-/// One parameter, switch or text of a run with its path, e.g. "rules.mutation.sd".
+/// One parameter of a run (a number, switch or text) with its path, e.g. "rules.mutation.sd".
 struct NamedParam {
   std::string path;
   std::variant<bool, std::int64_t, double, std::string> value;
   std::string help;
-  Bound bound = {};  ///< of a number
+  Bound bound = {};  ///< bound of a number
+  Read read = Read::at_any_tick;
+  std::string no_effect = {};  ///< the reason for which it has none in this table on this backend; empty if it has one
   friend bool operator==(const NamedParam& a, const NamedParam& b) {
     return a.path == b.path && a.value == b.value && a.help == b.help;
   }
@@ -31,15 +34,17 @@ struct WholeRef {
   void (*set)(void* value, std::int64_t to);
   std::int64_t lowest;
   std::uint64_t largest;
-  std::span<const std::string_view> names = {};  ///< of an enumeration
+  std::span<const std::string_view> names = {};  ///< names of an enumeration's values
 };
 
-/// A parameter in its Params struct. A rule without parameters has no target. Valid as long as the struct.
+/// A reference to a parameter in its Params struct; it has no target for a rule without parameters. Valid as long as the struct
+/// exists.
 struct ParamRef {
   std::string path;
   std::string_view help = {};
   Bound bound = {};
   std::variant<std::monostate, bool*, double*, std::string*, WholeRef> target = {};
+  Read read = Read::at_any_tick;
 };
 using ParamRefs = std::vector<ParamRef>;
 
@@ -74,30 +79,33 @@ template <class T>
   return ref;
 }
 
+/// `read`: the latest moment of all of them.
 template <class P>
-void append_param_refs(P& params, std::string_view path, ParamRefs& refs);
+void append_param_refs(P& params, std::string_view path, ParamRefs& refs, Read read = Read::at_any_tick);
 
 struct AppendParamRef {
   std::string_view path;
   ParamRefs& refs;
+  Read latest;
 
   template <class T>
   void operator()(const FieldText& f, T& value) const {
     std::string own = join_path(path, f.name);
+    const Read read = std::min(f.read, latest);
     if constexpr (std::same_as<T, bool> || std::same_as<T, double> || std::same_as<T, std::string>) {
-      refs.push_back({std::move(own), f.help, f.bound, &value});
+      refs.push_back({std::move(own), f.help, f.bound, &value, read});
     } else if constexpr (std::integral<T> || NamedEnum<T>) {
-      refs.push_back({std::move(own), f.help, f.bound, whole_ref(value)});
+      refs.push_back({std::move(own), f.help, f.bound, whole_ref(value), read});
     } else if constexpr (AppendsParamRefs<T>) {
       value.append_param_refs(own, refs);
     } else {
-      append_param_refs(value, own, refs);
+      append_param_refs(value, own, refs, read);
     }
   }
 };
 
 template <class P>
-void append_param_refs(P& params, std::string_view path, ParamRefs& refs) {
+void append_param_refs(P& params, std::string_view path, ParamRefs& refs, Read read) {
   static_assert(OpenParams<P>, "Params must be an aggregate: public parameters, no constructor");
   static_assert(AllListed<members_of<P>, fields_of<P>>,
                 "Params must list every parameter in fields(); see trophic/params/params.hpp");
@@ -105,13 +113,13 @@ void append_param_refs(P& params, std::string_view path, ParamRefs& refs) {
   if constexpr (std::is_empty_v<P>) {
     refs.push_back({std::string{path}, {}, {}, {}});
   } else {
-    for_each_field(params, AppendParamRef{path, refs});
+    for_each_field(params, AppendParamRef{path, refs, read});
   }
 }
 
 }  // namespace detail
 
-/// Every field of a Params struct in place, nested ones included, in order.
+/// References to all fields of a Params struct, including nested ones, in order.
 template <class P>
 [[nodiscard]] ParamRefs param_refs(P& params) {
   ParamRefs refs;
@@ -119,7 +127,7 @@ template <class P>
   return refs;
 }
 
-/// Every field of a Params struct, nested ones included, in order.
+/// All fields of a Params struct, including nested ones, in order.
 template <class P>
 [[nodiscard]] NamedParams named_params_of(P params) {
   return named_params_of(param_refs(params));

@@ -36,7 +36,7 @@ TROPHIC_INLINE std::string hash_text(std::string_view text) {
 TROPHIC_INLINE NamedParams named_params_of(const ParamRefs& params) {
   NamedParams named;
   const auto add = [&](const ParamRef& ref, auto value, Bound bound = {}) {
-    named.push_back({ref.path, std::move(value), std::string{ref.help}, bound});
+    named.push_back({ref.path, std::move(value), std::string{ref.help}, bound, ref.read});
   };
   for (const ParamRef& ref : params) {
     if (const auto* flag = std::get_if<bool*>(&ref.target)) add(ref, **flag);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every number of a value of any type, for the fingerprints of models.
+// All numbers in a value of any type, for the fingerprints of models.
 #pragma once
 
 #include <cstddef>
@@ -33,7 +33,7 @@ concept OptionalLike = requires(T value) {
 
 /// Calls `visit(number)` for each number in `value`, in a fixed order: structs by their fields(), then optionals, ranges,
 /// matrices and quaternions by their elements. The number of elements is visited too, unless it is a constant. Texts and names
-/// are skipped, as they do not affect how a model moves.
+/// are skipped, because they do not affect a model's motion.
 template <class T, class Visitor>
 void for_each_number(T& value, Visitor&& visit) {
   using Plain = std::remove_const_t<T>;
@@ -57,13 +57,13 @@ void for_each_number(T& value, Visitor&& visit) {
     count(value.cols());
     for (decltype(value.size()) i = 0; i < value.size(); ++i) visit(value.data()[i]);
   } else {
-    static_assert(std::ranges::sized_range<Plain>, "a struct needs fields() for its numbers to be found");
+    static_assert(std::ranges::sized_range<Plain>, "a struct needs fields() so that its parameters can be found");
     count(std::ranges::size(value));
     for (auto& element : value) for_each_number(element, visit);
   }
 }
 
-/// Every number of a value as text: equal texts mean bitwise equal numbers, except for NaN.
+/// All numbers in a value as text: equal texts mean bitwise equal numbers, except for NaN.
 template <class T>
 [[nodiscard]] std::string numbers_text(const T& value) {
   std::string text;

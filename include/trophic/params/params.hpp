@@ -18,7 +18,7 @@
 
 namespace trophic {
 
-/// The closed or open interval that a number must lie in.
+/// The closed or open interval in which a number must lie.
 struct Bound {
   double lower = -std::numeric_limits<double>::infinity();
   double upper = std::numeric_limits<double>::infinity();
@@ -40,22 +40,42 @@ struct Bound {
 [[nodiscard]] constexpr Bound any_number() {
   return {};
 }
-/// Seeds up to 2^53, so that every reader of JSON keeps them exact.
+/// Seeds up to 2^53, which every JSON reader represents exactly.
 [[nodiscard]] constexpr Bound any_seed() {
   return between(0.0, 9007199254740992.0);
 }
+
+/// When a run reads a parameter for the last time, so that a later change of it has no effect.
+enum class Read {
+  at_start,       ///< for founders, or for the world as it begins
+  for_newcomers,  ///< for founders, and at births without a parent
+  at_birth,       ///< for founders, and at births
+  at_any_tick
+};
 
 /// Description of a member of a Params struct. `help` is the line that `--print-config` prints next to it.
 struct FieldText {
   std::string_view name;
   Bound bound = {};
   std::string_view help = {};
+  Read read = Read::at_any_tick;
 };
 
-/// One named member of a Params struct.
+/// One named member of a Params struct. `field(...).read_at_start()` declares when a run reads it; the default is at any tick.
 template <class Owner, class T>
 struct Field : FieldText {
   T Owner::*member;
+
+  [[nodiscard]] constexpr Field read_at_start() const { return when(Read::at_start); }
+  [[nodiscard]] constexpr Field read_for_newcomers() const { return when(Read::for_newcomers); }
+  [[nodiscard]] constexpr Field read_at_birth() const { return when(Read::at_birth); }
+
+ private:
+  [[nodiscard]] constexpr Field when(Read moment) const {
+    Field same = *this;
+    same.read = moment;
+    return same;
+  }
 };
 
 /// A number with its bound.
@@ -129,7 +149,7 @@ inline constexpr std::size_t fields_of = 0;
 template <ListsFields P>
 inline constexpr std::size_t fields_of<P> = std::tuple_size_v<decltype(P::fields())>;
 
-/// The number of listed fields if fields() is missing or P is not an aggregate: both have error messages of their own.
+/// The number of listed fields if fields() is missing or P is not an aggregate: both have their own error messages.
 template <class P>
 inline constexpr std::size_t members_of = fields_of<P>;
 template <ListsFields P>
@@ -184,7 +204,7 @@ requires std::is_arithmetic_v<Number>
 
 namespace detail {
 
-/// Returns false for numbers that are not finite. Whole numbers are compared as such, beyond 2^53, too.
+/// Returns false for numbers that are not finite. Whole numbers are compared as such, even beyond 2^53.
 template <class Number>
 [[nodiscard]] constexpr bool within(Number number, const Bound& bound) {
   const auto value = static_cast<double>(number);
@@ -221,14 +241,14 @@ struct Validate {
 
 }  // namespace detail
 
-/// Throws std::invalid_argument "PATH = VALUE: must be ..." for the first field, nested ones included, outside its bound; a
+/// Throws std::invalid_argument "PATH = VALUE: must be ..." for the first field, including nested ones, outside its bound; a
 /// number that is not finite is outside every bound.
 template <class P>
 void validate(const P& params, std::string_view path) {
   for_each_field(params, detail::Validate{path});
 }
 
-/// The path of the first number, nested ones included, in which two Params differ; empty if they are equal.
+/// The path of the first number, including nested ones, in which two Params differ; empty if they are equal.
 template <class P>
 [[nodiscard]] std::string first_difference(const P& a, const P& b, std::string_view path = "") {
   std::string found;

@@ -2,8 +2,8 @@
 // The only access to the TOML parser. Texts that would crash it, or exhaust memory or stack, are rejected first.
 #pragma once
 
-// For toml++ 3.3.0, as in Debian 12: an assertion of a debug build ends the program on "[# a]". Without it the parser reports
-// the error.
+// For toml++ 3.3.0, as in Debian 12: in a debug build an assertion aborts the program on "[# a]". Without the assertion the
+// parser reports the error.
 #ifndef TOML_ASSERT
 #define TOML_ASSERT(expression) static_cast<void>(0)
 #endif
@@ -30,10 +30,10 @@ class TomlError : public std::invalid_argument {
   std::size_t column_;
 };
 
-/// Returns the table in a text. Throws TomlError for malformed texts, and for these, which TOML allows: more than 16 MiB, a
-/// line of more than 1 MiB, a key of more than 32 parts, values nested more than 64 deep, a quote in a word that begins with a
-/// digit or a sign, two numbers separated by a blank (a date and a time may be separated by T), and a non-ASCII character
-/// outside texts and comments or after a backslash and blanks.
+/// Returns the table in a text. Throws TomlError for malformed texts, and for the following although TOML allows them: more than
+/// 16 MiB, a line of more than 1 MiB, a key of more than 32 parts, values nested more than 64 levels deep, a quote in a word that
+/// begins with a digit or a sign, two numbers separated by a space (a date and a time may be separated by T), and a non-ASCII
+/// character outside texts and comments or after a backslash and spaces.
 [[nodiscard]] toml::table parse_toml(std::string_view text);
 
 /// Returns the table in a file. Throws std::invalid_argument "FILE:LINE:COLUMN: ..." or, if it cannot be read, "FILE: ...".

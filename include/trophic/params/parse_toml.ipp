@@ -15,7 +15,7 @@ inline constexpr std::size_t most_toml_line = std::size_t{1} << 20U;
 inline constexpr std::size_t most_key_parts = 32;
 inline constexpr std::size_t most_toml_depth = 64;
 
-/// Scans a text once, keeps track of quotes and comments, and throws TomlError for texts that the parser must not be given.
+/// Scans a text once, keeps track of quotes and comments, and throws TomlError for texts that must not reach the parser.
 class TomlFence {
  public:
   explicit TomlFence(std::string_view text) : text_{text} {}
@@ -75,7 +75,7 @@ class TomlFence {
     }
   }
 
-  /// A backslash and the character that it escapes, or all blanks and line ends after it: the parser searches them with the
+  /// A backslash and the character that it escapes, or all spaces and line ends after it, which the parser searches with the
   /// function that fails on a non-ASCII character.
   void skip_escape() {
     step();
@@ -85,13 +85,13 @@ class TomlFence {
     if (at_ < text_.size() && at_ == begin) step();
   }
 
-  /// The parser reads everything that is joined to a number as part of it, including quotes, and after a date and a blank even
-  /// a line end.
+  /// The parser reads everything adjacent to a number as part of it, including quotes, and after a date and a space even a line
+  /// end.
   void check_number(char c) {
     constexpr std::string_view digits_and_signs = "0123456789+-";
     const bool begins = at_ == 0 || is_one_of(blanks, text_[at_ - 1]) || is_one_of("=,[{", text_[at_ - 1]);
     if (c == ' ' && in_number_ && at_ + 1 < text_.size() && is_one_of(digits_and_signs, text_[at_ + 1])) {
-      fail("two numbers separated only by a blank");
+      fail("two numbers separated only by a space");
     }
     if (is_one_of(blanks, c) || is_one_of(",]}", c)) {
       in_number_ = false;
@@ -104,7 +104,7 @@ class TomlFence {
     if (!is_ascii(c)) fail("a non-ASCII character outside quotes");
     check_number(c);
     if (c == '[' || c == '{') {
-      if (++depth_ > most_toml_depth) fail("brackets nested more than 64 deep");
+      if (++depth_ > most_toml_depth) fail("brackets nested more than 64 levels deep");
     } else if (c == ']' || c == '}') {
       depth_ = depth_ == 0 ? 0 : depth_ - 1;
     }

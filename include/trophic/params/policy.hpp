@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Construction of policies from their parameters. A policy holds nothing but its parameters, so that its manifest is all of it:
+// Construction of policies from their parameters. A policy holds only its parameters, so the manifest describes it completely:
 //   struct OldAge { struct Params { ...; static constexpr auto fields() { ... } }; Params params; ... };
-// or it is empty. A State (population/state.hpp), which the population keeps and saves, holds what changes during a run. Other
-// members, structs of other names and mutable members do not compile. C++ shows a library neither static variables, of a class
-// or in a function, nor mutable members of Params with texts or optional numbers: the conformance suites find the former.
+// or it is empty. Data that changes during a run belongs in a State (population/state.hpp), which the population stores and
+// saves. Other members, structs with other names and mutable members do not compile. A library cannot detect static variables, in
+// a class or a function, or mutable members of Params with texts or optional numbers; the conformance suites find the former.
 #pragma once
 
 #include <trophic/params/params.hpp>
@@ -57,12 +57,12 @@ template <class Policy>
   return {};
 }
 
-/// The type with the data of a policy: its Params. Specialised for policies that are made of policies.
+/// The type with the data of a policy: its Params. Specialised for policies that are composed of policies.
 template <class Policy>
 struct held_by {
   using type = ParamsOf<Policy>;
 };
-/// The data of a policy made of policies: these in its base, and its Params.
+/// The data of a policy composed of policies: those policies in its base, and its Params.
 template <class Base, class Params>
 struct HeldWithParams : Base {
   Params params;
@@ -73,7 +73,7 @@ concept HasParamsMember = requires {
   requires std::same_as<std::remove_cv_t<decltype(Policy::params)>, ParamsOf<Policy>>;
 };
 
-/// A policy without data other than `Params params;`, or without any. A member more makes it larger.
+/// A policy whose only data is `Params params;`, or that has no data. A further member would make it larger.
 template <class Policy>
 [[nodiscard]] consteval bool holds_params_only() {
   if constexpr (HasParamsMember<Policy>) return sizeof(Policy) == sizeof(typename held_by<Policy>::type);
@@ -119,19 +119,20 @@ template <class Policy>
   return true;
 }
 
-/// Fails to compile, with one sentence, if a policy in another policy has data outside its Params.
+/// Fails to compile with one message if a policy inside another policy has data outside its Params.
 template <class Policy>
 struct CheckHeld {
   static_assert(!std::is_class_v<Policy> || holds_params_only<Policy>(),
-                "a sensor, or a policy in another policy, has data outside `Params params;`: its parameters are a struct Params "
-                "in a member params, and what changes is in a State; see trophic/params/policy.hpp");
+                "a sensor, or a policy in another policy, has data outside `Params params;`: parameters belong in `Params "
+                "params;`, changing data in a State; see trophic/params/policy.hpp");
   static_assert(params_are_constant<Policy>(),
                 "a sensor, or a policy in another policy, has mutable parameters: what changes is in a State; see "
                 "trophic/params/policy.hpp");
   static constexpr bool ok = true;
 };
 
-/// Throws RuleError: the policy (in this slot, if given) holds another number under `path` than it was made from.
+/// Throws RuleError because the policy (in this slot, if given) has a number at `path` that differs from the one it was made
+/// from.
 [[noreturn]] void reject_policy(std::string_view policy, std::string_view slot, const std::string& path);
 
 }  // namespace detail

@@ -7,8 +7,9 @@
 namespace trophic::perception {
 
 /// The adversary of `self`: "the closest observable robot of the opposite species" (Sec. "Inputs"); with more than two species,
-/// of any species that eats its own or that its own eats. `perceives(self, other)` is the run's Visibility rule. On equal
-/// distance the lower body index. `horizon`: bounds on what self perceives.   Random draws: those of the Visibility rule.
+/// the closest robot of any species that eats its own or is eaten by it. `perceives(self, other)` is the run's Visibility rule.
+/// At equal distances, the lower body index wins. `horizon` bounds what self perceives.   Random draws: those of the Visibility
+/// rule.
 template <std::predicate<BodyIndex, BodyIndex> Sees>
 [[nodiscard]] std::optional<Sighting> adversary(BodyIndex self, const View& view, const Sees& perceives,
                                                 const Horizon& horizon = {}) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies as an engine with joints has them, for sensors of the body.
+// Bodies in an engine with joints, for sensors of the body.
 #pragma once
 
 #include <span>
@@ -9,13 +9,13 @@
 
 namespace trophic {
 
-/// Read at the moment at which robots decide.
+/// Readings of bodies at the moment at which robots decide.
 class BodyReading {
  public:
   virtual ~BodyReading() = default;
   [[nodiscard]] virtual const RobotModel& robot(BodyIndex body) const = 0;
   [[nodiscard]] virtual Pose root(BodyIndex body) const = 0;  ///< of the root link, m
-  /// In the order of RobotModel::hinges, rad.
+  /// Joint angles in radians, in the order of RobotModel::hinges.
   [[nodiscard]] virtual std::span<const double> joint_angles_rad(BodyIndex body) const = 0;
 };
 

@@ -24,7 +24,7 @@ enum class Cause : std::uint16_t { caught, starved, sacrificed, senescence, dive
 
 namespace detail {
 
-/// The causes that rules of this process have named, after the library's own.
+/// The causes that rules in this process have named, after the library's own.
 struct NamedCauses {
   std::mutex mutex = {};
   std::deque<std::string> names = {};  ///< never moved
@@ -36,20 +36,20 @@ struct NamedCauses {
 
 }  // namespace detail
 
-/// Whether a name can stand in tables: small letters, digits and underscores.
+/// Whether a name is valid in tables: lower-case letters, digits and underscores.
 [[nodiscard]] constexpr bool is_cause_name(std::string_view name) {
   const auto fits = [](char one) { return (one >= 'a' && one <= 'z') || (one >= '0' && one <= '9') || one == '_'; };
   return !name.empty() && name.size() <= 40 && std::ranges::all_of(name, fits);
 }
 
-/// The cause of this name, in any thread. Its number may differ from process to process, its name may not. Throws
-/// std::invalid_argument for a name that cannot stand in tables.
+/// The cause with this name; thread-safe. Its number may differ between processes, its name does not. Throws
+/// std::invalid_argument for a name that is invalid in tables.
 [[nodiscard]] inline Cause cause_named(std::string_view name) {
   constexpr auto own = enum_names(Cause{});
   if (const auto found = std::ranges::find(own, name); found != own.end()) return static_cast<Cause>(found - own.begin());
   if (!is_cause_name(name)) {
     throw std::invalid_argument{"cause of death \"" + std::string{name.substr(0, 40)} +
-                                "\": must be 1 to 40 small letters, digits and underscores"};
+                                "\": must be 1 to 40 lower-case letters, digits and underscores"};
   }
   detail::NamedCauses& all = detail::named_causes();
   const std::lock_guard lock{all.mutex};

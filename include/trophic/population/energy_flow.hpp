@@ -9,19 +9,19 @@ namespace trophic {
 /// The energy of a species since the last tick, J. Its stock changes by
 ///   outside_J + field_J + victims_J + received_J - upkeep_J - eaten_J - given_J - lost_J.
 struct EnergyFlow {
-  double outside_J = 0.0;   ///< of founders and newcomers, which no parent endows, and bonuses of catches
+  double outside_J = 0.0;   ///< gained by founders and newcomers, which no parent endows, and as bonuses for catches
   double field_J = 0.0;     ///< taken from the resource
-  double victims_J = 0.0;   ///< got of those that it caught
-  double received_J = 0.0;  ///< of newborns, from their parents
+  double victims_J = 0.0;   ///< gained from caught victims
+  double received_J = 0.0;  ///< gained by newborns from their parents
   double upkeep_J = 0.0;    ///< spent on living and walking
-  double eaten_J = 0.0;     ///< that those got who caught it
-  double given_J = 0.0;     ///< by parents to newborns
-  double lost_J = 0.0;      ///< with the dead
+  double eaten_J = 0.0;     ///< lost to the hunters that caught members
+  double given_J = 0.0;     ///< given by parents to newborns
+  double lost_J = 0.0;      ///< lost with the dead
   static constexpr auto saved() {
     return std::tuple{&EnergyFlow::outside_J, &EnergyFlow::field_J, &EnergyFlow::victims_J, &EnergyFlow::received_J,
                       &EnergyFlow::upkeep_J,  &EnergyFlow::eaten_J, &EnergyFlow::given_J,   &EnergyFlow::lost_J};
   }
-  /// The change of the stock.
+  /// The change in the stock.
   [[nodiscard]] double sum_J() const {
     return outside_J + field_J + victims_J + received_J - upkeep_J - eaten_J - given_J - lost_J;
   }
@@ -29,8 +29,8 @@ struct EnergyFlow {
 
 /// The energy of the resource since the last tick, J. Its stock changes by grown_J - taken_J.
 struct ResourceFlow {
-  double grown_J = 0.0;  ///< by the rule Resource: growth, decay, what its hooks add
-  double taken_J = 0.0;  ///< by individuals
+  double grown_J = 0.0;  ///< grown by the rule Resource: growth, decay, and additions by its hooks
+  double taken_J = 0.0;  ///< taken by individuals
   static constexpr auto saved() { return std::tuple{&ResourceFlow::grown_J, &ResourceFlow::taken_J}; }
 };
 

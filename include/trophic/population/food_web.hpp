@@ -51,7 +51,7 @@ class FoodWeb {
   [[nodiscard]] bool is_hunted(Species species) const {
     return std::ranges::any_of(links_, [&](const Feeding& l) { return l.victim == species; });
   }
-  /// The first species that `hunter` eats; none for a species that does not hunt.
+  /// The first species that `hunter` eats; empty for a species that does not hunt.
   [[nodiscard]] std::optional<Species> first_victim(Species hunter) const {
     const auto link = std::ranges::find(links_, hunter, &Feeding::hunter);
     return link == links_.end() ? std::nullopt : std::optional{link->victim};

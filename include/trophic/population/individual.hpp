@@ -13,10 +13,10 @@
 
 namespace trophic {
 
-/// Index of a robot body, in which one individual after the other lives.
+/// Index of a robot body, in which individuals live one after the other.
 using BodyIndex = std::size_t;
 
-/// Number of an individual (the controller in a body), unique in a run, in order of birth from 0.
+/// Id of an individual (the controller in a body), unique in a run and counting births from 0.
 using IndividualId = std::uint64_t;
 
 /// The species and the id of a spare body, which has no individual (reproduction/recruitment/contract.hpp).
@@ -29,14 +29,14 @@ enum class Origin { random, inherited };
   return {"random", "inherited"};
 }
 
-/// The numbers that an individual is made of, in parts; one slot's policy defines the meaning of each part. A part that a table
-/// does not evolve is empty. Held by shared_ptr: the Heredity rule decides whether parent and offspring share one genome.
+/// The genome of an individual, in parts; the policy of one slot defines the meaning of each part. A part that does not evolve in
+/// a table is empty. Held by shared_ptr: the Heredity rule decides whether parent and offspring share one genome.
 struct Genome {
   std::uint64_t id = 0;                 ///< unique in a run; a shared genome keeps its id through mutations
-  std::vector<double> weights = {};     ///< of the brain
-  std::vector<double> gait_genes = {};  ///< of the rule Gait
-  std::vector<double> body_genes = {};  ///< of the rule BodyPlan
-  std::vector<double> traits = {};      ///< of the rule Traits
+  std::vector<double> weights = {};     ///< weights of the brain
+  std::vector<double> gait_genes = {};  ///< genes of the rule Gait
+  std::vector<double> body_genes = {};  ///< genes of the rule BodyPlan
+  std::vector<double> traits = {};      ///< traits of the rule Traits
   static constexpr auto saved() {
     return std::tuple{&Genome::id, &Genome::weights, &Genome::gait_genes, &Genome::body_genes, &Genome::traits};
   }
@@ -53,19 +53,19 @@ struct Ancestor {
 
 /// One living individual, or a spare body without one. The `Population` holds one per body and is its only writer.
 struct Individual {
-  IndividualId id = 0;  // what searches read of others stands together
+  IndividualId id = 0;  // members that searches read of others are adjacent
   Species species = 0;
   int tag = 0;         ///< one of the brain's tags
   bool active = true;  ///< a newborn of a hunted species is inactive: it cannot be caught and hunters do not perceive it
   Origin origin = Origin::random;
-  std::vector<IndividualId> parents = {};  ///< none, one or more; the first one is also the `parent_id` of tables
+  std::vector<IndividualId> parents = {};  ///< no, one or more parents; the first one is the `parent_id` in tables
   std::shared_ptr<Genome> genome = {};
-  double mutation_distance = 0.0;  ///< by which mutation moved its inherited weights, Euclidean; 0 if they are drawn
+  double mutation_distance = 0.0;  ///< Euclidean distance by which mutation moved the inherited weights; 0 if they were drawn
   double energy_J = 0.0;           ///< 0 in a table without a rule Metabolism
 
   double born_s = 0.0;
   double age_from_s = 0.0;    ///< start of its age: birth, or activation if the rule restarts it
-  std::int64_t fed_tick = 0;  ///< tick of birth or of its last catch
+  std::int64_t fed_tick = 0;  ///< tick of birth or of the last catch
 
   double tag_since_s = 0.0;  ///< start of the current tag clock: birth, or the last restart by TagSwitch
 
@@ -73,7 +73,7 @@ struct Individual {
   double adversary_distance_m = std::numeric_limits<double>::quiet_NaN();  ///< at the last tick; NaN without adversary
   double target_angle_rad = 0.0;                                           ///< the brain's last decision, positive to the right
 
-  /// Whether there is an individual; a spare body is of no species, inactive, and has no genome.
+  /// Whether there is an individual; a spare body has no species and no genome, and is inactive.
   [[nodiscard]] bool lives() const { return species != no_species; }
   [[nodiscard]] Ancestor as_ancestor() const { return {id, species, genome}; }
   /// The first parent, if any.
@@ -101,7 +101,7 @@ struct Individual {
   }
 };
 
-/// A newborn without genome and tag.
+/// Returns a newborn without genome and tag.
 [[nodiscard]] inline Individual newborn_at(IndividualId id, Species species, bool active, double time_s, std::int64_t tick) {
   return {.id = id,
           .species = species,
@@ -112,7 +112,7 @@ struct Individual {
           .tag_since_s = time_s};
 }
 
-/// A body without an individual, with the tag and the target angle of its last one.
+/// Returns a body without an individual, with the tag and the target angle of its last one.
 [[nodiscard]] inline Individual spare_body(int tag, double target_angle_rad) {
   return {.id = no_individual, .species = no_species, .tag = tag, .active = false, .target_angle_rad = target_angle_rad};
 }

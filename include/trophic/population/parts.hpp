@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A policy made of policies.
+// A policy composed of policies.
 #pragma once
 
 #include <array>
@@ -12,11 +12,11 @@
 
 namespace trophic {
 
-/// Base class of a policy that is made of policies. Such a policy is a template with the types of its parts as its only
+/// Base class of a policy that is composed of policies. Such a policy is a template with the types of its parts as its only
 /// parameters. It has `static constexpr std::array<std::string_view, N> part_names` and Params with one member for each part,
-/// both in the same order, and `static constexpr bool parts_fit`: whether each part satisfies its contract. Parts keep their
-/// own states: the population treats each as a rule of its own, under the name SLOT.PART. `with_part` (rules/with_part.hpp)
-/// swaps one part.
+/// both in the same order, and `static constexpr bool parts_fit`: whether each part satisfies its contract. Parts have their own
+/// states: the population treats each part as a separate rule under the name SLOT.PART. `with_part` (rules/with_part.hpp) swaps
+/// one part.
 template <class... Ps>
 class Parts {
  public:
@@ -58,7 +58,7 @@ struct held_by<Whole<Ps...>> {
   using type = HeldWithParams<Parts<Ps...>, ParamsOf<Whole<Ps...>>>;
 };
 
-/// Three words of each part that is not of the type `LeftOut`, after those of the part before.
+/// Joins three words per part, in order, for parts that are not of the type `LeftOut`.
 template <class LeftOut, class... Ps>
 constexpr auto part_words(std::string_view between, const std::array<std::array<std::string_view, 3>, sizeof...(Ps)>& words) {
   std::array<std::string_view, 4 * sizeof...(Ps)> all;
@@ -73,7 +73,7 @@ constexpr auto part_words(std::string_view between, const std::array<std::array<
   return all;
 }
 
-/// "PART: POLICY, PART: POLICY" of those parts.
+/// "PART: POLICY, PART: POLICY" for those parts.
 template <class LeftOut, class Names, class... Ps>
 struct PartWords {
   static constexpr auto words = [] {
@@ -83,7 +83,7 @@ struct PartWords {
   static constexpr std::string_view separator{};
 };
 
-/// "SOURCE + SOURCE" of those parts.
+/// "SOURCE + SOURCE" for those parts.
 template <class LeftOut, class... Ps>
 struct PartSources {
   static constexpr auto words = part_words<LeftOut, Ps...>(" + ", {std::array<std::string_view, 3>{"", "", source_of<Ps>()}...});

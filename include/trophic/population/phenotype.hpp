@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A body and its gait, as an individual's genes express them.
+// A body and its gait, as expressed by an individual's genes.
 #pragma once
 
 #include <cstdint>
@@ -14,9 +14,9 @@ struct Design;
 struct Gait;
 struct RobotModel;
 
-/// The body that an individual was born with, and the gait by which it walks. Null: the habitat's, as all have it.
+/// The body with which an individual was born, and the gait with which it walks. Null pointers mean the habitat's body and gait.
 struct Phenotype {
-  std::uint64_t individual = 0;  ///< that was born with it
+  std::uint64_t individual = 0;  ///< the individual born with it
   std::shared_ptr<const body::Design> design;
   std::shared_ptr<const RobotModel> robot;
   std::shared_ptr<const Gait> gait;

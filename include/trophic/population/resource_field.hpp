@@ -11,12 +11,13 @@
 
 namespace trophic {
 
-/// Energy in the cells of a square grid over the flat floor of an arena, J, with further numbers for each cell that the rule
-/// Resource may keep, such as the time until a cell grows again. Cells are numbered row by row from the corner of least x and y.
+/// Energy in J in the cells of a square grid over the flat floor of an arena, with further numbers per cell for the rule
+/// Resource, such as the time until a cell regrows. Cells are numbered row by row from the corner with the smallest x and y.
 class ResourceField {
  public:
   ResourceField() = default;
-  /// `side`: cells in a row. `layers`: further numbers of each cell. All are 0. Throws std::invalid_argument for no cell.
+  /// `side`: number of cells in a row. `layers`: further numbers per cell. All values are 0. Throws std::invalid_argument for an
+  /// empty grid.
   ResourceField(const Arena& arena, std::size_t side, std::size_t layers = 0)
       : side_{side}, half_side_m_{arena.half_side_m}, food_J_(side * side), layers_(layers, std::vector<double>(side * side)) {
     if (side == 0 || side > 10'000) {
@@ -28,7 +29,7 @@ class ResourceField {
   [[nodiscard]] std::size_t cells() const { return food_J_.size(); }
   [[nodiscard]] double cell_m() const { return 2.0 * half_side_m_ / static_cast<double>(side_); }
 
-  /// The cell of a place; beyond the floor the nearest one.
+  /// The cell of a position; outside the floor, the nearest cell.
   [[nodiscard]] std::size_t cell_at(double x_m, double y_m) const { return place(y_m) * side_ + place(x_m); }
   [[nodiscard]] std::size_t cell_at(const GroundPose& pose) const { return cell_at(pose.x_m, pose.y_m); }
   /// The centre of a cell; its heading is 0.
@@ -50,8 +51,8 @@ class ResourceField {
     const std::size_t layers = layers_.size();
     archive(food_J_, layers_);
     if (!archive.reads()) return;
-    Archive::require(food_J_.size() == cells && layers_.size() == layers, "a resource of another size");
-    for (const auto& layer : layers_) Archive::require(layer.size() == cells, "a resource of another size");
+    Archive::require(food_J_.size() == cells && layers_.size() == layers, "a resource of a different size");
+    for (const auto& layer : layers_) Archive::require(layer.size() == cells, "a resource of a different size");
   }
 
  private:

@@ -6,8 +6,8 @@
 
 namespace trophic {
 
-/// Marks of individuals, a bit for each species, tag and activity. Several may share a bit: an individual without the mark is
-/// skipped, one with it must still be tested.
+/// Marks of individuals, one bit per combination of species, tag and activity. Combinations may share a bit: individuals without
+/// the mark are skipped, those with it must still be tested.
 using Marks = std::uint64_t;
 inline constexpr Marks every_mark = ~Marks{0};
 
@@ -30,8 +30,8 @@ inline constexpr Marks every_mark = ~Marks{0};
   return marks;
 }
 
-/// The bounds of a search. Individuals farther away are not found. The caller guarantees that no acceptable individual lacks
-/// all of the marks.
+/// The bounds of a search. Individuals farther away are not found. The caller guarantees that every acceptable individual has one
+/// of the marks.
 struct Search {
   double within_m = std::numeric_limits<double>::infinity();
   Marks among = every_mark;

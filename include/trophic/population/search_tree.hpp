@@ -7,12 +7,12 @@
 
 namespace trophic {
 
-/// From this number of robots on, a tree finds the closest robot faster than a visit to each; both give the same result.
+/// From this number of robots on, a tree finds the closest robot faster than visiting each; both give the same result.
 inline constexpr std::size_t tree_from_robots = 64;
 
 /// A grid of robots under squares of 2 x 2 cells, 4 x 4, ..., each of which holds the marks of the robots in it. A search goes
-/// outwards from the robot's own cell, as far as a closer one can be, and skips squares without the marks: it hardly takes
-/// longer among more robots. It gives exactly the result of visiting every robot, ties included. Positions are stored cell by
+/// outwards from the robot's own cell, as far as a closer one can be, and skips squares without the marks, so it hardly takes
+/// longer with more robots. It gives exactly the result of visiting every robot, including ties. Positions are stored cell by
 /// cell, because neighbouring robots are far apart in memory.
 class SearchTree {
  public:
@@ -38,8 +38,8 @@ class SearchTree {
     mark_squares(column, row, mark_of(robot));
   }
 
-  /// The body closest to `self`, which stands at `pose`, for which `accepts(body)` holds, excluding itself; on equal distance
-  /// the lower index. `space`: as View's.
+  /// The body closest to `self`, which stands at `pose`, for which `accepts(body)` holds, excluding itself; at equal distances,
+  /// the one with the lower index. `space`: as in View.
   template <class Accepts>
   [[nodiscard]] std::optional<BodyIndex> closest(BodyIndex self, const GroundPose& pose, Accepts&& accepts,
                                                  const Search& search = {}, const Space& space = {}) const {
@@ -56,7 +56,8 @@ class SearchTree {
   }
 
   [[nodiscard]] BodyIndex by_place(std::size_t i) const { return standing_[i].body; }  ///< all bodies, cell by cell
-  /// Calls `visit(body)` for every body within `radius_m` of a point, and some that are farther away; some on a torus twice.
+  /// Calls `visit(body)` for every body within `radius_m` of a point and for some that are farther away; on a torus for some
+  /// twice.
   template <class Visit>
   void for_each_near(const GroundPose& point, double radius_m, Visit&& visit, const Space& space = {}) const {
     if (levels_.empty()) return;
@@ -91,7 +92,7 @@ class SearchTree {
     std::ptrdiff_t own_column = 0;
     std::ptrdiff_t own_row = 0;
 
-    /// Looks from its own cell outwards, until no body beyond a square can be closer.
+    /// Searches outwards from its own cell until no body beyond a square can be closer.
     void look_around() {
       look(0, own_column, own_row);
       for (std::size_t level = 0; level + 1 < tree.levels_.size(); ++level) {
@@ -105,7 +106,7 @@ class SearchTree {
       if (column >= here.side || row >= here.side || (here.at(column, row) & among) == 0) return;
       if (!tree.grid_.may_reach(from, most_m, column, row, std::ptrdiff_t{1} << level)) return;
       if (level == 0) return look_in_cell(column, row);
-      // The square nearest to the searching body first, so that the others are often too far.
+      // The square nearest to the searching body comes first, so that the others are often too far.
       const std::ptrdiff_t near_column = std::clamp(own_column >> (level - 1), 2 * column, 2 * column + 1);
       const std::ptrdiff_t near_row = std::clamp(own_row >> (level - 1), 2 * row, 2 * row + 1);
       look(level - 1, near_column, near_row);
@@ -130,7 +131,7 @@ class SearchTree {
     }
   };
 
-  /// The squares around a cell get marks that a body in it has.
+  /// The squares around a cell get the marks of a body in it.
   void mark_squares(std::ptrdiff_t column, std::ptrdiff_t row, Marks marks) {
     for (Level& level : levels_) {
       Marks& there = level.marks[static_cast<std::size_t>(row * level.side + column)];
@@ -143,7 +144,7 @@ class SearchTree {
 
   SpatialGrid grid_;
   std::vector<Standing> standing_;  ///< cell by cell
-  std::vector<Level> levels_;       ///< from single cells to one square
+  std::vector<Level> levels_;       ///< from single cells up to one square
 };
 
 }  // namespace trophic

@@ -9,7 +9,7 @@
 
 namespace trophic {
 
-/// Robots sorted into the square cells of a grid over the box that holds them all, about two to a cell. Holds indices only.
+/// Robots sorted into the square cells of a grid over their bounding box, about two per cell. Holds only indices.
 class SpatialGrid {
  public:
   SpatialGrid() = default;
@@ -36,11 +36,11 @@ class SpatialGrid {
     for (BodyIndex body = 0; body < poses.size(); ++body) bodies_[next[cells[body]]++] = body;
   }
 
-  /// Cells in a row, and the cell of a robot; outside the box the closest cell.
+  /// The number of cells in a row, and the cell of a robot (the closest cell for one outside the box).
   [[nodiscard]] std::ptrdiff_t side() const { return cells_; }
   [[nodiscard]] std::ptrdiff_t column(const GroundPose& pose) const { return cell_of(pose.x_m - low_x_m_); }
   [[nodiscard]] std::ptrdiff_t row(const GroundPose& pose) const { return cell_of(pose.y_m - low_y_m_); }
-  /// The bodies, cell by cell, in each ascending; and what stands for those of a cell in a list in that order.
+  /// The bodies cell by cell, ascending in each cell, and the range of a cell in a list in that order.
   [[nodiscard]] std::span<const BodyIndex> bodies() const { return bodies_; }
   template <class T>
   [[nodiscard]] std::span<T> in_cell(std::span<T> ordered, std::ptrdiff_t column, std::ptrdiff_t row) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The names of a community's species, as those of a group of parameters.
+// The names of a community's species, as names of a group of parameters.
 #pragma once
 
 #include <trophic/support/cpp20.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rules with a state: the data that a policy keeps for each body, its value for a newborn, and the hooks that change it.
+// Rules with a state: the data that a policy stores per body, its value for a newborn, and the hooks that change it.
 #pragma once
 
 #include <trophic/params/params.hpp>
@@ -8,8 +8,8 @@
 #include <trophic/population/vacancy.hpp>
 #include <trophic/population/view.hpp>
 
-/// A rule with a state is a policy with a nested `struct State { ... };` that lists its members by `fields()`, as Params do.
-/// The population keeps one State for each body and slot. Policies stay const: the population passes a policy its own state.
+/// A rule with a state is a policy with a nested `struct State { ... };` that lists its members in `fields()`, as Params do. The
+/// population stores one State per body and slot. Policies stay const: the population passes a policy its own state.
 ///
 ///   State born(const Individual& newborn, const State* parent, const State& body) const
 ///
@@ -17,14 +17,14 @@
 /// its first living parent; null for founders, random newcomers, offspring of the dead, and if Heredity passes nothing on. `body`
 /// is the state of the body's previous occupant; State{} for founders. `return {};` resets it, `return body;` keeps it with the
 /// body, `return parent ? *parent : State{};` inherits it. The shadow inherits nothing; `hand_over` below is for what a parent
-/// gives away, in every null.
+/// gives away, and acts in every null.
 ///
-/// A checkpoint holds all states, so that a resumed run gives the same bytes. A State may therefore hold only the types that
+/// Checkpoints hold all states, so a resumed run gives the same bytes. A State may therefore contain only the types that
 /// rule_states.hpp allows.
 ///
-/// A contract function about one body may take `const State& own` as its last argument, one about the whole population or about
-/// a parent `std::span<const State> states`, by body: see the slot's contract. A brain's decide and a mutation take `State&
-/// own`.
+/// A contract function about one body may take `const State& own` as its last argument; one about the whole population or about a
+/// parent may take `std::span<const State> states`, by body: see the slot's contract. A brain's decide and a mutation take
+/// `State& own`.
 ///
 /// Each of these hooks changes the state `own` of the individual in the body `self`, at its moment in a tick:
 ///   void on_walk(State& own, BodyIndex self, double distance_m, const View&) const
@@ -38,7 +38,7 @@
 ///   void on_offspring(State& own, BodyIndex self, BodyIndex newborn, const View&) const
 ///     self is a parent of an individual that is born in the body `newborn`; also if the newborn inherits nothing
 ///   void hand_over(State& own, State& newborn, const View&) const
-///     just before it: what a parent gives changes hands, such as a shell; for each living parent
+///     just before on_offspring, for each living parent: transfers what a parent gives, such as a shell
 ///   void on_other_death(State& own, BodyIndex self, const Vacancy& death, const View&) const
 ///     another individual dies of any cause and is still in the view; its successor's parent has been chosen
 #define TROPHIC_STATE_HOOKS(HOOK)                                                                       \
@@ -81,7 +81,7 @@ inline constexpr bool is_state_member<std::optional<T>> = is_state_member<T>;
 template <class T>
 inline constexpr bool is_state_member<std::vector<T>> = std::is_arithmetic_v<T>;
 
-/// Whether every listed member, nested ones included, can be saved.
+/// Whether every listed member, including nested ones, can be saved.
 template <class State>
 [[nodiscard]] consteval bool only_state_members() {
   if constexpr (HasFields<State>) {
@@ -146,7 +146,7 @@ concept BornWithState = requires(const typename answers_for_species<P>::type& po
   { policy.born(newborn, parent, body) } -> std::same_as<typename P::State>;
 };
 
-/// Fails to compile, with one sentence, if a policy names hooks that are never called.
+/// Fails to compile with one message if a policy has hooks that are never called.
 template <class Policy>
 struct CheckStateHooks {
 #define TROPHIC_CHECK_STATE_HOOK(hook, Happened, signature)                                                  \
@@ -165,22 +165,23 @@ struct CheckStateHooks {
   static constexpr bool ok = true;
 };
 
-/// In a struct: fails to compile, with one sentence about `who`, if a policy's State violates the requirements above.
-#define TROPHIC_CHECK_STATE_OF(Policy, who)                                                                                   \
-  static_assert(                                                                                                              \
-      !Stateful<Policy> ||                                                                                                    \
-          (Parameters<StateOf<Policy>> && OpenParams<StateOf<Policy>> &&                                                      \
-           AllListed<members_of<StateOf<Policy>>, fields_of<StateOf<Policy>>> && listed_once<StateOf<Policy>>()),             \
-      "the State of " who                                                                                                     \
-      " must be an aggregate that lists every member once in fields(), as Params do; see trophic/population/state.hpp");      \
-  static_assert(!Stateful<Policy> || only_state_members<StateOf<Policy>>(),                                                   \
-                "the State of " who                                                                                           \
-                " may hold numbers, enumerations, Ancestors, each also optional, and vectors of numbers: what can be saved"); \
-  static_assert(!Stateful<Policy> || has_no_mutable_member<StateOf<Policy>>(),                                                \
-                "the State of " who " has a mutable member: only hooks and brains change a state");                           \
-  static_assert(!Stateful<Policy> || BornWithState<Policy>, who                                                               \
-                " has a State, so it needs State born(const Individual& newborn, const State* parent, const State& body) "    \
-                "const: what a newborn starts with; see trophic/population/state.hpp");                                       \
+/// In a struct: fails to compile with one message about `who` if a policy's State violates the requirements above.
+#define TROPHIC_CHECK_STATE_OF(Policy, who)                                                                                \
+  static_assert(                                                                                                           \
+      !Stateful<Policy> ||                                                                                                 \
+          (Parameters<StateOf<Policy>> && OpenParams<StateOf<Policy>> &&                                                   \
+           AllListed<members_of<StateOf<Policy>>, fields_of<StateOf<Policy>>> && listed_once<StateOf<Policy>>()),          \
+      "the State of " who                                                                                                  \
+      " must be an aggregate that lists every member once in fields(), as Params do; see trophic/population/state.hpp");   \
+  static_assert(                                                                                                           \
+      !Stateful<Policy> || only_state_members<StateOf<Policy>>(),                                                          \
+      "the State of " who                                                                                                  \
+      " may hold only what can be saved: numbers, enumerations, Ancestors, optionals of these, and vectors of numbers");   \
+  static_assert(!Stateful<Policy> || has_no_mutable_member<StateOf<Policy>>(),                                             \
+                "the State of " who " has a mutable member: only hooks and brains may change a state");                    \
+  static_assert(!Stateful<Policy> || BornWithState<Policy>, who                                                            \
+                " has a State, so it needs State born(const Individual& newborn, const State* parent, const State& body) " \
+                "const: what a newborn starts with; see trophic/population/state.hpp");                                    \
   static_assert(CheckStateHooks<Policy>::ok);
 
 }  // namespace detail
@@ -217,8 +218,8 @@ struct all_states_of<Whole<Ps...>> {
 
 }  // namespace detail
 
-/// The states of all bodies, as contract functions about the whole population get them: `std::span<const State>`, by body; for
-/// a policy made of parts (population/parts.hpp) a std::tuple with those of its parts.
+/// The states of all bodies, as contract functions about the whole population get them: `std::span<const State>`, by body; for a
+/// policy composed of parts (population/parts.hpp), a std::tuple with those of its parts.
 template <class P>
 using AllStates = typename detail::all_states_of<P>::type;
 
@@ -253,7 +254,7 @@ class BodyStates<P> {
   [[nodiscard]] std::span<const State> all() const { return states_; }
   void push_back(State state) { states_.push_back(std::move(state)); }
 
-  /// Does nothing for a State that cannot be saved, which is reported above.
+  /// Does nothing for a State that cannot be saved; this error is reported above.
   template <class Archive>
   void persist(Archive& archive) {
     if constexpr (detail::SavableState<P>) archive(states_);
@@ -263,7 +264,7 @@ class BodyStates<P> {
   std::vector<State> states_;
 };
 
-/// The states of a policy made of parts: those of each part.
+/// The states of a policy composed of parts: those of each part.
 template <template <class...> class Whole, class... Ps>
 requires MadeOfParts<Whole<Ps...>>
 class BodyStates<Whole<Ps...>> {

@@ -10,8 +10,9 @@ namespace trophic {
 struct Vacancy {
   BodyIndex body = 0;
   Cause cause = Cause::caught;
-  std::optional<BodyIndex> killer = {};   ///< the body of the hunter, for Cause::caught
-  std::optional<Species> successor = {};  ///< the species that the body goes to, if the rules fix it: a parent must be of it
+  std::optional<BodyIndex> killer = {};  ///< the body of the hunter, for Cause::caught
+  std::optional<Species> successor =
+      {};  ///< the species to which the body goes, if the rules fix it; a parent must be of this species
 };
 
 }  // namespace trophic

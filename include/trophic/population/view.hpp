@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All that a rule may read: a snapshot of the population and its positions. Read-only, engine-free.
+// Everything that a rule may read: a read-only snapshot of the population and its positions, independent of the engine.
 #pragma once
 
 #include <concepts>
@@ -18,32 +18,32 @@ namespace trophic {
 class BodyReading;
 
 /// The world as rules see it at one tick. `robots` and `poses` have one element per body, in the same order. Spans refer to the
-/// ecology's own data: within a tick a view shows each birth and death at once. Only a table with a Recruitment rule has bodies
-/// without an individual: `robots[body].lives()` is false, they are not in the world, and no search finds them.
+/// ecology's own data, so a view shows each birth and death in a tick immediately. Only a table with a Recruitment rule has
+/// bodies without an individual: `robots[body].lives()` is false, they are not in the world, and no search finds them.
 struct View {
   double time_s = 0.0;          ///< the ecology's clock
-  std::int64_t tick = 0;        ///< number of this decision step; 0 at the start
+  std::int64_t tick = 0;        ///< index of this decision step; 0 at the start
   double tick_s = 2.0;          ///< length of a tick
-  double robot_radius_m = 0.0;  ///< of the circle around a standing robot
+  double robot_radius_m = 0.0;  ///< radius of the circle around a standing robot
   const FoodWeb& web;
   const Arena& arena;
   std::span<const Individual> robots;
   std::span<const GroundPose> poses;
-  const SearchTree* tree = nullptr;               ///< over the poses; without one, searches visit every robot
-  std::span<const std::size_t> members = {};      ///< of each species; if empty, they are counted
-  std::uint64_t refused_bodies = 0;               ///< mutations of bodies so far that the rules refused
-  std::span<const Phenotype> phenotypes = {};     ///< of each body; empty if all have the habitat's robot and gait
-  const ResourceField* field = nullptr;           ///< the resource; null in a table without a rule Resource
-  std::span<const EnergyFlow> energy = {};        ///< of each species since the last tick; empty without a rule Metabolism
-  ResourceFlow resource = {};                     ///< since the last tick
-  std::uint64_t refused_births = 0;               ///< for which no body or no room was free, so far
-  const BodyReading* bodies = nullptr;            ///< of an engine with joints (population/body_reading.hpp); null without
-  ActValues acts = {};                            ///< of the last decisions
+  const SearchTree* tree = nullptr;            ///< tree over the poses; without one, searches visit every robot
+  std::span<const std::size_t> members = {};   ///< number per species; if empty, they are counted
+  std::uint64_t refused_bodies = 0;            ///< number of body mutations refused by the rules so far
+  std::span<const Phenotype> phenotypes = {};  ///< one per body; empty if all have the habitat's robot and gait
+  const ResourceField* field = nullptr;        ///< the resource; null in a table without a rule Resource
+  std::span<const EnergyFlow> energy = {};     ///< one per species, since the last tick; empty without a rule Metabolism
+  ResourceFlow resource = {};                  ///< since the last tick
+  std::uint64_t refused_births = 0;            ///< number of births so far without a free body or free space
+  const BodyReading* bodies = nullptr;         ///< readings from an engine with joints (population/body_reading.hpp); else null
+  ActValues acts = {};                         ///< values of acts at the last decisions
   std::span<const std::string_view> traits = {};  ///< names of the heritable traits of the rule Traits
   bool is_over = false;                           ///< whether the run ends now by EcologyParams::ends_when
-  Space space = {};                               ///< whether distances go over the edges of the arena
+  Space space = {};                               ///< whether distances cross the edges of the arena
 
-  /// The value of an act (control/acts/) at the last decision; its default in a table without it.
+  /// The value of an act (control/acts/) at the last decision, or its default in a table without it.
   template <class Act>
   [[nodiscard]] auto act(BodyIndex body) const {
     if constexpr (detail::KeptByIndividual<Act>) {
@@ -64,17 +64,17 @@ struct View {
     return hunters;
   }
   [[nodiscard]] double distance_m(BodyIndex a, BodyIndex b) const { return distance_m(poses[a], poses[b]); }
-  /// Between two places, over the edges of a torus too.
+  /// The distance between two positions, across the edges on a torus.
   [[nodiscard]] double distance_m(const GroundPose& a, const GroundPose& b) const { return space.distance_m(a, b); }
-  /// The marks of all whose species `accepts`: of all of them, of those with one tag, or of the active ones.
+  /// The marks of all individuals whose species `accepts`, of those with one tag, or of the active ones.
   template <std::predicate<Species> Accepts>
   [[nodiscard]] Marks marks(Accepts&& accepts, std::optional<int> tag = {}, bool only_active = false) const {
     Marks all = 0;
     for (Species species = 0; species < web.size(); ++species) all |= accepts(species) ? marks_of(species, tag, only_active) : 0;
     return all;
   }
-  /// An individual's trait, of the type in the table's list: `view.trait<Sight>(body)`. Throws std::invalid_argument for a trait
-  /// that is not in it.
+  /// An individual's trait, by its type in the table's list: `view.trait<Sight>(body)`. Throws std::invalid_argument for a trait
+  /// that is not in the list.
   template <class Trait>
   [[nodiscard]] double trait(BodyIndex body) const {
     const auto place = static_cast<std::size_t>(std::ranges::find(traits, std::string_view{Trait::name}) - traits.begin());
@@ -82,14 +82,15 @@ struct View {
     throw std::invalid_argument{"trait " + std::string{Trait::name} + ": must be in the list Traits of the rule table"};
   }
   [[nodiscard]] double age_s(const Individual& individual) const { return time_s - individual.age_from_s; }
-  /// Whether `wait_s` have passed since a moment: times are floating point, and a rule must not come a tick late for it.
+  /// Whether `wait_s` have passed since a moment, with a tolerance for floating-point times, so that rules do not act a tick
+  /// late.
   [[nodiscard]] bool passed(double since_s, double wait_s) const { return has_passed(time_s - since_s, wait_s, tick_s); }
   /// Ticks since birth or last catch (Sec. "Predator Death").
   [[nodiscard]] std::int64_t hunger_ticks(const Individual& individual) const { return tick - individual.fed_tick; }
 
-  /// The body closest to `self` for which `accepts(individual)` or `accepts(body)` holds, excluding itself; on equal distance
-  /// the lower index. None if no body within the bounds of the search is accepted. With bounds a search in a large ecology
-  /// visits few robots; without them it visits all before it returns none.
+  /// The body closest to `self` for which `accepts(individual)` or `accepts(body)` holds, excluding itself; at equal distances,
+  /// the one with the lower index. Empty if no body within the bounds of the search is accepted. With bounds, a search in a large
+  /// ecology visits few robots; without them it visits all before it returns an empty result.
   template <class Accepts>
   [[nodiscard]] std::optional<BodyIndex> closest(BodyIndex self, Accepts&& accepts, const Search& search = {}) const {
     if constexpr (std::predicate<Accepts&, const Individual&>) {
@@ -100,14 +101,15 @@ struct View {
     }
   }
 
-  /// Calls `visit(body)` for every body within `radius_m` of a point and others, also spare ones; some on a torus twice.
+  /// Calls `visit(body)` for every body within `radius_m` of a point and for some others, including spare ones; on a torus for
+  /// some twice.
   template <class Visit>
   void for_each_near(const GroundPose& point, double radius_m, Visit&& visit) const {
     if (tree != nullptr) return tree->for_each_near(point, radius_m, visit, space);
     for (BodyIndex body = 0; body < poses.size(); ++body) visit(body);
   }
 
-  /// All bodies with an individual whose centres are at most `radius_m` from a point on the floor, ascending.
+  /// Returns all bodies with an individual whose centres are at most `radius_m` from a point on the floor, in ascending order.
   [[nodiscard]] std::vector<BodyIndex> within(const GroundPose& point, double radius_m) const {
     std::vector<BodyIndex> found;
     const auto take = [&](BodyIndex body) {

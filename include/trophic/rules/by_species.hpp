@@ -28,10 +28,10 @@ struct by_species_params<Policy, Community, std::index_sequence<species...>> {
   using type = GroupOf<trophic::detail::SpeciesNames<Community>, One<species>...>;
 };
 
-/// Common to every form of by_species: its name, the policy that applies to one species, and that policy's State.
+/// Shared by all forms of by_species: its name, the policy that applies to one species, and that policy's State.
 template <class Policy>
 struct BySpecies {
-  static_assert(!MadeOfParts<Policy>, "rules::by_species takes a policy that is not made of parts; give each part its own");
+  static_assert(!MadeOfParts<Policy>, "rules::by_species takes a policy without parts; apply it to each part");
   static constexpr std::string_view name = JoinedText<BySpeciesWords<Policy>>::view;
   static constexpr std::string_view source = source_of<Policy>();
   using OfOneSpecies = Policy;
@@ -53,8 +53,8 @@ concept NamesSpecies = requires {
 }  // namespace detail
 
 /// A policy with parameters for each species: `with_mutation<Paper, by_species<NormalMutation>>` has `rules.mutation.prey.sd` and
-/// `rules.mutation.predator.sd`. In a rule table it takes the species of the table's community, which lists their names:
-/// `static constexpr std::array<std::string_view, N> species_names`. For slots that rules/slots.hpp marks as being about one
+/// `rules.mutation.predator.sd`. In a rule table its species are those of the table's community, which lists their names:
+/// `static constexpr std::array<std::string_view, N> species_names`. It is for slots that rules/slots.hpp marks as concerning one
 /// individual or species, and for parts of their policies: each individual has the parameters of its species. Reads and random
 /// draws: the policy's.
 template <class Policy>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The requirements on a rule table: each violation is one compile error, a sentence.
+// The requirements on a rule table: each violation is one compile error with a clear message.
 #pragma once
 
 #include <trophic/params/policy.hpp>
@@ -28,8 +28,7 @@ class PerSpeciesOf;
 
 namespace detail {
 
-/// The policy that a table states for each slot: `stated_<member><Rules>::type`, the neutral policy of a slot that it leaves
-/// out.
+/// The policy that a table states for each slot: `stated_<member><Rules>::type`, or the neutral policy of an omitted slot.
 #define TROPHIC_STATED(Slot, member, kind, Contract, Neutral, ...) \
   template <class Rules>                                           \
   struct stated_##member {                                         \
@@ -64,7 +63,7 @@ struct in_table<Whole<Ps...>, Rules> {
   using type = Whole<typename in_table<Ps, Rules>::type...>;
 };
 
-/// The first error in a slot. Later ones are not checked, so that one mistake is one error.
+/// Returns the slot's first error. Later ones are not checked, so that one mistake gives one error.
 enum class Fault {
   none,
   missing,
@@ -81,6 +80,7 @@ enum class Fault {
   held,
   changing,
   reads,
+  reads_traits,
   decides
 };
 
@@ -123,7 +123,7 @@ template <class Policy, bool fits_contract, bool may_differ_by_species>
   }
 }
 
-/// Whether these acts include all that a policy, or a policy in it, names in ReadsActs.
+/// Whether these acts include all that a policy, or a policy inside it, names in ReadsActs.
 template <class Acts, class Policy>
 inline constexpr bool has_own_acts_of = true;
 template <class Acts, class Policy>
@@ -136,13 +136,33 @@ inline constexpr bool has_acts_of = has_own_acts_of<Acts, Policy>;
 template <class Acts, template <class...> class Whole, class... Ps>
 inline constexpr bool has_acts_of<Acts, Whole<Ps...>> = has_own_acts_of<Acts, Whole<Ps...>> && (has_acts_of<Acts, Ps> && ...);
 
-/// The fault of a policy in a table with these acts; `alone`: its fault in any table.
-template <class Policy, class Acts, Fault alone>
+/// Whether these traits include all that a policy, or a policy in it, names in ReadsTraits.
+template <class Traits, class Policy>
+inline constexpr bool has_own_traits_of = true;
+template <class Traits, class Policy>
+requires requires {
+  typename Policy::ReadsTraits;
+}
+inline constexpr bool has_own_traits_of<Traits, Policy> =
+    std::ranges::all_of(std::span<const std::string_view>{Policy::ReadsTraits::trait_names}, [](std::string_view trait) {
+      const std::span<const std::string_view> names{Traits::trait_names};
+      return std::ranges::find(names, trait) != names.end();
+    });
+template <class Traits, class Policy>
+inline constexpr bool has_traits_of = has_own_traits_of<Traits, Policy>;
+template <class Traits, template <class...> class Whole, class... Ps>
+inline constexpr bool has_traits_of<Traits, Whole<Ps...>> = has_own_traits_of<Traits, Whole<Ps...>> &&
+                                                            (has_traits_of<Traits, Ps> && ...);
+
+/// The error of a policy in a table with these acts and traits; `alone`: its error in any table.
+template <class Policy, class Acts, class Traits, Fault alone>
 [[nodiscard]] consteval Fault fault_with() {
-  if constexpr (alone != Fault::none || !control::ActList<Acts>) {
+  if constexpr (alone != Fault::none || !control::ActList<Acts> || !reproduction::TraitRule<Traits>) {
     return alone;
   } else if constexpr (!has_acts_of<Acts, Policy>) {
     return Fault::reads;
+  } else if constexpr (!has_traits_of<Traits, Policy>) {
+    return Fault::reads_traits;
   } else if constexpr (control::Decides<AnswersForSpecies<Policy>> && !control::EvaluatesOutputs<AnswersForSpecies<Policy>>) {
     return std::same_as<Acts, control::acts::TurnAndTag> ? Fault::none : Fault::decides;
   } else {
@@ -154,17 +174,17 @@ template <class Policy, class Acts, Fault alone>
 /// `slot_<member><Rules>` is the same by name.
 template <class Rules, RuleSlot slot>
 struct policy_in;
-#define TROPHIC_SLOT(Slot, member, kind, Contract, Neutral, may_differ_by_species)                      \
-  template <class Rules>                                                                                \
-  struct policy_in<Rules, RuleSlot::member> : in_table<typename stated_##member<Rules>::type, Rules> {  \
-    using stated = typename stated_##member<Rules>::type;                                               \
-    using type = typename in_table<stated, Rules>::type;                                                \
-    static constexpr bool is_neutral = std::same_as<type, Neutral>;                                     \
-    static constexpr Fault fault =                                                                      \
-        fault_with<type, typename stated_acts<Rules>::type,                                             \
-                   fault_of<type, kind::Contract<AnswersForSpecies<type>>, may_differ_by_species>()>(); \
-  };                                                                                                    \
-  template <class Rules>                                                                                \
+#define TROPHIC_SLOT(Slot, member, kind, Contract, Neutral, may_differ_by_species)                                  \
+  template <class Rules>                                                                                            \
+  struct policy_in<Rules, RuleSlot::member> : in_table<typename stated_##member<Rules>::type, Rules> {              \
+    using stated = typename stated_##member<Rules>::type;                                                           \
+    using type = typename in_table<stated, Rules>::type;                                                            \
+    static constexpr bool is_neutral = std::same_as<type, Neutral>;                                                 \
+    static constexpr Fault fault =                                                                                  \
+        fault_with<type, typename stated_acts<Rules>::type, AnswersForSpecies<typename stated_traits<Rules>::type>, \
+                   fault_of<type, kind::Contract<AnswersForSpecies<type>>, may_differ_by_species>()>();             \
+  };                                                                                                                \
+  template <class Rules>                                                                                            \
   struct slot_##member : policy_in<Rules, RuleSlot::member> {};
 TROPHIC_RULE_SLOTS(TROPHIC_SLOT)
 #undef TROPHIC_SLOT
@@ -186,9 +206,9 @@ template <class Rules>
   return none;
 }
 
-/// Fails to compile, with one sentence, unless Rules is final, has a name and parameters, and has a policy that satisfies the
-/// contract in every slot, except in those with a neutral policy, which it may leave out. A misspelt name of such a slot in a
-/// table written out is the one mistake that cannot be detected here: C++ does not list the members of a class. with_<slot> and
+/// Fails to compile with one message unless Rules is final, has a name and parameters, and has a policy that satisfies the
+/// contract in every slot; slots with a neutral policy may be omitted. The only mistake that cannot be detected here is a
+/// misspelt name of such a slot in a table written in full, because C++ does not list the members of a class. with_<slot> and
 /// parameters for the slot detect it.
 template <class Rules>
 struct CheckRules {
@@ -207,7 +227,7 @@ struct CheckRules {
   static_assert(member##_fault != Fault::missing, "the rule table has no slot " #Slot "; write `using " #Slot                \
                                                   " = ...;` or make it from a complete table with with_" #member);           \
   static_assert(member##_fault != Fault::by_species, "Rules::" #Slot                                                         \
-                                                     " is not about a single individual or species, so its policy's "        \
+                                                     " does not concern a single individual or species, so its policy's "    \
                                                      "parameters cannot differ by_species");                                 \
   static_assert(member##_fault != Fault::part,                                                                               \
                 "a part of the policy in Rules::" #Slot " does not fit the contract of that part; see the policy's header"); \
@@ -242,6 +262,9 @@ struct CheckRules {
   static_assert(member##_fault != Fault::reads,                                                                              \
                 "the policy in Rules::" #Slot                                                                                \
                 " names an act in ReadsActs that Rules::Acts lacks; see trophic/control/acts/contract.hpp");                 \
+  static_assert(member##_fault != Fault::reads_traits,                                                                       \
+                "the policy in Rules::" #Slot                                                                                \
+                " names a trait in ReadsTraits that Rules::Traits lacks; see trophic/reproduction/traits/contract.hpp");     \
   static_assert(member##_fault != Fault::decides,                                                                            \
                 "the policy in Rules::" #Slot                                                                                \
                 " has decide, which only turns and chooses a tag, but Rules::Acts has other acts: it needs evaluate; see "   \
@@ -252,7 +275,7 @@ struct CheckRules {
 
 }  // namespace detail
 
-/// The policy in a slot of a table; the neutral one of a slot that the table leaves out.
+/// The policy in a slot of a table, or the neutral one of an omitted slot.
 template <class Rules, RuleSlot slot>
 using PolicyIn = typename detail::policy_in<Rules, slot>::type;
 
@@ -273,7 +296,7 @@ template <class Rules>
 }  // namespace detail
 
 /// Whether a type is a rule table: final, with a name and its parameters, and a valid policy in each slot that it states.
-/// RuleParams, and therefore every experiment, rejects other types with a sentence about the error.
+/// RuleParams, and therefore every experiment, rejects other types with a message about the error.
 template <class Rules>
 inline constexpr bool is_rule_table = detail::is_table<Rules>();
 

@@ -37,17 +37,17 @@
 namespace trophic::rules {
 
 /// Kachler and Miras, "Open-endedness induced through a predator-prey scenario using modular robots": the rule in each slot,
-/// the section of the paper that it is from, and every number. The paper has no natural death: the slot Senescence is left out.
-/// "silent" marks choices that the text leaves open. The policy explains each such choice; studies/results/open-choices.md lists
-/// all of them with their alternatives and effects.
+/// the section of the paper from which it comes, and every number. The paper has no natural death, so the slot Senescence is
+/// omitted. "silent" marks choices that the text leaves open. The policy explains each such choice;
+/// studies/results/open-choices.md lists all of them with their alternatives and effects.
 ///
-/// One choice reverses the evolution of prey: the parent when a predator starves. Sec. "Reproduction" has "any prey". Sec.
-/// "Prey Death" calls the newborn's state "a state of inactivity", and a draft's comment in Sec. "Birth" denies that a newborn
-/// "can immediately interact with other robots". So the table takes the closest active prey; `with_parent_after<Paper,
-/// Cause::starved, NearestVictim>` is the other reading.
+/// One choice reverses the evolution of prey: the choice of the parent when a predator starves. Sec. "Reproduction" has "any
+/// prey". Sec. "Prey Death" calls the newborn's state "a state of inactivity", and a draft's comment in Sec. "Birth" denies that
+/// a newborn "can immediately interact with other robots". So the table uses the closest active prey; `with_parent_after<Paper,
+/// Cause::starved, NearestVictim>` is the alternative reading.
 ///
-/// The robot's own gait is the one published with the paper. The text would also allow another one evolved by its fitness
-/// (`spider_paper`). The paper's robots walked with the published one; it is faster, and it turns equally to both sides
+/// The robot's own gait is the one published with the paper. The text would also allow a gait evolved with its fitness function
+/// (`spider_paper`). The paper's robots walked with the published one, which is faster and turns equally to both sides
 /// (models/README.md has the figures).
 struct Paper final {
   static constexpr std::string_view name = "paper";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parameters of a rule table: those that it states, and those that an experiment runs with.
+// The parameters of a rule table: those that it states, and those with which an experiment runs.
 #pragma once
 
 #include <trophic/params/params.hpp>
@@ -21,7 +21,7 @@ struct TableParams {
 
 namespace detail {
 
-/// The parameters of a table; the policies' defaults for a table that states none, which `CheckRules` rejects.
+/// The parameters of a table, or the policies' defaults for a table that states none, which `CheckRules` rejects.
 template <class Rules>
 [[nodiscard]] TableParams<Rules> stated_params() {
   if constexpr (StatesParams<Rules>) return Rules::params();
@@ -41,7 +41,7 @@ struct RuleParams {
 
   template <class Self, class Visitor>
   static constexpr void visit_fields(Self& params, Visitor&& visit) {
-    for_each_slot([&]<RuleSlot slot>() { visit(FieldText{slot_name(slot)}, of_slot<slot>(params)); });
+    for_each_slot([&]<RuleSlot slot>() { visit(FieldText{slot_name(slot), {}, {}, slot_read(slot)}, of_slot<slot>(params)); });
   }
 };
 

@@ -24,13 +24,13 @@
 
 namespace trophic::rules {
 
-/// The released code, rule by rule, read off the code at the commits of the published runs (22 and 23 June 2023).
+/// The released code, rule by rule, as read from the code at the commits of the published runs (22 and 23 June 2023).
 /// studies/ablations lists the slots and parameters in which it differs from the text.
 ///
 /// Not reproduced:
 /// - ticks of 2.007 s on average, with wall time between the actions within a tick: a wall clock cannot be reproduced;
 /// - control calls on the grid of the physics, 12 or 24 ms apart, while the CPG always integrates 1/60 s: same mean rate;
-/// - the genome's five biases, which mutate and are never added: they have no effect;
+/// - the genome's five biases, which mutate but are never added and so have no effect;
 /// - an activated newborn's age counts from the tick before; no rule reads the age of prey.
 /// Its analysis: published velocities include adversaries stored while a robot perceived none (metric velocity_stored).
 struct Released final {

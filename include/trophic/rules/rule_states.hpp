@@ -9,7 +9,7 @@ namespace trophic {
 
 namespace detail {
 
-/// Fails to compile, with one sentence, if the State of a part of a policy violates population/state.hpp.
+/// Fails to compile with one message if the State of a part of a policy violates population/state.hpp.
 template <class Part>
 struct CheckPartState {
   TROPHIC_CHECK_STATE_OF(AnswersForSpecies<Part>, "a part of a policy")
@@ -27,7 +27,7 @@ template <class P>
   return true;
 }
 
-/// Fails to compile, with one sentence, if a policy with a State violates population/state.hpp.
+/// Fails to compile with one message if a policy with a State violates population/state.hpp.
 template <class Rules>
 struct CheckStates {
 #define TROPHIC_CHECK_STATE(Slot, member, ...)                         \

@@ -57,9 +57,9 @@
 /// with_<slot>, checks and manifests are generated from this list. A contract's concept and sentence are in
 /// trophic/KIND/SLOT/contract.hpp.
 ///
-/// A table may leave out a slot that has a neutral policy; it then has no such rule. Manifests, fingerprints and printed tables
-/// omit a slot that holds its neutral policy. A table that lacks a slot without one (NoPolicy) does not compile. Slots about
-/// one individual or species take `by_species<Policy>` (rules/by_species.hpp): true.
+/// A table may omit a slot that has a neutral policy; it then has no such rule. Manifests, fingerprints and printed tables
+/// omit a slot that holds its neutral policy. A table that lacks a slot without one (NoPolicy) does not compile. Slots that
+/// concern one individual or species accept `by_species<Policy>` (rules/by_species.hpp): true.
 #define TROPHIC_RULE_SLOTS(SLOT)                                                                                     \
   SLOT(Community, community, initialization, Community, detail::NoPolicy, false)                                     \
   SLOT(Placement, placement, initialization, Placement, detail::NoPolicy, false)                                     \
@@ -97,7 +97,7 @@ namespace trophic {
 
 namespace detail {
 
-/// Stands for the policy of a slot that a table lacks.
+/// Represents the policy of a slot that a table lacks.
 struct NoPolicy {};
 
 }  // namespace detail
@@ -128,6 +128,28 @@ inline constexpr std::array slot_kinds{TROPHIC_RULE_SLOTS(TROPHIC_SLOT_KIND)};
   return rules::slot_names[static_cast<std::size_t>(slot)];
 }
 
+/// When the policy of a slot is asked for the last time; its parameters may be read earlier.
+[[nodiscard]] constexpr Read slot_read(RuleSlot slot) {
+  switch (slot) {
+    case RuleSlot::community:
+    case RuleSlot::placement:
+      return Read::at_start;
+    case RuleSlot::initial_genome:
+      return Read::for_newcomers;
+    case RuleSlot::newborn_tag:
+    case RuleSlot::genome_source:
+    case RuleSlot::heredity:
+    case RuleSlot::mutation:
+    case RuleSlot::traits:
+    case RuleSlot::body_plan:
+    case RuleSlot::viability:
+    case RuleSlot::embodiment:
+      return Read::at_birth;
+    default:
+      return Read::at_any_tick;
+  }
+}
+
 /// Calls `visit.template operator()<slot>()` for each RuleSlot in order.
 template <class Visit>
 constexpr void for_each_slot(const Visit& visit) {
@@ -155,7 +177,7 @@ TROPHIC_RULE_SLOTS(TROPHIC_MEMBER)
 
 }  // namespace detail
 
-/// The member of a slot in a struct that has one for each: TableParams, RuleParams, Policies, RuleStates.
+/// The member of a slot in a struct with one member per slot: TableParams, RuleParams, Policies, RuleStates.
 template <RuleSlot slot, class OneEach>
 [[nodiscard]] constexpr auto& of_slot(OneEach& all) {
   return detail::SlotMember<slot>::in(all);

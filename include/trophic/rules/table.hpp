@@ -34,7 +34,7 @@ template <class Rules>
 
 namespace rules {
 
-/// The rules of a table, in the order of slots. A slot with its neutral policy is left out.
+/// The rules of a table, in the order of slots. A slot with its neutral policy is omitted.
 template <class Rules>
 [[nodiscard]] std::vector<SlotRule> slot_rules() {
   std::vector<SlotRule> all;

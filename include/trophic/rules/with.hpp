@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Tables derived from another one: with one rule or sensor swapped, other parameters, another ecology, or another name.
+// Tables derived from another one: with one rule or sensor swapped, different parameters, a different ecology, or a different
+// name.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +27,7 @@ struct SlotAliases {
 #undef TROPHIC_ALIAS
 };
 
-/// The backends that a table names as `backends`; none for one that runs on any.
+/// The backends that a table lists as `backends`; empty for a table that runs on any.
 template <class Rules>
 [[nodiscard]] constexpr auto backends_of() {
   if constexpr (requires { Rules::backends; }) {
@@ -36,7 +37,7 @@ template <class Rules>
   }
 }
 
-/// The policies that a table states, and the same with another one in one slot.
+/// The policies that a table states, and the same with a different one in one slot.
 template <class Rules>
 struct Stated {
   template <RuleSlot slot>
@@ -98,7 +99,7 @@ struct with_rule final : detail::SlotAliases<detail::Swapped<Rules, swapped, Pol
 TROPHIC_RULE_SLOTS(TROPHIC_WITH)
 #undef TROPHIC_WITH
 
-// A kind of rules is not a slot: with_death does not compile.
+// A kind of rules is not a slot, so with_death does not compile.
 #define TROPHIC_NO_SLOT(kind, slots)                                                                                \
   namespace detail {                                                                                                \
   template <class Rules>                                                                                            \
@@ -119,8 +120,8 @@ TROPHIC_NO_SLOT(
 TROPHIC_NO_SLOT(death, "with_activation, with_capture, with_floor, with_starvation, with_minimum_predators and with_senescence")
 #undef TROPHIC_NO_SLOT
 
-/// A table with other parameters: `with_params<Paper, [](auto& params) { params.floor.floor = 5; }>`. It keeps its name, as does
-/// a table whose parameters are set at run time; a manifest lists them.
+/// A table with different parameters: `with_params<Paper, [](auto& params) { params.floor.floor = 5; }>`. It keeps its name, as
+/// does a table whose parameters are set at run time; a manifest lists them.
 template <class Rules, auto change>
 struct with_params final : detail::OfTable<Rules> {
   static constexpr std::string_view name = detail::policy_name<Rules>();
@@ -131,7 +132,7 @@ struct with_params final : detail::OfTable<Rules> {
   }
 };
 
-/// A table in another ecology: `with_ecology<Paper, [](auto& ecology) { ecology.robots = 60; }>`. It also keeps its name.
+/// A table in a different ecology: `with_ecology<Paper, [](auto& ecology) { ecology.robots = 60; }>`. It also keeps its name.
 template <class Rules, auto change>
 struct with_ecology final : detail::OfTable<Rules> {
   static constexpr std::string_view name = detail::policy_name<Rules>();
@@ -150,7 +151,7 @@ struct TableName {
   consteval TableName(const char (&from)[size]) { std::copy_n(from, size, text); }
 };
 
-/// A table under another name: `named<with_senescence<Paper, OldAge>, "ageing">`.
+/// A table under a different name: `named<with_senescence<Paper, OldAge>, "ageing">`.
 template <class Rules, TableName own_name>
 struct named final : detail::OfTable<Rules> {
   static constexpr std::string_view name{own_name.text};
@@ -169,7 +170,7 @@ struct swap_sensor {
 
 }  // namespace detail
 
-/// A table with the sensor New in place of Old, and the parameters of its sensors at their own defaults.
+/// A table with the sensor New instead of Old, and the parameters of its sensors at their defaults.
 template <class Table, class Old, class New>
 using with_sensor = with_sensors<Table, typename detail::swap_sensor<typename Table::Sensors, Old, New>::type>;
 

@@ -10,8 +10,9 @@
 
 namespace trophic {
 
-/// The table with death of hunted species at an age, and a parent for the newborn that follows: the nearest of the species, or
-/// that of another parent rule, `with_ageing_victims<Paper, MostEscapes>`. The table's Parent must be a ByCause.
+/// The table in which hunted species die at a given age, with a parent for the newborn that follows: the nearest individual of
+/// the species, or that of a different parent rule, `with_ageing_victims<Paper, MostEscapes>`. The table's Parent must be a
+/// ByCause.
 template <class Rules, class Parent = reproduction::parent::NearestConspecific>
 using with_ageing_victims =
     with_parent_after<with_senescence<Rules, death::senescence::OldAgeOfVictims>, Cause::senescence, Parent>;

@@ -74,12 +74,12 @@ struct swap_part<Rules, slot, place, Policy> {
 template <class Rules, RuleSlot slot, std::size_t place, class Policy>
 using with_part = typename detail::swap_part<Rules, slot, place, Policy>::type;
 
-/// The table with another parent rule after deaths of this cause: `with_parent_after<Paper, Cause::starved, NearestVictim>`. Its
-/// Parent must be a ByCause.
+/// The table with a different parent rule after deaths from this cause: `with_parent_after<Paper, Cause::starved,
+/// NearestVictim>`. Its Parent must be a ByCause.
 template <class Rules, Cause cause, class Policy>
 using with_parent_after = with_part<Rules, RuleSlot::parent, static_cast<std::size_t>(cause), Policy>;
 
-/// The table with another rule for the interval between starvation procedures, the exemption, or the choice of victims. Its
+/// The table with a different rule for the interval between starvation procedures, the exemption, or the choice of victims. Its
 /// Starvation must be a Procedure.
 template <class Rules, class Policy>
 using with_starvation_interval = with_part<Rules, RuleSlot::starvation, 0, Policy>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The ecology's clock: when a tick is, and whether a time has come.
+// The ecology's clock: the time of a tick, and whether a time has passed.
 #pragma once
 
 #include <cmath>
@@ -8,8 +8,8 @@
 
 namespace trophic {
 
-/// Returns when a tick is, s. A tick_s that is a whole number of nanoseconds, as 0.7 s is, gives the double nearest to that
-/// decimal number: three ticks of 0.7 s are 2.1 s, where 3 * 0.7 in floating point is less.
+/// Returns the time of a tick in seconds. If tick_s is a whole number of nanoseconds, such as 0.7 s, the result is the double
+/// nearest to the decimal number: three ticks of 0.7 s are 2.1 s, whereas 3 * 0.7 in floating point is less.
 [[nodiscard]] inline double clock_s(std::int64_t tick, double tick_s) {
   constexpr double per_s = 1e9;
   const double whole = std::round(tick_s * per_s);
@@ -18,8 +18,8 @@ namespace trophic {
   return is_whole ? nanoseconds / per_s : static_cast<double>(tick) * tick_s;
 }
 
-/// Whether `wait_s` have passed in `elapsed_s`, a difference of two times of a clock with this tick: a billionth of a tick is a
-/// rounding error.
+/// Whether `wait_s` have passed in `elapsed_s`, a difference of two times of a clock with this tick; a billionth of a tick counts
+/// as rounding error.
 [[nodiscard]] constexpr bool has_passed(double elapsed_s, double wait_s, double tick_s) {
   return elapsed_s >= wait_s - 1e-9 * tick_s;
 }

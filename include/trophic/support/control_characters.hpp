@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Control characters in texts that are shown in a terminal: none may move its cursor or set its title.
+// Control characters in texts that are shown in a terminal, where they must not move the cursor or set the title.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace trophic {
 
-/// How many bytes of a text, from its first, are one control character: of ASCII, or U+0080 to U+009F in UTF-8; 0 if it begins
-/// with none.
+/// The number of bytes of the control character at the start of a text, in ASCII or U+0080 to U+009F in UTF-8; 0 if there is
+/// none.
 [[nodiscard]] constexpr std::size_t control_bytes(std::string_view text) {
   if (text.empty()) return 0;
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Refuses an older C++, and flags that change or crash a run, by one error: a missing file ends a compilation, #error does not.
+// Rejects older C++ standards and compiler flags that change or crash a run, with one error: a missing file ends a compilation,
+// #error does not.
 #pragma once
 
 #if __cplusplus < 202002L

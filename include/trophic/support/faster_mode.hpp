@@ -11,8 +11,8 @@
 namespace trophic {
 
 /// For each job, chooses one of two modes that give the same result, by recent durations. The other mode is tried from time to
-/// time, the more rarely the slower it was, so that trials cost about a thirtieth. Starts with the first mode. A job during
-/// which the machine slept, or the program was stopped, counts as an ordinary slow one.
+/// time, less often the slower it was, so that trials cost about a thirtieth of the time. Starts with the first mode. A job
+/// during which the machine slept or the program was paused counts as an ordinary slow one.
 class FasterMode {
  public:
   /// One job, timed from construction to destruction.
@@ -71,7 +71,7 @@ class FasterMode {
   }
 
   static constexpr double weight = 0.125;
-  /// Lower bound for the duration of a job, as a clock may stand still or go back.
+  /// Lower bound for the duration of a job, because a clock may stand still or go backwards.
   static constexpr double shortest_s = 1e-12;
   /// Upper bound for the slower mode, as a multiple of the faster one, so that the effect of a pause fades within some thousand
   /// jobs.

@@ -16,7 +16,7 @@
 
 namespace trophic {
 
-/// Locks an open file. Returns false if another program holds the lock, or has removed or replaced the name meanwhile.
+/// Locks an open file. Returns false if another program holds the lock, or has removed or replaced the file meanwhile.
 [[nodiscard]] inline bool lock_named(int file, const std::filesystem::path& name) {
   if (::flock(file, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
   struct stat opened {};
@@ -25,8 +25,8 @@ namespace trophic {
          opened.st_ino == there.st_ino;
 }
 
-/// While it lives, no other FolderLock on the folder can be made, in this program or another. The system releases it when a
-/// program dies. Some network file systems have no locks; there it locks nothing.
+/// During its lifetime no other FolderLock on the folder can be made, in this program or another. The system releases it when a
+/// program dies. On network file systems without locks it has no effect.
 class FolderLock {
  public:
   /// Throws std::runtime_error if the folder cannot be opened, is locked, or has just been removed by the program that held it.

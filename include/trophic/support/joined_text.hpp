@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Joins words to one text at compile time.
+// Joins words into one text at compile time.
 #pragma once
 
 #include <algorithm>
@@ -48,7 +48,7 @@ struct PrefixedWords {
 
 }  // namespace detail
 
-/// The name of a policy that is made of another one: "PREFIX_NAME".
+/// The name of a policy that wraps another one: "PREFIX_NAME".
 template <TemplateText prefix, class Rule>
 inline constexpr std::string_view prefixed_name = JoinedText<detail::PrefixedWords<prefix, Rule>>::view;
 

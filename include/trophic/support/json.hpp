@@ -24,18 +24,18 @@ using Json = nlohmann::ordered_json;
 /// Parses a text; returns null if it is not JSON.
 [[nodiscard]] Json parse_json_or_null(std::string_view text);
 
-/// As text on one line or, with an indent >= 0, with one value a line. Bytes that are not UTF-8, as in the name of a folder,
-/// become U+FFFD.
+/// Writes text on one line or, with an indent >= 0, one value per line. Bytes that are not UTF-8, for example in the name of a
+/// folder, become U+FFFD.
 [[nodiscard]] std::string json_text(const Json& json, int indent = -1);
 
-/// An object as text, one value a line, whose last entry "crc32" is the CRC-32 of the text before it.
+/// Writes an object as text, one value per line, whose last entry "crc32" is the CRC-32 of the text before it.
 [[nodiscard]] std::string sealed_text(const Json& object);
 
-/// Parses a text of sealed_text. Returns null if it is not an object or was changed since. An object without "format" and "crc32"
-/// is of an older program and is taken as it is.
+/// Parses a text of sealed_text. Returns null if it is not an object or was modified since. An object without "format" and
+/// "crc32" is from an older program and is accepted unchecked.
 [[nodiscard]] Json parse_sealed(std::string_view text);
 
-/// Returns what an exception of the library says, without its number.
+/// Returns the message of an exception of the library, without its number.
 [[nodiscard]] inline std::string reason_of(const Json::exception& error) {
   const std::string_view text = error.what();  // "[json.exception.out_of_range.403] key 'seed' not found"
   return std::string{text.substr(text.starts_with("[json.") ? text.find(' ') + 1 : 0)};

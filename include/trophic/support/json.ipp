@@ -11,7 +11,7 @@ namespace trophic {
 
 namespace detail {
 
-/// JSON that is not parsed, with the bound that it exceeds.
+/// JSON that is refused, with the bound that it exceeds.
 class ExcessiveJson : public Json::exception {
  public:
   explicit ExcessiveJson(const char* what) : exception{0, what} {}
@@ -20,7 +20,7 @@ class ExcessiveJson : public Json::exception {
 /// The text before the checksum of a sealed text.
 inline constexpr std::string_view before_sum = ",\n  \"crc32\": ";
 
-/// The text that begins so, with its checksum.
+/// A text with this beginning, and its checksum.
 [[nodiscard]] inline std::string sealed(std::string_view beginning) {
   return std::string{beginning} + std::string{before_sum} + std::to_string(checksum(beginning)) + "\n}\n";
 }
@@ -40,10 +40,10 @@ inline constexpr std::string_view before_sum = ",\n  \"crc32\": ";
     } else if (c == '"') {
       in_text = !in_text;
     } else if (!in_text && (c == '[' || c == '{')) {
-      if (++depth > most_depth) return "is JSON nested more than 64 deep, which is not read";
+      if (++depth > most_depth) return "is JSON nested more than 64 levels deep, which is refused";
       keys[depth] = 0;
     } else if (!in_text && c == ':') {
-      if (++keys[depth] > most_keys) return "is JSON with more than 10000 keys in an object, which is not read";
+      if (++keys[depth] > most_keys) return "is JSON with more than 10000 keys in an object, which is refused";
     } else if (!in_text && (c == ']' || c == '}') && depth > 0) {
       --depth;
     }

@@ -24,13 +24,14 @@ class NewFile {
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
   /// The name until then.
   [[nodiscard]] const std::filesystem::path& part() const { return part_; }
-  /// A path by which another program opens this file while this object lives, also if its name leads elsewhere by then.
+  /// A path by which another program can open this file during this object's lifetime, even if its name refers to another file by
+  /// then.
   [[nodiscard]] std::string opened_again() const;
 
   /// Appends a text. Throws.
   void write(std::string_view text);
 
-  /// Puts what was written onto the disk and gives it its name. Throws if something has got that name meanwhile.
+  /// Writes the content to the disk and gives the file its final name. Throws if that name is taken meanwhile.
   void finish();
 
  private:

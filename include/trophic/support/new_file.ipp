@@ -28,7 +28,7 @@ namespace detail {
   return -1;
 }
 
-/// Gives a file a name that nothing has. Returns false, with errno, if something has it or if the system refuses.
+/// Gives a file an unused name. Returns false, with errno, if the name is taken or if the system refuses.
 [[nodiscard]] inline bool rename_to_free(const std::filesystem::path& from, const std::filesystem::path& to) {
 #ifdef RENAME_NOREPLACE
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return true;
@@ -52,7 +52,7 @@ TROPHIC_INLINE NewFile::NewFile(std::filesystem::path path) : path_{std::move(pa
   if (std::filesystem::is_symlink(std::filesystem::symlink_status(part_))) ::unlink(part_.c_str());
   const auto status = std::filesystem::symlink_status(part_);
   if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status)) {
-    refuse(part_.string() + " is in the way and is not a file");
+    refuse(part_.string() + " already exists and is not a file");
   }
   const int left = detail::open_locked(part_, 0);
   if (left < 0) refuse(reason());

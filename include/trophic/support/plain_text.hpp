@@ -16,7 +16,7 @@ namespace trophic {
   return text;
 }
 
-/// A text to be quoted in a sentence: its beginning, if it is long.
+/// A text to be quoted in a message: its beginning, if it is long.
 [[nodiscard]] inline std::string excerpt(std::string_view text) {
   constexpr std::size_t most_bytes = 100;
   return std::string{text.substr(0, most_bytes)} + (text.size() > most_bytes ? "..." : "");

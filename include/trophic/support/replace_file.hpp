@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Replaces a file as a whole: readers see the old text or the new one, also if the program dies.
+// Replaces a file as a whole: readers see the old text or the new one, even if the program dies.
 #pragma once
 
 #include <filesystem>
@@ -9,20 +9,20 @@
 
 namespace trophic {
 
-/// Writes a text at a place of a file.
+/// Writes a text at an offset in a file.
 using PutText = std::function<void(std::string_view text, std::uint64_t at)>;
 
-/// Fills a new file "PATH.part" by `write`, then renames it: what is linked from either name is left as it is. Both the text and
-/// the name are on the disk when this returns, so that a power failure leaves the old file or the new one, too. Throws
-/// std::runtime_error naming the file; the old one then stands. The old file is kept under the name `predecessor`, if that is not
-/// empty; a program that dies may leave only this one.
+/// Fills a new file "PATH.part" by `write`, then renames it; targets of links with either name are not changed. Both the text and
+/// the name are on the disk when this returns, so even a power failure leaves the old file or the new one. Throws
+/// std::runtime_error naming the file; the old one then remains. The old file is kept under the name `predecessor`, if that is
+/// not empty; if the program dies, this one may be the only one left.
 void replace_file(const std::filesystem::path& path, const std::function<void(const PutText& put)>& write,
                   const std::filesystem::path& predecessor = {});
 inline void replace_file(const std::filesystem::path& path, std::string_view text) {
   replace_file(path, [text](const PutText& put) { put(text, 0); });
 }
 
-/// Waits until what was written to a file is on the disk. Throws std::runtime_error naming it.
+/// Waits until the content written to a file is on the disk. Throws std::runtime_error naming it.
 void sync_file(const std::filesystem::path& path);
 
 }  // namespace trophic

@@ -18,8 +18,8 @@ namespace trophic {
 
 namespace detail {
 
-/// Makes an empty file. A file of that name is removed, not written to: it may be a link or have another name. Returns -1, with
-/// errno, if the system refuses.
+/// Makes an empty file. An existing file with that name is removed, not written to, because it may be a link or have a second
+/// name. Returns -1, with errno, if the system refuses.
 [[nodiscard]] inline int open_fresh(const std::string& path) {
   if (::unlink(path.c_str()) != 0 && errno != ENOENT) return -1;
   return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);

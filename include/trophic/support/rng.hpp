@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Counter-based random numbers: a stream is named by (seed, purpose, individual, event) and does not depend on earlier draws.
+// Counter-based random numbers: a stream is identified by (seed, purpose, individual, event) and does not depend on earlier
+// draws.
 #pragma once
 
 #include <array>
@@ -45,7 +46,7 @@ enum class Stream : std::uint64_t {
   endowment,
   birth_place,
   traits,
-  user = 1'000'000,  ///< first number for rules of users
+  user = 1'000'000,  ///< first number for users' rules
 };
 
 namespace detail {
@@ -56,12 +57,12 @@ namespace detail {
 
 }  // namespace detail
 
-/// A stream of random numbers (Philox 4x64, 10 rounds [salmon2011]). Equal names give equal bits and uniform numbers on every
-/// platform, and normal ones up to the last bit of the C library's log and cos. Both transforms are the library's own because
-/// those of `<random>` differ between standard libraries. Cheap to construct and copy. Not for cryptography.
+/// A stream of random numbers (Philox 4x64, 10 rounds [salmon2011]). Equal identifiers give equal bits and uniform numbers on
+/// every platform, and equal normal numbers up to the last bit of the C library's log and cos. Both transforms are the library's
+/// own because those of `<random>` differ between standard libraries. Cheap to construct and copy. Not for cryptography.
 class Rng {
  public:
-  /// `other` distinguishes streams of one individual and event: the observed individual, the index of a sensor.
+  /// `other` distinguishes streams of one individual and event, for example by the observed individual or the index of a sensor.
   Rng(std::uint64_t seed, Stream purpose, std::uint64_t individual = 0, std::uint64_t event = 0, std::uint64_t other = 0)
       : key_{seed, static_cast<std::uint64_t>(purpose)}, counter_{0, individual, event, other} {}
 

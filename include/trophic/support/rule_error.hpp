@@ -13,7 +13,7 @@
 
 namespace trophic {
 
-/// A policy returned a value that does not exist or violates its contract: an error in the rule, not in its parameters.
+/// Thrown if a policy returns a value that does not exist or violates its contract: an error in the rule, not in its parameters.
 class RuleError : public std::logic_error {
  public:
   explicit RuleError(const std::string& sentence) : std::logic_error{sentence} {}

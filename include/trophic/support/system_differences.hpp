@@ -26,7 +26,7 @@ namespace trophic {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// Opens a pipe whose ends programs started from this one do not inherit: reading end, writing end. Returns false, with errno, on
+/// Opens a pipe whose ends (reading end, writing end) are not inherited by child programs. Returns false, with errno, on
 /// failure.
 [[nodiscard]] inline bool open_pipe(std::array<int, 2>& ends) {
 #if defined(__APPLE__)
@@ -38,7 +38,7 @@ namespace trophic {
 #endif
 }
 
-/// "x86_64", "aarch64"; that for which the program was compiled.
+/// "x86_64", "aarch64"; the architecture for which the program was compiled.
 [[nodiscard]] inline std::string architecture() {
 #if defined(__x86_64__)
   return "x86_64";
@@ -53,7 +53,7 @@ namespace trophic {
 #endif
 }
 
-/// "glibc 2.36": that with which the program runs. It determines the last bits of logarithms and sines.
+/// "glibc 2.36": the C library with which the program runs. It determines the last bits of logarithms and sines.
 [[nodiscard]] inline std::string c_library() {
 #if defined(__GLIBC__)
   return std::string{"glibc "} + ::gnu_get_libc_version();

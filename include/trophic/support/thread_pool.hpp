@@ -23,11 +23,12 @@ namespace trophic {
 /// affect only speed.
 ///
 /// The caller does not wait for a helper that has not started: on a busy machine the caller may finish all items alone. If
-/// helpers are often descheduled in the middle of an item, the caller processes most jobs alone, until helping pays again.
+/// helpers are often descheduled in the middle of an item, the caller processes most jobs alone, until helpers are worthwhile
+/// again.
 ///
 /// A job of the MuJoCo backend is one control step, 0.2 ms. That is too short for general libraries: oneTBB 2021.8 wakes its
-/// threads too late and gains nothing over one thread; OpenMP spins long if cores are taken. Wall seconds of 60 s of 30 robots
-/// on two threads of two free cores, and next to eight busy programs: oneTBB 0.91 and 2.4, OpenMP 0.51 and 16, a pool that
+/// threads too late and gains nothing over one thread; OpenMP spins long if cores are taken. Wall seconds for 60 s of 30 robots
+/// with two threads on two free cores, and with eight other busy programs: oneTBB 0.91 and 2.4, OpenMP 0.51 and 16, a pool that
 /// waits for helpers 0.50 and 4.9 (one thread: 0.78).
 class ThreadPool {
  public:
@@ -98,7 +99,7 @@ class ThreadPool {
   }
 
   void run_together(std::size_t items, const std::function<void(std::size_t, std::size_t)>& work) {
-    // A helper that still reads the last job must find no item in it before the data of the next job are written.
+    // A helper that still reads the last job must not find an item in it before the data of the next job are written.
     place_.fetch_or(closed);
     items_.store(items);
     work_.store(&work);

@@ -15,7 +15,7 @@ namespace trophic {
 /// Time is simulated time. `time_s` in rules and logs is the ecology's clock, which runs `EcologyParams::clock_scale` times
 /// slower than the physics (1 in the paper's rules).
 
-/// Position and heading of a robot on the floor; all that perception, birth and death rules read of a body.
+/// Position and heading of a robot on the floor, the only data of a body that rules of perception, birth and death read.
 struct GroundPose {
   double x_m = 0.0;
   double y_m = 0.0;
@@ -31,14 +31,14 @@ struct GroundPose {
   return wrapped <= -std::numbers::pi ? std::numbers::pi : wrapped;
 }
 
-/// The floor as distances see it: bounded by walls, or a torus, on which a way over an edge may be the shortest.
+/// The topology of the floor, for distances: bounded by walls, or a torus, on which the shortest path may cross an edge.
 struct Space {
   double period_m = 0.0;  ///< the side of the torus; 0: none
 
   [[nodiscard]] bool has_edges() const { return period_m <= 0.0; }
-  /// An offset along one side, over the edge if that is shorter; of a place: the same place in the square.
+  /// An offset along one side, across the edge if that is shorter; for a position, the equivalent position in the square.
   [[nodiscard]] double shortest(double offset_m) const { return has_edges() ? offset_m : std::remainder(offset_m, period_m); }
-  /// From one place to another along x and y.
+  /// The offset from one position to another along x and y.
   [[nodiscard]] std::array<double, 2> way_m(const GroundPose& from, const GroundPose& to) const {
     return {shortest(to.x_m - from.x_m), shortest(to.y_m - from.y_m)};
   }
@@ -52,7 +52,7 @@ struct Space {
     const auto [dx, dy] = way_m(self, target);
     return -wrap_angle(std::atan2(dy, dx) - self.heading_rad);
   }
-  /// Calls `visit` with a place and, on a torus, with its eight images next to the square.
+  /// Calls `visit` with a position and, on a torus, with its eight images next to the square.
   template <class Visit>
   void for_each_image(const GroundPose& place, Visit&& visit) const {
     for (int image = 0; image < (has_edges() ? 1 : 9); ++image) {  // 0: the place itself

@@ -7,7 +7,7 @@
 
 namespace trophic {
 
-/// The system refuses to open or read a file that is there, so it must not count as missing or damaged.
+/// Thrown if the system cannot open or read an existing file, which therefore must not count as missing or damaged.
 class UnreadableFile : public std::invalid_argument {
  public:
   using std::invalid_argument::invalid_argument;

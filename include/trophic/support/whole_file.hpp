@@ -17,7 +17,7 @@ inline constexpr std::uint64_t largest_whole_file = std::uint64_t{256} << 20U;
 /// a pipe could block) or is larger than `most_bytes`.
 [[nodiscard]] std::string read_whole_file(const std::filesystem::path& path, std::uint64_t most_bytes = largest_whole_file);
 
-/// The bytes of a file from a place on, as many as there are. Throws as read_whole_file, whatever the file's size.
+/// Returns the bytes of a file from an offset on, as many as there are. Throws as read_whole_file does, whatever the file's size.
 [[nodiscard]] std::string read_part(const std::filesystem::path& path, std::size_t bytes, std::uint64_t from = 0);
 
 }  // namespace trophic

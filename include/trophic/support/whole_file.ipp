@@ -80,7 +80,7 @@ class ReadFile {
 
 }  // namespace detail
 
-// Both throw UnreadableFile, an std::invalid_argument, if the system refuses to read a file that is there.
+// Both throw UnreadableFile, an std::invalid_argument, if the system cannot read an existing file.
 TROPHIC_INLINE std::string read_whole_file(const std::filesystem::path& path, std::uint64_t most_bytes) {
   const detail::ReadFile file{path};
   if (file.size() > most_bytes) {

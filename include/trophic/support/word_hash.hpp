@@ -8,7 +8,7 @@
 
 namespace trophic {
 
-/// FNV-1a of words, turned after each so that high bits reach low ones. It detects changes, not forgery.
+/// FNV-1a over words, rotated after each so that high bits reach low ones. It detects changes, not forgery.
 class WordHash {
  public:
   void add(std::uint64_t word) { value_ = std::rotl((value_ ^ word) * 0x100000001b3ULL, 29); }

@@ -28,8 +28,8 @@ inline constexpr auto food_chain_ecology = [](EcologyParams& ecology) {
   ecology.duration_s = 4000.0;
 };
 
-/// Rules: as Pond, with apex predators that eat hunters. A meal is energy of the eaten, so each level lives on less than the one
-/// below it has.   Source: not in the paper. All parameters are free.   Units: J, m, s.
+/// Rules: like Pond, with apex predators that eat hunters. A meal is part of the victim's energy, so each level has less energy
+/// to live on than the one below it.   Source: not in the paper. All parameters are free.   Units: J, m, s.
 using FoodChain = named<with_ecology<with_params<with_recruitment<with_community<Pond, initialization::community::FoodChain>,
                                                                   rules::by_species<reproduction::recruitment::AtEnergy>>,
                                                  food_chain_params>,

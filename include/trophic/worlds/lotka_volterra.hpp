@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Lotka's and Volterra's predators and prey: a well-mixed world without a limit to prey.
+// Lotka's and Volterra's predators and prey: a well-mixed world without a carrying capacity.
 #pragma once
 
 #include <cmath>
@@ -16,9 +16,9 @@ inline constexpr auto lotka_volterra_params = [](auto& params) {
   params.senescence = {.m = 0.01};
 };
 
-/// Rules: as RosenzweigMacArthur, without a limit to prey and without handling.   Source: [lotka1925] [volterra1926]. Numbers
-/// cycle, with an amplitude that only chance changes. The means over whole periods do not depend on it: N* = m / (a e) and P* = r
-/// / a, here 500 and 500, in periods of about 2 pi / sqrt(r m) = 630 ticks.   On the backend `torus` alone.
+/// Rules: like RosenzweigMacArthur, without a carrying capacity and without handling time.   Source: [lotka1925] [volterra1926].
+/// Numbers cycle, with an amplitude that only chance changes. The means over whole periods do not depend on it: N* = m / (a e)
+/// and P* = r / a, here 500 and 500, in periods of about 2 pi / sqrt(r m) = 630 ticks.   Runs only on the backend `torus`.
 using LotkaVolterra = named<with_params<RosenzweigMacArthur, lotka_volterra_params>, "lotka_volterra">;
 
 }  // namespace trophic::worlds

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A pond: prey graze, predators hunt, all pay for living, and numbers change.
+// A pond: prey graze, predators hunt, living costs energy, and population sizes change.
 #pragma once
 
 #include <trophic/energy/metabolism/grazing_and_hunting.hpp>
@@ -11,13 +11,13 @@
 
 namespace trophic::worlds {
 
-/// Rules: prey graze a field that grows again (LogisticField), predators take the energy of the prey that they catch, both spend
-/// energy on living and walking, and starve without (GrazingAndHunting). An individual with `birth_J` shares its energy with an
-/// offspring next to it (AtEnergy). Bodies, senses, brains, tags and activation are those of Paper. No floor, rescue or newcomer
-/// keeps a number, so either species may die out. Births have two conditions, energy and activity. A newborn prey is inactive,
-/// safe and barren until it has been farther than 4 m from every predator, and that is a condition on behaviour. `only_active` of
-/// Recruitment and `distance_m` of Activation take it away.   Source: not in the paper; a balance of energy as in Polyworld
-/// [yaeger1994]. All parameters are free.   Units: J, m, s.
+/// Rules: prey graze a field that regrows (LogisticField), and predators take the energy of the prey that they catch. Both spend
+/// energy on living and walking, and starve without energy (GrazingAndHunting). An individual with `birth_J` shares its energy
+/// with an offspring next to it (AtEnergy). Bodies, senses, brains, tags and activation are those of Paper. No floor, sacrifice
+/// or newcomer maintains a species, so either may die out. Births depend on two conditions, energy and activity. A newborn prey
+/// is inactive, safe and infertile until it has been farther than 4 m from every predator, which is a condition on behaviour.
+/// `only_active` of Recruitment and `distance_m` of Activation remove it.   Source: not in the paper; the energy balance follows
+/// Polyworld [yaeger1994]. All parameters are free.   Units: J, m, s.
 struct Pond final {
   static constexpr std::string_view name = "pond";
 

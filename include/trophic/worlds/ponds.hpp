@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pond with places at which prey are safe, and with other conditions.
+// The pond with refuges for prey, and with other conditions.
 #pragma once
 
 #include <trophic/control/pace/constant_pace.hpp>
@@ -13,8 +13,8 @@ namespace trophic::worlds {
 
 inline constexpr auto in_refuges = [](EcologyParams& ecology) { ecology.arena = "refuges"; };
 
-/// Rules: as Pond, in the arena `refuges`, whose four zones named refuge cover an eighth of the floor: no prey is caught there
-/// (CatchOutsideRefuges).   Source: not in the literature as such.
+/// Rules: like Pond, in the arena `refuges`, whose four zones named refuge cover an eighth of the floor; prey are not caught
+/// there (CatchOutsideRefuges).   Source: not in the literature as such.
 using PondWithRefuges =
     named<with_ecology<with_capture<Pond, death::capture::CatchOutsideRefuges>, in_refuges>, "pond_with_refuges">;
 
@@ -22,8 +22,8 @@ namespace conditions {
 
 using reproduction::recruitment::AfterEscapes, reproduction::recruitment::AtEnergy;
 
-/// Rule: births of AtEnergy, of prey only after as many `escapes` since their last offspring as AfterEscapes counts. The body of
-/// a sacrificed prey becomes a predator's at once.   Reads: as both.   Random draws: as AtEnergy.
+/// Rule: births as in AtEnergy, but prey also need a number of `escapes` since their last offspring, as AfterEscapes counts them.
+/// The body of a sacrificed prey becomes a predator's at once. Reads: as both.   Random draws: as AtEnergy.
 struct AtEnergyAfterEscapes {
   using NamesOneParent = AtEnergyAfterEscapes;
   static constexpr std::string_view name = "at_energy_after_escapes";
@@ -34,7 +34,7 @@ struct AtEnergyAfterEscapes {
     std::int64_t escapes = 0;
     static constexpr auto fields() {
       return std::tuple{field("energy", &Params::energy),
-                        field("escapes", &Params::escapes, at_least(0), "of a prey before each offspring")};
+                        field("escapes", &Params::escapes, at_least(0), "number of escapes of a prey before each offspring")};
     }
   };
   Params params;
@@ -55,8 +55,8 @@ struct AtEnergyAfterEscapes {
 };
 static_assert(reproduction::Recruitment<AtEnergyAfterEscapes>);
 
-/// Rule: as ActiveAwayFromHunters, and only from `min_age_s` on: age alone protects the newborn if `distance_m` is 0.   Reads: as
-/// it, ages.   Random draws: 0.
+/// Rule: like ActiveAwayFromHunters, but only from the age `min_age_s` on; if `distance_m` is 0, only age protects the newborn.
+/// Reads: as ActiveAwayFromHunters, ages.   Random draws: 0.
 struct AwayFromHuntersAtAge {
   static constexpr std::string_view name = "away_from_hunters_at_age";
   static constexpr std::string_view source = "not in the paper";
@@ -65,8 +65,9 @@ struct AwayFromHuntersAtAge {
     double distance_m = Pond::params().activation.distance_m;
     double min_age_s = 0.0;
     static constexpr auto fields() {
-      return std::tuple{field("distance_m", &Params::distance_m, at_least(0.0), "farther than this from every hunter"),
-                        field("min_age_s", &Params::min_age_s, at_least(0.0), "younger newborn stay inactive")};
+      return std::tuple{
+          field("distance_m", &Params::distance_m, at_least(0.0), "a newborn activates farther than this from every hunter"),
+          field("min_age_s", &Params::min_age_s, at_least(0.0), "age below which newborns stay inactive")};
     }
   };
   Params params;
@@ -90,7 +91,7 @@ using WithAges = with_activation<Base, AwayFromHuntersAtAge>;
 
 }  // namespace conditions
 
-/// Rules: as Pond, to the byte, until parameters give the paper's floor (`rules.floor.floor`) and rescue
+/// Rules: exactly like Pond by default; parameters add the paper's floor (`rules.floor.floor`) and minimum number of predators
 /// (`rules.minimum_predators.below`), a criterion for births of prey (`rules.recruitment.escapes`), an age of activation
 /// (`rules.activation.min_age_s`), or a species' pace (`rules.pace.SPECIES.factor`).   Source: not in the literature as such.
 using PondWithConditions = named<

@@ -14,8 +14,9 @@ namespace trophic::worlds {
 
 namespace well_mixed {
 
-/// Rule: at each tick a prey has an offspring with probability r (1 - N / K) among N prey, a predator with probability e if it
-/// has just caught one.   Reads: species, numbers, hunger.   Random draws: 1 for each individual after the first tick.
+/// Rule: at each tick a prey has an offspring with probability r (1 - N / K), where N is the number of prey; a predator has one
+/// with probability e if it has just caught a prey.   Reads: species, numbers, hunger.   Random draws: 1 per individual after the
+/// first tick.
 struct Births {
   static constexpr std::string_view name = "logistic_and_by_catches";
   using NamesOneParent = Births;
@@ -25,10 +26,12 @@ struct Births {
     double K = 600.0;
     double e = 0.5;
     static constexpr auto fields() {
-      return std::tuple{field("spare_bodies", &Params::spare_bodies, at_least(0), "bodies without an individual at the start"),
-                        field("r", &Params::r, between(0.0, 1.0), "chance of a birth of a lonely prey at each tick"),
-                        field("K", &Params::K, above(0.0), "number of prey at which none is born"),
-                        field("e", &Params::e, between(0.0, 1.0), "chance of a birth after a catch")};
+      return std::tuple{
+          field("spare_bodies", &Params::spare_bodies, at_least(0), "number of bodies without an individual at the start")
+              .read_at_start(),
+          field("r", &Params::r, between(0.0, 1.0), "per-tick birth probability of prey at low density"),
+          field("K", &Params::K, above(0.0), "number of prey at which births stop (carrying capacity)"),
+          field("e", &Params::e, between(0.0, 1.0), "probability of a birth after a catch")};
     }
   };
   Params params;
@@ -47,13 +50,15 @@ struct Births {
 };
 static_assert(reproduction::Recruitment<Births>);
 
-/// Rule: a predator dies with probability m a tick; a prey dies only if it is caught.   Reads: species.   Random draws: 1 of a
+/// Rule: a predator dies with probability m per tick; a prey dies only if it is caught. Reads: species.   Random draws: 1 per
 /// predator.
 struct Deaths {
   static constexpr std::string_view name = "deaths_of_predators";
   struct Params {
     double m = 0.02;
-    static constexpr auto fields() { return std::tuple{field("m", &Params::m, between(0.0, 1.0), "chance at each tick")}; }
+    static constexpr auto fields() {
+      return std::tuple{field("m", &Params::m, between(0.0, 1.0), "probability of death at each tick")};
+    }
   };
   Params params;
   [[nodiscard]] bool dies(const Individual& self, const View& view, Rng& rng) const {
@@ -64,11 +69,12 @@ static_assert(death::Senescence<Deaths>);
 
 }  // namespace well_mixed
 
-/// Rules: prey grow logistically, and predators need h ticks for each that they catch. A tick: each predator that is free catches
-/// the nearest prey within reach; predators die; prey, and predators that caught, have offspring.   Source: [rosenzweig1963].
-/// With the attack rate a = pi reach^2 / area the equilibrium is N* = m / (a (e - m h)), P* = r (1 - N* / K) (1 + a h N*) / a; it
-/// is stable as long as N* > (K - 1 / (a h)) / 2. So numbers stay near it at K = 600 and cycle at K = 1600, until a species dies
-/// out.   Units: a tick is 1 s.   On the backend `torus` alone, on which all are anywhere after each tick.
+/// Rules: prey grow logistically, and predators handle each caught prey for h ticks. In a tick each free predator catches the
+/// nearest prey within reach; then predators die; then prey, and predators that caught one, have offspring.   Source:
+/// [rosenzweig1963]. With the attack rate a = pi reach^2 / area the equilibrium is N* = m / (a (e - m h)), P* = r (1 - N* / K) (1
+/// + a h N*) / a; it is stable as long as N* > (K - 1 / (a h)) / 2. So population sizes stay near it at K = 600 and cycle at K =
+/// 1600, until a species dies out.   Units: a tick is 1 s.   Runs only on the backend `torus`, where all positions are random
+/// after each tick.
 struct RosenzweigMacArthur final {
   static constexpr std::string_view name = "rosenzweig_macarthur";
   static constexpr std::array<std::string_view, 1> backends{"torus"};

@@ -57,12 +57,13 @@ static_assert(death::CaptureRule<OnItsPatch>);
 
 }  // namespace wolf_sheep
 
-/// Rules: 100 sheep and 50 wolves on a torus of 51 x 51 patches. A tick: all turn at random and walk one patch, which costs 1.
-/// Sheep eat a grown patch, worth 4; who has less than 0 dies; each has an offspring with 4 % and halves its energy. Then each
-/// wolf eats a sheep on its patch and gains 20, dies with less than 0, and has an offspring with 5 %. Then patches grow, 30 ticks
-/// after they were eaten. The gain of a wolf comes from outside, whatever its sheep had. `rules.order.acts = together` lets both
-/// species eat, die and reproduce together.   Source: NetLogo's model Wolf Sheep Predation with grass, and its numbers
-/// [wilensky1997]. Units: a patch is 1 m, a tick 1 s.   On the backend `torus` alone.
+/// Rules: 100 sheep and 50 wolves on a torus of 51 x 51 patches. In a tick all individuals turn at random and walk one patch,
+/// which costs 1. Sheep eat a grown patch, worth 4; a sheep with less than 0 dies; each has an offspring with probability 4 % and
+/// halves its energy. Then each wolf eats a sheep on its patch and gains 20, dies if it has less than 0, and has an offspring
+/// with probability 5 %. Then patches regrow, 30 ticks after they were eaten. A wolf's gain comes from outside, whatever its
+/// sheep had. `rules.order.acts = together` lets both species eat, die and reproduce together.   Source: NetLogo's model Wolf
+/// Sheep Predation with grass, with its parameters [wilensky1997]. Units: a patch is 1 m, a tick 1 s.   Runs only on the backend
+/// `torus`.
 struct WolfSheep final {
   static constexpr std::string_view name = "wolf_sheep";
   static constexpr std::array<std::string_view, 1> backends{"torus"};

@@ -31,9 +31,17 @@ struct Sight {
 
 using Traits = trophic::reproduction::traits::List<Sight>;
 
+struct AsFarAsItSees {
+  static constexpr std::string_view name = "as_far_as_it_sees";
+  using ReadsTraits = Traits;
+  bool perceives(trophic::BodyIndex self, trophic::BodyIndex other, const trophic::View& view, trophic::Rng&) const {
+    return view.robots[other].active && view.distance_m(self, other) <= view.trait<Sight>(self);
+  }
+};
+
 int main() {
-  using Rules =
-      trophic::with_traits<trophic::with_resource<trophic::with_metabolism<trophic::rules::Paper, Prizes>, Ground>, Traits>;
+  using Living = trophic::with_resource<trophic::with_metabolism<trophic::rules::Paper, Prizes>, Ground>;
+  using Rules = trophic::with_traits<trophic::with_visibility<Living, AsFarAsItSees>, Traits>;
   trophic::Ecology<Rules> ecology{{}, trophic::backend::Kinematic::Params{}};
   ecology.run_until(10.0);
 }

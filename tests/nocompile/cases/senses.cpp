@@ -3,6 +3,7 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
+#include <trophic/perception/sensors/joint_angles.hpp>
 #include <trophic/rules/paper.hpp>
 
 struct Odometer {
@@ -42,6 +43,9 @@ struct NoTag {
   static constexpr std::string_view name = "no_tag";
   int tag(std::optional<int>, std::span<const int> tags, trophic::Rng&) const { return tags[0]; }
 };
+
+using Joints = trophic::perception::sensors::List<trophic::perception::sensors::JointAngles<2>>;
+static_assert(Joints::size == 2);
 
 int main() {
   using Sensing = trophic::with_sensors<trophic::rules::Paper, trophic::perception::sensors::List<Odometer, Age>>;

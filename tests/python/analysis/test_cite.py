@@ -129,13 +129,13 @@ def test_an_older_run_names_the_file_with_its_parameters(tmp_path, capsys):
     [
         (
             lambda folder: (folder.mkdir(), (folder / "plan.jsonl").write_text("{}\n")),
-            "is a sweep; name one of its cells",
+            "is a sweep; give one of its cells",
         ),
         (lambda folder: folder.mkdir(), "is set a run's folder?"),
-        (lambda folder: (folder.mkdir(), replicates(folder)), "no run is there"),
+        (lambda folder: (folder.mkdir(), replicates(folder)), "no runs found"),
         (
             lambda folder: replicates(folder, {}, CHANGED),
-            "runs of different fingerprints: 0123456789abcdef, 0123456789abcdef+01234567",
+            "runs with different fingerprints: 0123456789abcdef, 0123456789abcdef+01234567",
         ),
     ],
 )

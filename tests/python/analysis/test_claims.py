@@ -110,7 +110,7 @@ def check(outcome, folder):
 
 
 def check_findings(outcome, truth):
-    """Each finding is a significant comparison, says its numbers, and no fact is there twice."""
+    """Each finding is a significant comparison, says its numbers, and no fact is given twice."""
     answer = outcome.answer
     facts = []
     for finding in judge.findings(answer):

@@ -15,14 +15,22 @@ def test_the_page_ends_with_the_tables_of_the_module():
 @pytest.mark.parametrize(
     "name, expected",
     [
-        ("species", columns.Column("species", "", "text", "of whom; of a metric of two: prey+predator")),
+        ("species", columns.Column("species", "", "text", "the species measured; prey+predator for a metric of both")),
         (
             "time_s",
             columns.Column(
-                "time_s", "s", "number, exact, or empty", "of a curve the end of its window; empty: of the whole run"
+                "time_s",
+                "s",
+                "number, exact, or empty",
+                "end of the window, for a curve; empty for a value of the whole run",
             ),
         ),
-        ("value", columns.Column("value", "", "number, exact, or empty", "in `unit`; empty: could not be computed")),
+        (
+            "value",
+            columns.Column(
+                "value", "", "number, exact, or empty", "value in `unit`; empty if it could not be computed"
+            ),
+        ),
     ],
 )
 def test_a_line_is_read_with_cells_unit_and_meaning(name, expected):

@@ -153,7 +153,7 @@ def test_fewer_than_six_replicates_have_numbers_and_no_conclusion():
         assert (
             one.over_shadow.interval is None and one.over_shadow.adjusted is None and one.conclusion() == "not tested"
         )
-    assert "5 replicates: no intervals and no conclusions; a test needs 6\n" in text(few)
+    assert "5 replicates: too few for intervals and tests, which need 6\n" in text(few)
 
 
 @pytest.mark.parametrize(

@@ -119,6 +119,11 @@ def test_the_papers_questions_are_answered_under_the_readings_that_the_world_can
     assert {effect.reading.metric.group for effect in answer.effects} == {"active"}
     assert answer.effects[0].null == "one_sided" and str(answer) == "yes, they move away faster"
     assert answer.shown.difference.value == pytest.approx(-0.05, abs=0.002)
+    for run in made.runs:
+        run.manifest["rule_table"] = "pond"
+    assert published.answers(made, judge.summarize(made)) == []  # a world of its own
+    for run in made.runs:
+        run.manifest["rule_table"] = "paper with metabolism = fixed_gains"
     made.one_sided = {}
     assert published.answers(made, judge.summarize(made)) == []
 
@@ -188,7 +193,7 @@ def test_a_mean_over_the_runs_in_which_something_happened_is_described_and_not_t
     rows = {row.metric: row for row in judge.compare(a, b).itertuples()}
     assert "not tested: 1 metric that some runs lack" in text.difference_findings(a, b, judge.compare(a, b))
     assert rows["period"].not_tested == (
-        "only 8 of 10 and 10 of 10 runs have a value: a mean over runs in which it happened is described"
+        "only 8 of 10 and 10 of 10 runs have a value: a mean over the runs in which it happened is only described"
     )
     assert rows["period"].difference == pytest.approx(-10.0) and math.isnan(rows["period"].p)
     assert rows["cycles"].role == "null" and rows["cycles"].p == pytest.approx(0.474, abs=0.001)  # the share is tested

@@ -118,19 +118,19 @@ def test_a_run_has_individuals_in_the_order_of_births(tmp_path):
     [
         (
             {"rules": {"heredity": "shared_copy"}},
-            "genomes.csv: rule heredity = shared_copy: must give each individual a genome of its own",
+            "genomes.csv: rule heredity = shared_copy: must give each individual its own genome",
         ),
         (
             {"status": "running", "result": None},
-            'manifest.json: status "running": phylogeny.csv has those alive only at a run\'s end; resume the run',
+            'manifest.json: status "running": phylogeny.csv lists living individuals only at the end of a run; resume the run',
         ),
-        ({"genomes.csv": None}, "genomes.csv: is missing: lineage measures need phylogeny and genomes"),
-        ({"genomes.csv": GENOMES.replace("5,5,0", "5,0,0")}, "a genome that several share"),
+        ({"genomes.csv": None}, "genomes.csv: is missing; lineage measures need the phylogeny and the genomes"),
+        ({"genomes.csv": GENOMES.replace("5,5,0", "5,0,0")}, "a shared genome changes"),
         ({"genomes.csv": GENOMES[: -len("7,7,10,3,4\n")]}, "genomes.csv: has no genome of individual 7"),
         ({"genomes.csv": GENOMES[:-2]}, "genomes.csv: the last line is truncated"),
         (
             {"phylogeny.csv": PHYLOGENY.replace("[0],0,10", "[1],1,10")},
-            "phylogeny.csv: id 7: its parent 1 is not among those born before it",
+            "phylogeny.csv: id 7: its parent 1 was not born before it",
         ),
         (
             {"phylogeny.csv": PHYLOGENY.replace("[0],0,10,inf", "[0],0,-1,inf")},
@@ -169,7 +169,7 @@ def test_met_inputs_are_each_once_by_species(tmp_path):
     assert sorted(prey) == [[0.0, 1.0], [1.0, 0.5]] and predator == [[-1.0]] and len(drift.met_inputs([run], 1)[0]) == 1
     (tmp_path / "run/senses.csv").unlink()
     with pytest.raises(
-        RunError, match="senses.csv: is missing: lineage measures need it of the first run; run with --senses"
+        RunError, match="senses.csv: is missing; lineage measures need it from the first run: run with --senses"
     ):
         drift.met_inputs([run])
 

@@ -23,6 +23,22 @@ def test_a_policy_has_the_docstring_of_its_header(policy, name, words, capsys):
     assert text.startswith(f"{policy} ({name}, trophic/") and words in text and "///" not in text
 
 
+@pytest.mark.parametrize(
+    "spelling, first",
+    [
+        ("Mutation", "mutation (reproduction)"),
+        ("TagSwitch", "tag_switch (perception)"),
+        ("tagswitch", "tag_switch (perception)"),
+        ("OwnCopy", "own_copy (OwnCopy, "),
+        ("Slots", "community (initialization)"),
+        ("Metrics", "METRIC:SPECIES:GROUP"),
+    ],
+)
+def test_any_spelling_of_a_name_is_that_name(spelling, first, capsys):
+    trophic_help.run({"topic": spelling})
+    assert capsys.readouterr().out.startswith(first)
+
+
 def test_every_policy_says_how_many_random_numbers_it_draws():
     policies = [path for path in HEADERS.glob("trophic/*/*/**/*.hpp") if "string_view source" in path.read_text()]
     assert len(policies) > 100

@@ -202,5 +202,5 @@ def test_a_window_is_a_quarter_of_a_short_run_by_default_and_no_more(reached_s, 
     runs = [Run(None, {"result": {"reached_s": each}}) for each in reached_s]
     assert window_of(runs) == window_s == window_of(runs, window_s)
     for wrong in (0.0, 0.26 * reached_s[0], math.nan):
-        with pytest.raises(RunError, match=f"must be > 0 and <= {reached_s[0] / 4:g}, a quarter of the runs"):
+        with pytest.raises(RunError, match=f"must be > 0 and <= {reached_s[0] / 4:g}, a quarter of the shortest run"):
             window_of(runs, wrong)

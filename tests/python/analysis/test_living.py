@@ -192,8 +192,7 @@ def test_runs_that_end_early_count_for_what_they_lived(tmp_path):
     measured = pool.read_set(early_set(tmp_path), how=Measuring(jobs=1))
     assert [run.lived_s for run in measured.runs] == [1000.0, 1000.0, 300.0, 300.0]
     assert [remark for remark in measured.remarks if "early" in remark] == [
-        "2 of 4 runs ended early, by ecology.ends_when, after 300 s: metrics, their windows and halves are of the time that each lived; persists leaves "
-        "out the species that it left alive"
+        "2 of 4 runs ended early, by ecology.ends_when, after 300 s: metrics, windows and halves cover the time that each run lasted; persists omits the species that were alive at its end"
     ]
     each = {
         one: measured.table[metric("persists", one)._replace(unit="1"), ""].tolist()

@@ -268,11 +268,11 @@ def test_a_thinned_table_gives_the_same_velocities_from_fewer_starts_or_none(eve
         (1, ""),
         (
             3,
-            "agents.csv: has the ticks that are multiples of 3: no velocity_stored, which needs every tick, no stuck, which needs rows 5 ticks apart",
+            "agents.csv: has only ticks that are multiples of 3: no velocity_stored, which needs every tick, no stuck, which needs rows 5 ticks apart",
         ),
         (
             5,
-            "agents.csv: has the ticks that are multiples of 5: no velocity_stored, which needs every tick, no velocity, which needs rows 6 ticks apart, "
+            "agents.csv: has only ticks that are multiples of 5: no velocity_stored, which needs every tick, no velocity, which needs rows 6 ticks apart, "
             "no velocity_points, which needs rows 6 ticks apart, no locked, which needs rows 6 ticks apart",
         ),
     ],

@@ -68,7 +68,7 @@ def test_a_column_is_its_means_and_curves(table, until_s, values, curve):
         ("x\ninf\n", 'run/own.csv:2: x = "inf": must be finite'),
         ("time_s,x\nnan,1\n", 'run/own.csv:2: time_s = "nan": must be finite'),
         ("x,y\n1\n", "run/own.csv:2: 1 cells, the header has 2"),
-        ("species,x\n" + "".join(f"s{i},1\n" for i in range(1001)), "--column own.csv:x: must be of at most 1000"),
+        ("species,x\n" + "".join(f"s{i},1\n" for i in range(1001)), "--column own.csv:x: must cover at most 1000"),
     ],
 )
 def test_a_cell_that_cannot_be_is_refused_by_file_and_line(table, why):
@@ -79,7 +79,7 @@ def test_a_cell_that_cannot_be_is_refused_by_file_and_line(table, why):
 def test_a_run_without_any_value_gets_a_remark_and_a_table_of_the_run_may_not_be_changed():
     write_run("run", files={"own.csv": "x\nnan\nNA\n"}, sums=True)
     values, _, remarks = measured(columns=["own.csv:x"])
-    assert math.isnan(values["", "all"]) and remarks == ["run/own.csv: x has no value; the run is left out of its mean"]
+    assert math.isnan(values["", "all"]) and remarks == ["run/own.csv: x has no value; the mean omits this run"]
     write_run("two", files={"own.csv": "species,group,x\nprey,all,nan\nprey,old,nan\n"})
     assert [remark.split(" has")[0] for remark in measured("two", columns=["own.csv:x"])[2]] == [
         "two/own.csv: x prey",
@@ -172,18 +172,18 @@ def test_what_goes_wrong_in_a_function_names_metric_and_run(function, why):
 def test_a_run_with_nan_alone_gets_a_remark(function):
     write_run("run")
     values, _, remarks = measured(functions=[metric(name="odd")(function)])
-    assert math.isnan(values["", "all"]) and remarks == ["run: odd has no value; the run is left out of its mean"]
+    assert math.isnan(values["", "all"]) and remarks == ["run: odd has no value; the mean omits this run"]
 
 
 @pytest.mark.parametrize(
     "name, unit, why",
     [
-        ("hunger", "1", "metric hunger: trophic has a metric of this name; choose another"),
+        ("hunger", "1", "metric hunger: trophic already has a metric with this name; choose another"),
         ("a b", "1", "metric a b: its name must be letters, digits and _"),
         ("a", "m,s", 'metric a: unit "m,s": must be letters, digits and _ . / ^ % -'),
         ("a", "", 'metric a: unit "": must be '),
-        ("close", "1", "metric close: trophic has a metric"),
-        ("from_centre", "1", "metric from_centre: is there twice"),
+        ("close", "1", "metric close: trophic already has a metric"),
+        ("from_centre", "1", "metric from_centre: is given twice"),
     ],
 )
 def test_names_that_are_taken_or_not_words_are_refused_before_anything_is_measured(name, unit, why, monkeypatch):
@@ -230,7 +230,7 @@ def test_a_file_of_metrics_has_the_marked_functions():
     values = pool.read_set(["run"], how=Measuring(functions=found)).matrix()
     assert (values["height", "", "all", "m"][0], values["width", "", "all", "1"][0]) == (2.0, 1.0)
     for text, why in (
-        ("x = 1\n", "has no metric: mark a function of a run with @trophic.metric"),
+        ("x = 1\n", "has no metric: decorate a function of a run with @trophic.metric"),
         ("import nothing_of_that_name\n", "ModuleNotFoundError: "),
         ("def f(:\n", "SyntaxError: "),
         (None, "cannot be read: No such file or directory"),

@@ -163,6 +163,6 @@ def test_a_folder_without_figures_is_refused(tmp_path, captions, png, sentence):
 
 def test_nothing_is_overwritten(tmp_path, paper):
     (tmp_path / "page.html").write_text("mine")
-    with pytest.raises(RunError, match="exists already; nothing is overwritten"):
+    with pytest.raises(RunError, match="exists already; files are never overwritten"):
         written(tmp_path, [paper], judge.summarize(paper))
     assert (tmp_path / "page.html").read_text() == "mine"

@@ -71,7 +71,7 @@ GRID = "[grid]\na = [1]\n"
 @pytest.mark.parametrize(
     "text, why",
     [
-        ("", ": has neither [grid] nor [zip] nor [[runs]]: nothing varies"),
+        ("", ": has no [grid], [zip] or [[runs]], so nothing varies"),
         ("[grid]\n", ": [grid]: is empty"),
         ("[grid]\na = []\n", ": [grid] a = []: must have a value"),
         ("[grid]\na = 1\n", ": [grid] a = 1: must be a list of values"),
@@ -81,7 +81,7 @@ GRID = "[grid]\na = [1]\n"
         ("[set]\na = 1\n" + GRID, ": a: is in [set] and in [grid]"),
         ("[zip]\na = [1]\n" + GRID, "a: is in [grid] and in [zip]"),
         ('engine = "ode"\n[grid]\nengine = ["ode"]\n', ": engine: is in [set] and in [grid]"),
-        ("[grid]\nseed = [1, 2]\n", ": [grid] seed: is not a setting of a sweep"),
+        ("[grid]\nseed = [1, 2]\n", ": [grid] seed: is not allowed in a sweep"),
         ("replicates = 0\n" + GRID, ": replicates = 0: must be a whole number >= 1 and <= 1000000"),
         ("replicate = 3\n" + GRID, ": replicate: unknown key; did you mean replicates?"),
         ("[gird]\na = [1]\n", ": [gird]: unknown key; did you mean grid?"),
@@ -94,7 +94,7 @@ GRID = "[grid]\na = [1]\n"
         ("[grid\n", ": is not TOML: "),
         (
             "[grid]\n" + "".join(f"{key} = {list(range(100))}\n" for key in "abcde"),
-            ": makes more than 1000000 runs (cells x replicates): must be fewer",
+            ": makes too many runs (cells x replicates): must be <= 1000000",
         ),
     ],
 )
@@ -124,5 +124,7 @@ def test_folder_with_another_plan_is_refused_and_a_grown_one_keeps_numbers(tmp_p
     )
     assert [line["folder"] for line in grown[:8]] == [line["folder"] for line in first]
     assert len(grown) == 12 and {line["cell"] for line in grown[8:]} == {4, 5}
-    with pytest.raises(RunError, match=r"plan.jsonl:\d+: the folder holds another plan, whose run the sweep lacks: "):
+    with pytest.raises(
+        RunError, match=r"plan.jsonl:\d+: the folder has another plan, with a run that the sweep lacks: "
+    ):
         plan.make_plan(read(tmp_path, SWEEP.replace("0.2", "0.3")), PROGRAM, out)

@@ -43,13 +43,12 @@ CHANGED = with_changes("5,5,rules.a,2,1\n")
         (
             {},
             {"fingerprint": "bb", "rule_table": "released"},
-            "b: fingerprint bb (released on kinematic 1), but a has aa (paper on kinematic 1); runs of different rules or "
-            "parameters are not pooled: use --compare",
+            "b: fingerprint bb (released on kinematic 1), but a has aa (paper on kinematic 1); runs with different rules or parameters are not pooled: use --compare",
         ),
         (
             {"code": "0aaa"},
             {"code": "0bbb"},
-            "b: made by 0bbb, but a by 0aaa; builds of a program may have other rules under the same names: --accept-other-build pools them",
+            "b: made by 0bbb, but a by 0aaa; rules may have the same names but other code in different builds: --accept-other-build pools them",
         ),
         (
             {"code": "0aaa"},
@@ -57,12 +56,11 @@ CHANGED = with_changes("5,5,rules.a,2,1\n")
             "b: made by 0aaa and 0bbb, but a by 0aaa; ",
         ),
         ({"code": "0aaa"}, {}, "b: made by an unknown build, but a by 0aaa; "),
-        ({}, {"seed": 1}, "b: seed 1 as in a; the same run twice is not a second replicate"),
+        ({}, {"seed": 1}, "b: seed 1 as in a; a run counts only once as a replicate"),
         (
             {"origin": BRANCH},
             {"origin": {**BRANCH, "at_s": "900"}},
-            "b: begins at 900 s of tape (seed 7), but a begins at 700 s of tape (seed 7); futures of one moment are "
-            "not pooled with other runs",
+            "b: begins at 900 s of tape (seed 7), but a begins at 700 s of tape (seed 7); runs that share a past are not pooled with other runs",
         ),
         ({"origin": BRANCH}, {}, "b: begins at its beginning, but a begins at 700 s of tape (seed 7); "),
         (
@@ -78,7 +76,7 @@ CHANGED = with_changes("5,5,rules.a,2,1\n")
         (
             {},
             {"agents_every_ticks": 5},
-            "b: agents_every_ticks 5, but a has 1; runs that say more and less of their robots are not pooled",
+            "b: agents_every_ticks 5, but a has 1; runs with different detail in agents.csv are not pooled",
         ),
     ],
 )
@@ -104,8 +102,8 @@ def test_builds_and_a_common_past_are_remarked_on():
     write_run("b", 2, code="0bbb", origin=BRANCH)
     assert pooled("a")[1] == []
     assert pooled("a", "b", accept_other_build=True)[1] == [
-        "2 builds of a program made these runs: 0aaa and 0bbb; their rules may be other code under the same names",
-        "all runs begin at 700 s of tape (seed 7): they share that past, so that intervals are over its futures, not over runs",
+        "2 different builds made these runs: 0aaa and 0bbb; their rules may have the same names but other code",
+        "all runs begin at 700 s of tape (seed 7): they share that past, so intervals cover its possible futures, not independent runs",
     ]
 
 
@@ -117,7 +115,7 @@ def test_status_and_duration_must_be_alike_unless_all_are_cut():
     write_run("e", 5, status="running")
     assert refusal(pooled, "a", "b") == (
         'b: status "stopped" at 100 of 6000 s, but a has status "complete" at 6000 of 6000 s; runs of different length are not pooled: '
-        "leave some out, or cut all with --until"
+        "omit some, or cut all with --until"
     )
     assert "at 200 of 6000 s, but b has " in refusal(pooled, "b", "c")
     assert 'status "running" at an unknown time of 6000 s' in refusal(pooled, "d", "e")
@@ -139,7 +137,7 @@ def test_a_folder_of_replicates_is_the_runs_of_its_list():
     found, remarks = pooled("set")
     assert ([run.path.name for run in found], remarks) == (
         ["replicate-00", "replicate-01"],
-        ["set/replicate-02: missing, the replicate was not run"],
+        ["set/replicate-02: is missing, because the replicate was not run"],
     )
     for name, why in (
         ("../x", "folder = ../x: must be the name of a folder next to it"),
@@ -149,7 +147,7 @@ def test_a_folder_of_replicates_is_the_runs_of_its_list():
         listing.write_text(json.dumps({"replicates": [{"folder": name}]}))
         assert why in refusal(pooled, "set")
     listing.write_text('{"replicates": []}')
-    assert refusal(pooled, "set") == "no run is there"
+    assert refusal(pooled, "set") == "no runs found"
     for broken in ("{", "[]", '{"replicates": [1]}', "[" * 100_000):
         listing.write_text(broken)
         assert refusal(pooled, "set") in (
@@ -172,7 +170,7 @@ def test_a_folder_of_replicates_is_the_runs_of_its_list():
         (
             "nothing_inherited",
             {"status": "stopped"},
-            'it has status "stopped" at an unknown time of 6000 s: must be as status "complete" at 6000 of 6000 s',
+            'it has status "stopped" at an unknown time of 6000 s: must have status "complete" at 6000 of 6000 s',
         ),
     ],
 )
@@ -278,7 +276,7 @@ def test_a_table_has_the_rows_and_the_checksum_of_its_manifest():
     for kept in ([0, 1, 2, 3, 4], [0, 1, 2, 3, 4, 4, 5], [0, 5, 4, 3, 2, 1], [0]):
         path.write_text("".join(lines[i] for i in kept))
         assert refusal(read, "run").startswith(f"run/events.csv: has {len(kept) - 1} rows and checksum ")
-        assert refusal(read, "run").endswith("as its manifest says; the table was cut or changed after the run")
+        assert refusal(read, "run").endswith("as its manifest says; the table was cut or modified after the run")
 
 
 def test_damage_of_any_listed_file_is_refused():
@@ -292,7 +290,7 @@ def test_damage_of_any_listed_file_is_refused():
     assert refusal(read, "run") == "run/replay.trp: cannot be read: No such file or directory"
     recording.write_text("x")
     assert refusal(read, "run").endswith(
-        ": must be 1, as its manifest says; the recording was cut or changed after the run"
+        ": must be 1, as its manifest says; the recording was cut or modified after the run"
     )
     for file in ("genomes.csv", "phylogeny.csv"):
         path = pathlib.Path("run", file)
@@ -411,7 +409,7 @@ def test_the_incomplete_end_of_a_killed_run_is_left_out_and_reported():
     for file in ("events.csv", "agents.csv"):
         path = pathlib.Path("run", file)
         path.write_text(path.read_text()[:-4])
-    end = "truncated in the middle of a line (killed run?); everything before it is used"
+    end = "truncated in the middle of a line (killed run?); all lines before it are used"
     assert read("run").remarks == [
         'run/manifest.json: status "running": the run did not reach its end',
         f"run/events.csv:6: {end}",
@@ -477,7 +475,7 @@ def test_extinction_has_rows_only_if_a_species_is_gone_in_some_run_or_is_asked_f
             "metric deaths:wolf: must be METRIC, METRIC:SPECIES or METRIC:SPECIES:GROUP of attribution_caught, ",
         ),
         ({"metrics": ["tag_symmetry"]}, "metric tag_symmetry: must be "),
-        ({"columns": ["own.csv:hunger"]}, "--column own.csv:hunger: there is a metric of this name; rename the column"),
+        ({"columns": ["own.csv:hunger"]}, "--column own.csv:hunger: a metric already has this name; rename the column"),
         ({"columns": ["none.csv:x"]}, "--column none.csv:x: run has no such file"),
         ({"until_s": -1}, "--until -1: must be > 0"),
         ({"jobs": 0}, "--jobs 0: must be >= 1"),

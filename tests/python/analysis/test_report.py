@@ -96,7 +96,7 @@ def test_runs_for_the_smallest_effect_of_interest_depend_on_the_scatter_and_not_
         == asked(0.3)
         == (
             "a difference of 0.50 in velocity prey, cm/s over the shadow needs 77 runs in each set for 80 % power\n"
-            "at the level of one of 1 comparisons; by the spread of the runs at hand\n"
+            "at the level of one of 1 comparisons; based on the variance of these runs\n"
         )
     )
 
@@ -167,9 +167,9 @@ def test_result_folder_is_new_and_goes_again_if_the_work_fails(tmp_path, monkeyp
         with writing.result_folder(None) as folder:
             assert folder.name == f"{name}.part"
             (folder / "tables").write_text("")
-    with pytest.raises(RunError, match="--out analysis: exists already; nothing is overwritten"), writing.result_folder(
-        "analysis"
-    ):
+    with pytest.raises(
+        RunError, match="--out analysis: exists already; files are never overwritten"
+    ), writing.result_folder("analysis"):
         pass
     with pytest.raises(RuntimeError), writing.result_folder("broken") as folder:
         (folder / "x").write_text("")
@@ -226,6 +226,14 @@ def test_table_has_ours_the_papers_value_nulls_with_a_test_and_references_withou
     ):
         assert part in shown, part
     assert not any(word in shown for word in ("nan", "starved", "too few"))
+
+
+def test_metrics_of_ones_own_stand_first_whatever_their_p():
+    of = example()
+    of.own = frozenset({"tag_symmetry"})
+    shown = text.findings(of, judge.summarize(of)).splitlines()
+    assert shown[0].split()[0] == "yours" and shown[1].strip().startswith("tag_symmetry")
+    assert text.findings(example(), judge.summarize(example())).splitlines()[0].split()[0] != "yours"
 
 
 def test_findings_are_sentences_and_the_whole_table_without_a_shadow():
@@ -296,7 +304,7 @@ def test_claims_have_a_summary_and_for_each_reading_value_margin_origin_ours_and
         )
     )
     for part in (
-        "these are points without bodies, so velocities and walls compare the rules only\n",
+        "these are points without bodies, so velocities and wall-following compare only the rules\n",
         "\nattribution of prey: not reproduced under any reading\n",
         "\n attribution_caught prey 0.650 text 0.037 authors' logs 1.000 [1.000, 1.000] +0.350 [+0.324, +0.376] not reproduced\n",
         "\n attribution_died prey 0.620 logs 0.028 authors' logs ",

@@ -311,7 +311,7 @@ def test_traits_that_are_not_there_are_refused(trait, why, tmp_path, monkeypatch
 def test_runs_without_their_beginning_and_another_neutral_null_are_refused(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     write_run("late", of_events=EVENTS[4:5])
-    with pytest.raises(RunError, match="late/events.csv: individual 1 dies and has no birth"):
+    with pytest.raises(RunError, match="late/events.csv: individual 1 dies but was never born"):
         selection.analyse(["late"], ["agents.csv:tag"])
     write_set("runs", shadow=False)
     write_set(pathlib.Path("runs/neutral"), shadow=False)

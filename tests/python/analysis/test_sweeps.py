@@ -89,11 +89,11 @@ x.y = [0.0, 0.5]
 @pytest.mark.parametrize(
     "file, old, new, why",
     [
-        ("sweep.toml", "0.5]", "0.7]", "sweep.toml: has other settings than plan.jsonl: it was changed after"),
+        ("sweep.toml", "0.5]", "0.7]", "sweep.toml: has other settings than plan.jsonl: it was modified after"),
         ("sweep.toml", "seed = 5", "seed = 6", "sweep.toml: has other replicates, seeds or tables than plan.jsonl"),
         ("sweep.toml", "replicates = 2", "replicates = 1", "sweep.toml: has other replicates, seeds or tables"),
         ("sweep.toml", "[grid]", "[grid", "sweep.toml: is not TOML"),
-        ("cell-1/replicates.json", "f1", "f2", "replicates.json: was cut short or changed after trophic wrote it"),
+        ("cell-1/replicates.json", "f1", "f2", "replicates.json: was cut short or modified after trophic wrote it"),
         ("cell-1/replicates.json", "}\n", "", "replicates.json: is not a JSON object"),
         ("cell-1/replicates.json", None, {"fingerprint": "f2"}, "must list replicate-0 with its seed and fingerprint"),
         ("cell-1/replicates.json", None, {"replicates": []}, "must list replicate-0 with its seed and fingerprint"),
@@ -177,8 +177,8 @@ def write_plan(folder, plan):
         ({"until_s": 0}, ":4: until_s = 0: must be > 0 and <= 100000000"),
         ({"seed": -1}, ":4: seed = -1: must be a whole number >= 0"),
         ({"seed": 7}, ":4: seed = 7: must be 101, as a replicate and its nulls have one"),
-        ({"seed": 100}, ":4: seed = 100: must be another for each replicate of cell 0"),
-        ({"replicate": 0}, ":4: replicate = 0: must be another for each run of cell 0"),
+        ({"seed": 100}, ":4: seed = 100: must be unique among the replicates of cell 0"),
+        ({"replicate": 0}, ":4: replicate = 0: must be unique among the runs of cell 0"),
         ({"fingerprint": "other"}, ':4: fingerprint = "other": must be "f0s"'),
         ({"engine": "a\nb"}, "without control characters"),
         ({"settings": {"a": [1]}}, ":4: settings = "),
@@ -199,7 +199,7 @@ def test_a_broken_plan_is_refused(tmp_path, change, part):
 @pytest.mark.parametrize(
     "text, part",
     [
-        ("", "plan.jsonl: must list a run"),
+        ("", "plan.jsonl: must list at least one run"),
         ('{"cell": 0', "plan.jsonl:1: must be a JSON object"),
         ("{}", "plan.jsonl:1: cell: must be there"),
         ("[1]", "plan.jsonl:1: must be a JSON object on a line of its own"),
@@ -253,7 +253,7 @@ def test_an_absent_or_incomplete_run_is_missing_with_the_reason(disk):
         "4 of 8 runs missing: run 1 (cell-0/replicate-1): no such folder; run 3 (cell-0/shadow/replicate-1): no manifest.json; run 4 "
         '(cell-1/replicate-0): status "stopped", must be "complete"; run 5 (cell-1/replicate-1): '
     )
-    assert refusal(check_sweep, sweep, 0, False, Measuring()).endswith(" (--allow-missing leaves them out)")
+    assert refusal(check_sweep, sweep, 0, False, Measuring()).endswith(" (--allow-missing omits them)")
     check_sweep(sweep, 0, True, Measuring())
 
 
@@ -292,7 +292,7 @@ def test_a_run_in_a_shadows_place_that_is_not_a_shadow_is_refused(disk):
 def test_several_builds_are_refused_unless_they_are_accepted(disk):
     for number, run in enumerate(plan_of(2, 2, with_shadow=True)):
         change(disk / run.folder, "{", f'{{"code": "0{"ab"[number // 4]}",')
-    assert "its runs were made by 0a and 0b; builds of a program may have other rules" in refusal(read_sweep, disk)
+    assert "its runs were made by 0a and 0b; rules may have the same names but other code" in refusal(read_sweep, disk)
     assert read_sweep(disk, True).builds == ["0a", "0b"]
 
 
@@ -301,7 +301,7 @@ def test_several_builds_are_refused_unless_they_are_accepted(disk):
     [
         ({"reference": 2}, "--reference 2: must be a cell of the sweep, 0 to 1"),
         ({"difference": 0.0}, "--difference 0: must be > 0"),
-        ({"difference": 1.0}, "--difference: needs --metric, which names what is to differ"),
+        ({"difference": 1.0}, "--difference: needs --metric to name a metric"),
         ({"how": Measuring(until_s=7000.0)}, "must be >= 7000 s, as --until asks"),
         ({"how": Measuring(metrics=["hungr"])}, "metric hungr: must be METRIC"),
         ({"how": Measuring(columns=["own.csv:level"])}, "has no such file"),
@@ -745,7 +745,7 @@ def test_what_was_compared_and_what_is_significant_is_said():
 
 def test_what_is_not_significant_is_inconclusive_not_absent():
     text = report.text_of(analyzed(0.1, paired=False))
-    assert "as independent sets (other seeds in each cell)" in text
+    assert "as independent sets (different seeds in each cell)" in text
     assert (
         "0 of 2 comparisons are significant" in text
         and "This does not show that nothing differs.\ninconclusive: 2 of 2 comparisons\n" in text
@@ -766,7 +766,7 @@ def test_too_few_runs_are_said_and_a_cell_alone_has_nothing_to_be_compared_with(
     assert "too few runs for a test in 1 of them: 6 in each cell are needed" in report.text_of(analyzed(10.0, 2, 5))
     assert report.text_of(analyzed(10.0, 1)) == (
         "sweep of 1 cell, 6 runs of 6000 s\nreference: cell 0, paper on kinematic 1\n"
-        "one cell alone: there is nothing to compare\n"
+        "only one cell: there is nothing to compare\n"
     )
 
 

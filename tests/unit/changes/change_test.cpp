@@ -49,7 +49,7 @@ TEST_CASE("changes: as many and as long as a run may have -> read, one more -> r
   const std::string longest(changes::longest_value, '1');
   for (std::size_t i = 0; i < changes::most_changes; ++i) text += "2,a," + longest + "\n";
   CHECK(read(text).size() == changes::most_changes);
-  CHECK_THROWS_WITH_AS(read(text + "2,a,1\n"), doctest::Contains("line 20002: must be left out"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(read(text + "2,a,1\n"), doctest::Contains("line 20002: must be omitted"), std::invalid_argument);
   CHECK_THROWS_WITH_AS(read("time_s,number,value\n2,a,1" + longest), doctest::Contains("must have <= 200 bytes"),
                        std::invalid_argument);
 }

@@ -76,7 +76,7 @@ TEST_CASE("growing file: bytes changed before the checkpoint's length -> refused
   digit[written.size() - 2] = '3';
   CHECK(refusal(digit) == "cannot continue " + path.string() + ": its first 100004 bytes have checksum " +
                               std::to_string(crc(digit.substr(0, written.size()))) + ": must be " + std::to_string(crc(written)) +
-                              ", as at the checkpoint; the file was damaged or changed after the run wrote it");
+                              ", as at the checkpoint; the file was damaged or modified after the run wrote it");
   std::string zeros = whole;
   std::fill_n(zeros.begin() + 4096, 4096, '\0');
   CHECK_FALSE(refusal(zeros).empty());
@@ -96,7 +96,8 @@ TEST_CASE("growing file: a link, or a file with another name -> refused to be co
   CHECK(refusal() == "cannot open " + path.string() + ": it is a symbolic link");
   std::filesystem::remove(path);
   std::filesystem::create_hard_link(precious, path);
-  CHECK(refusal() == "cannot continue " + path.string() + ": it has another name (a hard link), whose file would change, too");
+  CHECK(refusal() ==
+        "cannot continue " + path.string() + ": it has a second name (a hard link), whose file would change as well");
   CHECK(content(precious) == "text");
 }
 

@@ -24,7 +24,7 @@ TEST_CASE("json: text that is not JSON -> throws, or null") {
 TEST_CASE("json: nested deeper than trophic writes -> refused, without overflowing the stack") {
   const auto nested = [](std::size_t depth) { return std::string(depth, '[') + std::string(depth, ']'); };
   CHECK(parse_json(nested(64)).is_array());
-  CHECK_THROWS_WITH_AS(static_cast<void>(parse_json(nested(65))), "is JSON nested more than 64 deep, which is not read",
+  CHECK_THROWS_WITH_AS(static_cast<void>(parse_json(nested(65))), "is JSON nested more than 64 levels deep, which is refused",
                        Json::exception);
   CHECK(parse_json_or_null(nested(1'000'000)).is_null());
   CHECK(parse_json_or_null("{\"a\":" + nested(1'000'000) + "}").is_null());

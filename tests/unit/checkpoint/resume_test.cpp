@@ -270,7 +270,7 @@ TEST_CASE("resume: links among a run's files -> refused, and what they lead to i
     CHECK(refusal().starts_with((run / name).string() + ": is a symbolic link"));
     fs::remove(run / name);
     fs::create_hard_link(precious, run / name);
-    CHECK(refusal().starts_with((run / name).string() + ": has another name"));
+    CHECK(refusal().starts_with((run / name).string() + ": has a second name"));
     fs::remove(run / name);
     if (was_there) fs::rename(folder.path() / "moved", run / name);
   }

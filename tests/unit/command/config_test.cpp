@@ -61,10 +61,9 @@ TEST_CASE("a path without its beginning is known where it is the end of one numb
 TEST_CASE("a file of another backend or table is refused only for the numbers that it has of it") {
   const Config full = config_of("engine = 'mujoco'\nrule_table = 'paper'\n[backend]\nthreads = 2\n[rules.mutation]\nsd = 0.1\n");
   CHECK_NOTHROW(check_made_for(full, "paper", "mujoco"));
-  CHECK(
-      test::message_of<std::invalid_argument>([&] { check_made_for(full, "paper", "kinematic"); }) ==
-      "numbers.toml: was written for engine = \"mujoco\" and has its parameters in [backend], which are none of kinematic; take "
-      "--backend mujoco, or a file without engine and [backend]");
+  CHECK(test::message_of<std::invalid_argument>([&] { check_made_for(full, "paper", "kinematic"); }) ==
+        "numbers.toml: is for engine = \"mujoco\", whose parameters are in [backend], not for kinematic; use --backend mujoco, "
+        "or a file without engine and [backend]");
   CHECK(test::message_of<std::invalid_argument>([&] {
           check_made_for(full, "released", "mujoco");
         }).find("rule_table = \"paper\"") != std::string::npos);

@@ -84,7 +84,7 @@ TEST_CASE("learnt gait: 30 trials -> farther than the inherited one without a di
 TEST_CASE("learnt gait: genes without a count of the inherited ones -> one sentence") {
   const Habitat habitat = spider();
   CHECK_THROWS_WITH_AS(static_cast<void>(Learnt<InheritedCpg>{}.express(std::vector{7.0, 0.5}, habitat.robot, habitat)),
-                       "genes of a learnt gait: must begin with the number of those that are inherited", std::invalid_argument);
+                       "genes of a learnt gait: must begin with the number of inherited genes", std::invalid_argument);
 }
 
 TEST_CASE("inherited gaits: no noise -> the robot's own gait, to the bit") {

@@ -71,7 +71,7 @@ TEST_CASE("steerable: all hinges in the middle -> rejected, unless the steering 
   CHECK(
       refusal([] { check_steerable(snake(), TargetedSteering{}); }) ==
       "ecology.robot = snake with rules.steering = targeted_steering: cannot be steered to both sides: a turn moves no hinge, or "
-      "all as the other turn does (0 left, 0 right, 6 middle); bending_steering needs no sides");
+      "it moves the same hinges as the opposite turn (0 left, 0 right, 6 middle); bending_steering needs no hinges at the sides");
   CHECK(refusal([] { check_steerable(snake(), Leans{}); }) == "");
 }
 

@@ -75,7 +75,7 @@ TEST_CASE("contest: table with traits -> individuals have those of their teams, 
   for (const Weights& wrong : {Weights{}, Weights{1.0, 2.0}}) {
     plan.teams[1].genomes[3].traits = wrong;
     CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(contest::play(make, plan, plan.matches[0])); }) ==
-          "a contest of genomes without some parts: must have the table's gaits, bodies and traits");
+          "a contest of genomes with missing parts: must have the table's gaits, bodies and traits");
   }
 }
 
@@ -84,7 +84,7 @@ TEST_CASE("contest: genomes of another size -> error that names both sizes") {
   plan.teams[0].genomes[3].weights.push_back(0.0);
   const auto make = TableExperiment<rules::Paper>{backend::Kinematic::Params{}}.contests();
   CHECK(message_of<std::invalid_argument>([&] { static_cast<void>(contest::play(make, plan, plan.matches[0])); }) ==
-        "a contest of genomes of 16 weights: must have a genome of 15 weights, as the table's brain takes it");
+        "a contest of genomes of 16 weights: must have a genome of 15 weights, as the table's brain needs");
 }
 
 TEST_CASE("contest: same places -> same outcome, others -> another, reach of the arena -> contact at once") {
@@ -124,7 +124,7 @@ TEST_CASE("contest: plan -> the teams and matches of its file, errors name the f
 
   for (const auto& [what, by, says] :
        {std::tuple{"\"version\":1", "\"version\":2", "version = 2: must be 1, which this program writes"},
-        std::tuple{"[[0,1,", "[[2,1,", "matches: a team that is not there"}, std::tuple{"trophic contests", "", "is not a plan"},
+        std::tuple{"[[0,1,", "[[2,1,", "matches: a team does not exist"}, std::tuple{"trophic contests", "", "is not a plan"},
         std::tuple{"\"reach_m\":1.0", "\"reach_m\":0.0", "reach_m: must be > 0"}, std::tuple{"{\"format\"", "[", ""}}) {
     std::string wrong = text;
     const std::string path = folder.file("wrong.json", wrong.replace(wrong.find(what), std::string_view{what}.size(), by));

@@ -65,8 +65,8 @@ TEST_CASE("effects: rule that would never be asked -> refused by a sentence that
   const BackendChoice points = backend::Kinematic::Params{};
   const BackendChoice joints = test::ToyBodies::Params{};
   CHECK(refusal<with_steering<Paper, control::steering::NoSteering>>(points) ==
-        "rules.steering = no_steering on backend kinematic: must be a backend with joints; without them robots turn by their "
-        "walk, which is measured with targeted_steering");
+        "rules.steering = no_steering on backend kinematic: must be a backend with joints; without joints robots turn as in "
+        "their measured walk, which uses targeted_steering");
   CHECK(refusal<with_steering<Paper, control::steering::NoSteering>>(joints) == "");
   check_refused<with_gait<Paper, gait::InheritedCpg>, with_gait<Paper, gait::InheritedCppn>, with_gait<Paper, gait::NamedGait>,
                 with_gait<Paper, gait::Learnt<gait::InheritedCpg>>>(points, "rules.gait = ");

@@ -267,8 +267,8 @@ TEST_CASE("genome parts: gaits of individuals on a backend without joints -> one
   CHECK(message_of<std::invalid_argument>([] {
           const Ecology<Gaits> ecology{{}, backend::Kinematic::Params{}};
         }) ==
-        "rules.gait = inherited_cpg on backend kinematic: must be a backend with joints, which show bodies and gaits of "
-        "individuals");
+        "rules.gait = inherited_cpg on backend kinematic: must be a backend with joints, on which the bodies and gaits of "
+        "individuals matter");
 }
 
 TEST_CASE("genome parts: gait of the species -> each walks by its own, and a file that is missing is named") {
@@ -406,9 +406,8 @@ TEST_CASE("trials of newborns: gaits that diverge -> not born and all of them, o
   CHECK(message_of<RuleError>([&] {
           const Ecology<TriedGaits> none{experiment, ToyBodies::Params{.breaks_beyond_rad = 1e-6}};
         }) ==
-        "the policy in rules.body_plan returned 1000 random newborns in a row refused, the last one for \"diverges within 22 s: "
-        "must walk so long\": "
-        "some must be viable");
+        "the policy in rules.body_plan returned 1000 random newborns in a row were refused, the last one because \"diverges "
+        "within 22 s: must walk until the end of the trial\": some bodies must be viable");
   using OneGait = with_viability<rules::Paper, TriedGaits::Viability>;
   CHECK(message_of<std::invalid_argument>([] {
           const Ecology<OneGait> none{{}, ToyBodies::Params{}};
@@ -424,5 +423,5 @@ TEST_CASE("bodies of species: backends and rules that cannot show them -> one se
   using Keeps = with_body_plan<rules::Paper, reproduction::body_plan::NamedBody>;
   CHECK(message_of<std::invalid_argument>([] {
           const Ecology<Keeps> ecology{{}, ToyBodies::Params{}};
-        }) == "rules.body_plan = named_body with rules.embodiment = keeps_body: must be a rule Embodiment that sets bodies down");
+        }) == "rules.body_plan = named_body with rules.embodiment = keeps_body: must be a rule Embodiment that puts bodies down");
 }

@@ -90,5 +90,5 @@ TEST_CASE("history: none, or of other founders -> refused") {
   CHECK_THROWS_WITH(without.run_until(10.0), "a neutral null: needs the history of a run");
   auto history = std::make_shared<History>(5, Happening{.species = 1});
   Ecology<rules::Paper> ecology{{.null = Null::neutral, .history = history}, backend::Kinematic::Params{}};
-  CHECK_THROWS_WITH(ecology.run_until(10.0), "a history of other founders");
+  CHECK_THROWS_WITH(ecology.run_until(10.0), "a history with different founders");
 }

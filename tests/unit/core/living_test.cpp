@@ -234,7 +234,7 @@ TEST_CASE("living: backend whose robots cannot come and go -> refused before the
   CHECK(message_of<std::invalid_argument>([] {
           Ecology<Pond>{short_pond<Pond>(), Fixed::Params{}};
         }) ==
-        "rules.recruitment = at_energy on backend fixed: must be a backend whose robots come and go (Placing in "
+        "rules.recruitment = at_energy on backend fixed: must be a backend that adds and removes robots (Placing in "
         "backend/contract.hpp)");
 }
 

@@ -74,9 +74,9 @@ TEST_CASE("a new file is made neither in a folder that is not there nor in a pip
   };
   CHECK(refusal("none/x").ends_with("none/x: No such file or directory"));
   REQUIRE(::mkfifo((folder.path() / "pipe.part").c_str(), 0600) == 0);
-  CHECK(refusal("pipe").ends_with("pipe.part is in the way and is not a file"));
+  CHECK(refusal("pipe").ends_with("pipe.part already exists and is not a file"));
   std::filesystem::create_directory(folder.path() / "folder.part");
-  CHECK(refusal("folder").ends_with("folder.part is in the way and is not a file"));
+  CHECK(refusal("folder").ends_with("folder.part already exists and is not a file"));
 }
 
 TEST_CASE("new file: its name is changed to a link while it is written -> what other programs write goes into the file") {

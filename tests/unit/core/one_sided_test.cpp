@@ -124,7 +124,7 @@ TEST_CASE("one-sided: a species that inherits nothing anyway -> a remark that na
   const auto remark = [](auto experiment) {
     return null_remark(Ecology{experiment, backend::Kinematic::Params{}}.describe(100.0));
   };
-  const std::string begin = "null = one_sided_prey has no effect: prey inherits nothing anyway by ";
+  const std::string begin = "null = one_sided_prey has no effect: prey already inherits nothing because of ";
   using Barren = with_heredity<Pond, reproduction::heredity::NothingInherited>;
   CHECK(remark(short_run<Barren>(without_prey)) == begin + "rules.heredity = nothing_inherited");
   auto switched = short_run<BySide<Pond>>(without_prey);
@@ -142,7 +142,7 @@ TEST_CASE("one-sided: a species that the table lacks, or its only one -> refused
         }) == "null = one_sided_wolf: must be one_sided_prey or one_sided_predator, the table's species");
   CHECK(message_of<std::invalid_argument>([] {
           static_cast<void>(species_of(without_prey, FoodWeb{{"prey"}, {}}));
-        }) == "null = one_sided_prey: must be in a table with two species or more; with one species it is the shadow");
+        }) == "null = one_sided_prey: must be in a table with at least two species; with one species it is the shadow");
 }
 
 TEST_CASE("null: its name -> the null, and back") {

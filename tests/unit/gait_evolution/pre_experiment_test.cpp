@@ -138,7 +138,7 @@ TEST_CASE("pre-experiment: broken or foreign checkpoint -> refused") {
   };
   CHECK(refusal("", "") == "");
   CHECK(refusal("", "", 2).starts_with("checkpoint.toml: fingerprint = "));
-  CHECK(refusal("", "", 2).ends_with("robot, parameters or engine are not those that the checkpoint was made with"));
+  CHECK(refusal("", "", 2).ends_with("robot, parameters or engine differ from those of the checkpoint"));
   CHECK(refusal("]", "").starts_with("checkpoint.toml:"));
   CHECK(refusal("[", "[nan, ") == "checkpoint.toml: fitness: each must be finite or -inf");
   CHECK(refusal("[", "['x', ") == "checkpoint.toml: fitness = 'x': must be a number");

@@ -96,7 +96,7 @@ TEST_CASE("arena: bad file -> error with key and value") {
         ": height_m: row 1 has 1 numbers: must have 2, one a row");
   CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = [[0, 0], [0, -1]]\n") == ": height_m = -1: must be >= 0");
   CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = [[1, 1], [1, 1]]\n") ==
-        ": height_m: must be higher at its edge than anywhere inside, or floor_side_m must say where the floor ends");
+        ": height_m: must be higher at its edge than anywhere inside, or floor_side_m must give the extent of the floor");
   CHECK(complaint("name = \"a\"\nhalf_extent_m = 1\nheight_m = 3\n") == ": height_m = 3: must be a list");
 }
 

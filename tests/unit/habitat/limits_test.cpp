@@ -37,7 +37,7 @@ TEST_CASE("body limits: hand-drawn plans -> viable, or the first reason why not"
   CHECK(why_not("core", {.fewest_hinges = 0}) == "viable");
   CHECK(why_not(hand::spider, {.most_modules = 8}) == "9 modules: must be <= 8");
   CHECK(why_not(hand::spider, {.most_hinges = 3}) == "4 hinges: must be <= 3");
-  CHECK(why_not(hand::snake) == "no hinge on the left or the right: must have one to be steered");
+  CHECK(why_not(hand::snake) == "no hinge on the left or right side: must have one to be steerable");
   CHECK(why_not(hand::snake, {}, 90.0) == "viable");
   CHECK(why_not(hand::snake, {}, 45.0) == "viable");
 }

@@ -54,10 +54,10 @@ TEST_CASE("live wishes: anything else -> refused with what must be") {
   CHECK(refusal(std::string(5000, ' ')) == "message: must have <= 4096 bytes");
   CHECK(refusal(R"({"do": "x"})") == "do = x: must be play, pause, tick, speed, set or restart");
   CHECK(refusal(R"({"do": "speed", "value": 1e9})") == "speed = 1e+09: must be 0 (as fast as possible), or >= 0.05 and <= 1000");
-  CHECK(refusal(R"({"do": "set", "number": "rules.x", "value": "1"})") == "rules.x: is not a number of a rule of this run");
+  CHECK(refusal(R"({"do": "set", "number": "rules.x", "value": "1"})") == "rules.x: is not a rule parameter of this run");
   for (const char* value : {"", "1\n2", "[1]", "1 # 2", "'a'"}) {
     const std::string text = json_text(Json{{"do", "set"}, {"number", "rules.capture.reach_m"}, {"value", value}});
-    CHECK(refusal(text).ends_with("must be one number, switch or word"));
+    CHECK(refusal(text).ends_with("must be one number, true or false, or one word"));
   }
   CHECK(refusal(json_text(Json{{"do", std::string(300, 'a')}})) == "do: must have <= 200 bytes");
   CHECK(refusal(R"({"do": "restart", "seed": -1, "rules": "paper"})").starts_with("seed = -1: must be a whole number"));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <doctest/doctest.h>
 
+#include <iostream>
 #include <sstream>
 #include <trophic/observe/progress.hpp>
 #include <unit/observe/scene.hpp>
@@ -18,11 +19,24 @@ TEST_CASE("progress: durations and numbers -> readable text") {
   CHECK(observe::short_text(100.4) == "100");
 }
 
-TEST_CASE("progress: events -> counted in the summary, with the engine's remarks") {
+TEST_CASE("progress: remarks -> on stderr before the run, each once") {
+  std::ostringstream printed;
+  std::streambuf* const own = std::cerr.rdbuf(printed.rdbuf());
+  observe::RunDescription run = test::short_run();
+  run.remarks = {"rules.floor: one", "rules.capture: two"};
+  const test::HandPopulation robots = test::three_robots();
+  for (int replicate = 0; replicate < 2; ++replicate) observe::Progress{false}.on_start(run, robots.view());
+  run.remarks = {"rules.capture: two", "rules.floor: three"};
+  observe::Progress{false}.on_change(run, robots.view());
+  std::cerr.rdbuf(own);
+  CHECK(printed.str() == "remark  rules.floor: one\nremark  rules.capture: two\nremark  rules.floor: three\n");
+}
+
+TEST_CASE("progress: events -> counted in the summary") {
   const test::HandPopulation robots = test::three_robots();
   const View view = robots.view();
   observe::RunDescription run = test::short_run();
-  run.remarks = {"physics.gravity_m_s2 has no effect"};
+  run.slots = {{"capture", "one"}, {"metabolism", "two"}};
   observe::Progress progress{false};
   test::HandPopulation before = robots;
   progress.on_start(run, before.at_tick(0).view());
@@ -35,8 +49,21 @@ TEST_CASE("progress: events -> counted in the summary, with the engine's remarks
   progress.on_end(view);
   std::ostringstream out;
   progress.summary(out, view);
-  for (const char* said : {"seed 5", "6.0 simulated s", "physics.gravity_m_s2 has no effect", "3 (3 founders; 1 inherited)",
-                           "1 (1 caught, 0 starved, 0 sacrificed, 0 senescence)", "2 prey 1 predator"}) {
+  for (const char* said :
+       {"seed 5", "6.0 simulated s", "3 (3 founders; 1 inherited)", "1 (1 caught, 0 starved)", "2 prey 1 predator"}) {
     CHECK_MESSAGE(out.str().find(said) != std::string::npos, said);
   }
+  CHECK(out.str().find("gone") == std::string::npos);
+}
+
+TEST_CASE("progress: species without a member -> the summary has the time since when") {
+  test::HandPopulation robots = test::three_robots();
+  observe::Progress progress{false};
+  progress.on_start(test::short_run(), robots.view());
+  progress.on_tick(robots.at_tick(1).view());
+  robots.individuals[0].species = test::prey;
+  for (const std::int64_t tick : {2, 3}) progress.on_tick(robots.at_tick(tick).view());
+  std::ostringstream out;
+  progress.summary(out, robots.view());
+  CHECK(out.str().ends_with("alive   3 prey 0 predator\ngone    predator since 4.0 s\n"));
 }

@@ -138,14 +138,14 @@ TEST_CASE("read recording: invalid numbers in the head -> error before allocatio
     return sentence.empty() ? "" : sentence.substr(path.string().size());
   };
   CHECK(refused("\"robots\":3", "\"robots\":3").empty());
-  const std::string cannot = ": its head cannot be read: ";
+  const std::string cannot = ": cannot read its header: ";
   CHECK(refused("\"robots\":3", "\"robots\":-3") == cannot + "robots = -3: must be a whole number from 1 to 4294967295");
   CHECK(refused("\"robots\":3", "\"robots\":1e300") == cannot + "robots = 1e+300: must be a whole number from 1 to 4294967295");
   CHECK(refused("\"robots\":3", "\"robots\":4294967296") ==
         cannot + "robots = 4294967296: must be a whole number from 1 to 4294967295");
   CHECK(refused("\"robots\":3", "\"robots\":4294967295").find(": damaged, a block of more frames than it can hold at byte ") ==
         0);
-  CHECK(refused("\"joints\":2", "\"joints\":1") == cannot + "joints = 1: must be 0 or 2, as its robot has");
+  CHECK(refused("\"joints\":2", "\"joints\":1") == cannot + "joints = 1: must be 0 or 2, the number of its robot's hinges");
   CHECK(refused("\"frames_per_tick\":", "\"frames_per_tick\":1234567890123").find("frames_per_tick = ") != std::string::npos);
   CHECK(refused("\"steps_per_tick\":", "\"steps_per_tick\":1234567890123").find("steps_per_tick = ") != std::string::npos);
   CHECK(refused("\"seed\":4", "\"seed\":4.5") == cannot + "seed = 4.5: must be a whole number from 0 to 18446744073709551615");

@@ -17,6 +17,6 @@ TEST_CASE("run folders: folder of replicates -> the runs of its list, with a rem
   write_run(folder.path() / "replicate-02.incomplete-1", manifest("bb", 2));
   std::vector<std::string> remarks;
   CHECK(analysis::run_folders(folder.path(), remarks) == std::vector{first, last});
-  CHECK(remarks == std::vector{(folder.path() / "replicate-01").string() + ": missing, the replicate was not run"});
+  CHECK(remarks == std::vector{(folder.path() / "replicate-01").string() + ": is missing, because the replicate was not run"});
   CHECK(analysis::run_folders(first, remarks) == std::vector{first});
 }

@@ -57,6 +57,7 @@ TEST_CASE("every table of a run reads back as it was written") {
   check_round_trip<io::EventRow>({{.id = 3, .ancestor_list = "[none]"}, {.id = 4, .parent = 3, .ancestor_list = "[3,2]"}});
   check_round_trip<io::AgentRow>(
       {{.id = 9, .tag = -1, .adversary = 4, .adversary_distance_m = 1.5, .hunger_ticks = 3}, {.species = 1}});
+  check_round_trip<io::AgentRow>({{.id = 9, .energy_J = 31.25, .own = {{"sight_m", "rest"}, {6.5, 1.0}}}});
   check_round_trip<io::TaxonRow>(
       {{.id = 1, .ancestor_list = "[none]", .destruction_time = 2.5, .tag_at_death = -1, .cause_of_death = Cause::starved},
        {.id = 2, .ancestor_list = "[1,0]", .mutation_distance = 1.0 / 3.0}});

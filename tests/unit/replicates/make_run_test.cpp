@@ -103,7 +103,7 @@ TEST_CASE("planned run: many threads make one at once -> one works, and the othe
             ++worked;
             leave(own, "complete", one.run);
           });
-          if (!why.empty() && why != "another program is making it") ++unexplained;
+          if (!why.empty() && why != "another program is running it") ++unexplained;
         });
       }
     }
@@ -130,7 +130,7 @@ TEST_CASE("planned run: another program makes it -> refused until that program d
   char byte = 0;
   REQUIRE(::read(began[0], &byte, 1) == 1);
   CHECK(one.stage() == Stage::running);
-  CHECK(one.make(never) == "another program is making it");
+  CHECK(one.make(never) == "another program is running it");
   REQUIRE(::kill(child, SIGKILL) == 0);
   REQUIRE(::waitpid(child, nullptr, 0) == child);
   CHECK(one.stage() == Stage::interrupted);
@@ -167,7 +167,7 @@ TEST_CASE("planned run: files that do not fit their checkpoint -> set aside, and
   leave(one.folder, "running", one.run);
   leave_checkpoint(one.folder);
   CHECK(one.make([](const fs::path&) { throw DamagedFile{"events.csv: other bytes"}; }) ==
-        "events.csv: other bytes; kept as " + one.folder.string() + ".incomplete-1, the next attempt begins without it");
+        "events.csv: other bytes; kept as " + one.folder.string() + ".incomplete-1; the next attempt starts without it");
   CHECK(fs::exists(one.folder.string() + ".incomplete-1/events.csv"));
   CHECK(one.make() == "");
 }

@@ -102,7 +102,7 @@ TEST_CASE("plan file: broken -> refused with line, field, value and bound") {
     CAPTURE(by);
     CHECK(disk.refused(with(what, by)).find(message) != std::string::npos);
   }
-  CHECK(disk.refused("") == "plan.jsonl: must list a run");
+  CHECK(disk.refused("") == "plan.jsonl: must list at least one run");
   CHECK(disk.refused("\n").starts_with("plan.jsonl:1: must be a JSON object"));
   CHECK_THROWS_WITH_AS(static_cast<void>(plan::read_plan(disk.path() / "none")), doctest::Contains("cannot be read"),
                        std::invalid_argument);

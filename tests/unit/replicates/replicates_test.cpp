@@ -149,7 +149,7 @@ TEST_CASE("replicates: killed with or without a manifest -> resumed or run anew,
   CHECK(outcome.complete == 4);
   CHECK(fs::exists(plan.out / "replicate-00.incomplete-1/agents.csv"));
   CHECK_FALSE(fs::exists(plan.out / "replicate-01.incomplete-1"));
-  CHECK(out.str().find("replicate-02 continues from its checkpoint at 200 s") != std::string::npos);
+  CHECK(out.str().find("replicate-02 resumes from its checkpoint at 200 s") != std::string::npos);
   CHECK(content(plan.out / "replicate-02/phylogeny.csv") == phylogeny);
   CHECK(parse_json(content(plan.out / "replicates.json"))["count"] == Json(4));
 }

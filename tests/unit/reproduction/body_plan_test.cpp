@@ -24,7 +24,7 @@ TEST_CASE("named body: name -> that robot's design, no name -> the habitat's, ot
   CHECK(test::message_of<std::invalid_argument>([&] { static_cast<void>(newt.grow({}, 0, habitat)); }) ==
         "robot \"newt\": must be a model of the habitat");
   CHECK(test::message_of<std::invalid_argument>([&] { static_cast<void>(gecko.grow(std::vector{1.0}, 0, habitat)); }) ==
-        "genes of a body: must be none with the rule named_body");
+        "genes of a body: must be absent with the rule named_body");
 }
 
 TEST_CASE("one body: any species -> the habitat's design") {

@@ -124,6 +124,29 @@ TEST_CASE("list: trait that the table does not have -> error that names it") {
         }) == "trait sight_m: must be in the list Traits of the rule table");
 }
 
+TEST_CASE("list: state read with a bound that individuals are beyond -> refused by bound and count, with a wider one read") {
+  Ecology<Seeing> ecology{short_run<Seeing>(), backend::Kinematic::Params{}};
+  ecology.run_until(200.0);
+  double farthest_m = 0.0;
+  for (BodyIndex body = 0; body < ecology.view().robots.size(); ++body)
+    farthest_m = std::max(farthest_m, ecology.view().trait<Sight>(body));
+  REQUIRE(farthest_m > 8.1);
+  Archive archive;
+  ecology.persist(archive);
+  const std::string state = std::move(archive).bytes();
+  const auto read_with = [&](double most_m) {
+    auto experiment = short_run<Seeing>();
+    experiment.rules.traits.get<0>().most = most_m;
+    Ecology<Seeing> other{experiment, backend::Kinematic::Params{}};
+    Archive same{state};
+    other.persist(same);
+  };
+  const std::string refused = message_of<std::invalid_argument>([&] { read_with(8.1); });
+  CHECK(refused.starts_with("rules.traits.sight_m.most = 8.1: must be >= " + number_text(farthest_m) + ", as "));
+  CHECK(refused.ends_with(" living individuals have traits beyond it"));
+  CHECK_NOTHROW(read_with(farthest_m));
+}
+
 TEST_CASE("list: interrupted run -> the same bytes, with a column for each trait in genomes.csv") {
   const TemporaryFolder folder;
   using Rules = with_heredity<Seeing, reproduction::heredity::Crossover>;

@@ -54,7 +54,7 @@ TEST_CASE("survives trial: a body -> the reason of the other rule, or of a trial
   CHECK_FALSE(brief.refusal_after_trial(robot, {}, TwoSeconds{}));
   const SurvivesTrial<ModuleLimits> lengthy{{.bodies = {}, .trial_s = 2.5}};
   CHECK_FALSE(lengthy.refusal(design, robot));
-  CHECK(lengthy.refusal_after_trial(robot, {}, TwoSeconds{}) == "diverges within 2.5 s: must walk so long");
+  CHECK(lengthy.refusal_after_trial(robot, {}, TwoSeconds{}) == "diverges within 2.5 s: must walk until the end of the trial");
 }
 
 TEST_CASE("within mass: a core of 0.25 kg -> refused below its mass, by a sentence") {

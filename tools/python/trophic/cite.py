@@ -31,19 +31,19 @@ def run(request: dict) -> int:
     """Prints a sentence about the run or the replicates in the folder `run` of the request, and BibTeX entries."""
     folder = pathlib.Path(request["run"])
     if (folder / "plan.jsonl").exists():
-        raise RunError(f"{folder}: is a sweep; name one of its cells")
+        raise RunError(f"{folder}: is a sweep; give one of its cells")
     folders = run_folders(folder, [])
     if not folders:
-        raise RunError(f"{folder}: no run is there")
+        raise RunError(f"{folder}: no runs found")
     runs = [read_pooled(one) for one in folders if one == folder or (one / "manifest.json").exists()]
     if not runs:
-        raise RunError(f"{folder}: no run is there")
+        raise RunError(f"{folder}: no runs found")
     for cited in runs:
         verify(cited.path)
     others = sorted({one.identity for one in runs} - {runs[0].identity})
     if others:
         raise RunError(
-            f"{folder}: runs of different fingerprints: {', '.join([runs[0].identity, *others])}; cite them one by one"
+            f"{folder}: runs with different fingerprints: {', '.join([runs[0].identity, *others])}; cite them separately"
         )
     first = runs[0].manifest
     versions, revisions, sources = (

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""The verbs of `trophic` that Python does, each a program trophic-VERB: their command lines, errors and exit codes."""
+"""The verbs of `trophic` that Python implements, each a program trophic-VERB: their command lines, errors and exit codes."""
 from __future__ import annotations
 
+import contextlib
 import importlib
 import os
 import pathlib
@@ -20,10 +21,18 @@ SYSTEM = "/usr/bin/python3"  # has the packages of apt-get
 def run(module: str, request: dict, begins: Callable[[], None] = lambda: None) -> int:
     """Does what a request asks and returns the exit code; errors are one line on standard error that begins with the request's `who`. `begins` is
     called when all modules are there."""
-    try:
-        work = importlib.import_module(f".{module}", __package__).run
+
+    def work() -> int:
+        done = importlib.import_module(f".{module}", __package__).run
         begins()
-        code = work(request)
+        return done(request)
+
+    return _guarded(request["who"], work)
+
+
+def _guarded(who: str, work: Callable[[], int]) -> int:
+    try:
+        code = work()
         sys.stdout.flush()
         return code
     except ModuleNotFoundError as error:
@@ -32,7 +41,7 @@ def run(module: str, request: dict, begins: Callable[[], None] = lambda: None) -
         _continue_with_system()
         code, why = 2, (
             f"needs the Python module {error.name}, which {sys.executable} lacks: apt-get install python3-jinja2 python3-matplotlib "
-            "python3-pandas python3-scipy, or let TROPHIC_PYTHON name a Python that has it"
+            "python3-pandas python3-scipy, or set TROPHIC_PYTHON to a Python that has it"
         )
     except OSError as error:
         code, why = (1, f"{error.filename or 'cannot write to standard output'}: {error.strerror}")
@@ -42,12 +51,12 @@ def run(module: str, request: dict, begins: Callable[[], None] = lambda: None) -
         return STOPPED
     except (RunError, ProgramError) as error:
         code, why = 2, str(error)
-    remark(request["who"], why)
+    remark(who, why)
     return code
 
 
 def _continue_with_system() -> None:
-    """Begins again in the system's Python unless TROPHIC_PYTHON names another: python3 may be one of a virtual environment that lacks packages."""
+    """Restarts in the system's Python unless TROPHIC_PYTHON names another one: python3 may belong to a virtual environment that lacks packages."""
     if "TROPHIC_PYTHON" not in os.environ and os.access(SYSTEM, os.X_OK):
         os.environ["TROPHIC_PYTHON"] = SYSTEM
         signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # until it has begun (__main__.py)
@@ -59,6 +68,7 @@ _again: list[str] = []  # the arguments of Python that begin again
 
 def main(words: list[str]) -> NoReturn:
     """A verb and its arguments, as the shell passes them."""
+    _occupy_closed_streams()
     for stream in (sys.stdout, sys.stderr):  # whatever the locale
         stream.reconfigure(encoding="utf-8", errors="surrogateescape")  # type: ignore[union-attr]
     _again[:] = ["-I", "-X", "utf8", str(pathlib.Path(__file__).with_name("__main__.py")), *words]
@@ -68,10 +78,23 @@ def main(words: list[str]) -> NoReturn:
         request = parsed(verb, rest)
     except RunError as error:
         why = str(error)
+    except SystemExit:  # --help, which has printed
+        _end(lambda: _guarded(f"trophic {verb}", lambda: 0))
     if request is not None:
         _end(lambda: run(VERBS[verb].module, request, _begins))
     remark(f"trophic {verb}", why)
     sys.exit(2)
+
+
+def _occupy_closed_streams() -> None:
+    """Keeps the numbers of standard streams that were closed (`>&-`) from files. Writing to the replacement fails, so that it is noticed."""
+    for number in range(3):
+        try:
+            os.fstat(number)
+        except OSError:
+            os.open(os.devnull, os.O_WRONLY if number == 0 else os.O_RDONLY)  # takes the lowest free number
+    sys.stdout = sys.stdout or open(1, "w", encoding="utf-8", closefd=False)
+    sys.stderr = sys.stderr or open(2, "w", encoding="utf-8", closefd=False)
 
 
 def script() -> NoReturn:
@@ -89,5 +112,6 @@ def _begins() -> None:
 def _end(work) -> NoReturn:
     signal.signal(signal.SIGPIPE, signal.SIG_DFL)
     code = work()
-    sys.stderr.flush()
+    with contextlib.suppress(OSError):  # it may be closed
+        sys.stderr.flush()
     os._exit(code)  # standard output was flushed; a second failure to write it would be reported again

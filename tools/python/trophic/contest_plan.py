@@ -34,7 +34,7 @@ from .words import number_text
 from .writing import csv_text, result_folder, write_new
 
 PLAYED = "played.jsonl"
-"""Outcomes while contests are played, a line each, so that the same command continues what was killed."""
+"""Outcomes while contests are played, one per line, so that repeating the command resumes a killed one."""
 _TEAM, _PARTNER, _PLACES = range(3)  # purposes of draws
 _DEFAULT_EPOCHS = 4
 _BATCH_S = 20.0  # how long a call of the program shall take
@@ -250,11 +250,11 @@ def plan_of(request: dict) -> tuple[dict, list[dict[str, Any]], list[str]]:
     how = Measuring(accept_other_build=request["accept_other_build"])
     for path in paths:
         if is_sweep(path):
-            raise RunError(f"{path}: is a sweep: name one of its cells")
+            raise RunError(f"{path}: is a sweep; give one of its cells")
     runs, remarks = _whole_runs(paths, how)
     first = runs[0]
     if not first.web.links:
-        raise RunError(f"{first.path}: no species of this food web hunts: a contest needs hunters and victims")
+        raise RunError(f"{first.path}: this food web has no hunting species; a contest needs hunters and victims")
     shadow: list[PooledRun] = []
     if of_shadow := [pathlib.Path(request["shadow"])] if request["shadow"] else pool.null_folders(paths):
         shadow = _whole_runs(of_shadow, how)[0]
@@ -263,7 +263,7 @@ def plan_of(request: dict) -> tuple[dict, list[dict[str, Any]], list[str]]:
     if request["panel"]:
         panel = _whole_runs([pathlib.Path(request["panel"])], how)[0]
         if (kind := _kind_of(panel[0])) != _kind_of(first):
-            raise RunError(f"--panel {request['panel']}: has runs of {kind}: must be of {_kind_of(first)}")
+            raise RunError(f"--panel {request['panel']}: has runs with {kind}: must have {_kind_of(first)}")
         for run in panel:
             check_epoch(run, panel[0].reached_s or 0.0)
     for run in runs:
@@ -313,7 +313,7 @@ def _epochs_of(text: str) -> list[float]:
     except ValueError:
         epochs_s = [math.nan]
     if not all(map(math.isfinite, epochs_s)):
-        raise RunError(f"--epochs {text}: must be times in seconds with commas between, as 0,2000,6000")
+        raise RunError(f"--epochs {text}: must be comma-separated times in seconds, e.g. 0,2000,6000")
     return epochs_s
 
 
@@ -357,7 +357,7 @@ def play(plan: dict, program: str, jobs: int, folder: pathlib.Path) -> list[list
     known = _played(folder / PLAYED, head)
     left = [match for match in range(len(plan["matches"])) if match not in known]
     if known:
-        remark("trophic contest", f"{len(known)} of {len(plan['matches'])} contests were played already")
+        remark("trophic contest", f"{len(known)} of {len(plan['matches'])} contests have been played already")
     size = 4 * jobs
     while left:
         batch, left = left[:size], left[size:]
@@ -431,7 +431,7 @@ def run(request: dict) -> int:
             raise RunError(f"--{name} {number_text(request[name])}: must be > 0 and <= {number_text(MOST_TIME_S)}")
     if not 2 <= request["teams"] <= 1000:
         raise RunError(
-            f"--teams {request['teams']}: must be >= 2 and <= 1000; what a single team does is not what its epoch does"
+            f"--teams {request['teams']}: must be >= 2 and <= 1000; a single team does not represent its epoch"
         )
     if request["team_size"] is not None and not 1 <= request["team_size"] <= 10_000:
         raise RunError(f"--team-size {request['team_size']}: must be >= 1 and <= 10000")
@@ -456,7 +456,7 @@ def run(request: dict) -> int:
             (folder / PLAYED).unlink(missing_ok=True)
             text = contests.report(folder, request, time.monotonic() - began)
     except (KeyboardInterrupt, SystemExit):
-        remark(request["who"], f"stopped; the same command with --out {out} continues")
+        remark(request["who"], f"interrupted; to resume, repeat the command with --out {out}")
         raise
     print(text, end="")
     return 0

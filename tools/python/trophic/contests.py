@@ -196,7 +196,7 @@ def text(progress: Sequence[Progress]) -> str:
         default=MIN_RUNS_FOR_TEST,
     )
     few = (
-        f"{fewest} replicates: no intervals and no conclusions; a test needs {MIN_RUNS_FOR_TEST}\n"
+        f"{fewest} replicates: too few for intervals and tests, which need {MIN_RUNS_FOR_TEST}\n"
         if fewest < MIN_RUNS_FOR_TEST
         else ""
     )
@@ -214,5 +214,6 @@ def report(folder: pathlib.Path, request: dict, taken_s: float) -> str:
     progress = progress_of(contests, request["split"])
     write_new(folder / "progress.csv", csv_text(table(progress)))
     return text(progress) + (
-        f"tables  {printable(str(folder.with_suffix('')))}/contests.csv, progress.csv: {len(contests)} contests of {number_text(request['duration'])} s in {number_text(round(taken_s, 1))} s\n"
+        f"tables  {printable(str(folder.with_suffix('')))}/contests.csv, progress.csv: {len(contests)} contests of "
+        f"{number_text(request['duration'])} s in {number_text(round(taken_s, 1))} s\n"
     )

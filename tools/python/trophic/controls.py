@@ -135,7 +135,7 @@ def lack(*sets: Sequence[float] | numpy.ndarray) -> str:
     if not any(has) or all(count == len(values) for count, values in zip(has, sets)):
         return ""
     shares = " and ".join(f"{count} of {len(values)}" for count, values in zip(has, sets))
-    return f"only {shares} runs have a value: a mean over runs in which it happened is described"
+    return f"only {shares} runs have a value: a mean over the runs in which it happened is only described"
 
 
 def lives_of(of: MeasuredSet, metric: Metric) -> Lives:

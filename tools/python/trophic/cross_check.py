@@ -39,7 +39,7 @@ def run(request: dict) -> int:
     """Compares the two sets of `runs`, writes cross_check.csv into the new folder `out` and prints it."""
     if len(request["runs"]) != 2:
         raise RunError("runs: needs 2 values")
-    with result_folder(request["out"]) as folder:
+    with result_folder(request["out"], name="cross-check") as folder:
         sets = [pool.read_set([path]) for path in request["runs"]]
         pool.check_apart(*(of.runs for of in sets))
         check(*sets)
@@ -47,7 +47,7 @@ def run(request: dict) -> int:
         write_new(
             folder / _TABLE, csv_text(pandas.DataFrame([row for pair in found for row in pair], columns=names(_TABLE)))
         )
-    print(metrics_text(sets, found) + f"files   {printable(request['out'])}")
+    print(metrics_text(sets, found) + f"files   {printable(str(folder.with_suffix('')))}")
     return 0
 
 
@@ -121,7 +121,7 @@ def check(first: MeasuredSet, second: MeasuredSet) -> None:
     if why := pool.first_difference(ecology(a.manifest), ecology(b.manifest)):
         raise RunError(f"{b.path}: {why} as in {a.path}")
     if not pool.lasted_alike(a, b):  # type: ignore[arg-type]
-        raise RunError(f"{b.path}: {pool.lasted_text(b)}: must be as {pool.lasted_text(a)}, as in {a.path}")  # type: ignore[arg-type]
+        raise RunError(f"{b.path}: {pool.lasted_text(b)}: must have {pool.lasted_text(a)}, as in {a.path}")  # type: ignore[arg-type]
 
 
 def metrics_text(sets: Sequence[MeasuredSet], found: Sequence[tuple[dict[str, Any], dict[str, Any]]]) -> str:

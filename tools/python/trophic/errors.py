@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Exceptions whose message is one sentence, which names the file, the option or the folder, and how a user's names are printed."""
+"""Exceptions whose message names the file, the option or the folder, and the printing of users' names."""
 from __future__ import annotations
 
+import contextlib
 import re
 import sys
 
@@ -11,7 +12,7 @@ class RunError(ValueError):
 
 
 class ProgramError(RuntimeError):
-    """A program that is not there or that failed; the message is the program's own sentence."""
+    """Raised if a program does not exist or fails; the message is the program's own."""
 
 
 def printable(text: str) -> str:
@@ -22,5 +23,6 @@ def printable(text: str) -> str:
 
 
 def remark(who: str, text: object) -> None:
-    """A line on standard error."""
-    print(f"{who}: {printable(str(text))}", file=sys.stderr)
+    """A line on standard error, if that is not closed."""
+    with contextlib.suppress(OSError):
+        print(f"{who}: {printable(str(text))}", file=sys.stderr)

@@ -18,14 +18,15 @@ def run(request: Mapping[str, Any]) -> int:
     topic = request["topic"]
     if topic in VERBS:
         parsed(topic, ["--help"])
-    if topic == "metrics":
-        print(_metrics(), end="")
-    elif topic is None or not re.fullmatch(r"\w+", topic):
+    if topic is None or not re.fullmatch(r"\w+", topic):
         _help_of_trophic(topic)
     else:
         headers = include_folder()
         slots = slots_in(headers)
-        if topic in ("slots", *slots):
+        topic = next((name for name in ("slots", "metrics", *slots) if _same(name, topic)), topic)
+        if topic == "metrics":
+            print(_metrics(), end="")
+        elif topic in ("slots", *slots):
             print(
                 "".join(slot_text(headers, slot, slots[slot]) for slot in ([topic] if topic in slots else slots)),
                 end="",
@@ -37,6 +38,11 @@ def run(request: Mapping[str, Any]) -> int:
         else:
             _help_of_trophic(topic)
     return 0
+
+
+def _same(name: str, word: str) -> bool:
+    """Whether a word is a name, in any spelling: TagSwitch is tag_switch."""
+    return name.replace("_", "").lower() == word.replace("_", "").lower()
 
 
 def _help_of_trophic(command: str | None) -> None:
@@ -79,10 +85,12 @@ def slot_text(headers: pathlib.Path, slot: str, kind: str) -> str:
 
 
 def card(policy: str, headers: pathlib.Path) -> str:
-    """The docstring in the header of a policy, by the name that tables have; empty if no policy with a header of its own has it."""
+    """The docstring in the header of a policy, by the name that tables have or that of its type, in any spelling; empty if no policy with a header
+    of its own has it."""
     for path in sorted(headers.rglob("*.hpp")):
         text = path.read_text(encoding="utf-8")
-        named = re.search(rf'static constexpr std::string_view name = "{re.escape(policy)}"', text)
+        names = re.finditer(r'static constexpr std::string_view name = "(\w+)"', text)
+        named = next((found for found in names if _same(found[1], policy)), None)
         documented = [
             found
             for found in re.finditer(r"((?:^///.*\n)+)(?:template.*\n)?(?:class|struct) (\w+)", text, re.M)
@@ -90,7 +98,7 @@ def card(policy: str, headers: pathlib.Path) -> str:
         ]
         if documented:
             lines, name = documented[-1].groups()
-            return f"{policy} ({name}, {path.relative_to(headers)})\n" + re.sub(r"^/// ?", "", lines, flags=re.M)
+            return f"{named[1]} ({name}, {path.relative_to(headers)})\n" + re.sub(r"^/// ?", "", lines, flags=re.M)
     return ""
 
 

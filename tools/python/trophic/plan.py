@@ -120,7 +120,9 @@ def _axes(table: dict[str, Any], section: str) -> dict[str, list]:
     for path, values in _leaves(table):
         where = f"[{section}] {path}"
         if not isinstance(values, list):
-            raise RunError(f"{where} = {values}: must be a list of values; what is the same in all runs is in [set]")
+            raise RunError(
+                f"{where} = {values}: must be a list of values; values that are the same in all runs belong in [set]"
+            )
         if not values:
             raise RunError(f"{where} = []: must have a value")
         axes[path] = [_value(value, where) for value in values]
@@ -181,13 +183,13 @@ def _sweep(path: pathlib.Path, text: str, table: dict[str, Any]) -> Sweep:
     sweep.zip = _axes(table.pop("zip"), "zip") if "zip" in table else {}
     sweep.runs = [_settings(one) for one in listed or []]
     if "neutral" in table:
-        raise RunError("neutral: a sweep makes no neutral nulls; run a cell's settings with --replicates and --neutral")
+        raise RunError("neutral: is not possible in a sweep; run a cell's settings with --replicates and --neutral")
     for key, value in table.items():
         if key in _CHOICES:
             if not isinstance(value, str):
                 raise RunError(f"{key} = {value}: must be a text")
             if key in sweep.set:
-                raise RunError(f"{key}: is there twice")
+                raise RunError(f"{key}: is given twice")
             sweep.set[key] = value
         elif key in _KEYS:
             is_right, must = _KEYS[key]
@@ -207,7 +209,7 @@ def _sweep(path: pathlib.Path, text: str, table: dict[str, Any]) -> Sweep:
 
 def _check(sweep: Sweep) -> None:
     if not (sweep.grid or sweep.zip or sweep.runs):
-        raise RunError("has neither [grid] nor [zip] nor [[runs]]: nothing varies")
+        raise RunError("has no [grid], [zip] or [[runs]], so nothing varies")
     seen: dict[str, str] = {}
     for section, keys in (
         ("[set]", sweep.set),
@@ -220,7 +222,7 @@ def _check(sweep: Sweep) -> None:
             if other != section:
                 raise RunError(f"{key}: is in {other} and in {section}")
             if key in ("seed", "backend.threads"):
-                raise RunError(f"{section} {key}: is not a setting of a sweep")
+                raise RunError(f"{section} {key}: is not allowed in a sweep")
     for key, values in sweep.zip.items():
         first, of_first = next(iter(sweep.zip.items()))
         if len(values) != len(of_first):
@@ -234,7 +236,7 @@ def _check(sweep: Sweep) -> None:
         * math.prod(map(len, sweep.grid.values()))
         > MOST_RUNS
     ):
-        raise RunError(f"makes more than {MOST_RUNS} runs (cells x replicates): must be fewer")
+        raise RunError(f"makes too many runs (cells x replicates): must be <= {MOST_RUNS}")
 
 
 def cells_of(sweep: Sweep) -> list[Settings]:
@@ -435,8 +437,8 @@ def check_grown(path: pathlib.Path, there: Sequence[Line], plan: Sequence[Line])
         least = min((_differences(line, here) for here in plan), key=len)
         if least:
             raise RunError(
-                f"{path}:{number}: the folder holds another plan, whose run the sweep lacks: {'; '.join(least[:3])}; a sweep can get more "
-                "values, replicates and time: take another --out"
+                f"{path}:{number}: the folder has another plan, with a run that the sweep lacks: {'; '.join(least[:3])}; a sweep can only grow "
+                "in values, replicates and time; use another --out"
             )
 
 
@@ -520,10 +522,7 @@ class Estimate:
 
     def text(self, plan: Sequence[Line]) -> str:
         core_s = self.core_s(plan)
-        return (
-            f"{len(plan)} runs in {len({line['cell'] for line in plan})} cells, about {_duration_text(core_s)} of one core "
-            f"({number_text(math.ceil(core_s / 36.0) / 100.0)} core-hours) by {self.probes} short {'run' if self.probes == 1 else 'runs'} of this machine"
-        )
+        return f"{len(plan)} runs in {len({line['cell'] for line in plan})} cells, about {_duration_text(core_s)} of one core ({number_text(math.ceil(core_s / 36.0) / 100.0)} core-hours), estimated from {self.probes} short {'run' if self.probes == 1 else 'runs'} on this machine"
 
 
 def _duration_text(seconds: float) -> str:
@@ -619,7 +618,7 @@ def job_script(program: str, out: pathlib.Path, plan: Sequence[Line], tasks: int
 #SBATCH --output=slurm-%A_%a.log
 #SBATCH --signal=B:TERM@120
 if [ "${{SLURM_ARRAY_TASK_COUNT:-{tasks}}}" != {tasks} ] || [ "${{SLURM_ARRAY_TASK_STEP:-1}}" != 1 ]; then
-  echo "job.sh: --array: must be {tasks} indices in a row; others would leave runs out" >&2
+  echo "job.sh: --array: must be {tasks} consecutive indices; otherwise some runs would be omitted" >&2
   exit 2
 fi
 cd {shlex.quote(os.getcwd())} || exit 2
@@ -630,10 +629,12 @@ exec {shlex.quote(program)} --plan {path} --jobs 1 --run $(seq $((SLURM_ARRAY_TA
 def run(request: dict) -> int:
     """`trophic plan`. `request`: `sweep`, `experiment`, the program that makes the runs, `out`, `dry_run` and `sbatch`."""
     out, sbatch = request["out"], request["sbatch"]
-    if (out is None) != request["dry_run"]:
-        raise RunError("--out: not with --dry-run" if out is not None else "needs --out or --dry-run")
-    if sbatch is not None and (out is None or sbatch < 1):
-        raise RunError("--sbatch: not with --dry-run" if out is None else f"--sbatch {sbatch}: must be >= 1")
+    if request["dry_run"] and (out is not None or sbatch is not None):
+        raise RunError(f"--{'out' if out is not None else 'sbatch'}: not with --dry-run")
+    if sbatch is not None and sbatch < 1:
+        raise RunError(f"--sbatch {sbatch}: must be >= 1")
+    if out is None and not request["dry_run"]:
+        out = os.path.join("runs", pathlib.Path(request["sweep"]).stem)
     sweep = read_sweep(request["sweep"])
     named, program = request["experiment"], chosen_program(request)
     if out is None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""`trophic plot`: every figure of an analysis into a new folder, as PNG and PDF with captions.json and captions.tex."""
+"""`trophic plot`: every figure of an analysis, or the curves of one run, into a new folder, as PNG and PDF with captions.json and captions.tex."""
 from __future__ import annotations
 
 import os
@@ -22,7 +22,7 @@ def _import_matplotlib() -> None:
 def run(request: dict) -> int:
     """Draws the figures of the folder `analysis`; the request has the options of `trophic plot`. Returns the exit code."""
     _import_matplotlib()
-    from .figures import bodies, contests, cross_check, paper, style, sweep
+    from .figures import bodies, contests, cross_check, paper, run as of_run, style, sweep
     from .writing import check_new, result_folder
     from .errors import RunError, printable
     from .runs import read_analysis
@@ -30,15 +30,17 @@ def run(request: dict) -> int:
     folder = pathlib.Path(request["analysis"])
     if not folder.is_dir():
         raise RunError(f"{folder}: {'is not a folder' if folder.exists() else 'does not exist'}")
-    out = pathlib.Path(request["out"] or folder / "figures")
     which, metrics, axes = (request["run"] or 0, request["metric"] or [], request["axes"] or [])
-    check_new(out)
+    if request["out"] is not None:
+        check_new(request["out"])
     is_sweep = (folder / "sweep_metrics.csv").exists()
     if not is_sweep and (metrics or axes):
-        raise RunError("--metric and --axes: only of an analysed sweep, a folder with sweep_metrics.csv")
+        raise RunError("--metric and --axes: need the analysis of a sweep, a folder with sweep_metrics.csv")
     style.use(request["style"], request["columns"])
     try:
-        if is_sweep:
+        if (folder / "manifest.json").exists():
+            figures = of_run.figures_of(folder)
+        elif is_sweep:
             figures = sweep.figures_of(folder, metrics, axes)
         elif (folder / "cross_check.csv").exists():
             figures = cross_check.figures_of(folder)
@@ -55,13 +57,13 @@ def run(request: dict) -> int:
     except KeyError as error:
         option = str(error.args[0])
         raise RunError(
-            option if option.startswith("--") else f"{folder}: no {error}: is it what trophic analyze wrote?"
+            option if option.startswith("--") else f"{folder}: no {error}: is this folder an output of trophic analyze?"
         ) from None
     except (OSError, ValueError, AttributeError) as error:
         raise RunError(f"{folder}: is not what trophic analyze writes: {error}") from None
-    with result_folder(out) as part:
+    with result_folder(request["out"], name=str(folder / "figures")) as part:
         drawn = style.save_all(figures, part, request["with_captions"])
         if not drawn:
-            raise RunError(f"{folder}: has the data of no figure")
-    print(f"{drawn} figures in {printable(str(out))}, with captions.json and captions.tex")
+            raise RunError(f"{folder}: has no data for any figure")
+    print(f"{drawn} figures in {printable(str(part.with_suffix('')))}, with captions.json and captions.tex")
     return 0

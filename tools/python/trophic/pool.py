@@ -65,7 +65,7 @@ class PooledRun(Run):
 
     @property
     def every_ticks(self) -> int:
-        """agents.csv has the ticks whose number is a multiple of it."""
+        """agents.csv has only ticks that are multiples of this."""
         return self.manifest.get("agents_every_ticks", 1)
 
     @property
@@ -86,7 +86,8 @@ class PooledRun(Run):
 
     @property
     def lived_s(self) -> float:
-        """How much of `until_s` the run lived: less if it ended early, by ecology.ends_when, a signal or a kill. No rate, window or half of a metric goes
+        """How much of `until_s` the run lasted: less if it ended early, by ecology.ends_when, a signal or a kill. No rate, window or half of a
+        metric goes
         beyond it."""
         return min(self.until_s, lived_s(self))
 
@@ -143,7 +144,7 @@ class PooledRun(Run):
         content = runs.whole_lines(path, self.manifest.get("tables", {}).get(file), whole)
         if len(content) < len(whole):
             remarks.append(
-                f"{path}:{content.count(10) + 1}: truncated in the middle of a line (killed run?); everything before it is used"
+                f"{path}:{content.count(10) + 1}: truncated in the middle of a line (killed run?); all lines before it are used"
             )
         return content, len(content) == len(whole)
 
@@ -189,6 +190,7 @@ def read_set(
 
     found = measured(pooled, remarks)
     found.inherited, found.planned = inherited, sum(map(planned_in, folders))
+    found.own = frozenset([*(one.name for one in how.functions), *(one.column for one in how.columns)])  # type: ignore[union-attr]
     for name, (its_runs, its_remarks) in nulls.items():
         if species := one_sided_species(name):
             found.one_sided[species] = measured(its_runs, its_remarks)
@@ -270,7 +272,7 @@ def _measure_shared(place: int) -> Any:
 
 def pooled_runs(paths: Iterable[pathlib.Path], how: Measuring) -> tuple[list[PooledRun], list[str]]:
     """The runs of some folders, which may be pooled, and remarks. Raises RunError if they differ in fingerprint, build, beginning, changes,
-    status, duration or the ticks in agents.csv, if one is there twice, if a manifest cannot be read, or if there is no run.
+    status, duration or the ticks in agents.csv, if one is given twice, if a manifest cannot be read, or if there is no run.
     """
     remarks: list[str] = []
     found: list[PooledRun] = []
@@ -281,16 +283,15 @@ def pooled_runs(paths: Iterable[pathlib.Path], how: Measuring) -> tuple[list[Poo
                 raise RunError(why)
         found.append(run)
     if not found:
-        raise RunError(f"no run is there{': ' + remarks[0] if remarks else ''}")
+        raise RunError(f"no runs found{': ' + remarks[0] if remarks else ''}")
     builds = sorted({build for run in found for build in run.builds})
     if len(builds) > 1:
         remarks.append(
-            f"{len(builds)} builds of a program made these runs: {builds_text(builds)}; their rules may be other code under the same "
-            "names"
+            f"{len(builds)} different builds made these runs: {builds_text(builds)}; their rules may have the same names but other code"
         )
     if len(found) > 1 and found[0].begins:
         remarks.append(
-            f"all runs begin {found[0].begins}: they share that past, so that intervals are over its futures, not over runs"
+            f"all runs begin {found[0].begins}: they share that past, so intervals cover its possible futures, not independent runs"
         )
     found = [run if how.until_s is None else _cut(run, how.until_s) for run in found]
     if early := sorted(
@@ -298,8 +299,8 @@ def pooled_runs(paths: Iterable[pathlib.Path], how: Measuring) -> tuple[list[Poo
     ):
         between = number_text(early[0]) + (f" to {number_text(early[-1])}" if early[-1] > early[0] else "")
         remarks.append(
-            f"{len(early)} of {len(found)} runs ended early, by ecology.ends_when, after {between} s: metrics, their windows and "
-            "halves are of the time that each lived; persists leaves out the species that it left alive"
+            f"{len(early)} of {len(found)} runs ended early, by ecology.ends_when, after {between} s: metrics, windows and halves cover the "
+            "time that each run lasted; persists omits the species that were alive at its end"
         )
     return found, remarks
 
@@ -312,7 +313,9 @@ def run_folders(path: pathlib.Path, remarks: list[str]) -> list[pathlib.Path]:
         raise RunError(f"{path}: {'is not a folder' if path.exists() else 'does not exist'}")
     if (names := runs.listed(path)) is None:
         return [path]
-    remarks += [f"{path / name}: missing, the replicate was not run" for name in names if not (path / name).is_dir()]
+    remarks += [
+        f"{path / name}: is missing, because the replicate was not run" for name in names if not (path / name).is_dir()
+    ]
     return [path / name for name in names if (path / name).is_dir()]
 
 
@@ -409,32 +412,23 @@ def why_not_pooled(run: PooledRun, other: PooledRun, is_cut: bool, any_build: bo
         def named(of: PooledRun) -> str:
             return f"{of.fingerprint} ({of.manifest['rule_table']} on {of.manifest['backend']})"
 
-        return f"{here}fingerprint {named(run)}, but {there} has {named(other)}; runs of different rules or parameters are not pooled: use --compare"
+        return f"{here}fingerprint {named(run)}, but {there} has {named(other)}; runs with different rules or parameters are not pooled: use --compare"
     if run.builds != other.builds and not any_build:
-        return (
-            f"{here}made by {builds_text(run.builds)}, but {there} by {builds_text(other.builds)}; builds of a program may have other rules "
-            "under the same names: --accept-other-build pools them"
-        )
+        return f"{here}made by {builds_text(run.builds)}, but {there} by {builds_text(other.builds)}; rules may have the same names but other code in different builds: --accept-other-build pools them"
     if run.seed == other.seed:
-        return f"{here}seed {run.seed} as in {there}; the same run twice is not a second replicate"
+        return f"{here}seed {run.seed} as in {there}; a run counts only once as a replicate"
     if run.begins != other.begins:
         begins, others = (f"begins {of.begins or 'at its beginning'}" for of in (run, other))
-        return f"{here}{begins}, but {there} {others}; futures of one moment are not pooled with other runs"
+        return f"{here}{begins}, but {there} {others}; runs that share a past are not pooled with other runs"
     if run.identity != other.identity:
         return (
             f"{here}{len(changes_of(run))} changes of parameters (changes.csv), but {there} has {len(changes_of(other))}, or others; runs with "
             "different changes are not pooled"
         )
     if run.every_ticks != other.every_ticks:
-        return (
-            f"{here}agents_every_ticks {run.every_ticks}, but {there} has {other.every_ticks}; runs that say more and less of their robots are "
-            "not pooled"
-        )
+        return f"{here}agents_every_ticks {run.every_ticks}, but {there} has {other.every_ticks}; runs with different detail in agents.csv are not pooled"
     if not is_cut and (run.manifest["status"] != other.manifest["status"] or not lasted_alike(run, other)):
-        return (
-            f"{here}{lasted_text(run)}, but {there} has {lasted_text(other)}; runs of different length are not pooled: leave some out, or "
-            "cut all with --until"
-        )
+        return f"{here}{lasted_text(run)}, but {there} has {lasted_text(other)}; runs of different length are not pooled: omit some, or cut all with --until"
     return ""
 
 
@@ -449,7 +443,9 @@ def check_apart(first: Sequence[Run], second: Sequence[Run]) -> None:
         for other in first:
             is_copy = run.manifest.get("tables") and kept(run) == kept(other)
             if is_copy or run.path.resolve() == other.path.resolve():
-                raise RunError(f"{run.path}: must not be in both sets that are compared: it is the run {other.path}")
+                raise RunError(
+                    f"{run.path}: must not be in both of the compared sets: it is the same run as {other.path}"
+                )
 
 
 def lasted_text(run: PooledRun) -> str:
@@ -519,9 +515,9 @@ def check_shadow(run: PooledRun, shadow: PooledRun, any_parent: bool = False, na
     if why := first_difference(rest(run), rest(shadow)):
         refuse(why)
     if changes_of(run) != changes_of(shadow):
-        refuse("its parameters change otherwise during the run (changes.csv)")
+        refuse("its parameters change differently during the run (changes.csv)")
     if not lasted_alike(run, shadow):
-        refuse(f"it has {lasted_text(shadow)}: must be as {lasted_text(run)}")
+        refuse(f"it has {lasted_text(shadow)}: must have {lasted_text(run)}")
 
 
 def first_difference(a: dict, b: dict) -> str:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Trophic's programs as commands: where they are, what they say when they fail, and the page that `trophic show` makes."""
+"""Trophic's programs as commands: their location, their errors, and the page that `trophic show` makes."""
 from __future__ import annotations
 
 import os
@@ -18,7 +18,7 @@ def find_program(name: str) -> str:
             return found
     if (found := shutil.which(name)) is not None:
         return found
-    raise ProgramError(f"{name}: is not on the PATH; install trophic, or set TROPHIC_BIN to the folder of its programs")
+    raise ProgramError(f"{name}: is not on the PATH; install trophic, or set TROPHIC_BIN to its folder of programs")
 
 
 def chosen_program(request: dict) -> str:
@@ -28,7 +28,8 @@ def chosen_program(request: dict) -> str:
 
 
 def call(program: str, arguments: list, what: str) -> str:
-    """Calls a program and returns what it remarks on standard error. Raises ProgramError with its sentence, or with `what` and the exit code, if it fails."""
+    """Calls a program and returns its remarks on standard error. If it fails, raises ProgramError with its message, or with `what` and the exit
+    code."""
     try:
         done = subprocess.run(
             [program, *map(str, arguments)],
@@ -45,7 +46,7 @@ def call(program: str, arguments: list, what: str) -> str:
 
 
 class Page:
-    """A page of `trophic show`: drawn in a notebook, opened in a browser by open()."""
+    """A page of `trophic show`: displayed in a notebook, opened in a browser by open()."""
 
     def __init__(self, path: pathlib.Path):
         self.path = path

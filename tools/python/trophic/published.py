@@ -24,6 +24,7 @@ import numpy
 import pandas
 
 from . import controls
+from .metrics.living import changes_numbers
 from .statistics import (
     MIN_RUNS_FOR_TEST,
     Contrast,
@@ -111,7 +112,7 @@ class Effect(NamedTuple):
 
     reading: ClaimReading
     difference: Difference
-    """corrected for the family of the analysis, in which the reading stands in the place of the metric that it repeats"""
+    """p value corrected for the family of the analysis, in which the reading replaces the metric that it repeats"""
     null: str
 
     @property
@@ -369,6 +370,13 @@ def applies_to(of: MeasuredSet) -> bool:
     return said.table in TABLES and said.label == said.table
 
 
+def is_of_paper(of: MeasuredSet) -> bool:
+    """Whether the paper's questions are about such a world: one whose numbers are constant, or the paper's table with other rules."""
+    from .description import describe
+
+    return not changes_numbers(of.runs[0]) or describe(of).table.split(" with ")[0] in TABLES  # type: ignore[arg-type]
+
+
 def margin_of(reading: ClaimReading) -> float | None:
     """Two systems whose means differ by less than this show the same: one standard deviation between runs, so that single runs of them are hard to
     distinguish. None if no such deviation is known."""
@@ -458,7 +466,10 @@ def judge_claims(of: MeasuredSet) -> list[ClaimConclusion]:
 
 def answers(of: MeasuredSet, frame: pandas.DataFrame) -> list[Answer]:
     """The answer to every question whose readings all stand in `frame`, of judge.summarize, under the readings that `controls` can judge: where numbers
-    change, those of active members over the one-sided world. None without such a null, and with too few runs."""
+    change, those of active members over the one-sided world. None for a world that is not the paper's, without such a null, and with too few runs.
+    """
+    if not is_of_paper(of):
+        return []
     tested = frame[(frame["role"] == "null") & frame["p_holm"].notna()]
     names = frame["metric"] + ":" + frame["species"] + ":" + frame["group"]
     found = []

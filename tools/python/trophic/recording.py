@@ -28,28 +28,28 @@ class Recording:
     head: dict
     """Description of the recording: robot, arena, species, fingerprint, seed, ..."""
     time_s: numpy.ndarray
-    """(F,): the ecology's clock, seconds."""
+    """(F,): times of the frames by the ecology's clock, in seconds."""
     position_m: numpy.ndarray
-    """(F, R, 3): of the root, metres, z up."""
+    """(F, R, 3): positions of the root links in metres, z up."""
     orientation: numpy.ndarray
-    """(F, R, 4): from the root's frame to the world, unit quaternions w, x, y, z."""
+    """(F, R, 4): rotations from the root's frame to the world, as unit quaternions w, x, y, z."""
     joint_rad: numpy.ndarray
-    """(F, R, J): in the order of the robot's hinges; NaN where a body has fewer than the one with most."""
+    """(F, R, J): joint angles in the order of the robot's hinges; NaN beyond the hinges of a body."""
     complete: bool
-    """Whether the file has its end: a run that was killed leaves none."""
+    """Whether the file is complete; that of a killed run is not."""
     bodies: list[dict]
-    """The bodies of the robots, as head["robot"]; one unless they differ."""
+    """The bodies of the robots, in the format of head["robot"]; only one if all robots have the same."""
     body: numpy.ndarray
-    """(F, R): the number in `bodies` of each robot's body."""
+    """(F, R): the index in `bodies` of each robot's body."""
     set_down: numpy.ndarray
-    """(F, R): whether a newborn's body was set down before this frame, so that nothing moved from the one before to it."""
+    """(F, R): whether a newborn's body was put in place before this frame, so that the position jumps without motion."""
 
 
 def read_replay(path: str | os.PathLike, first: int = 0, last: int | None = None) -> Recording:
     """Reads a recording, or a run's folder with its replay.trp; or of it the frames first, first + 1, ..., last - 1.
 
-    A truncated file has the frames of its whole blocks. Raises RecordingError for a file that is not a recording, is of another version
-    or is damaged, and OSError as open does.
+    A truncated file has the frames of its whole blocks. Raises RecordingError for a file that is not a recording, has a different version or is
+    damaged, and OSError as open does.
     """
     path = pathlib.Path(path)
     if path.is_dir():
@@ -60,7 +60,7 @@ def read_replay(path: str | os.PathLike, first: int = 0, last: int | None = None
     wanted = [block for block in blocks if block[0] + block[1] > first and (last is None or block[0] < last)]
     robots = head["robots"]
     if head["version"] == VERSION_OF_BODIES and len({robot for _, robot, _ in bodies[1]}) != robots:
-        raise RecordingError(f"{path}: damaged, it does not name the body of every robot")
+        raise RecordingError(f"{path}: damaged, it does not name every robot's body")
     channels = max((block[2] for block in wanted), default=6 + head["joints"])
     parts = [numpy.zeros((channels, robots, 0))]
     for start, count, own, data in wanted:
@@ -84,7 +84,7 @@ def _blocks(path, content):
         kind, data = content[at + 4 : at + 8], content[at + 8 : at + 8 + size]
         (checksum,) = struct.unpack_from("<I", content, at + 8 + size)
         if zlib.crc32(content[at + 4 : at + 8 + size]) != checksum:
-            raise RecordingError(f"{path}: damaged, a wrong checksum of the block at byte {at}")
+            raise RecordingError(f"{path}: damaged, wrong checksum of the block at byte {at}")
         if head is None:
             head = _head(path, kind, {}, data)
         elif kind == b"HEAD":
@@ -95,7 +95,7 @@ def _blocks(path, content):
             start, count = struct.unpack_from("<II", data) if size > front else (0, 0)
             channels = struct.unpack_from("<I", data, 8)[0] if differ and size > front else 6 + head["joints"]
             if start != frames or count == 0 or not 6 <= channels <= 10**6:
-                raise RecordingError(f"{path}: damaged, a block of other frames at byte {at}")
+                raise RecordingError(f"{path}: damaged, wrong frame numbers in the block at byte {at}")
             blocks.append((start, count, channels, data[front:]))
             frames += count
         elif kind == b"BODY" and head["version"] == VERSION_OF_BODIES:
@@ -106,11 +106,11 @@ def _blocks(path, content):
                 number < len(bodies[0]) for number in numbers[2::2]
             ]
             if not all(known) or numbers[0] < frames:
-                raise RecordingError(f"{path}: damaged, a block of other robots or bodies at byte {at}")
+                raise RecordingError(f"{path}: damaged, wrong robots or bodies in the block at byte {at}")
             bodies[1].extend((numbers[0], robot, body) for robot, body in zip(numbers[1::2], numbers[2::2]))
         elif kind == b"DONE":
             if at + 12 + size != len(content):
-                raise RecordingError(f"{path}: damaged, it continues after its end at byte {at + 12 + size}")
+                raise RecordingError(f"{path}: damaged, data after its end at byte {at + 12 + size}")
             return head, blocks, bodies, True
         at += 12 + size
     if head is None or not blocks:
@@ -123,7 +123,7 @@ def _body(path, data):
         body = json.loads(data)
         hinges = [link["hinge"] for link in body["links"][1:]]
     except (KeyError, TypeError, ValueError, RecursionError) as reason:
-        raise RecordingError(f"{path}: a body cannot be read: {reason!r}") from None
+        raise RecordingError(f"{path}: cannot read a body: {reason!r}") from None
     return {**body, "hinges": len(hinges)}
 
 
@@ -134,10 +134,10 @@ def _head(path, kind, before, data):
         numbers = {name: head[name] for name in ("robots", "joints", "frames_per_tick", "steps_per_tick")}
         numbers = {**head["units"], **numbers, "first_time_s": head["first_time_s"], "tick_s": head["tick_s"]}
     except (KeyError, TypeError, ValueError, RecursionError) as reason:
-        raise RecordingError(f"{path}: its head cannot be read: {reason!r}") from None
+        raise RecordingError(f"{path}: cannot read its header: {reason!r}") from None
     if version not in (VERSION, VERSION_OF_BODIES):
         raise RecordingError(
-            f"{path}: version {version!r} of the format; this program reads {VERSION} and {VERSION_OF_BODIES}"
+            f"{path}: format version {version!r}: must be one that this program reads, {VERSION} and {VERSION_OF_BODIES}"
         )
     for name, number in numbers.items():
         least = {"robots": 1, "joints": 0, "frames_per_tick": 1, "steps_per_tick": 1}.get(name)
@@ -157,7 +157,7 @@ def _unpack(path, start, data, shape):
     except (zlib.error, OverflowError):
         content = b""
     if len(content) != size:
-        raise RecordingError(f"{path}: damaged, the block of frame {start}")
+        raise RecordingError(f"{path}: damaged in the block that begins at frame {start}")
     planes = numpy.frombuffer(content, numpy.uint8).astype(numpy.uint16)
     low, high = planes.reshape(2, *shape)
     folded = low + 256 * high

@@ -51,7 +51,7 @@ _CATEGORIES = ("event", "species", "cause", "cause_of_death", "origin", "tag_out
 
 @dataclasses.dataclass(frozen=True)
 class Run:
-    """A folder of one run. Its tables are read at first use; a table that was changed after the run raises RunError."""
+    """The folder of one run. Its tables are read at first use; a table that was modified after the run raises RunError."""
 
     path: pathlib.Path
     manifest: dict = dataclasses.field(repr=False)
@@ -73,7 +73,7 @@ class Run:
 
     @property
     def fingerprint(self) -> str:
-        """Identifies rules, parameters, models and backend at the start: equal for runs in which these are equal."""
+        """Identifies rules, parameters, models and backend at the start; equal for runs that share them."""
         return self.manifest["fingerprint"]
 
     @property
@@ -92,7 +92,7 @@ class Run:
         return _categorised(table, categories)
 
     def to_newick(self) -> str:
-        """Returns the phylogeny in Newick format for ape and ggtree, one tree a line for each founder or random newcomer. Branch lengths are
+        """Returns the phylogeny in Newick format for ape and ggtree, one tree per line for each founder or random newcomer. Branch lengths are
         times between births in seconds; a terminal branch ends with the individual's death, or with the run. Raises RunError if an individual has
         several parents, which Newick cannot have.
         """
@@ -100,8 +100,8 @@ class Run:
         several = tree[tree.ancestor_list.str.contains(",")]
         if not several.empty:
             raise RunError(
-                f"{self.path / 'phylogeny.csv'}: id {several.id.iloc[0]}: ancestor_list = {several.ancestor_list.iloc[0]}: must be one parent at most: "
-                "Newick has no second parent"
+                f"{self.path / 'phylogeny.csv'}: id {several.id.iloc[0]}: ancestor_list = {several.ancestor_list.iloc[0]}: must be at most one "
+                "parent, because Newick trees have no second parent"
             )
         return _newick(tree)
 
@@ -128,7 +128,7 @@ class Run:
 
     @functools.cached_property
     def events(self) -> pandas.DataFrame:
-        """Births, activations, tag switches, catches and deaths, one a row."""
+        """Births, activations, tag switches, catches and deaths, one per row."""
         return self.table("events")
 
     @functools.cached_property
@@ -148,12 +148,12 @@ class Run:
 
     @functools.cached_property
     def senses(self) -> pandas.DataFrame:
-        """Contacts of every robot, and inputs and outputs of its brain, of a run with --senses. `inputs` names input0, input1, ..."""
+        """Contacts of every robot, and inputs and outputs of its brain, for a run with --senses. `inputs` names input0, input1, ..."""
         return self.table("senses")
 
     @functools.cached_property
     def states(self) -> pandas.DataFrame:
-        """States of rules for every robot, of a run with --states: a column SLOT.MEMBER for each member of each State."""
+        """States of rules for every robot, for a run with --states: a column SLOT.MEMBER for each member of each State."""
         return self.table("states")
 
     @property
@@ -177,7 +177,7 @@ class Runs:
 
     @property
     def nulls(self) -> "dict[str, Runs]":
-        """Those that there are, by the names of their folders."""
+        """The existing nulls, by the names of their folders."""
         one_sided = {one_sided_name(species): of for species, of in self.one_sided.items()}
         return {
             name: of
@@ -205,16 +205,16 @@ class Runs:
         return _categorised(pandas.concat(tables, ignore_index=True), categories)
 
     def measure(self, name: str, function) -> None:
-        """Computes an own metric: writes NAME.csv into the folder of each run and of its nulls, for `trophic analyze --column NAME.csv:NAME`.
+        """Computes your own metric: writes NAME.csv into the folder of each run and of its nulls, for `trophic analyze --column NAME.csv:NAME`.
 
-        `function` takes a Run and returns a number, or a frame with the column NAME and optionally time_s, species and group. nan is a value
-        that cannot be computed. Raises RunError, naming the run, if the function raises, returns something else or the file exists; then
+        `function` takes a Run and returns a number, or a frame with the column NAME and optionally time_s, species and group. nan means that the
+        value cannot be computed. Raises RunError, naming the run, if the function raises, returns something else or the file exists; then
         nothing is written.
         """
         tables = []
         for run in [*self.runs, *itertools.chain(*self.nulls.values())]:
             if (run.path / f"{name}.csv").exists():
-                raise RunError(f"{run.path / name}.csv: exists already; nothing is overwritten")
+                raise RunError(f"{run.path / name}.csv: exists already; files are never overwritten")
             try:
                 value = function(run)
             except Exception as error:
@@ -249,17 +249,17 @@ class Analysis:
 
     @functools.cached_property
     def means(self) -> pandas.DataFrame:
-        """means.csv: each metric next to each of its nulls."""
+        """means.csv: each metric with each of its nulls."""
         return _table(self._file("means.csv"))
 
     @functools.cached_property
     def differences(self) -> pandas.DataFrame:
-        """differences.csv, of two sets that were compared. Raises RunError for an analysis of one set."""
+        """differences.csv of two compared sets. Raises RunError for an analysis of one set."""
         return _table(self._file("differences.csv"))
 
     @property
     def findings(self) -> list[str]:
-        """The findings in sentences: each fact once, the paper's questions first."""
+        """The findings in sentences, each fact once and the paper's questions first."""
         return [finding["sentence"] for finding in self.summary["findings"]]
 
     def _file(self, name: str) -> pathlib.Path:
@@ -293,8 +293,8 @@ def read_run(path: str | os.PathLike) -> Run:
 def read_runs(path: str | os.PathLike, *, incomplete: bool = False, accept_other_build: bool = False) -> Runs:
     """Reads the replicates in this folder, in order, and those of its nulls. `incomplete` includes incomplete ones.
 
-    Raises RunError for a folder without replicates, for runs of different fingerprints, which are not replicates, and, unless
-    `accept_other_build`, for runs of different builds of a program, whose rules may be other code under the same names.
+    Raises RunError for a folder without replicates, for runs with different fingerprints, which are not replicates, and, unless
+    `accept_other_build`, for runs of different builds of a program, whose rules may have the same names but other code.
     """
     path = pathlib.Path(path)
     numbered = {folder.name.removeprefix("replicate-"): folder for folder in path.glob("replicate-*")}
@@ -308,11 +308,12 @@ def read_runs(path: str | os.PathLike, *, incomplete: bool = False, accept_other
         raise RunError(f"{path}: no {'' if incomplete else 'complete '}replicates")
     identities = {run.identity for run in runs}
     if len(identities) > 1:
-        raise RunError(f"{path}: runs of different fingerprints: {', '.join(sorted(identities))}")
+        raise RunError(f"{path}: runs with different fingerprints: {', '.join(sorted(identities))}")
     builds = {tuple(run.builds) for run in runs}
     if len(builds) > 1 and not accept_other_build:
         raise RunError(
-            f"{path}: made by different builds: {', '.join(' and '.join(each) or 'unknown' for each in sorted(builds))}; accept_other_build=True reads them"
+            f"{path}: made by different builds: {', '.join(' and '.join(each) or 'unknown' for each in sorted(builds))}; "
+            "accept_other_build=True reads them"
         )
     nulls = {
         name: read_runs(path / name, incomplete=incomplete, accept_other_build=accept_other_build)
@@ -352,7 +353,7 @@ def read_study(
     path = pathlib.Path(path)
     folders = sorted(file.parent for file in path.rglob("replicates.json") if not _is_null(file.parent.name))
     if not folders:
-        raise RunError(f"{path}: no set of runs (replicates.json) below it")
+        raise RunError(f"{path}: contains no set of runs (replicates.json)")
     return {
         str(folder.relative_to(path)): read_runs(folder, incomplete=incomplete, accept_other_build=accept_other_build)
         for folder in folders
@@ -371,8 +372,8 @@ def read_analysis(path: str | os.PathLike) -> Analysis:
 
 
 def verify(path: str | os.PathLike) -> None:
-    """Compares a run's manifest, tables, recording and checkpoint with their checksums. Raises RunError, naming the file, for the first one that is
-    not what the run wrote. A run that was killed has no checksums of tables."""
+    """Compares a run's manifest, tables, recording and checkpoint with their checksums. Raises RunError, naming the file, for the first one that
+    differs from what the run wrote. A killed run has no checksums of tables."""
     run = read_run(path)
     try:
         for name, expected in run.manifest.get("tables", {}).items():
@@ -381,8 +382,7 @@ def verify(path: str | os.PathLike) -> None:
             recording, expected = (run.path / "replay.trp", run.manifest["recording"]["crc32"])
             if (found := _sum_of(recording)) != expected:
                 raise RunError(
-                    f"{recording}: has checksum {found}: must be {expected}, as its manifest says; the recording was cut or changed after "
-                    "the run"
+                    f"{recording}: has checksum {found}: must be {expected}, as its manifest says; the recording was cut or modified after the run"
                 )
     except (AttributeError, KeyError, TypeError):
         raise RunError(f"{run.path}/manifest.json: tables, recording: must be as trophic writes them") from None
@@ -391,7 +391,7 @@ def verify(path: str | os.PathLike) -> None:
 
 
 def _check_checkpoint(run: Run) -> None:
-    """Raises RunError unless checkpoint.bin is whole and of the run of the manifest."""
+    """Raises RunError unless checkpoint.bin is complete and belongs to the run of the manifest."""
     path = run.path / "checkpoint.bin"
     with _opened(path) as file:
         whole = file.read(_PIECE)  # has the texts at the beginning
@@ -400,7 +400,7 @@ def _check_checkpoint(run: Run) -> None:
         last = file.read()
     if not whole.startswith(b"trophic checkpoint\n") or _sum_of(path, size - 4) != int.from_bytes(last, "little"):
         raise RunError(
-            f"{path}: is cut short or damaged: its checksum is another; without this file the run can be read, but not continued"
+            f"{path}: is cut short or damaged: its checksum differs; without this file the run can be read but not resumed"
         )
     at = whole.find(b"\n") + 5  # after the first line and the version of the format
     texts = []
@@ -415,8 +415,8 @@ def _check_checkpoint(run: Run) -> None:
 
 
 def sealed(path: pathlib.Path) -> dict:
-    """Reads a JSON object that trophic wrote with its own checksum as the last entry. Raises RunError if it was changed since. An object without
-    `format` and `crc32` is of an older program and is taken as it is."""
+    """Reads a JSON object that trophic wrote with its own checksum as the last entry. Raises RunError if it was modified since. An object
+    without `format` and `crc32` is from an older program and is accepted unchecked."""
     whole = content(path, 1 << 28)
     try:
         value = json.loads(whole.decode())
@@ -427,7 +427,7 @@ def sealed(path: pathlib.Path) -> dict:
     if "format" in value or "crc32" in value:
         body, _, end = whole.rpartition(b',\n  "crc32": ')
         if end != b"%d\n}\n" % zlib.crc32(body):
-            raise RunError(f"{path}: was cut short or changed after trophic wrote it: its checksum is another")
+            raise RunError(f"{path}: was cut short or modified after trophic wrote it: its checksum differs")
     return value
 
 
@@ -480,7 +480,8 @@ def check_sum(path: pathlib.Path, whole: bytes, expected: dict) -> None:
     found = {"rows": max(0, whole.count(b"\n") - 1), "crc32": zlib.crc32(whole)}
     if found != {"rows": expected["rows"], "crc32": expected["crc32"]}:
         raise RunError(
-            f"{path}: has {found['rows']} rows and checksum {found['crc32']}: must be {expected['rows']} and {expected['crc32']}, as its manifest says; the table was cut or changed after the run"
+            f"{path}: has {found['rows']} rows and checksum {found['crc32']}: must be {expected['rows']} and {expected['crc32']}, as its "
+            "manifest says; the table was cut or modified after the run"
         )
 
 
@@ -590,7 +591,7 @@ def to_parquet(
     """
     folder = pathlib.Path(folder)
     if folder.exists():
-        raise RunError(f"{folder}: exists already; nothing is overwritten")
+        raise RunError(f"{folder}: exists already; files are never overwritten")
     try:
         import pyarrow
         import pyarrow.parquet

@@ -250,7 +250,7 @@ def events_of(run: PooledRun) -> pandas.DataFrame:
     for id in found["id"]:
         if id not in born:
             raise RunError(
-                f"{run.path}/events.csv: individual {id} dies and has no birth: --selection needs runs from their beginning"
+                f"{run.path}/events.csv: individual {id} dies but was never born; --selection needs runs from their beginning"
             )
     births = run.texts("events.csv", ["event", "id"], ["ancestor_list"], []).query("event == 'birth'")
     if "ancestor_list" in births:
@@ -432,12 +432,16 @@ _HEADS = {
     "start": "mean at the start",
     "end": "mean at the end",
     "change": "change, the sum of:",
+    "survival": "  viability selection (survival)",
+    "parenthood": "  fecundity selection (parenthood)",
     "lives": "over lives: cov(w, z) / mean w",
     "lives_length": "  by length of life",
-    "lives_rate": "  by offspring a second",
+    "lives_rate": "  by offspring per second",
     "offspring_on_parent": "slope of offspring on parent",
-    "mutation_a_birth": "mutation, a birth",
+    "mutation_a_birth": "mutation per birth",
 }
+
+_SELECTION = {"survival": "viability selection", "parenthood": "fecundity selection"}
 
 
 def text(frame: pandas.DataFrame) -> str:
@@ -462,14 +466,14 @@ def text(frame: pandas.DataFrame) -> str:
         said += _sentence(of)
     tested = int(frame["p"].notna().sum())
     about = (
-        f"p and sentences: over the neutral null, corrected for {tested} comparisons (Holm), with intervals that hold at once (Bonferroni)\n"
+        f"p values and sentences: relative to the neutral null, corrected for {tested} comparisons (Holm), with simultaneous intervals (Bonferroni)\n"
         if tested
-        else "no neutral null: --neutral makes one; terms are described, not tested: a difference from zero shows no selection\n"
+        else "no neutral null (--neutral makes one): terms are described, not tested; a difference from zero does not show selection\n"
         if not frame["neutral_n"].any()
         else f"fewer than {statistics.MIN_RUNS_FOR_TEST} runs: no intervals and no tests\n"
     )
     if any(trait_of(one).is_behaviour for one in frame["trait"].unique()):
-        about += "traits of behaviour have luck in them: what selects them need not be inherited; the slope of offspring on parent shows how much is\n"
+        about += "behavioural traits include luck, so selection on them need not be on inherited differences; the slope of offspring on parent shows how much is inherited\n"
     return columns(lines) + said + about
 
 
@@ -483,8 +487,8 @@ def _sentence(of: pandas.DataFrame) -> str:
             if statistics.is_significant(row.p_holm)
             else "has no significant effect,"
         )
-        words.append(f"{row.term} {does} {amount}")
-    left = f"{first['missing']} individuals of the runs lack it and are left out. " if first["missing"] else ""
+        words.append(f"{_SELECTION.get(row.term, row.term)} {does} {amount}")
+    left = f"{first['missing']} individuals in the runs lack it and are omitted. " if first["missing"] else ""
     unit = f", {reading.unit}" if reading.unit else ""
     return (
         f"{first['species']}, {first['trait']}{unit}: {left}{'; '.join(words) or 'not tested'}\n"

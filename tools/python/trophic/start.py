@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Starts trophic's programs, whose rules are theirs, and analyses what they write."""
+"""Starts trophic's programs, which contain the rules, and analyses their output."""
 from __future__ import annotations
 
 import os
@@ -32,11 +32,11 @@ def run(
     threads: int | None = None,
     options: list[str] | None = None,
 ) -> Run | Runs:
-    """Runs an experiment into the new folder `out` and reads it: a Run or, of `replicates`, Runs.
+    """Runs an experiment, writes it to the new folder `out` and reads it: a Run or, with `replicates`, Runs.
 
     `experiment` is a rule table of trophic-predator-prey (paper, released) or the path of any experiment program, whose table `rules`
-    names. `set` has parameters by their paths, {"rules.mutation.sd": 0.1}. `options` are further arguments of the program. Raises
-    ProgramError with the program's sentence if it refuses or fails, and before it starts if `out` exists.
+    names. `set` maps paths of parameters to values, {"rules.mutation.sd": 0.1}. `options` are further arguments of the program. Raises
+    ProgramError with the program's message if it refuses or fails, and before it starts if `out` exists.
     """
     is_path = os.sep in str(experiment) or pathlib.Path(experiment).is_file()
     program = str(pathlib.Path(experiment).resolve()) if is_path else find_program("trophic-predator-prey")
@@ -63,7 +63,7 @@ def run(
     if one_sided:
         arguments.append("--one-sided")
     if pathlib.Path(out).exists():
-        raise ProgramError(f"out={out}: exists already; nothing is overwritten")
+        raise ProgramError(f"out={out}: exists already; files are never overwritten")
     call(program, [*arguments, *(options or []), "--out", out], f"{program} into {out}")
     return read_run(out) if replicates is None else read_runs(out)
 
@@ -80,13 +80,14 @@ def analyze(
     accept_other_build: bool = False,
     jobs: int | None = None,
 ) -> Analysis:
-    """Measures runs, or two sets that are compared, and judges them: what `trophic analyze` does, in this process.
+    """Measures runs, or two compared sets, and tests them, like `trophic analyze` but in this process.
 
-    `out` is a new folder for the tables; without it the analysis is in memory alone. `shadow`: the neutral shadow, if it is not in RUNS/shadow.
-    `until`: only the first seconds of every run. `metrics`: choices, as "velocity:prey", and own metrics, functions of a Run (`trophic.metric`
-    names them and their units); without a choice all are tested. `columns`: own metrics that are columns of tables, "FILE:COLUMN:UNIT". `jobs`:
-    runs measured at a time. Lineages and bodies need a program: `trophic analyze --lineages`, which `read_analysis` reads. Raises
-    RunError, with a sentence that names it, for what cannot be analysed."""
+    `out` is a new folder for the tables; without it the analysis is only in memory. `shadow`: folder of the neutral shadow (default:
+    RUNS/shadow). `until`: measure only the first seconds of every run. `metrics`: choices such as "velocity:prey", and your own metrics,
+    functions of a Run (`trophic.metric` names them and their units); without a choice all are tested. `columns`: your own metrics that are
+    columns of tables, "FILE:COLUMN:UNIT". `jobs`: number of runs measured in parallel. Lineages and bodies need a program: `trophic analyze
+    --lineages`, which `read_analysis` reads. Raises
+    RunError, with a message that names it, for anything that cannot be analysed."""
     from .metrics import Measuring
     from .report import analyze as report
     from .writing import result_folder
@@ -116,5 +117,5 @@ def _path(of: Any) -> str | os.PathLike:
 
 
 def show(run: Run, out: str | os.PathLike | None = None) -> Page:
-    """A page of a recorded run, in `out` or in a temporary file."""
+    """Makes a page of a recorded run, in `out` or in a temporary file."""
     return run.show(out)

@@ -80,6 +80,8 @@ class MeasuredSet:
     """runs in which all have one genome: shown next to the set, not tested against"""
     inherited: frozenset[str] = frozenset()
     """the names of its metrics of genomes, bodies and brains"""
+    own: frozenset[str] = frozenset()
+    """the names of the metrics of one's own"""
 
     one_sided: "dict[str, MeasuredSet]" = dataclasses.field(default_factory=dict)
     """by species the world in which it alone inherits nothing"""

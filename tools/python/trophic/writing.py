@@ -77,7 +77,7 @@ def _begun(path: pathlib.Path) -> tuple[pathlib.Path, int]:
 def check_new(path: pathlib.Path) -> None:
     """Raises RunError if a folder exists."""
     if os.path.lexists(path):
-        raise _Taken(f"--out {path}: exists already; nothing is overwritten")
+        raise _Taken(f"--out {path}: exists already; files are never overwritten")
 
 
 def _clear(part: pathlib.Path, keeps: str) -> None:
@@ -107,7 +107,7 @@ def write_new(path: str | os.PathLike, content: str | bytes) -> None:
             file.write(encoded(content) if isinstance(content, str) else content)
         os.link(part, path)  # unlike a renaming, it never replaces a file
     except FileExistsError:
-        raise RunError(f"{path}: exists already; nothing is overwritten") from None
+        raise RunError(f"{path}: exists already; files are never overwritten") from None
     except OSError as error:
         raise OSError(error.errno, f"cannot be written: {error.strerror}", str(path)) from None
     finally:

@@ -148,11 +148,12 @@ class Assembly {
     const auto is_hinge = [](const body::Module& module) { return module.type == ModuleType::hinge; };
     if (!left_out_.empty()) {
       if (std::ranges::none_of(body_.modules.modules(), is_hinge)) {
-        refuse(core, "has no hinge without " + left_out_ + ", which trophic lacks");
+        refuse(core, "has no hinge without " + left_out_ + ", which trophic does not have");
       }
-      body_.remarks.push_back("left out, as trophic lacks it: " + left_out_);
+      body_.remarks.push_back("omitted, because trophic does not have it: " + left_out_);
     }
-    if (!reversed_.empty()) body_.remarks.push_back("attached by their far end there, turned round: " + reversed_);
+    if (!reversed_.empty())
+      body_.remarks.push_back("turned around, because they are attached by their far end there: " + reversed_);
     if (dialect_ == Dialect::robogen) {
       body_.remarks.emplace_back(
           "slot 0, which RoboGen calls left, is on the right of its front and becomes right; slot 1 becomes left");
@@ -167,7 +168,7 @@ class Assembly {
       if (!type) {
         if (const Part* const below = module_of(part)) {
           refuse(part,
-                 "is of type " + part.type + ": must be a core, an active hinge or a brick, as it carries " + label(*below));
+                 "is of type " + part.type + ": must be a core, an active hinge or a brick, because it carries " + label(*below));
         }
         left_out_ += (left_out_.empty() ? "" : ", ") + label(part);
         continue;
@@ -242,8 +243,7 @@ class PartReader {
     if (made.type.empty()) refuse(made, "type: missing");
     const auto [angle, other] =
         dialect == Dialect::revolve ? std::pair{"orientation", "rotation"} : std::pair{"rotation", "orientation"};
-    if (module.contains(other))
-      refuse(made, std::string{other} + ": is not a key that is read here; " + angle + " turns a module");
+    if (module.contains(other)) refuse(made, std::string{other} + ": is an unknown key here; " + angle + " turns a module");
     made.turns = text_at(module, angle);
     if (dialect == Dialect::revolve && module.contains("slot")) {
       made.own_place = text_at(module, "slot");
@@ -325,7 +325,7 @@ class PartReader {
       if (words.empty() && above.empty()) continue;
       if (words.empty()) break;  // the brain follows
       Part made = part(std::to_string(number), words.size() > 1 ? words[1] : "", words.size() > 2 ? words[2] : "", "");
-      if (words.size() < 4) refuse(made, "must be SLOT TYPE NAME TURNS behind a tab for each module above it");
+      if (words.size() < 4) refuse(made, "must be SLOT TYPE NAME TURNS after one tab for each module above it");
       made.place = std::to_string(one_digit(made, "slot", words[0], 9));
       made.turns = words[3];
       static_cast<void>(one_digit(made, "turns", made.turns, 3));
@@ -378,7 +378,7 @@ class PartReader {
   if (format == detail::robogen_text) return finish(std::string{format}, Dialect::robogen, reader.read_lines(text));
   const std::string must = ": must be a body of revolve2 or Revolve (JSON, YAML) or of RoboGen (text, JSON)";
   if (format != "JSON" && format != "YAML") {
-    throw std::invalid_argument{file + ": is " + (format.empty() ? "in no format that is known" : std::string{format}) + must};
+    throw std::invalid_argument{file + ": is " + (format.empty() ? "in an unknown format" : std::string{format}) + must};
   }
   std::string yaml{text};
   if (format == "JSON") {
@@ -415,7 +415,7 @@ ForeignBody read_foreign_body(std::string_view text, const std::string& file) {
   constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
   if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
   ForeignBody body = read_any_body(text, file);
-  if (body.modules.modules().size() < 2) throw std::invalid_argument{file + ": is a core alone: must have a hinge or a brick"};
+  if (body.modules.modules().size() < 2) throw std::invalid_argument{file + ": has only a core: must have a hinge or a brick"};
   return body;
 }
 

@@ -179,7 +179,7 @@ std::size_t Footage::body_of(IndividualId id) const {
     const auto found = std::ranges::find(rows, id, &io::AgentRow::id);
     if (found != rows.end()) return found->body;
   }
-  throw std::invalid_argument{"--follow " + std::to_string(id) + ": no individual of that id lives between " +
+  throw std::invalid_argument{"--follow " + std::to_string(id) + ": no individual with this id lives between " +
                               number_text(from_s_) + " and " + number_text(to_s_) + " s"};
 }
 

@@ -36,7 +36,7 @@ GltfScene::GltfScene(const RecordedRun& run, double from_s, double to_s, std::op
   add_arena(head.arena);
   for (std::size_t body = 0; body < head.robots; ++body) add_occupants(body, only);
   if (only && individuals_ == 0) {
-    throw std::invalid_argument{"--follow " + std::to_string(*only) + ": no individual of that id lives between " +
+    throw std::invalid_argument{"--follow " + std::to_string(*only) + ": no individual with this id lives between " +
                                 number_text(from_s) + " and " + number_text(to_s) + " s"};
   }
 }

@@ -30,7 +30,8 @@ class OwnTables {
       if (is_birth) {
         lives[row.body] = id;
       } else if (lives[row.body] != id && is_from_birth()) {
-        throw std::invalid_argument{row.where + ": robot " + std::to_string(id) + " was never born there; they are of two runs"};
+        throw std::invalid_argument{row.where + ": robot " + std::to_string(id) +
+                                    " was never born there; they belong to different runs"};
       }
     }
   }
@@ -58,7 +59,7 @@ class OwnTables {
       for (std::size_t cell = 0; cell < 4; ++cell) {
         if (senses.text(cell) == agents.text(cell)) continue;
         throw std::invalid_argument{place_of(senses, "senses.csv") +
-                                    ": is not of the robot and tick in that row of agents.csv; they are of two runs"};
+                                    ": is not of the robot and tick in that row of agents.csv; they belong to different runs"};
       }
     }
   }
@@ -105,7 +106,7 @@ class OwnTables {
     const double y_m = csv.get<double>(4);
     if (std::hypot(at.x() - x_m, at.y() - y_m) > 0.002 + head.units.position_m) {
       throw std::invalid_argument{where + " is at (" + number_text(x_m) + ", " + number_text(y_m) +
-                                  ") m, in the recording next to it elsewhere; they are of two runs"};
+                                  ") m, in the recording next to it elsewhere; they belong to different runs"};
     }
     return {body, std::move(where)};
   }
@@ -117,7 +118,7 @@ class OwnTables {
     const auto birth = births_.find(id);
     if (!is_from_birth() || (birth != births_.end() && birth->second.first == body)) return;
     throw std::invalid_argument{where + ": robot " + std::to_string(id) + " was never born into body " + std::to_string(body) +
-                                " by the events.csv next to it; they are of two runs"};
+                                " by the events.csv next to it; they belong to different runs"};
   }
 
   std::filesystem::path folder_;

@@ -20,7 +20,8 @@ namespace trophic::command::replay {
 
 std::string_view viewer_page() {
   if (trophic_viewer_page_size == 0) {
-    throw std::invalid_argument{"this program was built without the viewer (-DTROPHIC_VIEWER=OFF); build it again with it"};
+    throw std::invalid_argument{
+        "this program was built without the viewer (-DTROPHIC_VIEWER=OFF); build it again with the viewer"};
   }
   return {static_cast<const char*>(trophic_viewer_page), trophic_viewer_page_size};
 }
@@ -117,7 +118,7 @@ std::string recording_blocks(const RecordedRun& run, const Window& window) {
     }
     if (kept.size() + size > most_recording_bytes) {
       throw std::invalid_argument{path.string() + ": has more than " + std::to_string(most_recording_bytes >> 20U) +
-                                  " MiB to be shown: must be less for a page, as with --from and --to"};
+                                  " MiB of data: must be less for a page; shorten it with --from and --to"};
     }
     file.seekg(-static_cast<std::streamoff>(had), std::ios::cur);
     const std::size_t before = kept.size();

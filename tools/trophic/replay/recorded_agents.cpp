@@ -23,7 +23,7 @@ RecordedAgents::RecordedAgents(const RecordedRun& run, double from_s, double to_
       const auto tick = static_cast<std::size_t>(row.tick - first_tick_);
       const bool is_after = rows_.empty() || row.tick > rows_.back().tick || row.body > rows_.back().body;
       if (row.tick < first_tick_ || !is_after || row.body >= robots || (is_full && rows_.size() != tick * robots + row.body)) {
-        throw std::invalid_argument{path.string() + ":" + std::to_string(reader.csv().line()) + ": must be a row for each of " +
+        throw std::invalid_argument{path.string() + ":" + std::to_string(reader.csv().line()) + ": must have a row for each of " +
                                     std::to_string(robots) + " bodies at every tick"};
       }
       begins_.resize(std::max(begins_.size(), tick + 1), rows_.size());
@@ -34,7 +34,7 @@ RecordedAgents::RecordedAgents(const RecordedRun& run, double from_s, double to_
   }
   begins_.push_back(rows_.size());
   if (is_full && rows_.size() % robots != 0) begins_.pop_back();
-  if (begins_.size() < 2) throw std::invalid_argument{path.string() + ": has no row of the time to be shown"};
+  if (begins_.size() < 2) throw std::invalid_argument{path.string() + ": has no row in the time to be shown"};
 }
 
 std::span<const io::AgentRow> RecordedAgents::at(double time_s) const {

@@ -15,7 +15,7 @@ Json read_manifest(const std::filesystem::path& folder, const io::RecordingHead&
   const std::filesystem::path path = folder / "manifest.json";
   auto manifest = parse_sealed(read_whole_file(path));
   if (!manifest.is_object()) {
-    throw std::invalid_argument{path.string() + ": is not a run's manifest, or was changed after trophic wrote it"};
+    throw std::invalid_argument{path.string() + ": is not a run's manifest, or was modified after trophic wrote it"};
   }
   try {
     const auto fingerprint = manifest.at("fingerprint").get<std::string>();
@@ -23,7 +23,7 @@ Json read_manifest(const std::filesystem::path& folder, const io::RecordingHead&
     if (fingerprint != head.fingerprint || seed != Json(head.seed)) {
       throw std::invalid_argument{path.string() + ": fingerprint " + fingerprint + ", seed " + json_text(seed) +
                                   ", but replay.trp next to it is of fingerprint " + head.fingerprint + ", seed " +
-                                  std::to_string(head.seed) + "; they are of two runs"};
+                                  std::to_string(head.seed) + "; they belong to different runs"};
     }
   } catch (const Json::exception& error) {
     throw std::invalid_argument{path.string() + ": " + reason_of(error)};
@@ -52,7 +52,7 @@ RecordedRun open_run(const std::filesystem::path& folder) {
     throw std::invalid_argument{runs_in(folder)};
   const std::filesystem::path path = folder / "replay.trp";
   if (!std::filesystem::exists(path)) {
-    throw std::invalid_argument{path.string() + ": is not there; a run with --replay-hz 0 leaves none"};
+    throw std::invalid_argument{path.string() + ": does not exist; a run with --replay-hz 0 writes no recording"};
   }
   try {
     io::RecordingReader recording{path};
@@ -60,7 +60,7 @@ RecordedRun open_run(const std::filesystem::path& folder) {
     if (manifest.value("agents_every_ticks", Json(1)) != Json(1)) {
       throw std::invalid_argument{(folder / "agents.csv").string() + ": has the ticks that are multiples of " +
                                   json_text(manifest["agents_every_ticks"]) +
-                                  ": must have all to be shown, as with --agents-every 1"};
+                                  ": must have all ticks to be shown, as with --agents-every 1"};
     }
     if (const std::string damage = checkpoint::damage_in(folder); !damage.empty()) throw std::invalid_argument{damage};
     RecordedRun run{folder, std::move(manifest), std::move(recording), {}};

@@ -220,6 +220,7 @@ onPage("page: click on the time bar -> jumps, click on an event -> selects its i
 });
 
 onPage("page: click on a robot -> selected and its branch highlighted, click on its branch -> selects it again", ["long.html", "#t=3000&view=top"], async (opened) => {
+  await opened.frames();
   const [body, x, y] = await opened.evaluate(() => {
     const { worlds, runs } = window.trophic;
     const places = Array.from({ length: runs[0].robots }, (_, one) => worlds[0].onScreen(one));
@@ -229,13 +230,15 @@ onPage("page: click on a robot -> selected and its branch highlighted, click on 
   });
   await opened.click(".view canvas", x, y);
   const living = rows("long", "agents.csv").find((row) => row.time_s === "3000" && Number(row.body) === body);
-  assert.equal(await opened.evaluate(() => window.trophic.selected), Number(living.id));
+  await opened.until((id) => window.trophic.selected === id, Number(living.id));
+  await opened.settle();
   assert.match(await opened.page.locator(".inspector h2").innerText(), new RegExp(`${living.species} ${living.id}$`));
   assert.ok((await opened.page.locator(".inspector").innerText()).includes("perceives"));
-  const line = await opened.evaluate(() => window.trophic.phylogeny.placeOf(window.trophic.selected));
   await opened.evaluate(() => window.trophic.select(NaN));
+  await opened.frames();
   await opened.settle();
-  await opened.click(".phylogeny", ...line);
+  await opened.click(".phylogeny", ...(await opened.evaluate((id) => window.trophic.phylogeny.placeOf(id), Number(living.id))));
+  await opened.until(() => window.trophic.selected >= 0);
   const again = await opened.evaluate(() => window.trophic.selected);
   const rowOf = (id) => opened.evaluate((one) => window.trophic.run.individuals.get(one)?.row, id);
   assert.ok(Math.abs((await rowOf(again)) - (await rowOf(Number(living.id)))) <= 4, `${again} for ${living.id}`);

@@ -72,6 +72,7 @@ export class OpenedPage {
     });
   }
 
+  /** Waits until the page shows what it was asked for. */
   async settle() {
     await this.page.waitForFunction(() => window.trophicError || window.trophic?.settled, null, patience);
   }
@@ -149,6 +150,12 @@ export class OpenedPage {
   async click(selector, x, y) {
     const bounds = await this.page.locator(selector).first().boundingBox();
     await this.page.mouse.click(bounds.x + x, bounds.y + y);
+    await this.frames();
     await this.settle();
+  }
+
+  /** Waits for two frames: a busy page has then taken its input and its new sizes. */
+  frames() {
+    return this.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
   }
 }

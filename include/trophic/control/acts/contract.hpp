@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: what robots can do, one act for each output of their brains.
+// The contract of a slot: what robots can do; each act takes outputs of the brain.
 #pragma once
 
 #include <string_view>
@@ -14,14 +14,14 @@ namespace trophic::control {
 
 /// One act of a robot: a type without data.
 ///
-/// - `name`, `unit`: of its value; the columns of its outputs in senses.csv are NAME_output
-/// - `outputs`: the number of output neurons that the brain has for it
-/// - `value(out)`: a pure function of these neurons: the value, a double in [least, most] or a bool. Networks answer in (-1, 1),
-///   brains written by hand any number
-/// - `by_default`: its value before the first decision of a life, and in tables without the act
+/// - `name` and `unit` of its value; its outputs are the columns NAME_output in senses.csv
+/// - `outputs`: its number of output neurons
+/// - `value(out)`: a pure function of these neurons: the value, a double in [least, most] or a bool. Networks return values in
+/// (-1, 1), hand-written brains any number
+/// - `by_default`: its value before the first decision of a life and in tables without the act
 ///
-/// Rules read the value of the last decision: `view.act<acts::Eat>(body)`. A rule that needs an act names it: `using ReadsActs =
-/// control::acts::List<control::acts::Mate>;`; a table without that act then does not compile.
+/// Rules read the value of the last decision: `view.act<acts::Eat>(body)`. A rule that needs an act declares it: `using ReadsActs
+/// = control::acts::List<control::acts::Mate>;`; a table without that act then does not compile.
 template <class A>
 concept Act = std::is_empty_v<A> && requires(std::span<const double, A::outputs> out) {
   { A::name } -> std::convertible_to<std::string_view>;
@@ -39,7 +39,7 @@ concept ActList = requires {
 
 namespace acts {
 
-/// Common to acts that are done or not: done if the output is positive.
+/// Shared by acts that are either done or not: an act is done if its output is positive.
 struct YesOrNo {
   static constexpr std::string_view unit{};
   static constexpr std::size_t outputs = 1;

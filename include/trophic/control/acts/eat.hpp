@@ -6,8 +6,9 @@
 
 namespace trophic::control::acts {
 
-/// Rule: whether the robot bites: metabolism::GrazingAndHunting takes from the resource only then. In a table without it all
-/// bite. An output of its own as in Polyworld [yaeger1994].   Reads: its output.   Random draws: 0.
+/// Rule: the robot bites if the output is positive; only then does metabolism::GrazingAndHunting take from the resource. In a
+/// table without this act all robots bite. Eating has its own output, as in Polyworld [yaeger1994].   Reads: its output.   Random
+/// draws: 0.
 struct Eat : YesOrNo {
   static constexpr std::string_view name = "eat";
   static constexpr std::string_view source = "not in the paper; [yaeger1994]";

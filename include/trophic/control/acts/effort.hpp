@@ -6,8 +6,9 @@
 
 namespace trophic::control::acts {
 
-/// Rule: factor of the gait's frequency, on a backend of points of speed and turning rate: 0 stands, 1 walks as without this act.
-/// For an output in (-1, 1) it is (1 + output) / 2.   Reads: its output.   Random draws: 0.
+/// Rule: a factor applied to the gait's frequency or, on a backend of points, to speed and turning rate: at 0 the robot stands
+/// still, at 1 it walks as without this act. For an output in (-1, 1) the factor is (1 + output) / 2.   Reads: its output. Random
+/// draws: 0.
 struct Effort {
   static constexpr std::string_view name = "effort";
   static constexpr std::string_view source = "not in the paper";

@@ -24,7 +24,7 @@ struct Sources {
   static constexpr std::string_view separator = " + ";
 };
 
-/// 0 for a type that is not an act, which List reports.
+/// 0 for a type that is not an act; List reports the error.
 template <class One>
 [[nodiscard]] consteval std::size_t outputs_of() {
   if constexpr (Act<One>) return One::outputs;
@@ -43,11 +43,15 @@ struct List {
   static constexpr std::string_view source = JoinedText<detail::Sources<Acts...>>::view;
   template <class One>
   static constexpr bool contains = (std::same_as<One, Acts> || ...);
-  /// Whether some act is not of the paper, so that its values are kept by the population.
+  /// Whether some act is not in the paper, so that the population stores its values.
   static constexpr bool keeps_values = !(trophic::detail::KeptByIndividual<Acts> && ...);
   static constexpr std::array<const char*, count> keys{&trophic::detail::act_key<Acts>...};
 
-  /// The name of each output: its act's, with a number if the act has several.
+  /// The name of each act; empty for an act that is stored in the individual.
+  static constexpr std::array<std::string_view, count> kept_names{
+      (trophic::detail::KeptByIndividual<Acts> ? std::string_view{} : trophic::detail::policy_name<Acts>())...};
+
+  /// The name of each output: its act's name, with a number if the act has several outputs.
   [[nodiscard]] static std::vector<std::string> output_names() {
     std::vector<std::string> names;
     each(std::array<double, outputs>{}, [&]<class One>(std::size_t, std::span<const double, One::outputs>) {

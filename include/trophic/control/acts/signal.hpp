@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A call of a robot.
+// A sound signal of a robot.
 #pragma once
 
 #include <trophic/control/acts/contract.hpp>
 
 namespace trophic::control::acts {
 
-/// Rule: the loudness of a call on a channel: the output in [0, 1], silence if it is negative. sensors::Hearing perceives it at
-/// the next tick.   Reads: its output.   Random draws: 0.
+/// Rule: the loudness of a signal on a channel is the output, clipped to [0, 1], so a negative output is silence.
+/// sensors::Hearing perceives it at the next tick.   Reads: its output.   Random draws: 0.
 template <std::size_t channel>
 struct Signal {
   static_assert(channel < 10, "acts::Signal has the channels 0 to 9");

@@ -8,7 +8,7 @@
 namespace trophic::control::acts {
 
 /// Rule: the tag that the brain chooses (Sec. "Outputs"): +1 if the output is positive, else -1, unless the brain has its own
-/// `int tag(double output) const`. The rule TagSwitch decides whether the robot shows it; rules read the tag that it shows.
+/// `int tag(double output) const`. The rule TagSwitch decides whether the robot shows it; other rules read the shown tag.
 /// Reads: its output.   Random draws: 0.
 struct Tag {
   static constexpr std::string_view name = "tag";

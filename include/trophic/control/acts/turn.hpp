@@ -8,8 +8,8 @@
 namespace trophic::control::acts {
 
 /// Rule: the target angle, positive to the right (Sec. "Outputs"). Brains with `double target_angle_rad(double output) const`
-/// make it of the output by their own rule, as the paper's two angles; of other brains it is the output, in radians.   Reads: its
-/// output. Random draws: 0.
+/// convert the output by their own rule, such as the paper's two angles; for other brains it is the output in radians.   Reads:
+/// its output.   Random draws: 0.
 struct Turn {
   static constexpr std::string_view name = "turn";
   static constexpr std::string_view source = "paper, Sec. \"Outputs\"";

@@ -6,8 +6,8 @@
 
 namespace trophic::control::brain {
 
-/// As CognitiveBrain, but an angle output of exactly 0 counts as positive and turns right (released code). That happens if all
-/// inputs are 0, since the network has no biases.
+/// Like CognitiveBrain, but an angle output of exactly 0 counts as positive, so the robot turns right (released code). This
+/// happens if all inputs are 0, because the network has no biases.
 using CognitiveBrainZeroRight = CognitiveNetwork<Biases::none, ZeroTurns::right>;
 static_assert(Brain<CognitiveBrainZeroRight>);
 

@@ -29,8 +29,8 @@ struct CognitiveNetwork {
   struct Params {
     double turn_angle_rad = 0.7;
     static constexpr auto fields() {
-      return std::tuple{
-          field("turn_angle_rad", &Params::turn_angle_rad, between(0.0, 3.141592653589793), "size of the target angle")};
+      return std::tuple{field("turn_angle_rad", &Params::turn_angle_rad, between(0.0, 3.141592653589793),
+                              "absolute value of the target angle")};
     }
   };
   Params params;

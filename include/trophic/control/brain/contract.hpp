@@ -21,17 +21,17 @@ struct Decision {
   friend bool operator==(const Decision&, const Decision&) = default;
 };
 
-/// The number of a brain's inputs, which the table's sensors give, and of its outputs, which the table's acts take.
+/// The number of a brain's inputs, from the table's sensors, and of its outputs, for the table's acts.
 struct BrainShape {
   std::size_t inputs = 0;
   std::size_t outputs = acts::TurnAndTag::outputs;
 };
 
 /// A brain whose number of genes may change. `first(inputs, outputs, rng)`: returns the genes of an individual without a parent,
-/// with any weights. `weights_of(genes)`: returns those genes that are weights, which InitialGenome draws and Mutation changes;
-/// all others are the structure, which parents must share for a crossover to mix them.
+/// with arbitrary weights. `weights_of(genes)`: returns the genes that are weights, which InitialGenome draws and Mutation
+/// changes; all others are the structure, which must be equal in the parents for a crossover to mix them.
 /// `mutate_structure(genes, inputs, outputs, rng)`: changes the structure of an inherited genome after Mutation. `fits(genes,
-/// inputs, outputs)`: returns whether the brain takes these genes. Optional: `double distance(std::span<const double> a,
+/// inputs, outputs)`: returns whether the genes are valid for this brain. Optional: `double distance(std::span<const double> a,
 /// std::span<const double> b) const`, for mutation_distance; without it missing genes count as 0.
 template <class P>
 concept GrowingBrain = requires(const P policy, std::size_t size, std::vector<double>& genes, std::span<const double> fixed,
@@ -48,7 +48,7 @@ concept BrainOfOneSize = requires(const P policy, std::size_t size) {
   { policy.genome_size(size, size) } -> std::same_as<std::size_t>;
 };
 
-/// A brain that says for each of its weights the number, from 0, of the neuron that it enters or whose bias it is.
+/// A brain that returns for each of its weights the index of the neuron that the weight enters or whose bias it is.
 template <class P>
 concept NamesNeurons = requires(const P policy, std::size_t size) {
   { policy.neurons(size, size) } -> std::same_as<std::vector<std::size_t>>;
@@ -72,15 +72,16 @@ concept Decides = requires(const P policy, std::span<const double> numbers) {
   { policy.decide(numbers, numbers, own) } -> std::same_as<Decision>;
 };
 
-/// `genome_size(inputs, outputs)`: returns the number of weights for this number of inputs, which the table's sensors give, and
-/// of outputs, which its acts take. `tags()`: returns every tag that the brain may choose. `evaluate(inputs, weights, outputs)`:
-/// sets the outputs, in the order of the table's acts, which make values of them: a pure function of inputs and weights and, with
-/// a State, of `own`, which it may change; called at most once in a tick. The weights are the genome's, which only births change.
-/// Optional: `target_angle_rad(output)` and `tag(output)`, what the outputs of the acts Turn and Tag mean (control/acts/).
+/// `genome_size(inputs, outputs)`: returns the number of weights for these numbers of inputs, from the table's sensors, and of
+/// outputs, for its acts. `tags()`: returns every tag that the brain may choose. `evaluate(inputs, weights, outputs)`: sets the
+/// outputs, in the order of the table's acts, which convert them to values. It is a pure function of inputs and weights and, with
+/// a State, of `own`, which it may change; it is called at most once per tick. The weights are the genome's, which change only at
+/// births. Optional: `target_angle_rad(output)` and `tag(output)`, which interpret the outputs of the acts Turn and Tag
+/// (control/acts/).
 ///
-/// In place of `evaluate` a brain that only turns and chooses a tag may have `Decision decide(inputs, weights)`; the table's acts
-/// are then those of the paper. In place of `genome_size` it may have the functions of a GrowingBrain. A brain for one number of
-/// inputs only declares it: `static constexpr std::size_t inputs = 3;`.
+/// Instead of `evaluate`, a brain that only turns and chooses a tag may have `Decision decide(inputs, weights)`; the table's acts
+/// are then those of the paper. Instead of `genome_size` it may have the functions of a GrowingBrain. A brain for only one number
+/// of inputs declares it: `static constexpr std::size_t inputs = 3;`.
 template <class P>
 concept Brain = (BrainOfOneSize<P> || GrowingBrain<P>)&&requires(const P policy) {
   { policy.tags() } -> std::same_as<std::vector<int>>;
@@ -89,7 +90,8 @@ concept Brain = (BrainOfOneSize<P> || GrowingBrain<P>)&&requires(const P policy)
 
 namespace ask {
 
-/// The genes of an individual without a parent, with any weights. `structure` is for brains that grow, as in all that follows.
+/// Returns the genes of an individual without a parent, with arbitrary weights. `structure` is for brains that grow, here and
+/// below.
 template <class P>
 [[nodiscard]] std::vector<double> first_genes(const P& policy, const BrainShape& shape, [[maybe_unused]] Rng& structure) {
   if constexpr (GrowingBrain<P>) {
@@ -105,7 +107,7 @@ template <class P>
   return genes;
 }
 
-/// The indices of those genes that are not weights.
+/// Returns the indices of the genes that are not weights.
 template <class P>
 [[nodiscard]] std::vector<std::size_t> weight_structure([[maybe_unused]] const P& policy,
                                                         [[maybe_unused]] std::vector<double> genes) {
@@ -126,7 +128,7 @@ void mutate_structure([[maybe_unused]] const P& policy, [[maybe_unused]] std::ve
   if constexpr (GrowingBrain<P>) policy.mutate_structure(genes, shape.inputs, shape.outputs, structure);
 }
 
-/// Whether a brain takes these genes.
+/// Returns whether these genes are valid for a brain.
 template <class P>
 [[nodiscard]] bool fits(const P& policy, std::span<const double> genes, const BrainShape& shape) {
   if constexpr (GrowingBrain<P>) {
@@ -136,7 +138,7 @@ template <class P>
   }
 }
 
-/// A brain's demand on a genome, for error messages: "a genome of 15 weights".
+/// Returns a brain's requirement on a genome, for error messages: "a genome of 15 weights".
 template <class P>
 [[nodiscard]] std::string demand([[maybe_unused]] const P& policy, [[maybe_unused]] const BrainShape& shape) {
   if constexpr (GrowingBrain<P>) {
@@ -146,7 +148,7 @@ template <class P>
   }
 }
 
-/// The distance between the genes of a parent and of its offspring. Missing genes count as 0.
+/// Returns the distance between the genes of a parent and of its offspring. Missing genes count as 0.
 template <class P>
 [[nodiscard]] double distance([[maybe_unused]] const P& policy, std::span<const double> parents, std::span<const double> own) {
   if constexpr (requires { policy.distance(parents, own); }) {
@@ -172,8 +174,8 @@ void evaluate(const P& policy, [[maybe_unused]] StateOf<P>& own, std::span<const
   }
 }
 
-/// The decision of a brain in a table with these acts, and its outputs, if it has output neurons. Parts of the decision that the
-/// acts lack are those of `before`.
+/// Returns the decision of a brain in a table with these acts, and its outputs if it has output neurons. Parts of the decision
+/// without an act are copied from `before`.
 template <class Acts, class P>
 [[nodiscard]] Decision decide(const P& policy, [[maybe_unused]] StateOf<P>& own, std::span<const double> inputs,
                               std::span<const double> weights, std::span<double, Acts::outputs> outputs,
@@ -204,7 +206,7 @@ template <class Acts, class P>
   }
 }
 
-/// The decision of a brain in a table with the paper's acts.
+/// Returns the decision of a brain in a table with the paper's acts.
 template <class P>
 [[nodiscard]] Decision decide(const P& policy, StateOf<P>& own, std::span<const double> inputs, std::span<const double> weights) {
   std::array<double, acts::TurnAndTag::outputs> outputs{};
@@ -219,7 +221,7 @@ namespace detail {
 template <std::size_t given, std::size_t taken>
 concept SameInputs = given == taken;
 
-/// A brain that does not declare a number of inputs takes any.
+/// A brain that does not declare a number of inputs accepts any number.
 template <class P, std::size_t given>
 inline constexpr std::size_t inputs_taken = given;
 template <class P, std::size_t given>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The paper's network with a number of hidden neurons.
+// The paper's network with any number of hidden neurons.
 #pragma once
 
 #include <trophic/control/brain/contract.hpp>
@@ -8,10 +8,9 @@
 
 namespace trophic::control::brain {
 
-/// Rule: hidden = tanh(W1 in), out = tanh(W2 hidden), with n hidden neurons and no biases (Sec. "Cognitive Brain", which states
-/// no n); target angle and tag as in CognitiveBrain, which is this brain with n = 3. Genome: W1 (n rows of one weight an
-/// input), W2 (one row of n weights an output).
-/// Reads: the sensors.   Random draws: 0.
+/// Rule: hidden = tanh(W1 in), out = tanh(W2 hidden), with n hidden neurons and no biases (Sec. "Cognitive Brain", which does not
+/// give n). Target angle and tag are as in CognitiveBrain, which is this brain with n = 3. Genome: W1 (n rows with one weight per
+/// input), W2 (one row of n weights per output). Reads: the sensors.   Random draws: 0.
 struct FeedForwardBrain {
   static constexpr std::string_view name = "feed_forward_brain";
   static constexpr std::string_view source = "paper, Sec. \"Cognitive Brain\"; silent on hidden neurons";
@@ -20,9 +19,9 @@ struct FeedForwardBrain {
     std::size_t hidden = 3;
     double turn_angle_rad = 0.7;
     static constexpr auto fields() {
-      return std::tuple{
-          field("hidden", &Params::hidden, between(1.0, 100.0), "hidden neurons"),
-          field("turn_angle_rad", &Params::turn_angle_rad, between(0.0, 3.141592653589793), "size of the target angle")};
+      return std::tuple{field("hidden", &Params::hidden, between(1.0, 100.0), "hidden neurons").read_at_start(),
+                        field("turn_angle_rad", &Params::turn_angle_rad, between(0.0, 3.141592653589793),
+                              "absolute value of the target angle")};
     }
   };
   Params params;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A brain with weights that change within a life.
+// A brain whose weights change during a life.
 #pragma once
 
 #include <trophic/control/brain/contract.hpp>
@@ -17,7 +17,7 @@ struct VisitsLink {
 
 }  // namespace detail
 
-/// A brain that shows the links behind its next decision: `for_each_link(inputs, weights, visit)`, with a State also `const
+/// A brain that lists the links behind its next decision: `for_each_link(inputs, weights, visit)`, with a State also `const
 /// State& own` before `visit`.
 template <class P>
 concept ShowsLinks = requires(const P policy, std::span<const double> numbers, detail::VisitsLink visit) {
@@ -27,10 +27,10 @@ concept ShowsLinks = requires(const P policy, std::span<const double> numbers, d
   policy.for_each_link(numbers, numbers, own, visit);
 };
 
-/// Rule: the brain `Network`, with weights that learn. The genome g holds the weights at birth. After each decision every weight
+/// Rule: the brain `Network` with plastic weights. The genome g holds the weights at birth. After each decision every weight
 /// w = g + learnt changes by Oja's rule [oja1982], a Hebbian rule that stays bounded:
-///   learnt <- learnt + rate * y * (x - y * w), with x the neuron before and y the one after the weight.
-/// Learning ends with the individual; its offspring inherit the genome unchanged.
+///   learnt <- learnt + rate * y * (x - y * w), where x is the neuron before the weight and y the one after it. Learnt changes
+///   die with the individual; its offspring inherit the genome unchanged by them.
 /// Reads: what the network reads.   Random draws: the network's.
 template <class Network>
 struct Hebbian {
@@ -50,7 +50,7 @@ struct Hebbian {
 
   struct State {
     StateOf<Network> network;
-    std::vector<double> learnt;  ///< added to each number of the genome; empty before the first decision
+    std::vector<double> learnt;  ///< added to each weight of the genome; empty before the first decision
     static constexpr auto fields() { return std::tuple{field("network", &State::network), field("learnt", &State::learnt)}; }
   };
   [[nodiscard]] State born(const Individual& newborn, const State* parent, const State& body) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A network whose hidden neurons remember the last tick.
+// A network whose hidden neurons remember the previous tick.
 #pragma once
 
 #include <trophic/control/brain/feed_forward_brain.hpp>
@@ -7,9 +7,9 @@
 namespace trophic::control::brain {
 
 /// Rule: a simple recurrent network [elman1990] of n hidden neurons: hidden(t) = tanh(W1 in(t) + R hidden(t - 1)), out = tanh(W2
-/// hidden(t)), one step a tick, hidden = 0 before the first decision of a life; target angle and tag as in CognitiveBrain. With R
-/// = 0 it is FeedForwardBrain. Genome: W1 (n rows of one weight an input), R (n x n), W2 (one row of n weights an output). Reads:
-/// the sensors, its hidden neurons of the last tick.   Random draws: 0.
+/// hidden(t)), with one step per tick and hidden = 0 before the first decision of a life. Target angle and tag are as in
+/// CognitiveBrain. With R = 0 it is FeedForwardBrain. Genome: W1 (n rows with one weight per input), R (n x n), W2 (one row of n
+/// weights per output). Reads: the sensors, its hidden neurons of the previous tick.   Random draws: 0.
 struct RecurrentBrain {
   static constexpr std::string_view name = "recurrent_brain";
   static constexpr std::string_view source = "not in the paper; recurrent links by [elman1990]";
@@ -18,7 +18,7 @@ struct RecurrentBrain {
   Params params;
 
   struct State {
-    std::vector<double> hidden;  ///< neurons of the last tick; empty before the first decision
+    std::vector<double> hidden;  ///< neurons of the previous tick; empty before the first decision
     static constexpr auto fields() { return std::tuple{field("hidden", &State::hidden)}; }
   };
   [[nodiscard]] State born(const Individual&, const State*, const State&) const { return {}; }
@@ -38,8 +38,8 @@ struct RecurrentBrain {
   }
   [[nodiscard]] double target_angle_rad(double output) const { return detail::either_side(output, params.turn_angle_rad); }
 
-  /// Calls `visit(weight's index, neuron before, neuron after)` for each link of the next decision; before a link of R stands the
-  /// neuron of the last tick.
+  /// Calls `visit(weight's index, neuron before, neuron after)` for each link of the next decision; for a link of R, the neuron
+  /// before is that of the previous tick.
   template <class Visit>
   void for_each_link(std::span<const double> inputs, std::span<const double> weights, const State& own,
                      const Visit& visit) const {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// A brain without genes that turns by its input.
+// A brain without genes that turns in proportion to its input.
 #pragma once
 
 #include <trophic/control/brain/contract.hpp>
 
 namespace trophic::control::brain {
 
-/// Rule: target angle = turn * input, tag 1. With the sensor RandomTurn a random walk; with a turn of a whole circle the next
-/// heading is uniform.   Reads: the only input.   Random draws: 0.
+/// Rule: target angle = turn * input, tag 1. With the sensor RandomTurn the robot walks at random; if the turn is a full circle,
+/// the next heading is uniform.   Reads: the only input.   Random draws: 0.
 struct TurnsByInput {
   static constexpr std::string_view name = "turns_by_input";
   static constexpr std::string_view source = "not in the paper";
@@ -16,7 +16,8 @@ struct TurnsByInput {
   struct Params {
     double turn_rad = 0.5;
     static constexpr auto fields() {
-      return std::tuple{field("turn_rad", &Params::turn_rad, between(0.0, 2.0 * std::numbers::pi), "for an input of 1")};
+      return std::tuple{
+          field("turn_rad", &Params::turn_rad, between(0.0, 2.0 * std::numbers::pi), "target angle for an input of 1")};
     }
   };
   Params params;

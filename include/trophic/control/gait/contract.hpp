@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: the gait by which an individual walks.
+// The contract of a slot: the gait with which an individual walks.
 #pragma once
 
 #include <trophic/habitat/gait.hpp>
@@ -14,19 +14,19 @@
 
 namespace trophic::control {
 
-/// `express(genes, robot, habitat)`: returns the gait of this robot, a pure function. Throws std::invalid_argument for genes or
-/// a robot that it cannot give a gait. A policy whose gaits are inherited also satisfies InheritedGait; `genes` is empty for
+/// `express(genes, robot, habitat)`: returns the gait of this robot; a pure function. Throws std::invalid_argument for genes or a
+/// robot that have no gait under this rule. A policy whose gaits are inherited also satisfies InheritedGait; `genes` is empty for
 /// others.
 template <class P>
 concept GaitRule = requires(const P policy, std::span<const double> genes, const RobotModel& robot, const Habitat& habitat) {
   { policy.express(genes, robot, habitat) } -> std::same_as<Gait>;
 };
 
-/// A gait with genes of its own, the genome's part `gait`. `draw(robot, habitat, rng)`: returns those of an individual without a
-/// parent, at least one. `mutate(genes, offspring, rng)`: changes inherited genes in place, also their number; the body may have
-/// changed, so `express` takes the genes for any robot. Optional: `std::vector<std::size_t> structure(std::span<const double>
-/// genes) const` returns the indices of those genes that are structure, such as the links of a network, which parents must share
-/// for a crossover to mix the others; without it all genes are values.
+/// A gait with its own genes, the genome's part `gait`. `draw(robot, habitat, rng)`: returns the genes of an individual without a
+/// parent, at least one. `mutate(genes, offspring, rng)`: changes inherited genes in place, and may change their number. The body
+/// may have changed too, so `express` must accept the genes for any robot. Optional: `std::vector<std::size_t>
+/// structure(std::span<const double> genes) const` returns the indices of the genes that are structure, such as the links of a
+/// network, which must be equal in the parents for a crossover to mix the others; without it all genes are values.
 template <class P>
 concept InheritedGait = GaitRule<P> && requires(const P policy, const RobotModel& robot, const Habitat& habitat,
                                                 std::vector<double>& genes, const Individual& offspring, Rng& rng) {
@@ -51,14 +51,14 @@ concept LearntGait = InheritedGait<P> &&
 
 namespace ask {
 
-/// The gaits that a rule names, to be loaded with the habitat: its optional `gaits()`.
+/// Returns the gaits that a rule names in its optional `gaits()`; they are loaded with the habitat.
 template <class P>
 [[nodiscard]] std::vector<std::string> gaits([[maybe_unused]] const P& policy) {
   if constexpr (requires { policy.gaits(); }) return policy.gaits();
   return {};
 }
 
-/// The indices of those genes that are structure.
+/// Returns the indices of the genes that are structure.
 template <class P>
 [[nodiscard]] std::vector<std::size_t> gait_structure([[maybe_unused]] const P& policy,
                                                       [[maybe_unused]] std::span<const double> genes) {

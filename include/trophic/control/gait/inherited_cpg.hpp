@@ -7,7 +7,7 @@
 
 namespace trophic::control::gait {
 
-/// The start of a gait without a parent: the robot's own, or random weights.
+/// The gait of an individual without a parent: the robot's own, or random weights.
 enum class FirstGait { robots, random };
 [[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(FirstGait) {
   return {"robots", "random"};
@@ -15,8 +15,8 @@ enum class FirstGait { robots, random };
 
 /// Rule: the genes are the weights of the robot's CPG: w_i of each hinge, then c_ij of each pair of neighbours i < j. Without a
 /// parent: the robot's own gait plus N(0, first_sd) for each weight, or uniform within +-limit. Mutation: w <- clip(w + N(0, sd),
-/// -limit, limit). For bodies that do not evolve; the pattern generator restarts at birth.   Reads: nothing.   Random draws: 2
-/// per weight; 1 per weight of a random gait.
+/// -limit, limit). This rule is for bodies that do not evolve; the pattern generator restarts at birth.   Reads: nothing. Random
+/// draws: 2 per weight; 1 per weight of a random gait.
 struct InheritedCpg {
   static constexpr std::string_view name = "inherited_cpg";
   static constexpr std::string_view source = "not in the paper; its conclusion names it as future work";
@@ -28,10 +28,13 @@ struct InheritedCpg {
     double sd = 0.02;
     double limit = 2.0;
     static constexpr auto fields() {
-      return std::tuple{field("first", &Params::first, "a gait without a parent: robots (its own, with noise) or random"),
-                        field("first_sd", &Params::first_sd, at_least(0.0), "standard deviation of that noise"),
-                        field("sd", &Params::sd, at_least(0.0), "standard deviation of a mutation"),
-                        field("limit", &Params::limit, above(0.0), "weights stay within +- this")};
+      return std::tuple{
+          field("first", &Params::first, "gait of an individual without a parent: robots (the robot's own, with noise) or random")
+              .read_for_newcomers(),
+          field("first_sd", &Params::first_sd, at_least(0.0), "standard deviation of the noise on the first gaits")
+              .read_for_newcomers(),
+          field("sd", &Params::sd, at_least(0.0), "standard deviation of mutations"),
+          field("limit", &Params::limit, above(0.0), "bound on the absolute value of weights")};
     }
   };
   Params params;

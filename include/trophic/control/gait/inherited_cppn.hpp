@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One inherited network writes a gait for any body.
+// An inherited network generates a gait for any body.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,10 +9,10 @@
 
 namespace trophic::control::gait {
 
-/// Rule: the genes are a CPPN that grows (control/cppn.hpp) and writes the gait. `first = robots`: the sum of that and of `gait`,
-/// for hinges of the same path from the core, and a network without a parent has small weights; random: CPPN alone. Without a
-/// parent each input is linked to the output.   Reads: nothing.   Random draws: 7 without a parent; at a mutation 1 to 3 per
-/// link, 2 for growth, 2 more for each part that grows.
+/// Rule: the genes are a growing CPPN (control/cppn.hpp) that generates the gait. With `first = robots` this is added to `gait`
+/// for hinges with the same path from the core, and first networks have small weights; with `random` the CPPN alone makes the
+/// gait. In first networks each input is linked to the output.   Reads: nothing.   Random draws: 7 without a parent; at a
+/// mutation 1 to 3 per link, 2 for growth, and 2 more per new part.
 struct InheritedCppn {
   static constexpr std::string_view name = "inherited_cppn";
   static constexpr std::string_view source = "not in the paper; networks as in [stanley2007]";
@@ -28,14 +28,16 @@ struct InheritedCppn {
     std::string gait = {};
     static constexpr auto fields() {
       return std::tuple{
-          field("first", &Params::first, "what the network is added to: robots (the gait below) or random (nothing)"),
-          field("first_limit", &Params::first_limit, at_least(0.0), "weights without a parent and of new links: within +- this"),
-          field("weight_probability", &Params::weight_probability, between(0.0, 1.0), "that a weight mutates"),
-          field("weight_sd", &Params::weight_sd, at_least(0.0), "standard deviation of that"),
-          field("weight_limit", &Params::weight_limit, above(0.0), "weights stay within +- this"),
-          field("link_probability", &Params::link_probability, between(0.0, 1.0), "that an offspring has a new link"),
-          field("node_probability", &Params::node_probability, between(0.0, 1.0), "that a node splits one of its links"),
-          field("gait", &Params::gait, "name or path of a gait; empty: that of ecology.robot")};
+          field("first", &Params::first, "base to which the network is added: robots (the gait below) or random (none)"),
+          field("first_limit", &Params::first_limit, at_least(0.0),
+                "bound on the absolute value of first weights and of new links' weights"),
+          field("weight_probability", &Params::weight_probability, between(0.0, 1.0), "probability that a weight mutates"),
+          field("weight_sd", &Params::weight_sd, at_least(0.0), "standard deviation of a weight's mutation"),
+          field("weight_limit", &Params::weight_limit, above(0.0), "bound on the absolute value of weights"),
+          field("link_probability", &Params::link_probability, between(0.0, 1.0), "probability that an offspring has a new link"),
+          field("node_probability", &Params::node_probability, between(0.0, 1.0),
+                "probability that a new node splits one of its links"),
+          field("gait", &Params::gait, "name or path of a gait; empty: the gait of ecology.robot")};
     }
   };
   Params params;

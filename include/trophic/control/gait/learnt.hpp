@@ -9,10 +9,10 @@
 namespace trophic::control::gait {
 
 /// Rule: gaits are drawn and mutated by `Rule`; then each newborn learns. It walks `trials` times for `trial_s` in a nursery,
-/// first by its inherited gait, then each time by a mutation (by Rule) of the best gait so far, which replaces it if it walks
-/// farther. The robot walks by the best gait. Its offspring inherit that with probability `lamarckian`, otherwise the gait that
-/// it inherited itself: 1 is Lamarckian, 0 Darwinian. The genes are the number of inherited genes, these, and the learnt ones.
-/// Reads: the body.   Random draws: Rule's in each trial but the first; 1 at a mutation.
+/// first with its inherited gait, then each time with a mutation (by Rule) of the best gait so far, which replaces it if the
+/// robot walks farther. In life the robot uses the best gait. Its offspring inherit that with probability `lamarckian` and
+/// otherwise the gait that it inherited itself: 1 is Lamarckian, 0 Darwinian. The genes are the number of inherited genes, the
+/// inherited genes, and the learnt ones. Reads: the body.   Random draws: Rule's in each trial but the first; 1 at a mutation.
 template <class Rule>
 struct Learnt {
   static_assert(InheritedGait<Rule>, "gait::Learnt takes an inherited gait; see trophic/control/gait/contract.hpp");
@@ -27,10 +27,11 @@ struct Learnt {
     double lamarckian = 0.0;
     static constexpr auto fields() {
       return std::tuple{field("inherited", &Params::inherited),
-                        field("trials", &Params::trials, between(1.0, 10000.0), "walks before birth, the first as inherited"),
-                        field("trial_s", &Params::trial_s, between(0.01, 600.0), "simulated seconds of each walk"),
+                        field("trials", &Params::trials, between(1.0, 10000.0),
+                              "number of trial walks before birth, the first with the inherited gait"),
+                        field("trial_s", &Params::trial_s, between(0.01, 600.0), "duration of each walk, simulated seconds"),
                         field("lamarckian", &Params::lamarckian, between(0.0, 1.0),
-                              "probability that offspring inherit the learnt gait: 0 Darwinian, 1 Lamarckian")};
+                              "probability that offspring inherit the learnt gait: 0 is Darwinian, 1 Lamarckian")};
     }
   };
   Params params;
@@ -106,7 +107,7 @@ struct Learnt {
     for (std::size_t count = 1; count < genes.size(); ++count) {
       if (genes[0] == static_cast<double>(count)) return count;
     }
-    throw std::invalid_argument{"genes of a learnt gait: must begin with the number of those that are inherited"};
+    throw std::invalid_argument{"genes of a learnt gait: must begin with the number of inherited genes"};
   }
 };
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A gait of a file, for each species another one.
+// A gait from a file, which may differ between species.
 #pragma once
 
 #include <trophic/control/gait/contract.hpp>
 
 namespace trophic::control::gait {
 
-/// Rule: each robot walks by the gait that `gait` names, as `ecology.gait` does. `by_species<NamedGait>` gives each species its
+/// Rule: each robot walks with the gait that `gait` names, as `ecology.gait` does. `by_species<NamedGait>` gives each species its
 /// own. The pattern generator of a body restarts at each birth.   Reads: nothing.   Random draws: 0.
 struct NamedGait {
   static constexpr std::string_view name = "named_gait";

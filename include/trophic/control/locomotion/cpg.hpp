@@ -16,7 +16,7 @@ namespace trophic::locomotion {
 /// -w_i, and for i < j W[i][j] = c_ij, W[j][i] = -c_ij. Output i is x_i; the servos clip it after steering. All states start at
 /// sqrt(2)/2. No random draws.
 ///
-/// Holds no state of robots: the states of many robots are the columns of one 2n x robots matrix that the caller owns. Each
+/// The class holds no robot state: the states of many robots are the columns of one 2n x robots matrix that the caller owns. Each
 /// column's result is bitwise independent of the other columns.
 class Cpg {
  public:
@@ -47,7 +47,7 @@ class Cpg {
   /// The same for one column.
   void step(Eigen::MatrixXd& states, Eigen::Index robot) const;
 
-  /// Joint targets of one robot, rad: its x. `targets_rad` has one element per hinge.
+  /// Returns the joint targets of one robot, its x, in radians. `targets_rad` has one element per hinge.
   void outputs(const Eigen::MatrixXd& states, std::size_t robot, std::span<double> targets_rad) const;
 
  private:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Converts target angles to motion: by the gait's CPG, steered, at the control rate; without joints by the target angle alone.
+// Converts target angles to motion: with joints by the gait's CPG and steering at the control rate, without joints by the target
+// angle alone.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,15 +15,15 @@ namespace trophic::locomotion {
 
 /// The control steps of a run.
 struct ControlSteps {
-  double hz = 60.0;  ///< of simulated time
+  double hz = 60.0;  ///< per second of simulated time
   CpgIntegration integration = CpgIntegration::exact;
   std::int64_t idle_steps = 0;  ///< before gaits start, in which servos keep their targets; none without joints
 };
 
 /// Moves all robots of a backend. Every robot has its own copy of the gait's CPG, which keeps running when the occupant of the
-/// body changes (Sec. "Targeted Steering"), unless robots walk by gaits of their own. At each control step the CPG takes one
+/// body changes (Sec. "Targeted Steering"), unless robots have their own gaits. At each control step the CPG takes one
 /// step, its outputs are steered and become servo targets (which the servos clip), and the backend advances to the end of the
-/// step. A robot of another pace takes fewer or more steps of its CPG in a control step. Simulated time is counted in whole
+/// step. With a different pace, a robot's CPG takes fewer or more steps in a control step. Simulated time is counted in whole
 /// control steps.
 template <control::Steering SteeringRule>
 class Locomotion {
@@ -37,7 +38,7 @@ class Locomotion {
         control_{control} {}
 
   /// Takes `steps` control steps with these target angles, one per robot. With joints, `is_cancelled()` is called between the
-  /// control steps; if it returns true no more are taken. Returns whether all were taken.
+  /// control steps; if it returns true, no further steps are taken. Returns whether all were taken.
   template <class IsCancelled>
   bool advance(AnyBackend& backend, std::int64_t steps, std::span<const double> target_angles_rad, IsCancelled&& is_cancelled) {
     if (backend.has_joints()) return advance_joints(backend, steps, target_angles_rad, is_cancelled);
@@ -48,16 +49,16 @@ class Locomotion {
     wait(backend, steps);
     return true;
   }
-  /// The same for a backend with joints of any type, without cancelling.
+  /// The same for a backend with joints of any type, without cancellation.
   template <class Bodies>
   void advance(Bodies& backend, std::int64_t steps, std::span<const double> target_angles_rad) {
     advance_joints(backend, steps, target_angles_rad, [] { return false; });
   }
 
-  /// Sets the factors of the frequency of gaits from here on, one per robot; if empty they are 1. Not a part of the state.
+  /// Sets the factors of the gaits' frequencies from now on, one per robot (all 1 if empty). They are not part of the state.
   void set_paces(std::vector<double> paces) { paces_ = std::move(paces); }
 
-  /// Takes control steps without control: the CPG rests, the servos keep their targets.
+  /// Takes control steps without control: the CPG does not advance and the servos keep their targets.
   template <class Bodies>
   void wait(Bodies& backend, std::int64_t steps) {
     taken_ += steps;
@@ -73,13 +74,13 @@ class Locomotion {
     }
   }
 
-  /// Gives each robot its own body and gait from here on, all with that of the constructor at first.
+  /// Gives each robot its own body and gait from now on, initially those of the constructor.
   void separate() {
     for (Eigen::Index robot = 0; robot < states_.cols(); ++robot) {
       own_.push_back({.hinges = hinges_, .cpg = cpg_, .states = states_.col(robot)});
     }
   }
-  /// Replaces one robot's body and gait and starts its CPG. After `separate`.
+  /// Replaces one robot's body and gait and starts its CPG. Call `separate` first.
   void walk_by(std::size_t robot, const RobotModel& model, const Gait& gait) {
     Cpg cpg{gait, cpg_params_};
     Eigen::MatrixXd states = cpg.initial_states();
@@ -101,7 +102,7 @@ class Locomotion {
         [&](const Eigen::MatrixXd& states) { state.cpg.insert(state.cpg.end(), states.data(), states.data() + states.size()); });
     return state;
   }
-  /// Throws std::invalid_argument for a state with another number of robots or other gaits.
+  /// Throws std::invalid_argument for a state with a different number of robots or different gaits.
   void restore(const State& state) {
     Eigen::Index size = 0;
     for_each_states([&](const Eigen::MatrixXd& states) { size += states.size(); });
@@ -184,7 +185,7 @@ class Locomotion {
     for (const Own& own : own_) visit(own.states);
   }
 
-  /// A robot with a gait of its own.
+  /// A robot with its own gait.
   struct Own {
     std::vector<HingePlace> hinges;
     Cpg cpg;
@@ -195,10 +196,10 @@ class Locomotion {
   std::vector<HingePlace> hinges_;
   Cpg::Params cpg_params_;
   Cpg cpg_;
-  std::vector<Own> own_;  ///< of each robot, if they differ
+  std::vector<Own> own_;  ///< one per robot, if they differ
   Eigen::MatrixXd states_;
   std::vector<double> targets_rad_;
-  std::vector<double> paces_;  ///< of each robot; empty if all are 1
+  std::vector<double> paces_;  ///< one per robot; empty if all are 1
   ControlSteps control_;
   std::int64_t taken_ = 0;
 };

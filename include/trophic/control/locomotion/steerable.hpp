@@ -13,11 +13,11 @@ namespace trophic::locomotion {
 /// The target angle of `check_steerable`, to the right and to the left; the paper's brain turns by it.
 inline constexpr double probe_angle_rad = 0.7;
 
-/// Throws std::invalid_argument: this robot cannot be steered by this rule.
+/// Throws std::invalid_argument because this robot cannot be steered by this rule.
 [[noreturn]] void refuse_steering(const RobotModel& robot, std::string_view steering, const std::vector<HingePlace>& hinges);
 
-/// Throws std::invalid_argument, naming robot, steering and hinges, if a turn to one side gives the joint targets of a straight
-/// walk, or of the other turn: brains would have no effect on the motion of robots. Accepts a rule with `steers = false`.
+/// Throws std::invalid_argument, naming robot, steering and hinges, if a turn to one side gives the same joint targets as walking
+/// straight or as the other turn: brains would have no effect on the motion of robots. Accepts a rule with `steers = false`.
 template <control::Steering SteeringRule>
 void check_steerable(const RobotModel& robot, const SteeringRule& steering) {
   if constexpr (requires { requires !SteeringRule::steers; }) return;

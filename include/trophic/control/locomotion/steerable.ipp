@@ -15,9 +15,10 @@ TROPHIC_INLINE void refuse_steering(const RobotModel& robot, std::string_view st
     hinges += (hinges.empty() ? "" : ", ") + std::to_string(std::ranges::count(places, side, &HingePlace::side)) + " " +
               std::string{enum_name(side)};
   }
-  throw std::invalid_argument{"ecology.robot = " + robot.name + " with rules.steering = " + std::string{steering} +
-                              ": cannot be steered to both sides: a turn moves no hinge, or all as the other turn does (" +
-                              hinges + "); bending_steering needs no sides"};
+  throw std::invalid_argument{
+      "ecology.robot = " + robot.name + " with rules.steering = " + std::string{steering} +
+      ": cannot be steered to both sides: a turn moves no hinge, or it moves the same hinges as the opposite turn (" + hinges +
+      "); bending_steering needs no hinges at the sides"};
 }
 
 }  // namespace trophic::locomotion

@@ -8,8 +8,9 @@
 
 namespace trophic::control {
 
-/// `pace(self, view)`: returns the factor of the frequency of a robot's gait in the next tick, on a backend of points of speed
-/// and turning rate, >= 0: at 0 it stands. The act Effort, if the table has it, multiplies it.
+/// `pace(self, view)`: returns the factor, >= 0, that multiplies the frequency of a robot's gait in the next tick or, on a
+/// backend of points, its speed and turning rate; at 0 the robot stands still. The act Effort, if the table has it, is a further
+/// factor.
 template <class P>
 concept Pace = requires(const P policy, BodyIndex self, const View& view) {
   { policy.pace(self, view) } -> std::same_as<double>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steers a robot without sides: it bends its body.
+// Steers a robot without sides by bending its body.
 #pragma once
 
 #include <cstddef>
@@ -8,10 +8,10 @@
 
 namespace trophic::control::steering {
 
-/// Rule: `bend` * alpha * u is added to the target of each hinge with an upright axis, u its upward part; hinges ahead of the
-/// core take the opposite sign. So a robot that walks forward bends to the side of the target angle alpha, as snakes and snake
-/// robots turn by an offset of their joints [hirose2009]. Hinges that lift (|u| < 0.5) keep their targets. The servos' limit
-/// applies afterwards. `bend` is a free parameter.   Reads: target angle, places of hinges.   Random draws: 0.
+/// Rule: `bend` * alpha * u is added to the target of each hinge with an upright axis, where u is the upward part of the axis;
+/// hinges ahead of the core get the opposite sign. A robot that walks forward thus bends to the side of the target angle alpha,
+/// as snakes and snake robots turn by an offset of their joints [hirose2009]. Hinges that lift (|u| < 0.5) keep their targets.
+/// The servos' limit applies afterwards. `bend` is a free parameter.   Reads: target angle, places of hinges.   Random draws: 0.
 struct BendingSteering {
   static constexpr std::string_view name = "bending_steering";
   static constexpr std::string_view source = "not in the paper; [hirose2009]";

@@ -12,10 +12,11 @@
 
 namespace trophic::control {
 
-/// `steer(target_angle_rad, hinges, targets_rad)`: changes the joint targets of one robot in place; one place and one target per
-/// hinge. A rule that gives the targets of a straight walk for a turn is an error on a backend with joints, unless it declares
-/// `static constexpr bool steers = false;`. A backend without joints asks no rule: robots turn by their model's `walk`, which is
-/// measured with the rule that declares `static constexpr bool walks_use_it = true;`. Others are errors there.
+/// `steer(target_angle_rad, hinges, targets_rad)`: changes the joint targets of one robot in place, with one place and one target
+/// per hinge. On a backend with joints, a rule whose targets for a turn equal those of a straight walk is an error, unless it
+/// declares `static constexpr bool steers = false;`. A backend without joints uses no steering rule: robots turn as in their
+/// model's `walk`, which is measured with the rule that declares `static constexpr bool walks_use_it = true;`. Other rules are
+/// errors there.
 template <class P>
 concept Steering = requires(const P policy, double target_angle_rad, std::span<const HingePlace> hinges,
                             std::span<double> targets_rad) {

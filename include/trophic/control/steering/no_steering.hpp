@@ -7,8 +7,8 @@
 
 namespace trophic::control::steering {
 
-/// Rule: joint targets stay as the gait gives them, for any target angle: the control in which brains only choose tags.
-/// An error on a backend without joints, which turns robots itself.   Reads: nothing.   Random draws: 0.
+/// Rule: joint targets are those of the gait, for any target angle. This is the control in which brains only choose tags. It is
+/// an error on a backend without joints, which turns robots itself.   Reads: nothing.   Random draws: 0.
 struct NoSteering {
   static constexpr std::string_view name = "no_steering";
   static constexpr std::string_view source = "control";

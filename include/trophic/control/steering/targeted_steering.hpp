@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Targeted steering: slows the hinges on the side to turn to.
+// Targeted steering: reduces the motion of the hinges on the side of the turn.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace trophic::control::steering {
 
 /// Rule: delta = ((pi - |alpha|) / pi)^exponent scales the targets of the hinges on one side: the right side for a target angle
 /// alpha > 0 (turn right), the left side for alpha < 0 (Sec. "Targeted Steering", Eq. 1: exponent 2; alpha = +-0.7: delta =
-/// 0.604). The servos' limit applies afterwards (the paper is silent; so does the released code).   Reads: target angle, sides.
+/// 0.604). The servos' limit applies afterwards, as in the released code; the paper is silent.   Reads: target angle, sides.
 /// Random draws: 0.
 struct TargetedSteering {
   static constexpr std::string_view name = "targeted_steering";
@@ -23,12 +23,13 @@ struct TargetedSteering {
   struct Params {
     double exponent = 2.0;
     static constexpr auto fields() {
-      return std::tuple{field("exponent", &Params::exponent, at_least(0.0), "of delta = ((pi - |alpha|) / pi)^exponent")};
+      return std::tuple{
+          field("exponent", &Params::exponent, at_least(0.0), "exponent of delta = ((pi - |alpha|) / pi)^exponent")};
     }
   };
   Params params;
 
-  /// delta for a target angle; 1 at 0, 0 at +-pi and beyond.
+  /// Returns delta for a target angle: 1 at 0, and 0 at +-pi and beyond.
   [[nodiscard]] double slowing(double target_angle_rad) const {
     const double left_over = std::max(0.0, std::numbers::pi - std::abs(target_angle_rad));
     return std::pow(left_over / std::numbers::pi, params.exponent);

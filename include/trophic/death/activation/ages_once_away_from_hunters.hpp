@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Newborn prey stay inactive until they are away from every predator, and age only from then on.
+// Newborn prey stay inactive until they are away from every predator, and only then begin to age.
 #pragma once
 
 #include <trophic/death/activation/contract.hpp>
@@ -7,7 +7,7 @@
 
 namespace trophic::death::activation {
 
-/// Rule (released code): as ActiveAwayFromHunters, but a newborn's age counts from its activation.   Reads: positions,
+/// Rule (released code): like ActiveAwayFromHunters, but a newborn's age counts from its activation.   Reads: positions,
 /// species.   Random draws: 0.
 struct AgesOnceAwayFromHunters {
   static constexpr std::string_view name = "ages_once_away_from_hunters";
@@ -16,6 +16,7 @@ struct AgesOnceAwayFromHunters {
   using Params = detail::SafeDistance;
   Params params;
 
+  [[nodiscard]] std::string idle(const Outset& outset) const { return detail::never_away(params, outset); }
   [[nodiscard]] Activates activates(BodyIndex body, const View& view) const {
     return detail::away_from_hunters(params, body, view) ? Activates::yes_and_restarts_age : Activates::no;
   }

@@ -10,7 +10,7 @@
 
 namespace trophic::death {
 
-/// Whether a newborn becomes active, and whether its age then counts from that moment.
+/// Whether a newborn becomes active, and whether its age counts from that moment.
 enum class Activates { no, yes, yes_and_restarts_age };
 
 /// `activates(body, view)`: returns whether the inactive newborn in `body` becomes active at this tick.

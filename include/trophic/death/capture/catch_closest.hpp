@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The released code's catch: predators in shuffled order, one catch each, on a list that changes meanwhile.
+// The released code's captures: predators act in shuffled order, with one catch each, on a list that changes meanwhile.
 #pragma once
 
 #include <numeric>
@@ -8,9 +8,9 @@
 namespace trophic::death::capture {
 
 /// Rule (released code): the indices of the list of hunters are shuffled. Each index in turn selects the hunter at that place
-/// of the current list, which is in the order of bodies and includes offspring of this tick's catches, so that some act twice
-/// and some not at all. A hunter of at least min_age catches the closest active victim if that is closer than reach; founders
-/// and newborns are too young. Reads: positions, species, activity, ages.   Random draws: number of hunters - 1.
+/// of the current list, which is in the order of bodies and includes offspring of this tick's catches, so some hunters act twice
+/// and some do not act. A hunter of at least min_age catches the closest active victim if that is closer than reach; founders and
+/// newborns start too young. Reads: positions, species, activity, ages.   Random draws: number of hunters - 1.
 struct CatchClosest {
   static constexpr std::string_view name = "catch_closest";
   static constexpr std::string_view source = "released code";
@@ -22,7 +22,7 @@ struct CatchClosest {
     double min_age_s = 20.0;
     static constexpr auto fields() {
       return std::tuple{field("reach_m", &Params::reach_m, above(0.0), "a victim closer than this is caught"),
-                        field("min_age_s", &Params::min_age_s, at_least(0.0), "younger hunters do not hunt")};
+                        field("min_age_s", &Params::min_age_s, at_least(0.0), "age below which hunters do not hunt")};
     }
   };
   Params params;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The paper's catch, but for prey in a refuge.
+// The paper's captures, except for prey in a refuge.
 #pragma once
 
 #include <trophic/death/capture/catch_within_reach.hpp>
+#include <trophic/population/outset.hpp>
 
 namespace trophic::death::capture {
 
-/// Rule: as CatchWithinReach, but nothing is caught that stands in a zone of the arena named "refuge". Hunters may enter it, and
-/// see prey in it.
-/// Reads: zones, positions, species, activity, ages.   Random draws: 0.
+/// Rule: like CatchWithinReach, but an individual in a zone of the arena named "refuge" is not caught. Hunters may enter the zone
+/// and see prey in it. Reads: zones, positions, species, activity, ages.   Random draws: 0.
 struct CatchOutsideRefuges {
   static constexpr std::string_view name = "catch_outside_refuges";
   static constexpr std::string_view source = "not in the paper";
@@ -17,6 +17,10 @@ struct CatchOutsideRefuges {
   using Params = CatchWithinReach::Params;
   Params params;
 
+  [[nodiscard]] std::string idle(const Outset& outset) const {
+    if (std::ranges::count(outset.arena.zones, zone, &Zone::name) > 0) return {};
+    return std::string{name} + " protects no prey: arena " + outset.arena.name + " has no zone named " + std::string{zone};
+  }
   [[nodiscard]] std::vector<Capture> captures(const View& view, Rng& rng, std::optional<Species> only = {}) const {
     std::vector<Capture> reached = CatchWithinReach{params}.captures(view, rng, only);
     std::erase_if(reached, [&](const Capture& capture) {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The paper's catch: every active prey within reach of a predator.
+// The paper's captures: every active prey within reach of a predator is caught.
 #pragma once
 
 #include <trophic/death/capture/contract.hpp>
 
 namespace trophic::death::capture {
 
-/// Rule: a hunter and an active victim within reach of each other: the victim is caught, tags ignored (Sec. "Prey Death": one
-/// unit). Ties: a victim is caught by its closest hunter; these pairs are processed by increasing distance, then hunter, then
-/// victim. A hunter may catch several in a tick (the paper sets no limit), but none once it has been caught itself, as in a
-/// food chain. Offspring of this tick do not hunt before the next. Hunters younger than min_age do not hunt (0 in the paper).
-/// Reads: positions, species, activity, ages.   Random draws: 0.
+/// Rule: if a hunter and an active victim are within reach of each other, the victim is caught, whatever their tags (Sec. "Prey
+/// Death": one unit). A victim is caught by its closest hunter; these pairs are processed by increasing distance, then hunter,
+/// then victim. A hunter may catch several victims in a tick (the paper sets no limit), but none after it has been caught itself,
+/// which can happen in a food chain. Individuals born in this tick hunt from the next tick on. Hunters younger than min_age do
+/// not hunt (0 in the paper). Reads: positions, species, activity, ages.   Random draws: 0.
 struct CatchWithinReach {
   static constexpr std::string_view name = "catch_within_reach";
   static constexpr std::string_view source = "paper, Sec. \"Prey Death\"";
@@ -19,8 +19,8 @@ struct CatchWithinReach {
     double reach_m = 1.0;
     double min_age_s = 0.0;
     static constexpr auto fields() {
-      return std::tuple{field("reach_m", &Params::reach_m, above(0.0), "a victim this close is caught"),
-                        field("min_age_s", &Params::min_age_s, at_least(0.0), "younger hunters do not hunt")};
+      return std::tuple{field("reach_m", &Params::reach_m, above(0.0), "distance within which a victim is caught"),
+                        field("min_age_s", &Params::min_age_s, at_least(0.0), "age below which hunters do not hunt")};
     }
   };
   Params params;

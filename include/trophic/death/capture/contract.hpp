@@ -18,9 +18,9 @@ struct Capture {
   friend bool operator==(const Capture&, const Capture&) = default;
 };
 
-/// `captures(view, rng)`: returns all catches of this tick, in order; each victim once. Optional, for by_species: a last argument
-/// `std::optional<Species> only`, the species of the hunters, all if none. If catches depend on the assignment of
-/// individuals to bodies, the rule declares it: `static constexpr bool depends_on_order_of_bodies = true;`.
+/// `captures(view, rng)`: returns all catches of this tick, in order, with each victim once. Optional, for by_species: a last
+/// argument `std::optional<Species> only`, the species of the hunters (all if empty). If catches depend on the assignment of
+/// individuals to bodies, the rule declares `static constexpr bool depends_on_order_of_bodies = true;`.
 template <class P>
 concept CaptureRule = requires(const P policy, const View& view, Rng& rng) {
   { policy.captures(view, rng) } -> std::same_as<std::vector<Capture>>;
@@ -50,13 +50,6 @@ template <class P>
   } else {
     return policy.captures(view, rng);
   }
-}
-
-/// The zone of the arena that a rule names; empty if it names none.
-template <class P>
-[[nodiscard]] constexpr std::string_view zone() {
-  if constexpr (requires { P::zone; }) return P::zone;
-  return {};
 }
 
 }  // namespace ask

@@ -6,7 +6,7 @@
 
 namespace trophic::death::capture {
 
-/// Rule: hunters never catch: the control without predation.   Reads: nothing.   Random draws: 0.
+/// Rule: hunters never catch. This is the control without predation.   Reads: nothing.   Random draws: 0.
 struct NoCapture {
   static constexpr std::string_view name = "no_capture";
   static constexpr std::string_view source = "control";

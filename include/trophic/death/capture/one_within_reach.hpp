@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Hunters in random order, one catch each, and time to handle it.
+// Hunters act in random order, with one catch each and a handling time.
 #pragma once
 
 #include <trophic/death/capture/contract.hpp>
 
 namespace trophic::death::capture {
 
-/// Rule: hunters in random order catch the closest active victim within reach that is not caught yet; the next `handling_ticks`
-/// ticks they do not hunt. In a well-mixed world of N victims a free hunter catches with
-/// probability 1 - (1 - a)^N, where a = pi reach^2 / area: Holling's second functional response, as in [rosenzweig1963]. All
-/// parameters are free.   Reads: positions, species, activity, its own state.   Random draws: number of hunters - 1.
+/// Rule: in random order, each hunter catches the closest active victim within reach that has not been caught yet; then it does
+/// not hunt for `handling_ticks` ticks. In a well-mixed world of N victims a free hunter catches a victim with probability 1 - (1
+/// - a)^N, where a = pi reach^2 / area: Holling's second functional response, as in [rosenzweig1963]. All parameters are free.
+/// Reads: positions, species, activity, its own state.   Random draws: number of hunters - 1.
 struct OneWithinReach {
   static constexpr std::string_view name = "one_within_reach";
   static constexpr std::string_view source = "not in the paper; as in [rosenzweig1963]";
@@ -18,8 +18,9 @@ struct OneWithinReach {
     double reach_m = 1.0;
     std::int64_t handling_ticks = 0;
     static constexpr auto fields() {
-      return std::tuple{field("reach_m", &Params::reach_m, above(0.0), "a victim this close is caught"),
-                        field("handling_ticks", &Params::handling_ticks, at_least(0), "after a catch without hunting")};
+      return std::tuple{field("reach_m", &Params::reach_m, above(0.0), "distance within which a victim is caught"),
+                        field("handling_ticks", &Params::handling_ticks, at_least(0),
+                              "time after a catch during which a hunter does not hunt")};
     }
   };
   Params params;

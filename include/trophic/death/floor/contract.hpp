@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: whether the last of a hunted species may die.
+// The contract of a slot: whether the last members of a hunted species may die.
 #pragma once
 
 #include <trophic/population/state.hpp>

@@ -6,7 +6,7 @@
 
 namespace trophic::death::floor {
 
-/// Rule: any individual may be caught or sacrificed, even the last of its species.   Reads: nothing.   Random draws: 0.
+/// Rule: any individual may be caught or sacrificed, even the last member of its species.   Reads: nothing.   Random draws: 0.
 struct NoFloor {
   static constexpr std::string_view name = "no_floor";
   static constexpr std::string_view source = "control";

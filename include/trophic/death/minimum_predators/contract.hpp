@@ -18,7 +18,8 @@ struct Sacrifice {
   friend bool operator==(const Sacrifice&, const Sacrifice&) = default;
 };
 
-/// `sacrifices(view, rng)`: returns the sacrifices of this tick, each victim once; newborn of this tick are not sacrificed.
+/// `sacrifices(view, rng)`: returns the sacrifices of this tick, with each victim once; individuals born in this tick are not
+/// sacrificed.
 template <class P>
 concept MinimumPredators = requires(const P policy, const View& view, Rng& rng) {
   { policy.sacrifices(view, rng) } -> std::same_as<std::vector<Sacrifice>>;

@@ -6,7 +6,7 @@
 
 namespace trophic::death::minimum_predators {
 
-/// Rule: no individual is sacrificed, so that hunters may die out.   Reads: nothing.   Random draws: 0.
+/// Rule: no individual is sacrificed, so hunters may die out.   Reads: nothing.   Random draws: 0.
 struct NoMinimum {
   static constexpr std::string_view name = "no_minimum";
   static constexpr std::string_view source = "control";

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// A species of few predators gains the body of a prey.
+// A predator species with few members gains the body of a prey.
 #pragma once
 
 #include <trophic/death/minimum_predators/contract.hpp>
 
 namespace trophic::death::minimum_predators {
 
-/// Rule: for each hunting species with fewer than `below` members one individual that it eats, chosen uniformly, inactive
-/// newborn included, is sacrificed and its body becomes a hunter's; one per species and tick (Sec. "Prey Death": fewer than 7;
-/// the released code: 7 or fewer, which is below 8). Two species get two individuals. The floor can forbid the sacrifice of the
-/// chosen individual; no other is chosen then.   Reads: species.   Random draws: 1 per sacrifice.
+/// Rule: for each hunting species with fewer than `below` members, one individual that it eats is chosen uniformly, including
+/// inactive newborns, and sacrificed, and its body becomes a hunter's; one per species and tick (Sec. "Prey Death": fewer than 7;
+/// the released code: 7 or fewer, which is below 8). Two such species gain two individuals. If the floor forbids the sacrifice of
+/// the chosen individual, no other one is chosen.   Reads: species.   Random draws: 1 per sacrifice.
 struct SacrificeRandomVictim {
   static constexpr std::string_view name = "sacrifice_random_victim";
   static constexpr std::string_view source = "paper, Sec. \"Prey Death\"";
@@ -17,7 +17,7 @@ struct SacrificeRandomVictim {
   struct Params {
     std::size_t below = 7;
     static constexpr auto fields() {
-      return std::tuple{field("below", &Params::below, at_least(0), "a hunting species with fewer members gains one")};
+      return std::tuple{field("below", &Params::below, at_least(0), "number of members below which a hunting species gains one")};
     }
   };
   Params params;

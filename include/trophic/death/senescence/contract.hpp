@@ -12,7 +12,7 @@
 namespace trophic::death {
 
 /// `dies(individual, view, rng)`: returns whether an individual dies of natural causes at this tick; its body stays with its
-/// species. A rule that names its cause of death has `static constexpr std::string_view cause`; else it is `senescence`.
+/// species. A rule names its cause of death by `static constexpr std::string_view cause`; the default is `senescence`.
 template <class P>
 concept Senescence = requires(const P policy, const Individual& individual, const View& view, Rng& rng) {
   { policy.dies(individual, view, rng) } -> std::same_as<bool>;
@@ -34,7 +34,7 @@ template <class P>
   }
 }
 
-/// The cause of deaths by this rule.
+/// Returns the cause of deaths by this rule.
 template <class P>
 [[nodiscard]] Cause cause(const P&) {
   if constexpr (requires { AnswersForSpecies<P>::cause; }) return cause_named(AnswersForSpecies<P>::cause);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Death at a fixed age, of species that are hunted.
+// Death at a fixed age for species that are hunted.
 #pragma once
 
 #include <trophic/death/senescence/old_age.hpp>
@@ -7,7 +7,7 @@
 namespace trophic::death::senescence {
 
 /// Rule: an individual of a species that another one eats dies iff its age >= max_age; the others never die of age. The paper
-/// names the lack of ageing prey as a possible reason for their poor adaptation (Sec. "Conclusion"). Its number is free.
+/// names the lack of ageing prey as a possible reason for their poor adaptation (Sec. "Conclusion"). The age is a free parameter.
 /// Reads: own age, the food web.   Random draws: 0.
 struct OldAgeOfVictims {
   static constexpr std::string_view name = "old_age_of_victims";

@@ -13,21 +13,21 @@ namespace trophic::death {
 /// The starvation deaths of a tick.
 struct Starving {
   std::vector<BodyIndex> victims;  ///< in the order in which they die, each once
-  std::vector<BodyIndex> exempt;   ///< hunters that would starve but for an exemption, for observers
+  std::vector<BodyIndex> exempt;   ///< hunters saved by an exemption, for observers
   bool restarts_clock = false;     ///< whether the rule's clock restarts after these deaths
-  std::vector<Species> due = {};   ///< whose clocks restart, of a rule with a clock for each
+  std::vector<Species> due = {};   ///< species whose clocks restart, for a rule with one clock per species
   friend bool operator==(const Starving&, const Starving&) = default;
 };
 
-/// A starvation rule with a clock: a nested `struct Clock` of plain numbers that lists its members by `fields()`; checkpoints
-/// hold it. `start(view)` returns a clock that starts now: at the start of a run, and after deaths that restart it. With a clock
-/// for each species: `start(view, clock, due)`, which restarts those of the species that were due.
+/// A starvation rule with a clock: a nested `struct Clock` of plain numbers that lists its members in `fields()` and is saved in
+/// checkpoints. `start(view)` returns a clock that starts now: at the start of a run and after deaths that restart it. With one
+/// clock per species, `start(view, clock, due)` restarts those of the species that were due.
 template <class P>
 concept KeepsClock = requires {
   typename P::Clock;
 };
 
-/// The Clock of a rule without one.
+/// The clock of a rule that has none.
 struct NoClock {};
 
 namespace detail {
@@ -46,9 +46,9 @@ struct clock_of<P> {
 template <class P>
 using ClockOf = typename detail::clock_of<P>::type;
 
-/// `starving(view, perceives)`: returns the hunters that starve at this tick; called once a tick after catches and senescence.
-/// `perceives(self, other)` is the run's Visibility rule. With a State also `states`, with a Clock also `clock`, in this order.
-/// starvation/procedure.hpp composes rules for the time, the victims and the exemptions.
+/// `starving(view, perceives)`: returns the hunters that starve at this tick; it is called once a tick, after catches and
+/// senescence. `perceives(self, other)` is the run's Visibility rule. A rule with a State also takes `states`, one with a Clock
+/// also `clock`, in this order. starvation/procedure.hpp composes rules for the time, the victims and the exemptions.
 template <class P>
 concept Starvation =
     (!KeepsClock<P> &&

@@ -6,7 +6,7 @@
 
 namespace trophic::death::starvation {
 
-/// Rule: hunger kills no hunter: the neutral policy of the slot.   Reads: nothing.   Random draws: 0.
+/// Rule: hunger kills no hunter. This is the neutral policy of the slot.   Reads: nothing.   Random draws: 0.
 struct NoStarvation {
   static constexpr std::string_view name = "no_starvation";
   static constexpr std::string_view source = "control";

@@ -14,12 +14,12 @@
 
 namespace trophic::death::starvation {
 
-/// Rule: `Interval` decides when a starvation procedure takes place, `Choice` which hunters die in it, `Exemption` which of the
-/// hunters that it considers are exempt (Sec. "Predator Death"). A number is set by its part:
+/// Rule: `Interval` decides when a starvation procedure takes place, `Choice` decides which hunters die in it, and `Exemption`
+/// which of the considered hunters are exempt (Sec. "Predator Death"). The path of a parameter includes its part:
 /// `rules.starvation.interval.base_ticks`. `with_starvation_interval`, `with_starvation_exemption` or `with_starvation_choice`
-/// (rules/with_part.hpp) swap one part. If the interval or the choice differs by species, each species that hunts has procedures
-/// of its own: `with_starvation_interval<Paper, by_species<DelayedCrowdingInterval>>`, then a species' interval depends on its
-/// own number.   Reads: what its parts read, its own clock.   Random draws: 0.
+/// (rules/with_part.hpp) swap one part. If the interval or the choice differs by species, each hunting species has its own
+/// procedures: with `with_starvation_interval<Paper, by_species<DelayedCrowdingInterval>>`, a species' interval depends on its
+/// own number of members.   Reads: what its parts read, its own clock.   Random draws: 0.
 template <class IntervalPart, class ExemptionPart, class ChoicePart>
 struct Procedure : Parts<IntervalPart, ExemptionPart, ChoicePart> {
   struct Names {
@@ -28,7 +28,7 @@ struct Procedure : Parts<IntervalPart, ExemptionPart, ChoicePart> {
   static constexpr auto& part_names = Names::part_names;
   using OneInterval = AnswersForSpecies<IntervalPart>;
   using OneChoice = AnswersForSpecies<ChoicePart>;
-  /// Whether each species has procedures of its own.
+  /// Whether each species has its own procedures.
   static constexpr bool is_apart = !std::same_as<OneInterval, IntervalPart> || !std::same_as<OneChoice, ChoicePart>;
   static constexpr bool parts_fit = Interval<OneInterval> && Exemption<AnswersForSpecies<ExemptionPart>> && Choice<OneChoice> &&
                                     (!is_apart || (Interval<OneInterval, OneSpecies> && Choice<OneChoice, OneSpecies>));
@@ -49,7 +49,7 @@ struct Procedure : Parts<IntervalPart, ExemptionPart, ChoicePart> {
   };
   Params params;
 
-  struct Clocks {  ///< of all species
+  struct Clocks {  ///< one clock per species
     std::vector<StarvationClock> of;
     static constexpr auto saved() { return std::tuple{&Clocks::of}; }
   };

@@ -23,17 +23,18 @@ concept GivesBonus = requires(const P policy, BodyIndex body, const View& view) 
 
 }  // namespace detail
 
-/// The one owner of energy. `view.robots[body].energy_J` is the stock of the individual in a body, for every rule and sensor to
-/// read; only the population changes it, by what this rule says, so that energy never comes from nowhere. energy.csv is its
-/// ledger.
+/// The only owner of energy. `view.robots[body].energy_J` is the energy of the individual in a body; every rule and sensor may
+/// read it. Only the population changes it, by the amounts that this rule returns, so energy never appears from nowhere.
+/// energy.csv is its ledger.
 ///
 /// - `first_J(newborn, rng)`: returns the energy of a founder, or of a newborn that no parent endows
-/// - `upkeep_J(self, walked_m, view)`: returns what an individual spends in a tick in which it walked so far, >= 0
+/// - `upkeep_J(self, walked_m, view)`: returns what an individual spends in a tick in which it walked this distance, >= 0
 /// - `bite_J(self, there_J, view)`: returns what it takes of the there_J in its cell of the resource, >= 0 and at most there_J;
 ///   asked once a tick, after upkeep, in random order, in a table with a rule Resource
-/// - `meal_J(hunter, victim, view)`: returns what a hunter gets of what its victim has, >= 0 and at most that; the rest is lost
+/// - `meal_J(hunter, victim, view)`: returns how much of its victim's energy a hunter gets, >= 0 and at most all of it; the rest
+/// is lost
 /// - optional: `bonus_J(hunter, victim, view)`: returns what a hunter gets from outside at a catch, >= 0, as in worlds without a
-///   budget
+/// budget
 /// - `starves(self, view)`: returns whether an individual dies of hunger (Cause::starved); asked after bites and catches
 ///
 /// A newborn's endowment is part of its birth: Recruit::endowment_J of the rule Recruitment.
@@ -50,7 +51,7 @@ concept Metabolism = requires(const P policy, const Individual& newborn, BodyInd
 
 namespace ask {
 
-/// 0 by a rule without a bonus.
+/// Returns 0 for a rule without a bonus.
 template <class P>
 [[nodiscard]] double bonus_J([[maybe_unused]] const P& policy, [[maybe_unused]] BodyIndex hunter,
                              [[maybe_unused]] BodyIndex victim, [[maybe_unused]] const View& view) {

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// Energy by the tick and the meal, whatever the eaten had.
+// A fixed cost per tick and a fixed gain per meal, however much energy the victim had.
 #pragma once
 
 #include <trophic/energy/metabolism/contract.hpp>
 
 namespace trophic::energy::metabolism {
 
-/// Rule: a tick costs `tick`. A species that hunts nothing takes at most `gain` from its cell of the resource; a hunter gets
-/// `gain` at a catch from outside, so energy is not conserved. Founders have a whole number below twice the gain. An
-/// individual starves below 0. As in NetLogo's wolf sheep predation [wilensky1997]; there a sheep gains 4, a wolf 20: by_species.
-/// Reads: energies, the food web.   Random draws: 1 for a founder.
+/// Rule: a tick costs `tick`. A species that hunts nothing takes at most `gain` from its cell of the resource. A hunter gets
+/// `gain` from outside at each catch, so energy is not conserved. A founder's energy is a random whole number below twice the
+/// gain. An individual starves below 0. As in NetLogo's wolf sheep predation [wilensky1997]; in which a sheep gains 4 and a wolf
+/// 20 (by_species). Reads: energies, the food web.   Random draws: 1 for a founder.
 struct FixedGains {
   static constexpr std::string_view name = "fixed_gains";
   static constexpr std::string_view source = "not in the paper; [wilensky1997]";
@@ -18,8 +18,9 @@ struct FixedGains {
     double gain_J = 4.0;
     double tick_J = 1.0;
     static constexpr auto fields() {
-      return std::tuple{field("gain_J", &Params::gain_J, at_least(0.0), "from a bite of the resource, or from a catch"),
-                        field("tick_J", &Params::tick_J, at_least(0.0), "spent in a tick")};
+      return std::tuple{
+          field("gain_J", &Params::gain_J, at_least(0.0), "energy gained from a bite of the resource or from a catch"),
+          field("tick_J", &Params::tick_J, at_least(0.0), "energy spent per tick")};
     }
   };
   Params params;

@@ -10,11 +10,10 @@ namespace trophic::energy::metabolism {
 /// Rule, for an individual with energy E in a tick of length t:
 ///   E <- E - (resting + walking * distance / t) * t
 ///   E <- E + min(bite * t, there, capacity - E), for a species that hunts nothing, in a table with a Resource; in one with the
-///            act Eat only if its brain chose to
-///   E <- E + min(efficiency * victim's E, capacity - E) at a catch
-/// It starves once E <= 0. Founders and newcomers have `first`. Energy balance as in Polyworld [yaeger1994]. All parameters are
-/// free.   Reads: energies, the distance walked, the food web, the act Eat.   Random draws: 1, of a founder whose `first`
-/// spreads.
+///   act Eat only if its brain chose to eat E <- E + min(efficiency * victim's E, capacity - E) at a catch
+/// An individual starves once E <= 0. Founders and newcomers start with `first`. The energy balance follows Polyworld
+/// [yaeger1994]. All parameters are free.   Reads: energies, the distance walked, the food web, the act Eat.   Random draws: 1
+/// for a founder if `first` has a spread.
 struct GrazingAndHunting {
   static constexpr std::string_view name = "grazing_and_hunting";
   static constexpr std::string_view source = "not in the paper; after [yaeger1994]";
@@ -29,16 +28,23 @@ struct GrazingAndHunting {
     double efficiency = 1.0;
     static constexpr auto fields() {
       return std::tuple{
-          field("first_J", &Params::first_J, at_least(0.0), "mean energy of founders and newcomers"),
-          field("spread", &Params::spread, between(0.0, 1.0), "theirs is uniform in first_J * (1 -+ spread)"),
-          field("capacity_J", &Params::capacity_J, above(0.0), "the most that an individual holds"),
+          field("first_J", &Params::first_J, at_least(0.0), "mean energy of founders and newcomers").read_for_newcomers(),
+          field("spread", &Params::spread, between(0.0, 1.0), "their energy is uniform in first_J * (1 -+ spread)")
+              .read_for_newcomers(),
+          field("capacity_J", &Params::capacity_J, above(0.0), "largest energy of an individual"),
           field("resting_W", &Params::resting_W, at_least(0.0), "power at rest and while walking"),
           field("walking_J_per_m", &Params::walking_J_per_m, at_least(0.0), "energy per metre walked"),
-          field("bite_W", &Params::bite_W, at_least(0.0), "the fastest that a grazer takes from the resource"),
+          field("bite_W", &Params::bite_W, at_least(0.0), "largest rate at which a grazer takes energy from the resource"),
           field("efficiency", &Params::efficiency, between(0.0, 1.0), "share of the victim's energy that the hunter gets")};
     }
   };
   Params params;
+
+  [[nodiscard]] std::string_view why_no_effect(std::string_view number, const FoodWeb& web, OneSpecies species) const {
+    if (!species) return "";
+    if (number == "efficiency" && !web.hunts(*species)) return "for a species that hunts nothing";
+    return number == "bite_W" && web.hunts(*species) ? "for a species that hunts" : "";
+  }
 
   [[nodiscard]] double first_J(const Individual&, Rng& rng) const {
     const double first_J = params.first_J * (params.spread > 0.0 ? 1.0 + rng.uniform(-params.spread, params.spread) : 1.0);

@@ -13,9 +13,9 @@ enum class Acts { in_turn, together };
   return {"in_turn", "together"};
 }
 
-/// Rule: a species does all its acts of a tick before the next one, as in NetLogo's wolf sheep predation [wilensky1997]. There
-/// each individual does all its acts before the next one. That is the same in distribution if members of a species meet only by
-/// what is left to eat, which they bite and catch in random order.   Reads: nothing.   Random draws: 0.
+/// Rule: a species completes all its acts of a tick before the next species, as in NetLogo's wolf sheep predation [wilensky1997].
+/// There, each individual completes all its acts before the next one. Both have the same distribution if members of a species
+/// interact only through the remaining food, which they eat in random order.   Reads: nothing.   Random draws: 0.
 struct ByTurns {
   static constexpr std::string_view name = "by_turns";
   static constexpr std::string_view source = "not in the paper; [wilensky1997]";
@@ -23,7 +23,7 @@ struct ByTurns {
   struct Params {
     Acts acts = Acts::in_turn;
     static constexpr auto fields() {
-      return std::tuple{field("acts", &Params::acts, "in_turn, or together: as in a table without this rule")};
+      return std::tuple{field("acts", &Params::acts, "in_turn, or together (as in a table without this rule)")};
     }
   };
   Params params;

@@ -9,14 +9,14 @@
 
 namespace trophic {
 
-/// Those who act at a moment of a tick: all individuals.
+/// The individuals that act at a moment of a tick: here all individuals.
 struct AllAct {
   static constexpr std::uint64_t turn = 0;
   [[nodiscard]] bool operator()(const Individual& one) const { return one.lives(); }
   [[nodiscard]] constexpr bool has(Species) const { return true; }
 };
 
-/// Those of one species.
+/// The individuals of one species.
 struct SpeciesActs {
   Species turn = 0;
   [[nodiscard]] constexpr bool operator()(const Individual& one) const { return one.species == turn; }
@@ -27,10 +27,10 @@ struct SpeciesActs {
 
 namespace trophic::energy {
 
-/// `in_turn()`: returns whether species act in turn, in the order of the community. Then all of a species spend, bite, catch,
-/// age, starve by the rule Metabolism and give birth before the next species does, and the resource grows after the last one.
-/// Otherwise all spend, the resource grows, all bite, all catch, and so on; births are last. In both orders all bodies have moved
-/// before, and the rules Starvation and MinimumPredators come after all other deaths.
+/// `in_turn()`: returns whether species act in turn, in the order of the community. If so, all members of a species spend, bite,
+/// catch, age, starve by the rule Metabolism and give birth before the next species does, and the resource grows after the last
+/// one. Otherwise all individuals spend, the resource grows, all bite, all catch, and so on; births come last. In both orders all
+/// bodies have moved before, and the rules Starvation and MinimumPredators act after all other deaths.
 template <class P>
 concept Order = requires(const P policy) {
   { policy.in_turn() } -> std::same_as<bool>;

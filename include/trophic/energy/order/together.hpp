@@ -6,8 +6,8 @@
 
 namespace trophic::energy::order {
 
-/// Rule: all spend and bite, then all catch, then all die, then all reproduce (Dynamics).   Reads: nothing.   Random
-/// draws: 0.
+/// Rule: all individuals spend and bite, then all catches happen, then all deaths, then all births (Dynamics).   Reads: nothing.
+/// Random draws: 0.
 struct Together {
   static constexpr std::string_view name = "together";
   static constexpr std::string_view source = "paper: no such rule";

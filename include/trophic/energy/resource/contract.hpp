@@ -28,8 +28,8 @@ concept TakesDeaths = requires(const P policy, ResourceField& field, const Vacan
 
 }  // namespace detail
 
-/// The world's own state. `view.field` is the field, for every rule and sensor to read; individuals take energy from it by the
-/// rule Metabolism. Checkpoints hold it.
+/// The state of the world. Every rule and sensor may read the field as `view.field`; individuals take energy from it under the
+/// rule Metabolism. Checkpoints save it.
 ///
 /// - `start(arena, rng)`: returns the field at the start
 /// - `grow(field, view, rng)`: changes it once a tick, after the robots have moved and before they bite; by the rule Order in

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Patches that are eaten whole and grow again after a delay.
+// Patches that are eaten whole and regrow after a delay.
 #pragma once
 
 #include <trophic/energy/resource/contract.hpp>
 
 namespace trophic::energy::resource {
 
-/// Rule: a patch, one cell, holds `patch` or nothing; once something is bitten off it is bare, and full again `delay_ticks`
-/// later. At the start `grown` of the patches are full, the others bare for a random part of the delay, as in NetLogo's wolf
-/// sheep predation [wilensky1997]. All parameters are free.   Reads: nothing.   Random draws: two for each cell at the start.
+/// Rule: a patch is one cell and holds either `patch` or nothing. After a bite it is bare, and it is full again `delay_ticks`
+/// later. At the start a share `grown` of the patches is full; the others have a random part of the delay left, as in NetLogo's
+/// wolf sheep predation [wilensky1997]. All parameters are free.   Reads: nothing.   Random draws: two per cell at the start.
 struct DelayedPatches {
   static constexpr std::string_view name = "delayed_patches";
   static constexpr std::string_view source = "not in the paper; [wilensky1997]";
@@ -19,10 +19,12 @@ struct DelayedPatches {
     std::int64_t delay_ticks = 30;
     double grown = 0.5;
     static constexpr auto fields() {
-      return std::tuple{field("patches_in_a_row", &Params::patches_in_a_row, between(1, 1000), "patches along a side"),
-                        field("patch_J", &Params::patch_J, at_least(0.0), "energy of a full patch"),
-                        field("delay_ticks", &Params::delay_ticks, at_least(1), "ticks until a bare patch is full again"),
-                        field("grown", &Params::grown, between(0.0, 1.0), "share of patches that are full at the start")};
+      return std::tuple{
+          field("patches_in_a_row", &Params::patches_in_a_row, between(1, 1000), "number of patches along a side of the arena")
+              .read_at_start(),
+          field("patch_J", &Params::patch_J, at_least(0.0), "energy of a full patch"),
+          field("delay_ticks", &Params::delay_ticks, at_least(1), "ticks until a bare patch is full again"),
+          field("grown", &Params::grown, between(0.0, 1.0), "share of patches that are full at the start").read_at_start()};
     }
   };
   Params params;

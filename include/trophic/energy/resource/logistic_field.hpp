@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Food that grows logistically in every cell, faster in season.
+// Food that grows logistically in every cell, with a seasonal growth rate.
 #pragma once
 
 #include <trophic/energy/resource/contract.hpp>
@@ -9,9 +9,9 @@ namespace trophic::energy::resource {
 /// Rule, for the food F of a cell in a tick of length t:
 ///   F <- min(K, F + t (r F (1 - F / K) + seed K)),   r = growth (1 + season sin(2 pi time / year)),   K = capacity * area of the
 ///   cell
-/// Each cell starts full. `patches` of the cells bear nothing, drawn at the start: the others share their capacity. Verhulst's
-/// growth [rosenzweig1963]; `seed` lets an empty cell recover. All parameters are free.   Reads: time.   Random draws: one for
-/// each cell at the start if there are patches.
+/// Each cell starts full. A random share `barren` of the cells never has food; their capacity is shared by the others. This is
+/// Verhulst's growth [rosenzweig1963]; `seed` lets an empty cell recover. All parameters are free. Reads: time.   Random draws:
+/// one per cell at the start if there are barren cells.
 struct LogisticField {
   static constexpr std::string_view name = "logistic_field";
   static constexpr std::string_view source = "not in the paper; growth as in [rosenzweig1963]";
@@ -25,16 +25,23 @@ struct LogisticField {
     double season = 0.5;
     double year_s = 1000.0;
     static constexpr auto fields() {
-      return std::tuple{field("cells_in_a_row", &Params::cells_in_a_row, between(1, 1000), "cells along a side of the arena"),
-                        field("capacity_J_m2", &Params::capacity_J_m2, at_least(0.0), "most food on a square metre, on average"),
-                        field("growth_1_s", &Params::growth_1_s, at_least(0.0), "growth rate of little food"),
-                        field("seed_1_s", &Params::seed_1_s, at_least(0.0), "of the capacity a second, whatever is there"),
-                        field("barren", &Params::barren, between(0.0, 0.99), "share of cells that bear nothing"),
-                        field("season", &Params::season, between(0.0, 1.0), "amplitude of the growth rate's season"),
-                        field("year_s", &Params::year_s, above(0.0), "length of a year, the ecology's clock")};
+      return std::tuple{
+          field("cells_in_a_row", &Params::cells_in_a_row, between(1, 1000), "number of cells along a side of the arena")
+              .read_at_start(),
+          field("capacity_J_m2", &Params::capacity_J_m2, at_least(0.0), "mean carrying capacity per square metre")
+              .read_at_start(),
+          field("growth_1_s", &Params::growth_1_s, at_least(0.0), "growth rate at low density"),
+          field("seed_1_s", &Params::seed_1_s, at_least(0.0), "growth per second at any density, as a fraction of the capacity"),
+          field("barren", &Params::barren, between(0.0, 0.99), "share of barren cells, which never have food").read_at_start(),
+          field("season", &Params::season, between(0.0, 1.0), "amplitude of seasonal changes in the growth rate"),
+          field("year_s", &Params::year_s, above(0.0), "length of a year by the ecology's clock")};
     }
   };
   Params params;
+
+  [[nodiscard]] std::string_view why_no_effect(std::string_view number, const FoodWeb&, OneSpecies) const {
+    return number == "year_s" && params.season == 0.0 ? "without a season" : "";
+  }
 
   /// Layer 0 holds the capacity of each cell.
   [[nodiscard]] ResourceField start(const Arena& arena, Rng& rng) const {

@@ -6,7 +6,7 @@
 
 namespace trophic::energy::resource {
 
-/// Rule: the floor bears nothing (the paper).   Reads: nothing.   Random draws: 0.
+/// Rule: nothing grows on the floor, as in the paper.   Reads: nothing.   Random draws: 0.
 struct NoResource {
   static constexpr std::string_view name = "no_resource";
   static constexpr std::string_view source = "paper: no such rule";

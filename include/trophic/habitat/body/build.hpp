@@ -17,8 +17,9 @@ struct Design {
   ModuleTree modules;
   double forward_deg = 0.0;
   double friction = 1.0;
-  double hinge_range_rad = 1.047197551;      ///< 60 degrees
-  std::optional<double> root_density_kg_m3;  ///< set: boxes of the root link weigh volume * density instead of their part's mass
+  double hinge_range_rad = 1.047197551;  ///< 60 degrees
+  std::optional<double>
+      root_density_kg_m3;  ///< if set, boxes of the root link weigh volume * density instead of their part's mass
   Servo servo;
   MeasuredWalk walk;
   PartMasses part_mass_kg;
@@ -31,9 +32,9 @@ struct Design {
   }
 };
 
-/// Builds the robot of a design. Modules that no hinge separates become one link; every part is a uniform box; hinges and links
-/// are numbered depth first in face order. Hinges i and j are neighbours if at most two attachments lie between them. The
-/// bounding radius is the sum of the hinge distances along the longest chain and the reach of its last box. Throws
+/// Builds the robot of a design. Modules that are not separated by a hinge become one link; every part is a uniform box; hinges
+/// and links are numbered depth first in face order. Hinges i and j are neighbours if at most two attachments lie between them.
+/// The bounding radius is the sum of the hinge distances along the longest chain and the reach of its last box. Throws
 /// std::invalid_argument.
 [[nodiscard]] RobotModel build(const Design& design);
 

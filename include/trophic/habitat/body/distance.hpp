@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far apart two body plans are, and how many different plans there are.
+// The distance between body plans, and the diversity of plans.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace trophic::body {
 
-/// The tree edit distance of two plans: the fewest modules that are inserted, deleted or changed to make one plan of the other,
-/// each at cost 1. A deleted module's children become its parent's; a change replaces type, face and quarter turns at once. Trees
-/// are ordered by face. It is a metric: 0 only for equal plans. Computed as in [zhang1989], in time of the squared product of
-/// modules at most.
+/// The tree edit distance of two plans: the smallest number of inserted, deleted or changed modules that turns one plan into the
+/// other, each at cost 1. A deleted module's children become its parent's; a change replaces type, face and quarter turns at
+/// once. Trees are ordered by face. It is a metric: 0 only for equal plans. Computed as in [zhang1989], in time at most
+/// proportional to the squared product of the numbers of modules.
 [[nodiscard]] std::size_t edit_distance(const ModuleTree& a, const ModuleTree& b);
 
-/// The Shannon number of kinds, given the individuals of each: exp(-sum p ln p), Hill's number of order 1 [hill1973]. Equal to
-/// the number of kinds if all are as frequent; 0 without individuals.
+/// The Shannon number of kinds, given the number of individuals of each: exp(-sum p ln p), Hill's number of order 1 [hill1973].
+/// It equals the number of kinds if all are equally frequent, and is 0 without individuals.
 [[nodiscard]] double shannon_number(std::span<const std::size_t> individuals);
 
 }  // namespace trophic::body

@@ -16,7 +16,7 @@ namespace detail {
 struct Postorder {
   using Label = std::tuple<ModuleType, Face, int>;
   std::vector<Label> labels;
-  std::vector<std::size_t> leftmost;  ///< of each module: the first leaf of its subtree
+  std::vector<std::size_t> leftmost;  ///< for each module: the first leaf of its subtree
   std::vector<std::size_t> keyroots;  ///< the root, and each module with a sibling before it, ascending
 
   explicit Postorder(const ModuleTree& tree) {
@@ -53,7 +53,8 @@ TROPHIC_INLINE std::size_t edit_distance(const ModuleTree& first, const ModuleTr
   const detail::Postorder b{second};
   const std::size_t columns = b.labels.size() + 1;
   std::vector<std::size_t> trees(a.labels.size() * b.labels.size());  // distance of the subtrees of i and j
-  std::vector<std::size_t> forests((a.labels.size() + 1) * columns);  // of what precedes i and j in the subtrees at hand
+  std::vector<std::size_t> forests((a.labels.size() + 1) *
+                                   columns);  // distance of the parts that precede i and j in the current subtrees
   for (const std::size_t root_a : a.keyroots) {
     for (const std::size_t root_b : b.keyroots) {
       const std::size_t from_a = a.leftmost[root_a];

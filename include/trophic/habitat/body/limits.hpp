@@ -20,21 +20,24 @@ struct Limits {
   std::size_t most_hinges = 10;
 
   static constexpr auto fields() {
-    return std::tuple{field("most_modules", &Limits::most_modules, between(1.0, 100.0), "modules of a body, its core included"),
-                      field("fewest_hinges", &Limits::fewest_hinges, between(0.0, 100.0), "hinges that a body needs"),
-                      field("most_hinges", &Limits::most_hinges, between(0.0, 100.0), "hinges that a body may have")};
+    return std::tuple{field("most_modules", &Limits::most_modules, between(1.0, 100.0),
+                            "largest number of modules in a body, including its core"),
+                      field("fewest_hinges", &Limits::fewest_hinges, between(0.0, 100.0), "smallest number of hinges in a body"),
+                      field("most_hinges", &Limits::most_hinges, between(0.0, 100.0), "largest number of hinges in a body")};
   }
 };
 
-/// The names of two links with boxes that overlap at rest (all angles 0), as "A and B"; empty if none do. Links that a hinge
-/// joins do not count: engines let them overlap, too. The grid of modules cannot show this: parts are not as long as their cells.
+/// The names of two links with boxes that overlap at rest (all angles 0), as "A and B"; empty if none do. Links joined by a hinge
+/// are ignored, because engines also let them overlap. The grid of modules cannot detect overlaps, because parts are not as long
+/// as their cells.
 [[nodiscard]] std::string overlapping_links(const RobotModel& robot);
 
-/// Whether some hinge is on the left or the right of the robot's axis: only those can a Steering rule treat differently.
+/// Whether some hinge is on the left or right side of the robot's axis; only such hinges can be treated differently by a Steering
+/// rule.
 [[nodiscard]] bool has_sides(const RobotModel& robot);
 
-/// Why a body may not live, e.g. "12 hinges: must be <= 10"; none if it may. The checks, in order: number of modules, numbers of
-/// hinges, a hinge on the left or the right (if hinges are required at all), overlap of boxes.
+/// Why a body is not viable, e.g. "12 hinges: must be <= 10"; empty if it is viable. The checks, in order: number of modules,
+/// numbers of hinges, a hinge on the left or the right (if hinges are required at all), overlap of boxes.
 [[nodiscard]] std::optional<std::string> refusal(const ModuleTree& tree, const RobotModel& robot, const Limits& limits);
 
 }  // namespace trophic::body

@@ -13,7 +13,7 @@ namespace trophic::body {
 
 namespace detail {
 
-/// Boxes that only meet do not overlap: each loses this share of its extents, some 30 nm.
+/// Boxes that only touch do not overlap: each is shrunk by this share of its extents, some 30 nm.
 inline constexpr double touching_share = 1e-6;
 
 [[nodiscard]] inline std::vector<std::vector<PlacedBox>> shrunk_boxes_by_link(const RobotModel& robot) {
@@ -56,7 +56,7 @@ TROPHIC_INLINE bool has_sides(const RobotModel& robot) {
 TROPHIC_INLINE std::optional<std::string> refusal(const ModuleTree& tree, const RobotModel& robot, const Limits& limits) {
   if (auto why = detail::count_refusal(tree.modules().size(), "modules", 1, limits.most_modules)) return why;
   if (auto why = detail::count_refusal(robot.hinges.size(), "hinges", limits.fewest_hinges, limits.most_hinges)) return why;
-  if (limits.fewest_hinges > 0 && !has_sides(robot)) return "no hinge on the left or the right: must have one to be steered";
+  if (limits.fewest_hinges > 0 && !has_sides(robot)) return "no hinge on the left or right side: must have one to be steerable";
   const std::string links = overlapping_links(robot);
   if (!links.empty()) return "links " + links + ": must not overlap at rest";
   return std::nullopt;

@@ -38,7 +38,7 @@ inline constexpr std::array<Face, 4> all_faces{Face::front, Face::back, Face::le
   return false;
 }
 
-/// Full box extents and distances of the module parts, m; x points out of the face that the module is attached to.
+/// Full box extents and distances of the module parts, m; x points out of the face to which the module is attached.
 namespace parts {
 inline const Eigen::Vector3d core_extents_m{0.089, 0.089, 0.0603};
 inline const Eigen::Vector3d hinge_frame_extents_m{0.018, 0.053, 0.0165891};
@@ -84,7 +84,7 @@ struct Module {
 [[nodiscard]] Eigen::Matrix3i face_rotation(Face face);
 [[nodiscard]] Eigen::Matrix3i roll_rotation(int quarter_turns);
 
-/// A core with modules attached to it; every state of it is a robot that can be built, as far as the grid shows.
+/// A core with modules attached to it; every state is a robot that can be built, as far as the grid shows.
 class ModuleTree {
  public:
   ModuleTree() : modules_(1) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A body plan written down: a tree of modules as plain numbers, which a genome holds, and as a line of text, which tables hold.
+// The representations of a body plan: a tree of modules as plain numbers, for genomes, and as a line of text, for tables.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace trophic::body {
 
-/// The most modules of a plan that is read, so that no genome and no file can ask for a body without end.
+/// The largest number of modules in a plan that is read, so that genomes and files cannot request an unbounded body.
 inline constexpr std::size_t most_modules_of_a_plan = 1000;
 
 /// Numbers per module other than the core: index of its parent, face (0 front, 1 back, 2 left, 3 right), type (1 hinge, 2
@@ -26,8 +26,8 @@ inline constexpr std::size_t genes_per_module = 4;
 /// The genes of a plan, module by module in canonical order; the core has none. Equal genes are equal plans.
 [[nodiscard]] std::vector<double> genes_of(const ModuleTree& tree);
 
-/// The plan of these genes. Throws std::invalid_argument "body gene INDEX = VALUE: must be ..." for a number that is none of
-/// `genes_of`, a parent that does not come before its child, a face that is missing or taken, a module that overlaps another.
+/// The plan of these genes. Throws std::invalid_argument "body gene INDEX = VALUE: must be ..." for a number that `genes_of`
+/// cannot produce, a parent that does not come before its child, a face that is missing or taken, a module that overlaps another.
 [[nodiscard]] ModuleTree tree_of(std::span<const double> genes);
 
 /// The plan as text in canonical order: each module is FACE:TYPE and its quarter turns, with its children in brackets, as in

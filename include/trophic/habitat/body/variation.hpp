@@ -8,8 +8,8 @@
 
 namespace trophic::body {
 
-/// The operators, in the order in which a mutation applies them. None gives a tree that the grid forbids: each draws, with equal
-/// probability, among the changes that are possible, and does nothing and draws nothing if there is none.
+/// The operators, in the order in which a mutation applies them. No operator makes a tree that the grid forbids: each chooses
+/// with equal probability among the possible changes; if there are none, it does nothing and draws nothing.
 ///   add      a new leaf: free face, then type, then quarter turns          3 draws
 ///   remove   a leaf                                                        1 draw
 ///   cut      a module with all that it carries                             1 draw
@@ -24,8 +24,8 @@ enum class TreeOperator { add, remove, cut, copy, mirror, swap, turn, change };
   return {"add", "remove", "cut", "copy", "mirror", "swap", "turn", "change"};
 }
 
-/// The probability of each operator at a birth; with the defaults about half of the newborn have their parent's plan. The
-/// operators are those of directed graphs of parts [sims1994], on a tree.
+/// The probability of each operator at a birth; with the defaults, about half of the newborns have their parent's plan. The
+/// operators are those for directed graphs of parts [sims1994], applied to a tree.
 struct TreeMutation {
   double add = 0.15;
   double remove = 0.15;
@@ -38,16 +38,16 @@ struct TreeMutation {
 
   static constexpr auto fields() {
     return std::tuple{field("add", &TreeMutation::add, between(0.0, 1.0), "probability of a new leaf"),
-                      field("remove", &TreeMutation::remove, between(0.0, 1.0), "probability that a leaf is lost"),
-                      field("cut", &TreeMutation::cut, between(0.0, 1.0), "probability that a subtree is lost"),
+                      field("remove", &TreeMutation::remove, between(0.0, 1.0), "probability of losing a leaf"),
+                      field("cut", &TreeMutation::cut, between(0.0, 1.0), "probability of losing a subtree"),
                       field("copy", &TreeMutation::copy, between(0.0, 1.0), "probability that a subtree is copied"),
                       field("mirror", &TreeMutation::mirror, between(0.0, 1.0), "probability that a subtree is mirrored"),
-                      field("swap", &TreeMutation::swap, between(0.0, 1.0), "probability that two subtrees change places"),
-                      field("turn", &TreeMutation::turn, between(0.0, 1.0), "probability that a subtree is turned"),
+                      field("swap", &TreeMutation::swap, between(0.0, 1.0), "probability that two subtrees are swapped"),
+                      field("turn", &TreeMutation::turn, between(0.0, 1.0), "probability that a subtree is rotated"),
                       field("change", &TreeMutation::change, between(0.0, 1.0), "probability that a module changes type")};
   }
 
-  /// The probabilities times a factor in [0, 1].
+  /// The probabilities, multiplied by a factor in [0, 1].
   [[nodiscard]] TreeMutation times(double factor) const {
     TreeMutation result = *this;
     for_each_field(result, [&](const auto&, double& probability) { probability *= factor; });
@@ -55,15 +55,16 @@ struct TreeMutation {
   }
 };
 
-/// The tree changed by one operator, in canonical order. The mirror is the upright plane through the core along `forward_deg`, to
-/// the nearest 45 degrees. Draws: see TreeOperator.
+/// Returns the tree changed by one operator, in canonical order. The mirror is the upright plane through the core along
+/// `forward_deg`, to the nearest 45 degrees. Draws: see TreeOperator.
 [[nodiscard]] ModuleTree changed(const ModuleTree& tree, TreeOperator how, double forward_deg, Rng& rng);
 
-/// The tree after each operator in turn, with its probability; in canonical order. Draws: 1 per operator, and those of the
-/// operators that act.
+/// Returns the tree after each operator in turn, with its probability, in canonical order. Draws: 1 per operator, plus those of
+/// the operators that act.
 [[nodiscard]] ModuleTree mutated(const ModuleTree& tree, const TreeMutation& probabilities, double forward_deg, Rng& rng);
 
-/// A core to which leaves are added until the tree has `modules`, or no face is free. Draws: 3 per module but the core.
+/// Returns a core to which leaves are added until the tree has `modules`, or no face is free. Draws: 3 per module except the
+/// core.
 [[nodiscard]] ModuleTree random_tree(std::size_t modules, Rng& rng);
 
 }  // namespace trophic::body

@@ -18,11 +18,11 @@ namespace detail {
   return face == Face::right ? Face::left : face;
 }
 
-/// A subtree that comes to a place.
+/// A subtree that is moved to a place.
 struct Graft {
-  std::size_t at = 0;                 ///< the module whose place it takes, with all that that carries
-  std::optional<std::size_t> module;  ///< the root of the subtree; none: the place stays empty
-  std::optional<int> image_turns;     ///< set: its mirror image, the root with these quarter turns
+  std::size_t at = 0;                 ///< the module that it replaces, with everything attached to that module
+  std::optional<std::size_t> module;  ///< the root of the subtree; if empty, the place stays empty
+  std::optional<int> image_turns;     ///< if set, the mirror image is attached, with these quarter turns of the root
 };
 
 /// Attaches a copy of a subtree. Throws std::invalid_argument if the grid forbids it.
@@ -54,7 +54,7 @@ inline void copy_with(const ModuleTree& tree, std::size_t module, std::span<cons
   }
 }
 
-/// `tree` with these grafts; none if the grid forbids it.
+/// Returns `tree` with these grafts; empty if the grid forbids it.
 [[nodiscard]] inline std::optional<ModuleTree> with_grafts(const ModuleTree& tree, std::span<const Graft> grafts) {
   try {
     ModuleTree result;
@@ -65,7 +65,7 @@ inline void copy_with(const ModuleTree& tree, std::size_t module, std::span<cons
   }
 }
 
-/// `tree` with a subtree also at a free face; none if the grid forbids it.
+/// Returns `tree` with a copy of a subtree at a free face; empty if the grid forbids it.
 [[nodiscard]] inline std::optional<ModuleTree> with_copy(const ModuleTree& tree, const Graft& graft, std::size_t parent,
                                                          Face face) {
   try {
@@ -77,7 +77,7 @@ inline void copy_with(const ModuleTree& tree, std::size_t module, std::span<cons
   }
 }
 
-/// `tree` with another type or orientation of one module; none if the grid forbids it.
+/// Returns `tree` with a different type or orientation of one module; empty if the grid forbids it.
 [[nodiscard]] inline std::optional<ModuleTree> with_module(const ModuleTree& tree, std::size_t changed, ModuleType type,
                                                            int quarter_turns) {
   try {
@@ -93,7 +93,7 @@ inline void copy_with(const ModuleTree& tree, std::size_t module, std::span<cons
   }
 }
 
-/// One of the trees; `tree` itself, without a draw, if there is none.
+/// Returns one of the trees or, without a draw, `tree` itself if there are none.
 [[nodiscard]] inline ModuleTree one_of(std::vector<ModuleTree>& possible, const ModuleTree& tree, Rng& rng) {
   return possible.empty() ? tree : std::move(possible[rng.index(possible.size())]);
 }
@@ -168,8 +168,8 @@ void for_each_free_face(const ModuleTree& tree, const Visit& visit) {
   return (Eigen::Matrix3i() << c, s, 0, s, -c, 0, 0, 0, 1).finished();
 }
 
-/// `tree` with the mirror image of a subtree at its mirrored place; none if no face is there, or if the image is the subtree
-/// itself.
+/// Returns `tree` with the mirror image of a subtree at its mirrored place; empty if there is no face, or if the image is the
+/// subtree itself.
 [[nodiscard]] inline std::optional<ModuleTree> with_image(const ModuleTree& tree, std::size_t module,
                                                           const Eigen::Matrix3i& mirror) {
   const Module& made = tree.modules()[module];

@@ -30,7 +30,7 @@ namespace detail {
 
 inline constexpr double largest_arena_m = 1e6;
 
-/// Half side of the floor, m: of what is left without the rings of nodes at the edge that are each higher than all inside.
+/// Half side of the floor, m, which excludes the rings of nodes at the edge that are each higher than all nodes inside.
 [[nodiscard]] inline double floor_half_side_m(const HeightField& field) {
   const double spacing_m = 2.0 * field.half_extent_m / static_cast<double>(field.nodes - 1);
   const std::size_t rings = (field.nodes + 1) / 2;
@@ -52,7 +52,7 @@ inline constexpr double largest_arena_m = 1e6;
   return field.half_extent_m - static_cast<double>(floor) * spacing_m;
 }
 
-/// A wall may lead `to_x_m`, `to_y_m`; without them the obstacle is a pillar.
+/// A wall extends to `to_x_m`, `to_y_m`; without them the obstacle is a pillar.
 [[nodiscard]] inline Obstacle obstacle_of(const TomlTable& table, double half_extent_m) {
   const Bound inside = between(-half_extent_m, half_extent_m);
   Obstacle one{.x_m = table.number("x_m", inside), .y_m = table.number("y_m", inside)};
@@ -136,9 +136,9 @@ TROPHIC_INLINE Arena load_arena(std::string_view name_or_path, std::string_view 
                                                : detail::floor_half_side_m(field);
   detail::read_things(file, arena);
   file.no_other_keys();
-  if (!(arena.half_side_m > 0.0)) file.fail("height_m", ": must have a floor: its heights rise from the centre to the edge");
+  if (!(arena.half_side_m > 0.0)) file.fail("height_m", ": must have a floor, but the heights rise from the centre to the edge");
   if (!file.has("floor_side_m") && arena.half_side_m == field.half_extent_m)
-    file.fail("height_m", ": must be higher at its edge than anywhere inside, or floor_side_m must say where the floor ends");
+    file.fail("height_m", ": must be higher at its edge than anywhere inside, or floor_side_m must give the extent of the floor");
   if (!detail::has_rim(field))
     file.fail("height_m", ": is 0 somewhere at its edge: must be > 0 all around, or robots walk off it");
   arena.height_field = std::move(field);

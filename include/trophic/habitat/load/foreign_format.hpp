@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The format of another program that a text is in, if it is not the expected one.
+// Recognises the format of another program in a text that is not in the expected one.
 #pragma once
 
 #include <algorithm>
@@ -24,10 +24,9 @@ inline constexpr std::string_view robogen_text = "RoboGen's text";
   return "";
 }
 
-/// The name of the format in which other programs describe robots, by its first element or line; empty if it is none of those
-/// that are known.
+/// The name of the format in which other programs describe robots, by its first element or line; empty for an unknown format.
 [[nodiscard]] inline std::string_view foreign_format(std::string_view text) {
-  std::string_view line;  // the first that is neither empty nor a comment
+  std::string_view line;  // the first line that is neither empty nor a comment
   do {
     text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n\xEF\xBB\xBF"), text.size()));
     line = text.substr(0, text.find_first_of("\r\n"));
@@ -45,14 +44,14 @@ inline constexpr std::string_view robogen_text = "RoboGen's text";
   return line.starts_with("---") || line.starts_with("%YAML") || has_key ? "YAML" : "";
 }
 
-/// ": is in FORMAT: must be TOML, ..."; empty for a text in no format that is known.
+/// ": is in FORMAT: must be TOML, ..."; empty for a text in an unknown format.
 [[nodiscard]] inline std::string about_foreign_format(std::string_view text) {
   const std::string_view format = foreign_format(text);
   if (format.empty()) return "";
   const bool converts = format == "JSON" || format == "YAML" || format == robogen_text;
   return ": is " + std::string{format} +
-         ": must be TOML, a robot a tree of cores, hinges and bricks as models/README.md describes it" +
-         (converts ? "; `trophic convert` makes one of a body of RoboGen, Revolve or revolve2" : "");
+         ": must be TOML that describes the robot as a tree of cores, hinges and bricks (models/README.md)" +
+         (converts ? "; `trophic convert` converts a body of RoboGen, Revolve or revolve2" : "");
 }
 
 }  // namespace trophic::detail

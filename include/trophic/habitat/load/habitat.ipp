@@ -20,7 +20,7 @@ TROPHIC_INLINE Habitat load_habitat(const EcologyParams& ecology, const ModelNam
     NamedRobot named{.name = name, .design = load_design(name, installed), .robot = {}, .gait = {}};
     named.robot = body::build(named.design);
     if (named.robot.gait.empty())
-      throw std::invalid_argument{"robot \"" + name + "\": must name its gait, as rules give it to individuals"};
+      throw std::invalid_argument{"robot \"" + name + "\": must name its gait, because rules give this body to individuals"};
     named.gait = load_gait(named.robot.gait, installed);
     check_fit(named.gait, named.robot);
     habitat.robots.push_back(std::move(named));
@@ -35,7 +35,8 @@ TROPHIC_INLINE Habitat load_habitat(const EcologyParams& ecology, std::string_vi
   Habitat habitat{
       .robot = load_robot(ecology.robot, installed), .arena = load_arena(ecology.arena, installed, ecology.robots), .gait = {}};
   const std::string& gait = ecology.gait.empty() ? habitat.robot.gait : ecology.gait;
-  if (gait.empty()) throw std::invalid_argument{"ecology.gait: must be given, as robot \"" + ecology.robot + "\" names none"};
+  if (gait.empty())
+    throw std::invalid_argument{"ecology.gait: must be given, because robot \"" + ecology.robot + "\" names none"};
   habitat.gait = load_gait(gait, installed);
   check_fit(habitat.gait, habitat.robot);
   return habitat;

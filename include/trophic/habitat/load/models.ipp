@@ -45,7 +45,7 @@ TROPHIC_INLINE std::filesystem::path find_model(ModelKind kind, std::string_view
   std::string known;
   for (const std::string& name : names) known += (known.empty() ? "; there are " : ", ") + name;
   throw std::invalid_argument{"no " + std::string{folder.substr(0, folder.size() - 1)} + " \"" + std::string{name_or_path} +
-                              "\"; searched: " + (searched.empty() ? "nowhere (set TROPHIC_MODELS)" : searched) + known};
+                              "\"; searched: " + (searched.empty() ? "none (set TROPHIC_MODELS)" : searched) + known};
 }
 
 }  // namespace trophic

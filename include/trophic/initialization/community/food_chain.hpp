@@ -21,8 +21,8 @@ struct FoodChain {
     std::size_t hunters = 9;
     std::size_t apex = 7;
     static constexpr auto fields() {
-      return std::tuple{field("hunters", &Params::hunters, at_least(0), "founders that eat grazers"),
-                        field("apex", &Params::apex, at_least(0), "founders that eat hunters")};
+      return std::tuple{field("hunters", &Params::hunters, at_least(0), "number of founders that eat grazers"),
+                        field("apex", &Params::apex, at_least(0), "number of founders that eat hunters")};
     }
   };
   Params params;

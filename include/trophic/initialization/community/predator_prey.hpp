@@ -19,7 +19,8 @@ struct PredatorPrey {
   struct Params {
     std::size_t predators = 14;
     static constexpr auto fields() {
-      return std::tuple{field("predators", &Params::predators, at_least(0), "founders that are predators; the others are prey")};
+      return std::tuple{
+          field("predators", &Params::predators, at_least(0), "number of founders that are predators; the others are prey")};
     }
   };
   Params params;

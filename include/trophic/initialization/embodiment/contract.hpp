@@ -15,16 +15,16 @@
 
 namespace trophic::initialization {
 
-/// The consequence if the engine cannot compute the motion of a body any longer.
+/// What happens if the engine can no longer compute the motion of a body.
 enum class Divergence { ends_run, ends_individual };
 [[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(Divergence) {
   return {"ends_run", "ends_individual"};
 }
 
 /// `set_down(place, robot, arena, others)`: returns the root pose in which a newborn's body appears, joint angles 0; `place` is
-/// where the old body stood, `others` are the boxes of all robots near it. Always returns a pose: a death is never refused. Asked
-/// only if bodies differ; bodies born in one tick are set down in the order of their births. Optional: `Divergence divergence()
-/// const`; without it a body that diverges ends the run.
+/// where the old body stood, `others` are the boxes of all robots near it. It always returns a pose, because a death cannot be
+/// refused. It is called only if bodies differ; bodies born in one tick are put in place in the order of their births. Optional:
+/// `Divergence divergence() const`; without it a body that diverges ends the run.
 template <class P>
 concept Embodiment = requires(const P policy, const GroundPose& place, const RobotModel& robot, const Arena& arena,
                               std::span<const PlacedBox> others) {

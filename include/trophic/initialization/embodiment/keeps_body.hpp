@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A newborn takes over the body of the dead.
+// A newborn takes over the body of the dead individual.
 #pragma once
 
 #include <stdexcept>
@@ -7,8 +7,8 @@
 
 namespace trophic::initialization::embodiment {
 
-/// Rule: a newborn takes over the body of the dead individual as it stands (Sec. "Birth"). Refused, before the run, in a table
-/// whose bodies differ.   Reads: nothing.   Random draws: 0.
+/// Rule: a newborn takes over the body of the dead individual as it stands (Sec. "Birth"). A table whose bodies differ is refused
+/// before the run.   Reads: nothing.   Random draws: 0.
 struct KeepsBody {
   static constexpr std::string_view name = "keeps_body";
   static constexpr std::string_view source = "paper, Sec. \"Birth\"";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A newborn stands up in its own body, where the dead one stood.
+// A newborn appears upright in its own body, where the dead one stood.
 #pragma once
 
 #include <algorithm>
@@ -9,10 +9,11 @@
 
 namespace trophic::initialization::embodiment {
 
-/// Rule: a newborn's body appears where the old one stood, with its heading, upright, joint angles 0, feet on the floor; if it
-/// would reach a wall, moved inwards. If it would touch another robot, at the nearest free place on rings of step_m, 16 places
-/// each, up to two of its radii away; if none is free, straight above, where it falls. `diverged`: the consequence if an engine
-/// cannot compute a body's motion any longer.   Reads: the boxes of the robots near it.   Random draws: 0.
+/// Rule: a newborn's body appears where the old one stood, with the same heading, upright, with joint angles 0 and its feet on
+/// the floor. If it would reach into a wall, it is moved inwards. If it would touch another robot, it appears at the nearest free
+/// place on rings with a spacing of step_m and 16 places each, up to two of its radii away; if none is free, it appears straight
+/// above and falls. `diverged`: what happens if an engine can no longer compute a body's motion.   Reads: the boxes of the robots
+/// near it.   Random draws: 0.
 struct StandsUp {
   static constexpr std::string_view name = "stands_up";
   static constexpr std::string_view source = "not in the paper";
@@ -22,9 +23,10 @@ struct StandsUp {
     double gap_m = 0.005;
     Divergence diverged = Divergence::ends_individual;
     static constexpr auto fields() {
-      return std::tuple{field("step_m", &Params::step_m, between(0.01, 1.0), "distance between rings of places that are tried"),
-                        field("gap_m", &Params::gap_m, between(0.0, 0.1), "distance that is kept to others and to walls"),
-                        field("diverged", &Params::diverged, "a body whose motion diverges: ends_run or ends_individual")};
+      return std::tuple{
+          field("step_m", &Params::step_m, between(0.01, 1.0), "distance between the rings of positions that are tried"),
+          field("gap_m", &Params::gap_m, between(0.0, 0.1), "minimum distance to other robots and to walls"),
+          field("diverged", &Params::diverged, "effect of a body whose motion diverges: ends_run or ends_individual")};
     }
   };
   Params params;
@@ -65,7 +67,7 @@ struct StandsUp {
  private:
   static constexpr std::size_t places_on_ring = 16;
 
-  /// Makes a box larger by the gap on each side.
+  /// Enlarges a box by the gap on each side.
   void grow(PlacedBox& box) const {
     for (int axis = 0; axis < 3; ++axis) {
       const double half_m = box.half_edges_m.col(axis).norm();
@@ -74,7 +76,7 @@ struct StandsUp {
     box.radius_m += 2.0 * params.gap_m;
   }
 
-  /// The position moved inwards until no box reaches beyond the arena's side, if it is wide enough.
+  /// Returns the position, moved inwards until all boxes are within the arena if it is wide enough.
   [[nodiscard]] static Eigen::Vector3d inside(Eigen::Vector3d position_m, std::span<const PlacedBox> boxes, double half_side_m) {
     for (int axis = 0; axis < 2; ++axis) {
       double low_m = half_side_m;

@@ -9,10 +9,10 @@
 
 namespace trophic::initialization::placement {
 
-/// Rule: positions uniform over the floor, one bounding radius from walls and obstacles, drawn again while closer than two
-/// bounding radii to a robot already placed; headings uniform. The paper has "attributed to one of the available bodies" (Sec.
-/// "Initialization") and is silent about their positions and headings. The released code's positions are also random: see
-/// UniformSquare.   Reads: arena, radius.   Random draws: 3 per attempt.
+/// Rule: positions are uniform over the floor, at least one bounding radius from walls and obstacles, and redrawn while closer
+/// than two bounding radii to a robot already placed; headings are uniform. The paper has "attributed to one of the available
+/// bodies" (Sec. "Initialization") and is silent about their positions and headings. Positions in the released code are also
+/// random (UniformSquare).   Reads: arena, radius.   Random draws: 3 per attempt.
 struct Scattered {
   static constexpr std::string_view name = "scattered";
   static constexpr std::string_view source = "paper: silent; Sec. \"Initialization\" names no positions";

@@ -8,7 +8,7 @@
 
 namespace trophic::initialization::placement {
 
-/// Rule: positions uniform in [-h, h]^2, overlaps allowed; all robots face the same way. The released code uses h = 9 m and, by
+/// Rule: positions are uniform in [-h, h]^2 and may overlap; all robots face the same way. The released code uses h = 9 m and, by
 /// an error in the order of quaternion components, turns each root frame by pi; the spider's forward axis is 45 degrees from
 /// its root frame's x.   Reads: arena (bounds only).   Random draws: 2 per robot.
 struct UniformSquare {
@@ -21,8 +21,9 @@ struct UniformSquare {
     double half_extent_m = 9.0;
     double heading_rad = -0.75 * std::numbers::pi;
     static constexpr auto fields() {
-      return std::tuple{field("half_extent_m", &Params::half_extent_m, above(0.0), "positions lie within +- this"),
-                        field("heading_rad", &Params::heading_rad, any_number(), "every robot's first heading")};
+      return std::tuple{
+          field("half_extent_m", &Params::half_extent_m, above(0.0), "bound on the absolute value of both coordinates"),
+          field("heading_rad", &Params::heading_rad, any_number(), "initial heading of every robot")};
     }
   };
   Params params;
@@ -36,7 +37,7 @@ struct UniformSquare {
     for (GroundPose& pose : placed) {
       for (int attempt = 0; attempt == 0 || !is_clear(arena, pose, radius_m); ++attempt) {
         if (attempt == max_attempts_per_robot)
-          throw std::invalid_argument{"arena " + arena.name + ": has no room among its obstacles"};
+          throw std::invalid_argument{"arena " + arena.name + ": leaves no room between its obstacles"};
         pose.x_m = rng.uniform(-params.half_extent_m, params.half_extent_m);
         pose.y_m = rng.uniform(-params.half_extent_m, params.half_extent_m);
       }

@@ -15,9 +15,9 @@ struct Pose;  // trophic/habitat/pose.hpp
 namespace trophic::perception {
 
 /// `heading_rad(root, forward_rad)`: returns the heading of a robot on the floor, counter-clockwise from x, given its root
-/// frame and the direction of its forward axis in that frame. Left and right of a robot refer to it. A rule that differs from the
-/// forward axis in tilted robots alone declares `static constexpr bool acts_on_tilt_alone = true;`: runs of a backend without
-/// joints then remark on it.
+/// frame and the direction of its forward axis in that frame. Left and right are relative to it. A rule that differs from the
+/// forward axis only for tilted robots declares `static constexpr bool acts_on_tilt_alone = true;`; runs on a backend without
+/// joints then print a remark.
 template <class P>
 concept Heading = requires(const P policy, const Pose& root, double forward_rad) {
   { policy.heading_rad(root, forward_rad) } -> std::same_as<double>;

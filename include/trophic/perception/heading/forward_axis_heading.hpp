@@ -10,8 +10,7 @@ namespace trophic::perception::heading {
 
 /// Rule: the heading is the direction of the robot's forward axis projected on the floor. The paper has only "a predefined
 /// frame of reference that establishes the front orientation" (Sec. "Targeted Steering"); here the front is a part of the body,
-/// so that it stays the front of a robot on its back. RootYawHeading is the released code's.   Reads: root pose. Random draws:
-/// 0.
+/// so it stays the front of a robot on its back. The released code uses RootYawHeading.   Reads: root pose.   Random draws: 0.
 struct ForwardAxisHeading {
   static constexpr std::string_view name = "forward_axis_heading";
   static constexpr std::string_view source = "paper, Sec. \"Targeted Steering\"; silent on tilted bodies";

@@ -10,9 +10,9 @@
 
 namespace trophic::perception::heading {
 
-/// Rule: as `Rule`, but the opposite while the root's z axis points down. On its back a spider walks against its forward axis,
-/// and a hinge of its left side lies on the right. So its front is where it walks, and it turns to the side that its brain
-/// chooses. Not in the paper, which is silent on tilted bodies.   Reads: root pose.   Random draws: 0.
+/// Rule: like `Rule`, but reversed while the root's z axis points down. On its back a spider walks against its forward axis, and
+/// a hinge of its left side lies on the right. With this rule its front is where it walks, and it turns to the side that its
+/// brain chooses. The paper is silent on tilted bodies.   Reads: root pose.   Random draws: 0.
 template <Heading Rule>
 struct ReversedOnBack {
   static constexpr std::string_view name = prefixed_name<"reversed_on_back", Rule>;

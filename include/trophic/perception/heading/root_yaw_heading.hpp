@@ -10,8 +10,8 @@
 namespace trophic::perception::heading {
 
 /// Rule (released code): heading = yaw + forward_rad, where yaw is the direction of the root frame's x axis projected on the
-/// floor. The spider's forward axis lies 45 degrees from x. Upright this is where that axis points; on its back a spider's
-/// heading is 90 degrees off it, and it sees some adversaries on the other side.   Reads: root pose.   Random draws: 0.
+/// floor. The spider's forward axis lies 45 degrees from x. For an upright spider this is where that axis points; on its back its
+/// heading is 90 degrees off, and it perceives some adversaries on the wrong side.   Reads: root pose.   Random draws: 0.
 struct RootYawHeading {
   static constexpr std::string_view name = "root_yaw_heading";
   static constexpr std::string_view source = "released code";

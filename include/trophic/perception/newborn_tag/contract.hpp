@@ -13,7 +13,7 @@
 namespace trophic::perception {
 
 /// `tag(body_tag, tags, rng)`: returns the tag of an individual at birth, one of the brain's `tags`. body_tag is that of the
-/// body's previous occupant, none for a founder.
+/// body's previous occupant, empty for a founder.
 template <class P>
 concept NewbornTag = requires(const P policy, std::optional<int> body_tag, std::span<const int> tags, Rng& rng) {
   { policy.tag(body_tag, tags, rng) } -> std::same_as<int>;

@@ -8,7 +8,7 @@
 namespace trophic::perception::newborn_tag {
 
 /// Rule: a newborn keeps the tag of the body's previous occupant; founders start with founder_tag. The paper is silent; this is
-/// the released code's, whose founders all show +1.   Reads: the body's tag.   Random draws: 0.
+/// the released code's rule, in which all founders show +1.   Reads: the body's tag.   Random draws: 0.
 struct KeepsBodyTag {
   static constexpr std::string_view name = "keeps_body_tag";
   static constexpr std::string_view source = "paper: silent; released code";
@@ -16,7 +16,8 @@ struct KeepsBodyTag {
   struct Params {
     int founder_tag = 1;
     static constexpr auto fields() {
-      return std::tuple{field("founder_tag", &Params::founder_tag, any_number(), "the tag of founders: one of the brain's tags")};
+      return std::tuple{
+          field("founder_tag", &Params::founder_tag, any_number(), "tag of founders, one of the brain's tags").read_at_start()};
     }
   };
   Params params;

@@ -7,8 +7,8 @@
 
 namespace trophic::perception::newborn_tag {
 
-/// Rule: founders and newborns show each of the brain's tags with equal probability, independent of the body's tag: an
-/// alternative to KeepsBodyTag, as the paper is silent.   Reads: nothing.   Random draws: 1.
+/// Rule: founders and newborns show each of the brain's tags with equal probability, independently of the body's tag. This is an
+/// alternative to KeepsBodyTag, because the paper is silent.   Reads: nothing.   Random draws: 1.
 struct RandomTag {
   static constexpr std::string_view name = "random_tag";
   static constexpr std::string_view source = "paper: silent";

@@ -25,9 +25,9 @@ concept NamedSensor = requires {
 
 }  // namespace detail
 
-/// `size` numbers about one robot: `sense(self, sighting, view, rng)`, with its adversary if it perceives one. Called when the
-/// robot decides. Each sensor defines its values without an adversary. A sensor with a State may take `const State& own` last;
-/// the State is as it was before this tick's on_sighting.
+/// A sensor of `size` numbers about one robot: `sense(self, sighting, view, rng)`, where `sighting` is its adversary if it
+/// perceives one. It is called when the robot decides. Each sensor defines its values without an adversary. A sensor with a State
+/// may take `const State& own` last; the State is as it was before this tick's on_sighting.
 template <class P>
 concept OwnSensor = detail::Sized<P> &&(
     requires(const P policy, BodyIndex self, const std::optional<Sighting>& sighting, const View& view, Rng& rng) {
@@ -38,8 +38,8 @@ concept OwnSensor = detail::Sized<P> &&(
       { policy.sense(self, sighting, view, rng, own) } -> std::same_as<std::array<double, P::size>>;
     });
 
-/// Whether a sensor reads joints, tilt or touch, by `static constexpr bool needs_joints = true;`: `view.bodies` then exists, and
-/// backends without joints are refused.
+/// Whether a sensor reads joints, tilt or touch, declared by `static constexpr bool needs_joints = true;`. Then `view.bodies`
+/// exists, and backends without joints are refused.
 template <class P>
 inline constexpr bool needs_joints = false;
 template <class P>
@@ -62,7 +62,8 @@ template <class P>
 
 }  // namespace ask
 
-/// `size` numbers that are the same for all robots: `sense(view)`. Called once a tick, before the first robot decides.
+/// A sensor of `size` numbers that are the same for all robots: `sense(view)`. It is called once per tick, before the first robot
+/// decides.
 template <class P>
 concept CommonSensor = detail::Sized<P> && requires(const P policy, const View& view) {
   { policy.sense(view) } -> std::same_as<std::array<double, P::size>>;

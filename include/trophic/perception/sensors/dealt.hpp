@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A null of senses: each robot senses what another one does.
+// A null model for a sensor: each robot senses what a random other robot would.
 #pragma once
 
 #include <trophic/perception/sensors/contract.hpp>
@@ -7,9 +7,9 @@
 
 namespace trophic::perception::sensors {
 
-/// Rule: the values of `Sensed` at a random living robot of self's species, drawn at each tick: inputs as in the table with
-/// Sensed, that say nothing about self. Robots that do as well with it do not use that sensor. Sensed reads no sighting and has
-/// no State. Reads: what Sensed reads.   Random draws: 1, and those of Sensed.
+/// Rule: the values of `Sensed` for a random living robot of self's species, redrawn at each tick. Inputs have the same
+/// distribution as with Sensed, but carry no information about self. If robots do as well with it, they do not use that sensor.
+/// Sensed must not read the sighting or have a State. Reads: what Sensed reads.   Random draws: 1, and those of Sensed.
 template <class Sensed>
 struct Dealt {
   static_assert(!Stateful<Sensed>, "sensors::Dealt takes a sensor without a State");

@@ -7,9 +7,9 @@
 namespace trophic::perception::sensors {
 
 /// Rule: min(1, distance / largest terrain extent) (Sec. "Inputs": "divided by the maximum terrain bounds"). The paper is
-/// silent about distances beyond one side, which a diagonal allows: they are clipped to 1, as all inputs lie in [-1, 1].
-/// Without an adversary 1, the farthest; the paper is silent. DistanceOverDiagonal divides by the diagonal.   Reads: distance,
-/// arena.   Random draws: 0.
+/// silent about distances beyond one side, which a diagonal allows: they are clipped to 1, because all inputs lie in [-1, 1].
+/// Without an adversary the value is 1, the farthest; the paper is silent. DistanceOverDiagonal divides by the diagonal.   Reads:
+/// distance, arena.   Random draws: 0.
 struct DistanceOverTerrain {
   static constexpr std::string_view name = "distance_over_terrain";
   static constexpr std::string_view source = "paper, Sec. \"Inputs\"";

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Smell: where there is more food.
+// Smell: the direction of more food.
 #pragma once
 
 #include <trophic/perception/sensors/contract.hpp>
 
 namespace trophic::perception::sensors {
 
-/// Rule: with the food F in the cells at `reach` in front, behind, to the right and to the left: (F front - F behind) / sum and
-/// (F right - F left) / sum; 0 where there is none. The reach is a free parameter.   Reads: own pose, resource.   Random draws:
-/// 0.
+/// Rule: two values, (F front - F behind) / sum and (F right - F left) / sum, where F is the food in the cells at distance
+/// `reach` in front, behind, to the right and to the left; 0 if there is no food. The reach is a free parameter.   Reads: own
+/// pose, resource.   Random draws: 0.
 struct FoodGradient {
   static constexpr std::string_view name = "food_gradient";
   static constexpr std::string_view source = "not in the paper";
@@ -17,7 +17,7 @@ struct FoodGradient {
   struct Params {
     double reach_m = 1.0;
     static constexpr auto fields() {
-      return std::tuple{field("reach_m", &Params::reach_m, above(0.0), "distance of the cells compared")};
+      return std::tuple{field("reach_m", &Params::reach_m, above(0.0), "distance between the compared cells")};
     }
   };
   Params params;

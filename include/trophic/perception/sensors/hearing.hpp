@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Ears: the loudest call from each side.
+// Ears: the loudest signal from each direction.
 #pragma once
 
 #include <trophic/control/acts/list.hpp>
@@ -8,9 +8,9 @@
 
 namespace trophic::perception::sensors {
 
-/// Rule: for each of `sectors` of equal angle, from the left of straight behind to the right of it, the loudest signal * (1 -
-/// distance / range) of the other robots there on this channel, at their last decision. Walls do not dampen. The range is a free
-/// parameter.   Reads: positions, the act Signal.   Random draws: 0.
+/// Rule: one value for each of `sectors` of equal angle, clockwise from straight behind: the loudest signal * (1 - distance /
+/// range) of the other robots there on this channel, as of their last decision. Walls do not attenuate signals. The range is a
+/// free parameter.   Reads: positions, the act Signal.   Random draws: 0.
 template <std::size_t channel, std::size_t sectors = 4>
 struct Hearing {
   static constexpr std::string_view name = "hearing";
@@ -21,7 +21,7 @@ struct Hearing {
   struct Params {
     double range_m = 8.0;
     static constexpr auto fields() {
-      return std::tuple{field("range_m", &Params::range_m, above(0.0), "distance at which a call is lost")};
+      return std::tuple{field("range_m", &Params::range_m, above(0.0), "distance beyond which a signal is not heard")};
     }
   };
   Params params;

@@ -7,8 +7,8 @@
 
 namespace trophic::perception::sensors {
 
-/// Rule: the angle of each of the first `count` hinges over its range, in about [-1, 1]; 0 for a hinge that the body does not
-/// have. Refused on a backend without joints.   Reads: own joints.   Random draws: 0.
+/// Rule: the angle of each of the first `count` hinges divided by its range, in about [-1, 1]; 0 for a hinge that the body does
+/// not have. Refused on a backend without joints.   Reads: own joints.   Random draws: 0.
 template <std::size_t count>
 struct JointAngles {
   static constexpr std::string_view name = "joint_angles";

@@ -9,7 +9,7 @@
 
 namespace trophic::detail {
 
-/// Fails to compile, with one sentence, if a sensor's State violates the requirements in population/state.hpp.
+/// Fails to compile with a clear message if a sensor's State violates the requirements in population/state.hpp.
 template <class One>
 struct CheckSensorState {
   static_assert(!Stateful<One> || perception::OwnSensor<One>,
@@ -26,7 +26,7 @@ namespace trophic::perception::sensors {
 
 namespace detail {
 
-/// The name of a sensor; empty for a type that is not a sensor, which List reports.
+/// The name of a sensor; empty for a type that is not a sensor. List reports the error.
 template <class One>
 [[nodiscard]] consteval std::string_view name_of() {
   if constexpr (perception::detail::NamedSensor<One>) return One::name;
@@ -46,7 +46,7 @@ struct Sources {
   static constexpr std::string_view separator = " + ";
 };
 
-/// 0 for a type that is not a sensor, which List reports.
+/// 0 for a type that is not a sensor; List reports the error.
 template <class One>
 [[nodiscard]] consteval std::size_t size_of() {
   if constexpr (perception::detail::Sized<One>) return One::size;
@@ -73,7 +73,8 @@ class Held {
   std::tuple<Sensors...> sensors_;
 };
 
-/// Sensors of which some have a State: the list then has one too, with each sensor's under its name, and forwards the hooks.
+/// For sensors of which some have a State: the list then has one too, with each sensor's State under its name, and forwards the
+/// hooks.
 template <class... Sensors>
 class HeldWithStates : public Held<Sensors...> {
  public:
@@ -120,7 +121,7 @@ using HeldSensors = std::conditional_t<(Stateful<Sensors> || ...), HeldWithState
 
 }  // namespace detail
 
-/// The inputs of a brain: the values of each sensor in the order of the list. A sensor's parameters are set under its name:
+/// The inputs of a brain: the values of each sensor in the order of the list. A sensor's parameters have paths with its name,
 /// `rules.sensors.distance_over_scale.full_scale_m`, or in a table by `with`. If a sensor has a State (population/state.hpp),
 /// the list has one for each body, with that sensor's under its name.
 template <class... Sensors>
@@ -138,14 +139,15 @@ class List : public detail::HeldSensors<Sensors...> {
   using At = std::tuple_element_t<place, std::tuple<Sensors...>>;
   template <class One>
   static constexpr bool contains = (std::same_as<One, Sensors> || ...);
-  /// The list with New in place of Old.
+  /// The list with New instead of Old.
   template <class Old, class New>
   using Replaced = List<std::conditional_t<std::same_as<Sensors, Old>, New, Sensors>...>;
 
   using Params = GroupOf<detail::Names<Sensors...>, ParamsOf<Sensors>...>;
   Params params;
 
-  /// The parameters with these for one sensor, for a table's params(): `.sensors = Sensors::with<DistanceOverScale>({...})`.
+  /// Returns the parameters of the list with these for one sensor, for a table's params(): `.sensors =
+  /// Sensors::with<DistanceOverScale>({...})`.
   template <class One>
   [[nodiscard]] static constexpr Params with(const ParamsOf<One>& given, Params others = {}) {
     static_assert(contains<One>, "the list has no such sensor");

@@ -6,7 +6,7 @@
 
 namespace trophic::perception::sensors {
 
-/// Rule: own energy / full_scale, from 0 to 1. The scale is a free parameter.   Reads: own energy.   Random draws: 0.
+/// Rule: own energy / full_scale, clipped to [0, 1]. The scale is a free parameter.   Reads: own energy.   Random draws: 0.
 struct OwnEnergy {
   static constexpr std::string_view name = "own_energy";
   static constexpr std::string_view source = "not in the paper";

@@ -6,8 +6,8 @@
 
 namespace trophic::perception::sensors {
 
-/// Rule: the straight distance walked in the last tick per second, over full_scale, at most 1; a robot that is stuck has 0. The
-/// scale is a free parameter.   Reads: its own state.   Random draws: 0.
+/// Rule: the straight distance walked in the last tick, per second and divided by full_scale, at most 1; a robot that is stuck
+/// has 0. The scale is a free parameter.   Reads: its own state.   Random draws: 0.
 struct OwnSpeed {
   static constexpr std::string_view name = "own_speed";
   static constexpr std::string_view source = "not in the paper";

@@ -47,7 +47,7 @@ class ListsHeld {
   std::tuple<Lists...> lists_;
 };
 
-/// Lists of which some have a State: the states of all, each under its species' name.
+/// For lists of which some have a State: the states of all lists, each under its species' name.
 template <class Community, class... Lists>
 class ListsWithStates : public ListsHeld<Lists...> {
  public:
@@ -81,7 +81,7 @@ using HeldLists = std::conditional_t<(Stateful<Lists> || ...), ListsWithStates<C
 }  // namespace detail
 
 /// The inputs of brains that differ by species: `PerSpecies<PreyList, PredatorList>` has one List for each species of the table's
-/// community, in its order. A brain has the inputs of its species' list. Parameters are set under the species and the sensor:
+/// community, in its order. A brain has the inputs of its species' list. The paths of parameters have the species and the sensor,
 /// `rules.sensors.prey.distance_over_scale.full_scale_m`, or in a table by `params.sensors.get<0>()`. Each individual has the
 /// states of its species' sensors; the others do not change.
 template <class... Lists>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A random number for brains that walk at random.
+// A random number for brains that make robots walk at random.
 #pragma once
 
 #include <trophic/perception/sensors/contract.hpp>

@@ -10,10 +10,10 @@ namespace trophic::perception::sensors {
 enum class Sees { victims, hunters, kin, walls, food };
 
 /// Rule: `count` rays from left to right, spread over `field` about the heading. A ray ends at the first body (the circle of its
-/// robot) or wall within `range`; its value for each of the `kinds` is 1 - distance / range if that is one, else 0. For food it
-/// is that of the first cell with at least `food` before the ray's end. So bodies and walls hide what is behind them; things at
-/// the same distance all show. Tags do not matter. All parameters are free.   Reads: positions, species, arena, resource. Random
-/// draws: 0.
+/// robot) or wall within `range`; its value for each of the `kinds` is 1 - distance / range if the ray ends at that kind, else 0.
+/// For food, the distance is that of the first cell with at least `food` before the ray's end. Bodies and walls hide what is
+/// behind them; several things at the same distance are all visible. Tags do not matter. All parameters are free.   Reads:
+/// positions, species, arena, resource.   Random draws: 0.
 template <std::size_t count, Sees... kinds>
 struct Rays {
   static_assert(count > 0 && sizeof...(kinds) > 0,
@@ -29,7 +29,7 @@ struct Rays {
     static constexpr auto fields() {
       return std::tuple{field("range_m", &Params::range_m, above(0.0), "length of a ray, from the robot's centre"),
                         field("field_rad", &Params::field_rad, between(0.0, 6.283185307179587), "angle that the rays span"),
-                        field("food_J", &Params::food_J, above(0.0), "energy from which a cell of the resource is food")};
+                        field("food_J", &Params::food_J, above(0.0), "energy above which a cell of the resource counts as food")};
     }
   };
   Params params;
@@ -48,7 +48,7 @@ struct Rays {
  private:
   static constexpr bool sees_food = ((kinds == Sees::food) || ...);
   struct Ray {
-    double cos = 0.0;  ///< of its direction in the world
+    double cos = 0.0;  ///< direction of the ray in the world
     double sin = 0.0;
     double end_m = 0.0;
     std::uint32_t shows = 0;  ///< bits of Sees

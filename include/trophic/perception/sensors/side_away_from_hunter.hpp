@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The released code's Angle input: for hunted species the side that leads away.
+// The released code's Angle input: for hunted species, the side away from the predator.
 #pragma once
 
 #include <trophic/perception/sensors/contract.hpp>
 
 namespace trophic::perception::sensors {
 
-/// Rule: as SideOfAdversary, but turned by pi for an individual whose adversary eats it: +1 means predator on the left for
+/// Rule: like SideOfAdversary, but turned by pi for an individual whose adversary eats it: +1 means predator on the left for
 /// prey, prey on the right for predators (released code). 0 without an adversary.   Reads: bearing, both species.   Random draws:
 /// 0.
 struct SideAwayFromHunter {

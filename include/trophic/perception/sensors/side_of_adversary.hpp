@@ -7,7 +7,7 @@
 namespace trophic::perception::sensors {
 
 /// Rule: -1 if the adversary is on the left, +1 if it is on the right (Sec. "Inputs"); straight ahead counts as right,
-/// straight behind as left. Without an adversary 0, neither side; the paper is silent.   Reads: bearing.   Random draws: 0.
+/// straight behind as left. Without an adversary it is 0, neither side; the paper is silent.   Reads: bearing.   Random draws: 0.
 struct SideOfAdversary {
   static constexpr std::string_view name = "side_of_adversary";
   static constexpr std::string_view source = "paper, Sec. \"Inputs\"";

@@ -6,7 +6,7 @@
 
 namespace trophic::perception::sensors {
 
-/// Rule: TR = (P - N/2) / N over the N active robots, P of them tagged +1 (released code); 0 if no robot is active. Reads: all
+/// Rule: TR = (P - N/2) / N, where P of the N active robots show tag +1 (released code); 0 if no robot is active. Reads: all
 /// tags and activities.   Random draws: 0.
 struct TagRatioOfActive {
   static constexpr std::string_view name = "tag_ratio_of_active";

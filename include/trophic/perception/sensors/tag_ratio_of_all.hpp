@@ -6,7 +6,7 @@
 
 namespace trophic::perception::sensors {
 
-/// Rule: TR = (P - N/2) / N with P robots tagged +1 of all N (Sec. "Inputs", Eq. 2); in [-1/2, 1/2].   Reads: all
+/// Rule: TR = (P - N/2) / N, where P of all N robots show tag +1 (Sec. "Inputs", Eq. 2); in [-1/2, 1/2].   Reads: all
 /// tags.   Random draws: 0.
 struct TagRatioOfAll {
   static constexpr std::string_view name = "tag_ratio_of_all";

@@ -7,7 +7,7 @@
 
 namespace trophic::perception::sensors {
 
-/// Rule: the angle between the root link's z axis and the vertical, over pi: 0 upright, 1 on its back. Refused on a backend
+/// Rule: the angle between the root link's z axis and the vertical, divided by pi: 0 upright, 1 on its back. Refused on a backend
 /// without joints.   Reads: own pose.   Random draws: 0.
 struct Tilt {
   static constexpr std::string_view name = "tilt";

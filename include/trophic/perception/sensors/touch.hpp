@@ -9,7 +9,7 @@
 namespace trophic::perception::sensors {
 
 /// Rule: two inputs, each 1 or 0: whether a box of the body reaches a wall or an obstacle, and whether it touches another robot.
-/// Bodies are as large as their boxes; contacts of the engine are not asked. Refused on a backend without joints.   Reads: the
+/// Bodies have the size of their boxes; the engine's contacts are not used. Refused on a backend without joints.   Reads: the
 /// bodies of robots, arena.   Random draws: 0.
 struct Touch {
   static constexpr std::string_view name = "touch";

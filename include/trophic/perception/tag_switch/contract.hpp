@@ -14,7 +14,7 @@ namespace trophic::perception {
 enum class MaySwitch {
   no,
   yes,
-  yes_and_clock_restarts  ///< also if the brain chooses the same tag again
+  yes_and_clock_restarts  ///< even if the brain chooses the same tag again
 };
 
 /// `may_switch(self, view)`: returns whether self's tag may change at this tick. Called after its brain has decided.

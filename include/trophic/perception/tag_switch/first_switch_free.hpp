@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A pause between two tag switches, but none before the first.
+// A cool-down between two tag switches, but none before the first.
 #pragma once
 
 #include <trophic/perception/tag_switch/contract.hpp>
@@ -8,9 +8,9 @@ namespace trophic::perception::tag_switch {
 
 /// Rule: the tag may change iff it has not changed since birth, or at least cool_down has passed since the last switch. The
 /// paper is silent: in "a cool-down of 50 seconds before a robot may switch its tag again" (Sec. "Tagging System") *again* may
-/// mean that the first switch is free. TagCoolDown, whose cool-down also runs at birth, is the other reading. The rule keeps a
-/// state, as a switch at the tick of birth leaves the tag clock at the time of birth.   Reads: its own state, own tag, own tag
-/// clock, time.   Random draws: 0.
+/// mean that the first switch is free. TagCoolDown, whose cool-down also starts at birth, is the alternative reading. The rule
+/// has a state, because a switch at the tick of birth leaves the tag clock at the time of birth.   Reads: its own state, own tag,
+/// own tag clock, time.   Random draws: 0.
 struct FirstSwitchFree {
   static constexpr std::string_view name = "first_switch_free";
   static constexpr std::string_view source = "paper: silent; a reading of Sec. \"Tagging System\"";
@@ -18,7 +18,7 @@ struct FirstSwitchFree {
   struct Params {
     double cool_down_s = 50.0;
     static constexpr auto fields() {
-      return std::tuple{field("cool_down_s", &Params::cool_down_s, at_least(0.0), "pause between two tag switches")};
+      return std::tuple{field("cool_down_s", &Params::cool_down_s, at_least(0.0), "minimum time between two tag switches")};
     }
   };
   Params params;

@@ -6,8 +6,8 @@
 
 namespace trophic::perception::tag_switch {
 
-/// Rule: the tag may change at every decision: the control for the effect of the cool-down.   Reads: nothing.   Random draws:
-/// 0.
+/// Rule: the tag may change at every decision. This is the control for the effect of the cool-down.   Reads: nothing.   Random
+/// draws: 0.
 struct FreeTags {
   static constexpr std::string_view name = "free_tags";
   static constexpr std::string_view source = "control";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A pause between two tag switches.
+// A cool-down between two tag switches.
 #pragma once
 
 #include <trophic/perception/tag_switch/contract.hpp>
@@ -7,8 +7,8 @@
 namespace trophic::perception::tag_switch {
 
 /// Rule: the tag may change iff at least cool_down has passed since the last switch or, before the first, since birth (Sec.
-/// "Tagging System": 50 s). That the cool-down runs at birth is the released code's; the paper is silent, and FirstSwitchFree is
-/// the other reading. TagSampling is the released code's.   Reads: own tag clock, time.   Random draws: 0.
+/// "Tagging System": 50 s). As in the released code, the cool-down also starts at birth; the paper is silent, and FirstSwitchFree
+/// is the alternative reading. The released code uses TagSampling.   Reads: own tag clock, time.   Random draws: 0.
 struct TagCoolDown {
   static constexpr std::string_view name = "tag_cool_down";
   static constexpr std::string_view source = "paper, Sec. \"Tagging System\"";
@@ -16,7 +16,7 @@ struct TagCoolDown {
   struct Params {
     double cool_down_s = 50.0;
     static constexpr auto fields() {
-      return std::tuple{field("cool_down_s", &Params::cool_down_s, at_least(0.0), "pause between two tag switches")};
+      return std::tuple{field("cool_down_s", &Params::cool_down_s, at_least(0.0), "minimum time between two tag switches")};
     }
   };
   Params params;

@@ -7,8 +7,8 @@
 namespace trophic::perception::tag_switch {
 
 /// Rule (released code: every 100 s): at the first decision at least `period` after the tag clock's start the robot takes the
-/// brain's tag, and the clock restarts whether or not the tag has changed. So a brain chooses a tag once in a period; with
-/// TagCoolDown it may choose at every tick after the pause. The clock runs from birth.   Reads: own tag clock, time.   Random
+/// brain's tag, and the clock restarts whether or not the tag has changed. A brain thus chooses a tag once per period; with
+/// TagCoolDown it may choose at every tick after the cool-down. The clock starts at birth.   Reads: own tag clock, time.   Random
 /// draws: 0.
 struct TagSampling {
   static constexpr std::string_view name = "tag_sampling";

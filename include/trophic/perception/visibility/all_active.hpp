@@ -6,7 +6,7 @@
 
 namespace trophic::perception::visibility {
 
-/// Rule: self perceives every active individual, whatever the tags: the baseline for the effect of tags. Reads: other's
+/// Rule: self perceives every active individual, whatever the tags. This is the baseline for the effect of tags. Reads: other's
 /// activity.   Random draws: 0.
 struct AllActive {
   static constexpr std::string_view name = "all_active";

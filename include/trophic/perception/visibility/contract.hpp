@@ -13,8 +13,8 @@
 namespace trophic::perception {
 
 /// `perceives(self, other, view, rng)`: returns whether the individual in body self perceives the one in body other. Species
-/// are checked elsewhere. The stream is that of the pair and the tick: if called again within a tick, a noisy rule returns the
-/// same, independent of the other individuals that self observes.
+/// are checked elsewhere. The random stream belongs to the pair and the tick: a noisy rule returns the same value if called again
+/// within a tick, independently of the other individuals that self observes.
 template <class P>
 concept Visibility = requires(const P policy, BodyIndex self, BodyIndex other, const View& view, Rng& rng) {
   { policy.perceives(self, other, view, rng) } -> std::same_as<bool>;
@@ -47,9 +47,9 @@ struct Horizon {
 
 namespace ask {
 
-/// A Visibility rule may declare in advance what it never perceives: `Horizon horizon(const Individual& self) const`. This
-/// changes no result, and large ecologies search faster. An inherited one does not count, as the derived rule may perceive
-/// more.
+/// A Visibility rule may declare in advance what is never perceived: `Horizon horizon(const Individual& self) const`. This does
+/// not change results but makes the search in large ecologies faster. An inherited declaration is ignored, because the derived
+/// rule may perceive more.
 template <class P>
 [[nodiscard]] Horizon horizon([[maybe_unused]] const P& policy, [[maybe_unused]] const Individual& self) {
   using Rule = AnswersForSpecies<P>;

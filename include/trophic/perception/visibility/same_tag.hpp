@@ -7,7 +7,7 @@
 namespace trophic::perception::visibility {
 
 /// Rule: self perceives other iff their tags are equal and other is active (Sec. "Tagging System"; an inactive newborn is
-/// invisible: Sec. "Prey Death"). The paper is silent on what an inactive newborn perceives; SameTagIfActive is the other
+/// invisible: Sec. "Prey Death"). The paper is silent on what an inactive newborn perceives; SameTagIfActive is the alternative
 /// reading.   Reads: both tags, other's activity.   Random draws: 0.
 struct SameTag {
   static constexpr std::string_view name = "same_tag";

@@ -8,7 +8,7 @@ namespace trophic::perception::visibility {
 
 /// Rule: self perceives other iff their tags are equal and both are active. The paper is silent: "the prey wanders around the map
 /// in a state of inactivity and is invisible to all predators" (Sec. "Prey Death") does not settle whether such a newborn
-/// perceives predators. SameTag, with which it does, is the other reading.   Reads: both tags, both activities.   Random
+/// perceives predators. SameTag, with which it does, is the alternative reading.   Reads: both tags, both activities.   Random
 /// draws: 0.
 struct SameTagIfActive {
   static constexpr std::string_view name = "same_tag_if_active";

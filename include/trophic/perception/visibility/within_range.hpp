@@ -6,9 +6,9 @@
 
 namespace trophic::perception::visibility {
 
-/// Rule: self perceives other iff their tags are equal, other is active, and other is at most range away: SameTag for a sensor
-/// that does not see across the whole arena. The paper sets no limit.   Reads: positions, both tags, other's activity.   Random
-/// draws: 0.
+/// Rule: self perceives other iff their tags are equal, other is active, and other is at most range away. This is SameTag for a
+/// sensor that does not reach across the whole arena. The paper sets no limit.   Reads: positions, both tags, other's activity.
+/// Random draws: 0.
 struct WithinRange {
   static constexpr std::string_view name = "within_range";
   static constexpr std::string_view source = "not in the paper";
@@ -16,7 +16,7 @@ struct WithinRange {
   struct Params {
     double range_m = 5.0;
     static constexpr auto fields() {
-      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "robots farther away are not perceived")};
+      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "distance beyond which robots are not perceived")};
     }
   };
   Params params;

@@ -14,16 +14,16 @@
 
 namespace trophic::reproduction {
 
-/// `grow(genes, species, habitat)`: returns the body of these genes, a pure function. Throws std::invalid_argument for genes
-/// that are none of this policy. A policy whose bodies are inherited also satisfies InheritedBody; `genes` is empty for others.
+/// `grow(genes, species, habitat)`: returns the body of these genes; a pure function. Throws std::invalid_argument for genes that
+/// are not this policy's. A policy whose bodies are inherited also satisfies InheritedBody; `genes` is empty for others.
 template <class P>
 concept BodyPlan = requires(const P policy, std::span<const double> genes, Species species, const Habitat& habitat) {
   { policy.grow(genes, species, habitat) } -> std::same_as<body::Design>;
 };
 
-/// A body with genes of its own, the genome's part `body`. `draw(species, habitat, rng)`: returns those of an individual without
-/// a parent, at least one. `mutate(genes, offspring, habitat, rng)`: changes inherited genes in place, also their number. Both
-/// are repeated if the result cannot be built or the rule Viability refuses it. A policy whose genes are those of
+/// A body with its own genes, the genome's part `body`. `draw(species, habitat, rng)`: returns the genes of an individual without
+/// a parent, at least one. `mutate(genes, offspring, habitat, rng)`: changes inherited genes in place, and may change their
+/// number. Both are repeated if the result cannot be built or the rule Viability refuses it. A policy whose genes are those of
 /// habitat/body/plan.hpp declares `static constexpr bool genes_are_modules = true;`: a crossover then mixes bodies by subtrees.
 template <class P>
 concept InheritedBody = BodyPlan<P> && requires(const P policy, Species species, const Habitat& habitat,
@@ -32,7 +32,7 @@ concept InheritedBody = BodyPlan<P> && requires(const P policy, Species species,
   { policy.mutate(genes, offspring, habitat, rng) } -> std::same_as<void>;
 };
 
-/// Whether the genes of a body are a plan of modules.
+/// Returns whether the genes of a body are a plan of modules.
 template <class P>
 inline constexpr bool genes_are_modules = requires {
   requires P::genes_are_modules;
@@ -40,7 +40,7 @@ inline constexpr bool genes_are_modules = requires {
 
 namespace ask {
 
-/// The robots that a rule names, to be loaded with the habitat: its optional `robots()`.
+/// Returns the robots that a rule names in its optional `robots()`; they are loaded with the habitat.
 template <class P>
 [[nodiscard]] std::vector<std::string> robots([[maybe_unused]] const P& policy) {
   if constexpr (requires { policy.robots(); }) return policy.robots();

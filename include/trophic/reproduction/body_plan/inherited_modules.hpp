@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies that are inherited: a tree of modules, changed at births.
+// Inherited bodies: a tree of modules that mutates at birth.
 #pragma once
 
 #include <trophic/habitat/body/plan.hpp>
@@ -9,12 +9,12 @@
 
 namespace trophic::reproduction::body_plan {
 
-/// Rule: the genes are a plan, four numbers a module (habitat/body/plan.hpp). An individual without a parent has the plan of
-/// `first_robot` (`first_modules` 0) or a random tree of `first_modules` modules; an inherited plan is changed by each operator
-/// with its probability times `rate` (habitat/body/variation.hpp, [sims1994]), unless nothing but the core would be left. Masses,
-/// servos, friction and forward axis are those of `first_robot`; another plan has the name "modules" and no measured walk.
-/// Reads: nothing.   Random draws: of a first plan 0, or 3 a module but the core; of a mutation 8, and those of the operators
-/// that act.
+/// Rule: the genes are a plan with four numbers per module (habitat/body/plan.hpp). An individual without a parent has the plan
+/// of `first_robot` (`first_modules` 0) or a random tree of `first_modules` modules; an inherited plan is changed by each
+/// operator with its probability times `rate` (habitat/body/variation.hpp, [sims1994]), unless only the core would remain.
+/// Masses, servos, friction and forward axis are those of `first_robot`; any other plan is named "modules" and has no measured
+/// walk. Reads: nothing.   Random draws: 0 for a first plan, or 3 per module except the core; 8 for a mutation, plus those of the
+/// operators that act.
 struct InheritedModules {
   static constexpr std::string_view name = "inherited_modules";
   static constexpr std::string_view source = "not in the paper; operators of [sims1994]";
@@ -26,11 +26,13 @@ struct InheritedModules {
     double rate = 1.0;
     std::string first_robot = {};
     static constexpr auto fields() {
-      return std::tuple{field("first_modules", &Params::first_modules, between(0.0, 50.0),
-                              "modules of a random first body (1 counts as 2); 0: the body of first_robot"),
-                        field("mutation", &Params::mutation),
-                        field("rate", &Params::rate, between(0.0, 1.0), "factor of all these probabilities; 0: no body changes"),
-                        field("first_robot", &Params::first_robot, "name or path of a robot; empty: that of ecology.robot")};
+      return std::tuple{
+          field("first_modules", &Params::first_modules, between(0.0, 50.0),
+                "number of modules in a random first body (1 counts as 2); 0: the body of first_robot")
+              .read_for_newcomers(),
+          field("mutation", &Params::mutation),
+          field("rate", &Params::rate, between(0.0, 1.0), "factor applied to all these probabilities; 0: bodies never change"),
+          field("first_robot", &Params::first_robot, "name or path of a robot file; empty: that of ecology.robot")};
     }
   };
   Params params;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The robot of a file, for each species another one.
+// The robot of a file, which may differ between species.
 #pragma once
 
 #include <trophic/params/params.hpp>
@@ -8,7 +8,7 @@
 namespace trophic::reproduction::body_plan {
 
 /// Rule: each individual has the robot that `robot` names, as `ecology.robot` does. `by_species<NamedBody>` gives each species
-/// its own: spiders that hunt geckos. With the rule Gait left out each robot walks by the gait that its file names.   Reads: the
+/// its own: spiders that hunt geckos. Without a rule Gait, each robot uses the gait that its file names.   Reads: the
 /// species.   Random draws: 0.
 struct NamedBody {
   static constexpr std::string_view name = "named_body";
@@ -17,7 +17,7 @@ struct NamedBody {
   struct Params {
     std::string robot;
     static constexpr auto fields() {
-      return std::tuple{field("robot", &Params::robot, "name or path of a robot; empty: that of ecology.robot")};
+      return std::tuple{field("robot", &Params::robot, "name or path of a robot file; empty: that of ecology.robot")};
     }
   };
   Params params;
@@ -28,7 +28,7 @@ struct NamedBody {
   }
 
   [[nodiscard]] body::Design grow(std::span<const double> genes, Species, const Habitat& habitat) const {
-    if (!genes.empty()) throw std::invalid_argument{"genes of a body: must be none with the rule named_body"};
+    if (!genes.empty()) throw std::invalid_argument{"genes of a body: must be absent with the rule named_body"};
     if (params.robot.empty() && habitat.design) return *habitat.design;
     if (const NamedRobot* named = habitat.robot_named(params.robot)) return named->design;
     throw std::invalid_argument{"robot \"" + params.robot + "\": must be a model of the habitat"};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// All robots have one body.
+// All robots have the same body.
 #pragma once
 
 #include <trophic/reproduction/body_plan/contract.hpp>

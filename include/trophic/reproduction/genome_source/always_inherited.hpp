@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every new controller inherits if it has a parent.
+// Every new controller is inherited if there is a parent.
 #pragma once
 
 #include <string_view>
@@ -7,7 +7,7 @@
 
 namespace trophic::reproduction::genome_source {
 
-/// Rule: a new controller is sourced from a parent; one without a parent is random and labelled so. There are no other random
+/// Rule: a new controller comes from a parent; without a parent it is random and labelled random. There are no other random
 /// newcomers.   Reads: nothing.   Random draws: 0.
 struct AlwaysInherited {
   static constexpr std::string_view name = "always_inherited";

@@ -12,11 +12,11 @@ namespace trophic::reproduction {
 /// The origin of a new controller's genome.
 enum class Descent {
   random,            ///< drawn at random
-  of_parent,         ///< from a parent; without one it is random, and labelled so
-  of_parent_in_name  ///< from a parent; without one it is random, and labelled inherited
+  of_parent,         ///< from a parent; without one it is random and labelled random
+  of_parent_in_name  ///< from a parent; without one it is random but labelled inherited
 };
 
-/// `descent(rng)`: returns the origin of a new controller's genome, and its label if there is no parent.
+/// `descent(rng)`: returns the origin of a new controller's genome, which also gives its label if there is no parent.
 template <class P>
 concept GenomeSource = requires(const P policy, Rng& rng) {
   { policy.descent(rng) } -> std::same_as<Descent>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Some new controllers are random, the others inherit.
+// Some new controllers are random, the others inherited.
 #pragma once
 
 #include <string_view>
@@ -8,9 +8,9 @@
 
 namespace trophic::reproduction::genome_source {
 
-/// Rule: a new controller is random with probability random_share, else sourced from a parent (Sec. "Reproduction": 1/3). One
-/// that should inherit but finds no parent is random and labelled so; RandomOrInheritedInName is the released code's.   Reads:
-/// nothing.   Random draws: 1.
+/// Rule: a new controller is random with probability random_share (Sec. "Reproduction": 1/3) and otherwise comes from a parent.
+/// If there is no parent, it is random and labelled random; in the released code it is labelled inherited
+/// (RandomOrInheritedInName).   Reads: nothing.   Random draws: 1.
 struct RandomOrInherited {
   static constexpr std::string_view name = "random_or_inherited";
   static constexpr std::string_view source = "paper, Sec. \"Reproduction\"";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Some new controllers are random, the others inherit; those without a parent are labelled inherited.
+// Some new controllers are random, the others inherited; those without a parent are labelled inherited.
 #pragma once
 
 #include <string_view>
@@ -8,8 +8,8 @@
 
 namespace trophic::reproduction::genome_source {
 
-/// Rule (released code: 0.34): as RandomOrInherited, but a random genome that lacks a parent is labelled inherited: the label
-/// is that of the draw, not of the descent.   Reads: nothing.   Random draws: 1.
+/// Rule (released code: 0.34): like RandomOrInherited, but a genome that is random for lack of a parent is labelled inherited:
+/// the label follows the draw, not the descent.   Reads: nothing.   Random draws: 1.
 struct RandomOrInheritedInName {
   static constexpr std::string_view name = "random_or_inherited_in_name";
   static constexpr std::string_view source = "released code";

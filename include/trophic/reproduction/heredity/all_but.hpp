@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One part of the genome is not inherited: the shadow of that part.
+// One part of the genome is not inherited; this is the shadow of that part.
 #pragma once
 
 #include <trophic/reproduction/heredity/contract.hpp>
@@ -9,8 +9,8 @@ namespace trophic::reproduction::heredity {
 /// The parts of a genome.
 enum class Part { brain, gait, body, traits };
 
-/// Rule: the offspring's genome is a copy without this part, which is drawn anew as for an individual without a parent. Compared
-/// with OwnCopy it measures what inheritance of the part adds. An error in a table that does not inherit the part.   Reads:
+/// Rule: the offspring's genome is a copy except for this part, which is drawn anew, as for an individual without a parent. A
+/// comparison with OwnCopy measures the effect of inheriting the part. A table that does not inherit the part is refused. Reads:
 /// parent's genome.   Random draws: 0.
 template <Part part>
 struct AllBut {

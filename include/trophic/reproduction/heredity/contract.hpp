@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The contract of a slot: what an offspring inherits of its parent's genome.
+// The contract of a slot: what an offspring inherits from its parent's genome.
 #pragma once
 
 #include <concepts>
@@ -12,8 +12,9 @@
 
 namespace trophic::reproduction {
 
-/// What the policies of its parts say of a genome: the indices of its numbers that are structure, such as the links of a network
-/// that grows. All other numbers are values, traits always. Genomes of equal structure have equal numbers there.
+/// The structure of a genome, according to the policies of its parts: the indices of the numbers that are structure, such as the
+/// links of a growing network. All other numbers, and all traits, are values. Genomes with equal structure have equal numbers at
+/// these indices.
 struct GenomeStructure {
   std::vector<std::size_t> weights = {};     ///< by the rule Brain: all but `weights_of`
   std::vector<std::size_t> gait_genes = {};  ///< by the rule Gait: `structure`
@@ -21,13 +22,13 @@ struct GenomeStructure {
   std::vector<std::size_t> neurons = {};     ///< the neuron that each weight enters (NamesNeurons in control/brain/contract.hpp)
 };
 
-/// A heredity of all parents, one or more.
+/// A heredity that uses all parents, one or more.
 template <class P>
 concept HeredityOfAll = requires(const P policy, std::span<const Ancestor> parents, Rng& rng) {
   { policy.inherit(parents, rng) } -> std::same_as<std::shared_ptr<Genome>>;
 };
 
-/// A heredity of all parents that also gets the structure of the first one's genome.
+/// A heredity that uses all parents and the structure of the first one's genome.
 template <class P>
 concept HeredityByStructure = requires(const P policy, std::span<const Ancestor> parents, Rng& rng,
                                        const GenomeStructure& structure) {
@@ -40,9 +41,10 @@ concept MixesNeurons = HeredityByStructure<P> && requires {
   requires P::mixes_neurons;
 };
 
-/// `inherit(parent)`: returns the offspring's genome before mutation: the parent's own object or a new one. Null: no genome is
-/// passed on; the offspring's is drawn like one without a parent and does not mutate. It gets the first of several parents.
-/// `inherit(parents, rng)` gets all; `inherit(parents, rng, structure)` also the structure of the first one's genome.
+/// `inherit(parent)`: returns the offspring's genome before mutation: the parent's own object or a new one. Null means that no
+/// genome is passed on; the offspring's is then drawn as without a parent and does not mutate. `parent` is the first of several
+/// parents. `inherit(parents, rng)` gets all of them; `inherit(parents, rng, structure)` also the structure of the first one's
+/// genome.
 template <class P>
 concept Heredity = HeredityOfAll<P> || HeredityByStructure<P> || requires(const P policy, const std::shared_ptr<Genome>& parent) {
   { policy.inherit(parent) } -> std::same_as<std::shared_ptr<Genome>>;

@@ -7,13 +7,13 @@
 
 namespace trophic::reproduction::heredity {
 
-/// Rule: one parent, at random, is the pattern of the offspring; parts are then mixed:
-/// - weights, gait and traits: each number is that of one of the parents, at random (uniform crossover [syswerda1989]), if the
-///   part's structure is equal in all of them, as its policy says (GenomeStructure). Otherwise the part is the pattern's.
-/// - bodies of modules: the subtree at a face that the pattern and another parent have is that parent's [sims1994]; the pattern's
-///   own body if modules would overlap. Other bodies are the pattern's.
-/// The offspring of one parent has a copy.   Reads: parents' genomes.   Random draws: with several parents one for the pattern,
-/// one for each number of a part that is mixed, two for bodies of modules.
+/// Rule: one random parent is the template of the offspring; then the parts are mixed:
+/// - weights, gait and traits: each number comes from a random parent (uniform crossover [syswerda1989]) if the structure of the
+/// part, as its policy defines it (GenomeStructure), is equal in all parents. Otherwise the part is the template's.
+/// - bodies of modules: the subtree at a face that both the template and another parent have comes from that parent [sims1994];
+/// if modules would overlap, the body is the template's. Other bodies are the template's. With one parent, the offspring gets a
+/// copy of its genome.   Reads: parents' genomes.   Random draws: with several parents one for the template, one per number of a
+/// mixed part, and two for bodies of modules.
 struct Crossover {
   static constexpr std::string_view name = "crossover";
   static constexpr std::string_view source = "not in the paper; [syswerda1989]";
@@ -37,7 +37,7 @@ struct Crossover {
   }
 
  private:
-  /// `tree` with the subtree of another one at a path that both have, at random.
+  /// Returns `tree` with a subtree of another tree at a random path that both have.
   [[nodiscard]] static body::ModuleTree crossed(const body::ModuleTree& tree, const body::ModuleTree& other, Rng& rng) {
     std::vector<std::pair<std::size_t, std::size_t>> shared{{0, 0}};  // the modules at one path of both
     for (std::size_t at = 0; at < shared.size(); ++at) {

@@ -6,11 +6,10 @@
 
 namespace trophic::reproduction::heredity {
 
-/// Rule: all weights that enter a neuron, and its bias, are those of one of the parents, at random for each neuron: the operator
-/// CROSSOVER-NODES [montana1989]. So a feature that a neuron detects is inherited whole. Gait, body and traits are mixed as by
-/// Crossover. For brains that name the neurons of their weights, as every network of a fixed shape does. The offspring of one
-/// parent has a copy.   Reads: parents' genomes.   Random draws: those of Crossover; with several parents also one for each
-/// neuron.
+/// Rule: for each neuron, the bias and all incoming weights come from one random parent: the operator CROSSOVER-NODES
+/// [montana1989]. The feature that a neuron detects is thus inherited whole. Gait, body and traits are mixed as in Crossover. The
+/// brain must name the neurons of its weights, as every network with a fixed shape does. With one parent, the offspring gets a
+/// copy of its genome.   Reads: parents' genomes.   Random draws: those of Crossover; with several parents also one per neuron.
 struct CrossoverByNeuron {
   static constexpr std::string_view name = "crossover_by_neuron";
   static constexpr std::string_view source = "not in the paper; [montana1989]";

@@ -6,9 +6,9 @@
 
 namespace trophic::reproduction::heredity {
 
-/// Rule: an offspring has a parent, a place and a label as under any other heredity, but its genome is drawn anew. Nothing can
-/// be selected, so any effect is due to the places and times of births: the null of evolution (see rules::neutral_shadow).
-/// Reads: nothing.   Random draws: those of the initial genome.
+/// Rule: an offspring has a parent, a place and a label as under any other heredity, but its genome is drawn anew. Selection has
+/// nothing to act on, so any effect is due to the places and times of births. This is the null model of evolution (see
+/// rules::neutral_shadow). Reads: nothing.   Random draws: those of the initial genome.
 struct NothingInherited {
   static constexpr std::string_view name = "nothing_inherited";
   static constexpr std::string_view source = "control";

@@ -8,9 +8,9 @@
 
 namespace trophic::reproduction::heredity {
 
-/// Rule: as `Rule`, or no genome is passed on. With `by_species` one side evolves against another that does not:
+/// Rule: like `Rule`, or no genome is passed on. With `by_species` one side evolves against another that does not:
 /// `with_heredity<Paper, by_species<Switched<OwnCopy>>>` and `rules.heredity.prey.inherited=false`.   Not in the paper.
-/// Reads: what Rule reads.   Random draws: those of Rule; 0 if off, besides those of the initial genome.
+/// Reads: what Rule reads.   Random draws: those of Rule; if off, only those of the initial genome.
 template <Heredity Rule>
 struct Switched {
   static constexpr std::string_view name = prefixed_name<"switched", Rule>;

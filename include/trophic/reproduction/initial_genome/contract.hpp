@@ -11,8 +11,8 @@
 
 namespace trophic::reproduction {
 
-/// `draw(weights, rng)` or `draw(weights, newborn, rng)`: fills a genome that has no parent. The newborn has its id, species and
-/// tag, and no genome yet; the id of a founder is the number of its body.
+/// `draw(weights, rng)` or `draw(weights, newborn, rng)`: fills a genome without a parent. The newborn has its id, species and
+/// tag, but no genome yet; the id of a founder is the index of its body.
 template <class P>
 concept InitialGenome = requires(const P policy, std::span<double> weights, Rng& rng) {
   { policy.draw(weights, rng) } -> std::same_as<void>;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Random genomes: every weight normal.
+// Random genomes with normally distributed weights.
 #pragma once
 
 #include <trophic/reproduction/initial_genome/contract.hpp>
 
 namespace trophic::reproduction::initial_genome {
 
-/// Rule: each weight from N(0, sd). The default sd is that of UniformWeights within +-1, 1 / sqrt(3), so that the two differ
-/// only in shape; sd 0 gives genomes of zeros.   Reads: nothing.   Random draws: 2 per weight.
+/// Rule: each weight is drawn from N(0, sd). The default sd is that of UniformWeights within +-1, 1 / sqrt(3), so the two
+/// distributions differ only in shape. With sd = 0 all weights are zero.   Reads: nothing.   Random draws: 2 per weight.
 struct NormalWeights {
   static constexpr std::string_view name = "normal_weights";
   static constexpr std::string_view source = "not in the paper";

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Random genomes: every weight uniform.
+// Random genomes with uniformly distributed weights.
 #pragma once
 
 #include <trophic/reproduction/initial_genome/contract.hpp>
 
 namespace trophic::reproduction::initial_genome {
 
-/// Rule: each weight uniform in [-limit, limit); limit 1 (Sec. "Initialization": "entirely randomized weights between -1 and 1
-/// drawn from a uniform distribution"). Biases of a brain, which the paper does not mention, are among its weights. Reads:
+/// Rule: each weight is uniform in [-limit, limit), with limit 1 (Sec. "Initialization": "entirely randomized weights between -1
+/// and 1 drawn from a uniform distribution"). Biases of a brain, which the paper does not mention, are among its weights. Reads:
 /// nothing.   Random draws: 1 per weight.
 struct UniformWeights {
   static constexpr std::string_view name = "uniform_weights";
@@ -16,7 +16,7 @@ struct UniformWeights {
   struct Params {
     double limit = 1.0;
     static constexpr auto fields() {
-      return std::tuple{field("limit", &Params::limit, at_least(0.0), "weights lie within +- this")};
+      return std::tuple{field("limit", &Params::limit, at_least(0.0), "bound on the absolute value of weights")};
     }
   };
   Params params;

@@ -12,7 +12,7 @@
 namespace trophic::reproduction {
 
 /// `mutate(weights, offspring, rng)`: perturbs an inherited genome in place. `offspring` is complete except for its genome.
-/// With a State, `own` is the offspring's state at birth, and may change: a mutation rate that itself mutates.
+/// With a State, `own` is the offspring's state at birth and may change, for example a mutation rate that itself mutates.
 template <class P>
 concept Mutation = requires(const P policy, std::span<double> weights, const Individual& offspring, Rng& rng) {
   { policy.mutate(weights, offspring, rng) } -> std::same_as<void>;

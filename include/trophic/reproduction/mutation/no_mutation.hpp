@@ -6,7 +6,7 @@
 
 namespace trophic::reproduction::mutation {
 
-/// Rule: no weight changes: selection acts only among founders and newcomers.   Reads: nothing.   Random draws: 0.
+/// Rule: no weight changes, so selection acts only among founders and newcomers.   Reads: nothing.   Random draws: 0.
 struct NoMutation {
   static constexpr std::string_view name = "no_mutation";
   static constexpr std::string_view source = "control";

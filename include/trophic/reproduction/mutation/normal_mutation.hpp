@@ -7,8 +7,8 @@
 namespace trophic::reproduction::mutation {
 
 /// Rule: w <- w + N(0, sd) for every weight (Sec. "Reproduction": "perturbing the network weights with values drawn from a
-/// normal distribution"); no clipping. The paper is silent about sd; 0.05 here, the half width of the released code's
-/// uniform perturbation. Reads: the weights.   Random draws: 2 per weight.
+/// normal distribution"); weights are not clipped. The paper does not give sd; the default, 0.05, is the half width of the
+/// released code's uniform perturbation. Reads: the weights.   Random draws: 2 per weight.
 struct NormalMutation {
   static constexpr std::string_view name = "normal_mutation";
   static constexpr std::string_view source = "paper, Sec. \"Reproduction\"; silent on the deviation";

@@ -16,8 +16,8 @@ struct UniformMutation {
     double half_width = 0.05;
     double limit = 1.0;
     static constexpr auto fields() {
-      return std::tuple{field("half_width", &Params::half_width, at_least(0.0), "largest step of a weight"),
-                        field("limit", &Params::limit, above(0.0), "weights stay within +- this")};
+      return std::tuple{field("half_width", &Params::half_width, at_least(0.0), "largest change of a weight"),
+                        field("limit", &Params::limit, above(0.0), "bound on the absolute value of weights")};
     }
   };
   Params params;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A random individual reproduces instead of the one that another rule names: survival alone selects.
+// A random individual reproduces instead of the one that another rule names, so only viability selection acts.
 #pragma once
 
 #include <trophic/reproduction/parent/contract.hpp>
@@ -7,14 +7,15 @@
 
 namespace trophic::reproduction::parent {
 
-/// Rule: if `Rule` names a parent, the parent is a living individual of the same species, each as likely; without another than
-/// the dying one it is the parent that `Rule` names. The rule of parents selects nothing, survival selects in full: who lives
-/// longer is drawn more often. The rule is not a null of selection (`--neutral` makes one); a table's difference from it is the
-/// work of the parent rule. Give each part of a ByCause: `with_parent_after<Paper, Cause::caught, AnySurvivor<Killer>>`.   Not in
-/// the paper.   Reads: species, what Rule reads.   Random draws: 1 if Rule names a parent, after Rule's.
+/// Rule: if `Rule` names a parent, the parent is a random living individual of the same species, each equally likely. If only the
+/// dying one is left, it is the parent that `Rule` names. There is no fecundity selection by the parent rule, but full viability
+/// selection: individuals that live longer are drawn more often. This is not a null model of selection (`--neutral` makes one);
+/// the difference between a table and this rule is the effect of the parent rule. Set each part of a ByCause:
+/// `with_parent_after<Paper, Cause::caught, AnySurvivor<Killer>>`.   Not in the paper.   Reads: species, what Rule reads. Random
+/// draws: 1 if Rule names a parent, after Rule's.
 template <class Rule>
 struct AnySurvivor : Rule {
-  static_assert(Parent<Rule> && !MadeOfParts<Rule>, "parent::AnySurvivor takes a parent rule that is not made of parts");
+  static_assert(Parent<Rule> && !MadeOfParts<Rule>, "parent::AnySurvivor takes a parent rule without parts");
   static constexpr std::string_view name = prefixed_name<"any_survivor", Rule>;
   static constexpr std::string_view source = "control";
 

@@ -9,9 +9,10 @@
 
 namespace trophic::reproduction::parent {
 
-/// Rule: the parent is chosen by the rule for this cause of death; a cause without a rule, and a body that diverges, has no
-/// parent. A number is set by its cause: `rules.parent.starved.range_m`. `with_parent_after<Rules, Cause::starved, Policy>`
-/// (rules/with_part.hpp) swaps one rule.   Reads: what the rule for the cause reads.   Random draws: those of that rule.
+/// Rule: the parent is chosen by the rule for this cause of death; after a cause without a rule, or if a body diverges, there is
+/// no parent. The path of a parameter includes its cause: `rules.parent.starved.range_m`. `with_parent_after<Rules,
+/// Cause::starved, Policy>` (rules/with_part.hpp) swaps one rule.   Reads: what the rule for the cause reads.   Random draws:
+/// those of that rule.
 template <class Caught, class Starved = NoParent, class Sacrificed = NoParent, class Senescence = NoParent>
 struct ByCause : Parts<Caught, Starved, Sacrificed, Senescence> {
   struct Names {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The prey that gained most distance from the dying predator reproduces.
+// The prey that gained the most distance from the dying predator reproduces.
 #pragma once
 
 #include <trophic/reproduction/parent/contract.hpp>
@@ -8,9 +8,9 @@
 namespace trophic::reproduction::parent {
 
 /// Rule: the parent is the active prey whose distance to the dying predator grew most in the last window_ticks ticks, or since
-/// the younger of the two was born; on equal gains the closest; none if no prey gained distance. Gain of prey i from predator h
-/// at tick t: |x_i(t) - x_h(t)| - |x_i(t - w) - x_h(t - w)|. The window is free.   Reads: positions, species, activity, its own
-/// state.   Random draws: 0.
+/// the younger of the two was born; among equal gains the closest one; there is none if no prey gained distance. Gain of prey i
+/// from predator h at tick t: |x_i(t) - x_h(t)| - |x_i(t - w) - x_h(t - w)|. The window is a free parameter.   Reads: positions,
+/// species, activity, its own state.   Random draws: 0.
 struct FastestEscape {
   static constexpr std::string_view name = "fastest_escape";
   static constexpr std::string_view source = "not in the paper; its conclusion asks for an explicit criterion";
@@ -18,13 +18,13 @@ struct FastestEscape {
   struct Params {
     std::int64_t window_ticks = 6;
     static constexpr auto fields() {
-      return std::tuple{
-          field("window_ticks", &Params::window_ticks, between(1, 1000), "distance gained in so many ticks counts")};
+      return std::tuple{field("window_ticks", &Params::window_ticks, between(1, 1000),
+                              "number of ticks over which the gain in distance is measured")};
     }
   };
   Params params;
 
-  /// Per individual: its places at the last ticks, the latest last, this tick's included. Both lists have the same length.
+  /// Per individual: its positions at the last ticks, in order of time and including this tick. Both lists have the same length.
   struct State {
     std::vector<double> x_m;
     std::vector<double> y_m;

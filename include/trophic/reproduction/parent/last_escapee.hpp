@@ -7,9 +7,9 @@
 
 namespace trophic::reproduction::parent {
 
-/// Rule: the parent is the active prey that last escaped from the dying predator; of several at one tick the closest; none if
-/// none escaped from it. An escape: the predator was within near_m of the active prey, and is farther than far_m. The two
-/// distances are free.   Reads: positions, species, activity, its own state.   Random draws: 0.
+/// Rule: the parent is the active prey that last escaped from the dying predator; of several in the same tick, the closest; there
+/// is none if no prey escaped from it. An escape: the predator was within near_m of the active prey and is now farther than
+/// far_m. The two distances are free parameters.   Reads: positions, species, activity, its own state.   Random draws: 0.
 struct LastEscapee {
   static constexpr std::string_view name = "last_escapee";
   static constexpr std::string_view source = "not in the paper; its conclusion asks for an explicit criterion";
@@ -19,9 +19,9 @@ struct LastEscapee {
 
   /// Per individual. `hunters` and `ticks` have the same length.
   struct State {
-    std::vector<IndividualId> pursuers;  ///< predators that have been near and are not far
-    std::vector<IndividualId> hunters;   ///< that it has escaped from, each once
-    std::vector<std::int64_t> ticks;     ///< of the last escape from each
+    std::vector<IndividualId> pursuers;  ///< predators that came near and are not yet far
+    std::vector<IndividualId> hunters;   ///< predators from which it has escaped, each once
+    std::vector<std::int64_t> ticks;     ///< time of the last escape from each
     static constexpr auto fields() {
       return std::tuple{field("pursuers", &State::pursuers), field("hunters", &State::hunters), field("ticks", &State::ticks)};
     }
@@ -45,7 +45,7 @@ struct LastEscapee {
     return static_cast<std::size_t>(std::ranges::find(own.hunters, hunter) - own.hunters.begin());
   }
 
-  /// Hunters that have died meanwhile are dropped, so that the lists do not grow for ever.
+  /// Hunters that have died are dropped, so the lists do not grow forever.
   static void record(State& own, IndividualId hunter, const View& view) {
     State kept{.pursuers = {}, .hunters = {hunter}, .ticks = {view.tick}};
     for (std::size_t place = 0; place < own.ticks.size(); ++place) {

@@ -7,7 +7,7 @@
 namespace trophic::reproduction::parent {
 
 /// Rule (released code, for sacrificed prey): the parent is the hunter that last caught an individual in this body, dead or
-/// alive. None if there was no catch, or if that hunter is of another species than the body goes to.   Reads: its own state.
+/// alive. There is none without a catch, or if that hunter is not of the species to which the body goes.   Reads: its own state.
 /// Random draws: 0.
 struct LastKiller {
   static constexpr std::string_view name = "last_killer";

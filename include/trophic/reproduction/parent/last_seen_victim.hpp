@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The prey that the dying predator last perceived as closest reproduces, no matter when.
+// The prey that the dying predator last perceived as closest reproduces, however long ago that was.
 #pragma once
 
 #include <trophic/reproduction/parent/contract.hpp>

@@ -7,10 +7,10 @@
 
 namespace trophic::reproduction::parent {
 
-/// Rule: the parent is the active prey with the most escapes in its life; on equal numbers the one closest to the vacant body;
-/// none if no prey has escaped. An escape: a living predator that was within near_m of the active prey is farther than far_m.
-/// It is an explicit behavioural criterion for the reproduction of prey, which the paper's conclusion asks for. The two
-/// distances are free.   Reads: positions, species, activity, its own state.   Random draws: 0.
+/// Rule: the parent is the active prey with the most escapes in its life; among equals, the one closest to the vacant body. There
+/// is none if no prey has escaped. An escape: a living predator that was within near_m of the active prey is now farther than
+/// far_m. This is an explicit behavioural criterion for the reproduction of prey, which the paper's conclusion asks for. The two
+/// distances are free parameters.   Reads: positions, species, activity, its own state.   Random draws: 0.
 struct MostEscapes {
   static constexpr std::string_view name = "most_escapes";
   static constexpr std::string_view source = "not in the paper; its conclusion asks for an explicit criterion";
@@ -20,7 +20,7 @@ struct MostEscapes {
 
   /// Per individual.
   struct State {
-    std::vector<IndividualId> pursuers;  ///< predators that have been near and are not far
+    std::vector<IndividualId> pursuers;  ///< predators that came near and are not yet far
     std::int64_t escapes = 0;
     static constexpr auto fields() { return std::tuple{field("pursuers", &State::pursuers), field("escapes", &State::escapes)}; }
   };

@@ -11,8 +11,8 @@ namespace trophic::reproduction::parent {
 /// that takes its body (Sec. "Reproduction"). The paper leaves activity and range open.
 ///
 /// Activity: the text says "any prey", but calls the newborn's state "a state of inactivity" (Sec. "Prey Death"). A draft's
-/// comment denies that a newborn "can immediately interact with other robots" (Sec. "Birth"). NearestVictim is the other reading:
-/// a newborn that cannot be caught may breed next to a predator.
+/// comment denies that a newborn "can immediately interact with other robots" (Sec. "Birth"). NearestVictim is the alternative
+/// reading, in which a newborn that cannot be caught may reproduce next to a predator.
 ///
 /// Range: the text says "within a certain minimum distance away from the predator", a draft's comment "within four units away
 /// from it". Without an active prey in range the genome is random, so a short range makes inherited prey rarer than the 2/3 that
@@ -26,7 +26,8 @@ struct NearestActiveVictim {
   struct Params {
     double range_m = 12.0;
     static constexpr auto fields() {
-      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "the parent must be this close to the dying hunter")};
+      return std::tuple{
+          field("range_m", &Params::range_m, at_least(0.0), "largest distance between the parent and the dying hunter")};
     }
   };
   Params params;

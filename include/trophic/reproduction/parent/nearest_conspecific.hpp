@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The nearest individual of the species that the body goes to reproduces.
+// The nearest individual of the species to which the body goes reproduces.
 #pragma once
 
 #include <trophic/reproduction/parent/contract.hpp>
 
 namespace trophic::reproduction::parent {
 
-/// Rule: the parent is the closest living individual of the species that the body goes to, at any distance; none if there is no
-/// other of that species. If the rules do not fix that species it is the dying individual's. After senescence the body stays
+/// Rule: the parent is the closest living individual of the species to which the body goes, at any distance; there is none if no
+/// other member is alive. If the rules do not fix that species, it is the dying individual's. After senescence the body stays
 /// with its species.   Reads: positions, species.   Random draws: 0.
 struct NearestConspecific {
   static constexpr std::string_view name = "nearest_conspecific";

@@ -9,7 +9,7 @@ namespace trophic::reproduction::parent {
 
 /// Rule: when a hunter dies, the closest individual that it could eat, if within range, is the parent of the offspring that
 /// takes its body. Tags and activity do not count: the text has "any prey" (Sec. "Reproduction"). So an inactive newborn, which
-/// cannot be caught, may breed next to a predator; NearestActiveVictim excludes it. The paper gives no range: its text has
+/// cannot be caught, may reproduce next to a predator; NearestActiveVictim excludes it. The paper gives no range: its text has
 /// "within a certain minimum distance away from the predator", a draft's comment "within four units away from it".   Reads:
 /// positions, species.   Random draws: 0.
 struct NearestVictim {
@@ -19,7 +19,8 @@ struct NearestVictim {
   struct Params {
     double range_m = 4.0;
     static constexpr auto fields() {
-      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "the parent must be this close to the dying hunter")};
+      return std::tuple{
+          field("range_m", &Params::range_m, at_least(0.0), "largest distance between the parent and the dying hunter")};
     }
   };
   Params params;

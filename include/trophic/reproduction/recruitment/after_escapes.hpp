@@ -7,12 +7,12 @@
 
 namespace trophic::reproduction::recruitment {
 
-/// Rule: an active prey that has escaped `escapes` times since its birth or its last offspring has an offspring next to it; if
-/// spare bodies are few, the prey with most escapes first, of equal ones the oldest. After starvation or
-/// senescence a body stays spare unless `spare_bodies` already are; after a catch or a sacrifice it is filled at once. An escape:
-/// a living predator that was within distances.near_m of the active prey is farther than distances.far_m. So escapes add prey
-/// and starvation takes predators away, by at most `spare_bodies` in all. All its parameters are free.   Reads: positions,
-/// species, activity, its own state.   Random draws: 0.
+/// Rule: an active prey that has escaped `escapes` times since its birth or its last offspring has an offspring next to it. If
+/// spare bodies are scarce, the prey with the most escapes comes first, and among equals the oldest. After starvation or
+/// senescence a body stays spare unless there are `spare_bodies` already; after a catch or a sacrifice it is filled at once. An
+/// escape: a living predator that was within distances.near_m of the active prey is now farther than distances.far_m. Escapes
+/// thus add prey and starvation removes predators, by at most `spare_bodies` in total. All its parameters are free.   Reads:
+/// positions, species, activity, its own state.   Random draws: 0.
 struct AfterEscapes {
   static constexpr std::string_view name = "after_escapes";
   static constexpr std::string_view source = "not in the paper; its conclusion asks for an explicit criterion";
@@ -23,17 +23,17 @@ struct AfterEscapes {
     std::int64_t escapes = 1;
     parent::detail::EscapeDistances distances{};
     static constexpr auto fields() {
-      return std::tuple{
-          field("spare_bodies", &Params::spare_bodies, at_least(0), "bodies without an individual, at the start and at most"),
-          field("escapes", &Params::escapes, at_least(1), "escapes before each offspring"),
-          field("distances", &Params::distances)};
+      return std::tuple{field("spare_bodies", &Params::spare_bodies, at_least(0),
+                              "number of bodies without an individual at the start, which is also the most at any time"),
+                        field("escapes", &Params::escapes, at_least(1), "number of escapes before each offspring"),
+                        field("distances", &Params::distances)};
     }
   };
   Params params;
 
   /// Per individual.
   struct State {
-    std::vector<IndividualId> pursuers;  ///< predators that have been near and are not far
+    std::vector<IndividualId> pursuers;  ///< predators that came near and are not yet far
     std::int64_t escapes = 0;            ///< since birth or the last offspring
     static constexpr auto fields() { return std::tuple{field("pursuers", &State::pursuers), field("escapes", &State::escapes)}; }
   };

@@ -7,9 +7,9 @@
 namespace trophic::reproduction::recruitment {
 
 /// Rule: at each tick after the first each individual has an offspring with probability `chance`, `step` away in a random
-/// direction, and hands over `share` of its energy. The dead have no successor; `spare_bodies` start without an individual. For
-/// worlds of points, which may overlap. As in NetLogo's wolf sheep predation [wilensky1997]. All parameters are free.   Reads:
-/// energies, positions.   Random draws: 1 for each individual in the order of births, and 1 for each offspring.
+/// direction, and gives it the `share` of its energy. The dead are not replaced; `spare_bodies` start without an individual. This
+/// rule is for worlds of points, which may overlap, as in NetLogo's wolf sheep predation [wilensky1997]. All parameters are free.
+/// Reads: energies, positions.   Random draws: 1 per individual in the order of births, and 1 per offspring.
 struct ByChance {
   static constexpr std::string_view name = "by_chance";
   static constexpr std::string_view source = "not in the paper; [wilensky1997]";
@@ -21,10 +21,12 @@ struct ByChance {
     double share = 0.5;
     double step_m = 1.0;
     static constexpr auto fields() {
-      return std::tuple{field("spare_bodies", &Params::spare_bodies, at_least(0), "bodies without an individual at the start"),
-                        field("chance", &Params::chance, between(0.0, 1.0), "of a birth at each tick"),
-                        field("share", &Params::share, between(0.0, 1.0), "of its energy, for the offspring"),
-                        field("step_m", &Params::step_m, at_least(0.0), "from the parent, at most to a wall")};
+      return std::tuple{
+          field("spare_bodies", &Params::spare_bodies, at_least(0), "number of bodies without an individual at the start")
+              .read_at_start(),
+          field("chance", &Params::chance, between(0.0, 1.0), "probability of a birth at each tick"),
+          field("share", &Params::share, between(0.0, 1.0), "share of its energy that a parent gives to its offspring"),
+          field("step_m", &Params::step_m, at_least(0.0), "distance of the newborn from its parent, limited by the walls")};
     }
   };
   Params params;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Births of two parents that both choose to mate.
+// Births from two parents that both choose to mate.
 #pragma once
 
 #include <trophic/control/acts/list.hpp>
@@ -9,9 +9,9 @@
 namespace trophic::reproduction::recruitment {
 
 /// Rule: two active individuals of a species that both chose to mate, have at least `birth` energy each and are at most `range`
-/// apart have an offspring next to the older one. Each hands over `share` of what the poorer one has. The oldest chooses first,
-/// the nearest; each mates once a tick. The dead have no successor. `spare_bodies` start without an individual. All parameters
-/// are free.   Reads: the act Mate, positions, energies, activity.   Random draws: 0.
+/// apart have an offspring next to the older one. Each gives the `share` of the poorer one's energy. The oldest chooses first and
+/// takes the nearest; each mates at most once a tick. The dead are not replaced. `spare_bodies` start without an individual. All
+/// parameters are free.   Reads: the act Mate, positions, energies, activity.   Random draws: 0.
 struct ByMating {
   static constexpr std::string_view name = "by_mating";
   static constexpr std::string_view source = "not in the paper; as in Polyworld [yaeger1994]";
@@ -23,10 +23,12 @@ struct ByMating {
     double share = 0.3;
     double range_m = 3.0;
     static constexpr auto fields() {
-      return std::tuple{field("spare_bodies", &Params::spare_bodies, at_least(0), "bodies without an individual at the start"),
-                        field("birth_J", &Params::birth_J, at_least(0.0), "energy of each parent"),
-                        field("share", &Params::share, between(0.0, 1.0), "of the poorer parent's energy, given by each"),
-                        field("range_m", &Params::range_m, at_least(0.0), "largest distance of the parents")};
+      return std::tuple{
+          field("spare_bodies", &Params::spare_bodies, at_least(0), "number of bodies without an individual at the start")
+              .read_at_start(),
+          field("birth_J", &Params::birth_J, at_least(0.0), "energy that each parent needs"),
+          field("share", &Params::share, between(0.0, 1.0), "share of the poorer parent's energy that each parent gives"),
+          field("range_m", &Params::range_m, at_least(0.0), "largest distance between the parents")};
     }
   };
   Params params;

@@ -14,22 +14,23 @@ namespace trophic::reproduction {
 /// A birth without a death.
 struct Recruit {
   Species species = 0;                   ///< of the newborn
-  std::vector<Ancestor> parents = {};    ///< of the newborn's species; without one the genome is random
-  double endowment_J = 0.0;              ///< that living parents hand over, in equal parts; 0: the energy comes from outside
-  std::optional<GroundPose> place = {};  ///< none: next to the first living parent, else anywhere, free of others
+  std::vector<Ancestor> parents = {};    ///< parents, of the newborn's species; without any the genome is random
+  double endowment_J = 0.0;              ///< energy that living parents give in equal parts; 0: the energy comes from outside
+  std::optional<GroundPose> place = {};  ///< if empty: a free place next to the first living parent, or anywhere without one
   friend bool operator==(const Recruit&, const Recruit&) = default;
 };
 
 /// A spare body is a body without an individual. It is not in the world: no individual perceives, meets or counts it, and no
-/// engine moves it. Its tag is the next newborn's previous one. There are EcologyParams::robots bodies, so at most as many
-/// individuals live.
+/// engine moves it. Its tag is the next newborn's previous one. There are EcologyParams::robots bodies, which is the largest
+/// number of living individuals.
 ///
-/// `spare_bodies()`: returns how many bodies start without an individual, fewer than the robots; they are the last ones.
-/// `leaves_spare(vacancy, view)`: returns whether the body of a dying individual stays without one; otherwise the Parent rule
-/// replaces it at once. `recruits(view, rng)`: returns the births of this tick, after all deaths, or a species' after its own
-/// (Order); it is first asked at the tick after that of the first decisions. A birth for which no body or no room is free, or
-/// whose parents have too little energy left, does not take place; it is counted (View::refused_births). GenomeSource is not
-/// applied to births: their parents are those that this rule names. If policies differ by species, spare bodies are summed.
+/// `spare_bodies()`: returns how many bodies start without an individual, fewer than there are robots; these are the last ones.
+/// `leaves_spare(vacancy, view)`: returns whether the body of a dying individual stays spare; otherwise the individual is
+/// replaced at once by the rule Parent. `recruits(view, rng)`: returns the births of this tick, after all deaths or, for one
+/// species, after its own deaths (Order). It is first called in the tick after the first decisions. A birth without a free body
+/// or free space, or whose parents have too little energy left, does not take place but is counted (View::refused_births).
+/// GenomeSource does not apply to these births, whose parents this rule names. If policies differ by species, spare bodies are
+/// summed.
 template <class P>
 concept Recruitment = requires(const P policy, const Vacancy& vacancy, const View& view) {
   { policy.spare_bodies() } -> std::same_as<std::size_t>;
@@ -43,13 +44,22 @@ concept Recruitment = requires(const P policy, const Vacancy& vacancy, const Vie
       { policy.recruits(view, rng, states) } -> std::same_as<std::vector<Recruit>>;
     });
 
-/// Whether a rule may name several parents of a birth, so that events.csv lists them. A rule P that names one at most declares
+/// Whether a rule may name several parents of a birth, which events.csv then lists. A rule P that names at most one declares
 /// `using NamesOneParent = P;`; a rule derived from it does not.
 template <class P>
 inline constexpr bool names_several_parents = true;
 template <class P>
 requires std::same_as<typename P::NamesOneParent, P>
 inline constexpr bool names_several_parents<P> = false;
+
+/// Whether individuals may be born by a rule without a parent that endows them: by default. A rule P by which living parents hand
+/// over energy at each birth and each dead individual's body stays spare declares `using NoNewcomers = P;`; a rule derived from
+/// it does not.
+template <class P>
+inline constexpr bool has_newcomers = true;
+template <class P>
+requires std::same_as<typename P::NoNewcomers, P>
+inline constexpr bool has_newcomers<P> = false;
 
 namespace ask {
 

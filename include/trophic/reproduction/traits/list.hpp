@@ -28,10 +28,11 @@ struct TraitParams {
   double most = T::most;
   double sd = T::sd;
   static constexpr auto fields() {
-    return std::tuple{field("first", &TraitParams::first, any_number(), "without a parent: this and a mutation"),
+    return std::tuple{field("first", &TraitParams::first, any_number(), "value of individuals without a parent, before mutation")
+                          .read_for_newcomers(),
                       field("least", &TraitParams::least, any_number(), "lower bound"),
                       field("most", &TraitParams::most, any_number(), "upper bound"),
-                      field("sd", &TraitParams::sd, at_least(0.0), "standard deviation of a mutation")};
+                      field("sd", &TraitParams::sd, at_least(0.0), "standard deviation of mutations")};
   }
   friend bool operator==(const TraitParams&, const TraitParams&) = default;
 };
@@ -39,7 +40,7 @@ struct TraitParams {
 /// Rule, for each trait x in the list:
 ///   x <- clip(x + N(0, sd), least, most)
 /// at each birth, from the parent's x or, without a parent, from `first`. Not in the paper; all parameters are free.
-/// Reads: the traits.   Random draws: 2 a trait.
+/// Reads: the traits.   Random draws: 2 per trait.
 template <Trait... Traits>
 struct List {
   struct Names {
@@ -76,6 +77,16 @@ struct List {
     each([&](std::size_t place, const auto& trait) {
       traits[place] = std::clamp(traits[place] + rng.normal(0.0, trait.sd), trait.least, trait.most);
     });
+  }
+  [[nodiscard]] std::optional<BeyondBound> beyond(std::span<const double> traits) const {
+    std::optional<BeyondBound> found;
+    each([&](std::size_t place, const auto& trait) {
+      const double value = traits[place];
+      if (found || (trait.least <= value && value <= trait.most)) return;
+      const bool below = value < trait.least;
+      found = {std::string{trait_names[place]} + (below ? ".least" : ".most"), below ? trait.least : trait.most, value};
+    });
+    return found;
   }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Individuals inherit brain, gait and body alone.
+// Individuals inherit only brain, gait and body.
 #pragma once
 
 #include <trophic/reproduction/traits/contract.hpp>

@@ -6,7 +6,7 @@
 
 namespace trophic::reproduction::viability {
 
-/// Rule: no body is refused; a mutation that cannot be built is tried once.   Reads: nothing.   Random draws: 0.
+/// Rule: no body is refused; a mutation that cannot be built is not retried.   Reads: nothing.   Random draws: 0.
 struct AlwaysViable {
   static constexpr std::string_view name = "always_viable";
   static constexpr std::string_view source = "control";

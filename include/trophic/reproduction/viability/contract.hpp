@@ -14,16 +14,16 @@
 
 namespace trophic::reproduction {
 
-/// `refusal(design, robot)`: returns why no individual may be born with this body, "12 hinges: must be <= 10", or nothing. A pure
-/// function. `attempts()`: how often a refused mutation is repeated from the parent's genes, at least 1; after that the offspring
-/// has its parent's body. Bodies without hinges and those that cannot be built are refused by every table.
+/// `refusal(design, robot)`: returns why no individual may be born with this body, such as "12 hinges: must be <= 10", or
+/// nothing. A pure function. `attempts()`: how often a mutation of the parent's genes is attempted, at least 1; if all are
+/// refused, the offspring has its parent's body. Bodies without hinges and those that cannot be built are refused by every table.
 template <class P>
 concept Viability = requires(const P policy, const body::Design& design, const RobotModel& robot) {
   { policy.refusal(design, robot) } -> std::same_as<std::optional<std::string>>;
   { policy.attempts() } -> std::same_as<std::size_t>;
 };
 
-/// A rule that also tries newborns in a nursery. `refusal_after_trial(robot, gait, nursery)`: returns why this body may not be
+/// A rule that also tests newborns in a nursery. `refusal_after_trial(robot, gait, nursery)`: returns why this body may not be
 /// born with this gait, or nothing. A pure function. Body and gait of a refused newborn are drawn or mutated again.
 template <class P>
 concept TriesNewborns = Viability<P> &&
@@ -33,7 +33,7 @@ concept TriesNewborns = Viability<P> &&
 
 namespace ask {
 
-/// Nothing for a rule that does not try newborns, which needs no nursery.
+/// Returns nothing for a rule that does not test newborns and needs no nursery.
 template <class P>
 [[nodiscard]] std::optional<std::string> refusal_after_trial([[maybe_unused]] const P& policy,
                                                              [[maybe_unused]] const RobotModel& robot,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bodies have bounds on their parts, can be steered, and do not overlap with themselves.
+// Bodies have a bounded number of parts, can be steered, and do not overlap with themselves.
 #pragma once
 
 #include <trophic/habitat/body/limits.hpp>
@@ -7,8 +7,8 @@
 
 namespace trophic::reproduction::viability {
 
-/// Rule: a body is refused with more modules or hinges, or fewer hinges, than the limits, without a hinge on the left or the
-/// right, or with boxes that overlap at rest (habitat/body/limits.hpp).   Reads: the body.   Random draws: 0.
+/// Rule: a body is refused if it has more modules or hinges, or fewer hinges, than the limits, if it has no hinge on the left or
+/// right side, or if its boxes overlap at rest (habitat/body/limits.hpp).   Reads: the body.   Random draws: 0.
 struct ModuleLimits {
   static constexpr std::string_view name = "module_limits";
   static constexpr std::string_view source = "not in the paper";
@@ -17,8 +17,9 @@ struct ModuleLimits {
     body::Limits limits;
     std::size_t attempts = 10;
     static constexpr auto fields() {
-      return std::tuple{field("limits", &Params::limits), field("attempts", &Params::attempts, between(1.0, 1000.0),
-                                                                "tries of a mutation before the parent's body stays")};
+      return std::tuple{field("limits", &Params::limits),
+                        field("attempts", &Params::attempts, between(1.0, 1000.0),
+                              "number of attempted mutations before the offspring keeps the parent's body")};
     }
   };
   Params params;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Newborns must walk in a nursery without a divergence.
+// Newborns must walk in a nursery without diverging.
 #pragma once
 
 #include <trophic/params/policy.hpp>
@@ -8,7 +8,7 @@
 
 namespace trophic::reproduction::viability {
 
-/// Rule: a body that `Rule` allows may be born if it walks by its own gait in a nursery for `trial_s` without a divergence.
+/// Rule: a body that `Rule` allows may be born if it walks with its own gait in a nursery for `trial_s` without diverging.
 /// Otherwise its body and gait are drawn or mutated again.   Reads: body and gait.   Random draws: Rule's.
 template <class Rule>
 struct SurvivesTrial {
@@ -20,8 +20,8 @@ struct SurvivesTrial {
     ParamsOf<Rule> bodies = {};
     double trial_s = 1.0;
     static constexpr auto fields() {
-      return std::tuple{field("bodies", &Params::bodies),
-                        field("trial_s", &Params::trial_s, between(0.01, 600.0), "simulated seconds in the nursery")};
+      return std::tuple{field("bodies", &Params::bodies), field("trial_s", &Params::trial_s, between(0.01, 600.0),
+                                                                "length of the trial in the nursery, simulated seconds")};
     }
   };
   Params params;
@@ -34,7 +34,7 @@ struct SurvivesTrial {
   [[nodiscard]] std::optional<std::string> refusal_after_trial(const RobotModel& robot, const Gait& gait,
                                                                const Nursery& nursery) const {
     if (nursery.walked_m(robot, gait, params.trial_s)) return std::nullopt;
-    return "diverges within " + number_text(params.trial_s) + " s: must walk so long";
+    return "diverges within " + number_text(params.trial_s) + " s: must walk until the end of the trial";
   }
 };
 

@@ -6,8 +6,8 @@
 
 namespace trophic::reproduction::viability {
 
-/// Rule: a body of at most `most_kg` may be born; a heavier one is tried again, `attempts` times in all.   Reads: the mass.
-/// Random draws: 0.
+/// Rule: a body of at most `most_kg` may be born; the mutation of a heavier one is repeated, up to `attempts` times in total.
+/// Reads: the mass.   Random draws: 0.
 struct WithinMass {
   static constexpr std::string_view name = "within_mass";
   static constexpr std::string_view source = "not in the paper";
@@ -16,8 +16,8 @@ struct WithinMass {
     double most_kg = 2.0;
     std::size_t attempts = 10;
     static constexpr auto fields() {
-      return std::tuple{field("most_kg", &Params::most_kg, above(0.0), "the largest mass of a body"),
-                        field("attempts", &Params::attempts, between(1.0, 1000.0), "mutations of a body that are tried")};
+      return std::tuple{field("most_kg", &Params::most_kg, above(0.0), "largest mass of a body"),
+                        field("attempts", &Params::attempts, between(1.0, 1000.0), "number of attempted mutations of a body")};
     }
   };
   Params params;

@@ -10,14 +10,14 @@ namespace trophic::checkpoint {
 /// The version of a checkpoint file's format.
 inline constexpr std::uint32_t format_version = 7;
 
-/// More than any manifest, bytes: what is read of one takes many times as much memory.
+/// In bytes; larger than any manifest. The parsed content takes many times as much memory.
 inline constexpr std::uint64_t largest_manifest = std::uint64_t{16} << 20U;
 
 inline constexpr std::string_view file_name = "checkpoint.bin";
-/// The previous checkpoint, in case that the last one cannot be read.
+/// The previous checkpoint, in case the last one cannot be read.
 inline constexpr std::string_view predecessor_name = "checkpoint.old.bin";
 
-/// An object writes its part of a checkpoint, which only it reads. Refers to the object.
+/// The part of a checkpoint that an object writes and reads. Refers to the object.
 struct Part {
   std::string_view section;
   std::function<void(Archive& archive)> persist;
@@ -34,8 +34,8 @@ struct Section {
 /// A moment of a run.
 struct Checkpoint {
   std::string fingerprint;      ///< observe::fingerprint of the run: rules, parameters, models, backend
-  std::string program_version;  ///< trophic's; only the same version continues to the same bytes
-  std::string code = {};        ///< of the program that wrote it, as program_code()
+  std::string program_version;  ///< trophic's version; only the same version continues to the same bytes
+  std::string code = {};        ///< code of the program that wrote it, as from program_code()
   std::uint64_t seed = 0;
   std::int64_t tick = 0;
   double time_s = 0.0;  ///< the ecology's clock
@@ -46,7 +46,7 @@ struct Checkpoint {
                       &Checkpoint::tick,        &Checkpoint::time_s,          &Checkpoint::sections};
   }
 
-  /// The bytes of a section. Throws std::invalid_argument if there is none of that name.
+  /// The bytes of a section. Throws std::invalid_argument if there is no section with that name.
   [[nodiscard]] const std::string& section(std::string_view name) const {
     for (const Section& section : sections) {
       if (section.name == name) return section.bytes;
@@ -56,25 +56,25 @@ struct Checkpoint {
   }
 };
 
-/// The checkpoint in a file's bytes. `name` stands for the bytes in errors. Throws std::invalid_argument for bytes that are not a
-/// checkpoint, of another format, cut short or damaged.
+/// The checkpoint in a file's bytes. `name` names the bytes in errors. Throws std::invalid_argument for bytes that are not a
+/// checkpoint, have a different format, or are cut short or damaged.
 [[nodiscard]] Checkpoint from_bytes(std::string_view bytes, const std::string& name);
 
 /// Writes checkpoint.bin in a folder: a line that names the format, its version, the content with `parts` after the sections of
-/// `moment`, and the CRC-32 of it all. Parts are never in memory as a whole. The file is next to the old one until it is on the
-/// disk; the old one stays as predecessor. If the program dies at any moment, one is whole. Throws std::runtime_error.
+/// `moment`, and the CRC-32 of it all. Parts are never in memory as a whole. The file is written next to the old one; the old one
+/// remains as its predecessor. If the program dies at any moment, one of them is complete. Throws std::runtime_error.
 void write(const std::filesystem::path& folder, Checkpoint moment, const Parts& parts = {});
 
-/// Whether there is a checkpoint in a folder, whole or not.
+/// Whether there is a checkpoint in a folder, complete or not.
 [[nodiscard]] inline bool exists(const std::filesystem::path& folder) {
   return std::filesystem::exists(folder / file_name) || std::filesystem::exists(folder / predecessor_name);
 }
 
-/// checkpoint.bin, or its predecessor if it is missing or damaged: then a damaged one is removed. Throws std::invalid_argument if
-/// neither is whole, with the fault of the last one; UnreadableFile if the system refuses to read one.
+/// Reads checkpoint.bin, or its predecessor if it is missing or damaged; a damaged one is then removed. Throws
+/// std::invalid_argument with the error of the last one if neither is complete; UnreadableFile if the system cannot read one.
 [[nodiscard]] Checkpoint read_last(const std::filesystem::path& folder);
 
-/// All whole checkpoints, the last one first. Skips others without an exception; throws UnreadableFile.
+/// All complete checkpoints, the last one first. Skips others without an exception; throws UnreadableFile.
 [[nodiscard]] std::vector<Checkpoint> read_all(const std::filesystem::path& folder);
 
 }  // namespace trophic::checkpoint

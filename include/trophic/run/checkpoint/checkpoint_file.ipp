@@ -39,7 +39,8 @@ inline constexpr std::string_view first_line = "trophic checkpoint\n";
   return at + sizeof(std::uint32_t);
 }
 
-/// The bytes of a checkpoint file. Its beginning and its lengths are looked at first: the file may be anything, of any size.
+/// The bytes of a checkpoint file. Its beginning and its lengths are checked first, because the file may be anything, of any
+/// size.
 [[nodiscard]] inline std::string read_bytes(const std::filesystem::path& path) {
   std::string beginning = read_part(path, first_line.size() + 2 * sizeof(format_version));
   if (!beginning.starts_with(first_line)) throw std::invalid_argument{path.string() + ": is not a checkpoint of trophic"};
@@ -134,7 +135,7 @@ TROPHIC_INLINE Checkpoint read_last(const std::filesystem::path& folder) {
   } catch (const std::invalid_argument&) {
     if (!std::filesystem::exists(folder / predecessor_name)) throw;
     Checkpoint before = read(predecessor_name);
-    // Otherwise the next write would replace this one by the damaged one.
+    // Otherwise the next write would replace this one with the damaged one.
     std::error_code ignored;
     std::filesystem::remove(folder / file_name, ignored);
     return before;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keeps checkpoints of a run, and resumes a run from one.
+// Writes checkpoints of a run, and resumes a run from one.
 #pragma once
 
 #include <filesystem>
@@ -35,20 +35,20 @@ inline constexpr std::string_view ecology_section = "ecology";
 /// Writes the present moment of an ecology and its participating observers into a folder, between two ticks.
 void write(const std::filesystem::path& folder, Simulation& ecology, const observe::RunDescription& run, const Parts& parts = {});
 
-/// Throws std::invalid_argument naming the difference if a checkpoint is not of this run or of another program's code.
+/// Throws std::invalid_argument naming the difference if a checkpoint is from a different run or a different program's code.
 void check_same_run(const Checkpoint& checkpoint, const observe::RunDescription& run);
 
-/// Starts an ecology of other rules or another seed from a checkpoint. Throws std::invalid_argument for one of other robots
-/// or other states of rules, else as `restore`.
+/// Starts an ecology with different rules or a different seed from a checkpoint. Throws std::invalid_argument if its robots or
+/// states of rules differ, and otherwise as `restore`.
 void restore_any(const Checkpoint& checkpoint, Simulation& ecology, const Parts& parts = {});
 
 /// Restores an ecology that was made from the same parameters, and its participating observers, from a checkpoint.
-/// Files are cut to their length at that moment. Throws std::invalid_argument if the checkpoint is not of this run or of other
-/// observers; std::runtime_error for a file that is missing or shorter than it was.
+/// Files are truncated to their length at that moment. Throws std::invalid_argument if the checkpoint is from a different run or
+/// different observers; std::runtime_error for a file that is missing or shorter than it was.
 void restore(const Checkpoint& checkpoint, Simulation& ecology, const Parts& parts = {});
 
-/// An observer that writes checkpoints of the run and of its other observers, those that take part, into a folder: as often as
-/// its schedule demands, and when the run ends or is stopped. They must be called for a tick before this one is.
+/// An observer that writes checkpoints of the run and of its participating observers into a folder, as often as its schedule
+/// demands and when the run ends or is interrupted. In each tick the others must be called before this one.
 class CheckpointWriter {
  public:
   CheckpointWriter(std::filesystem::path folder, Schedule schedule, Parts parts)

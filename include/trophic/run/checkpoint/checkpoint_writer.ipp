@@ -12,8 +12,7 @@ namespace detail {
 
 inline void same(const std::string& what, const std::string& there, const std::string& ours) {
   if (there == ours) return;
-  throw std::invalid_argument{"the checkpoint's " + what + " = " + there + ": must be " + ours +
-                              ", as of the run that is to be resumed"};
+  throw std::invalid_argument{"the checkpoint's " + what + " = " + there + ": must be " + ours + ", as in the run to resume"};
 }
 
 inline void read_section(const Checkpoint& from, const Part& part) {
@@ -52,7 +51,7 @@ TROPHIC_INLINE void check_same_run(const Checkpoint& checkpoint, const observe::
   detail::same("version of trophic", checkpoint.program_version, std::string{version});
   if (checkpoint.fingerprint != run.fingerprint) {
     throw std::invalid_argument{"the checkpoint's fingerprint = " + checkpoint.fingerprint + ": must be " + run.fingerprint +
-                                ", as of the run that is to be resumed; its rules, parameters, models or engine differ"};
+                                ", as in the run to resume; its rules, parameters, models or engine differ"};
   }
   if (checkpoint.code != program_code()) {
     throw std::invalid_argument{"the checkpoint's code = " + checkpoint.code + ": must be " + program_code() +

@@ -11,7 +11,7 @@
 
 namespace trophic::checkpoint::detail {
 
-/// manifest.json; null if it is missing, damaged or was changed. Throws UnreadableFile.
+/// Reads manifest.json; null if it is missing, damaged or was modified. Throws UnreadableFile.
 [[nodiscard]] inline Json manifest_in(const std::filesystem::path& folder) {
   try {
     return parse_sealed(read_whole_file(folder / "manifest.json", largest_manifest));
@@ -28,7 +28,7 @@ namespace trophic::checkpoint::detail {
   return is_text ? status->get<std::string>() : "unreadable";
 }
 
-/// Planned end of the run of a complete manifest; 0 if it has none.
+/// Planned end of the run in a complete manifest; 0 if it has none.
 [[nodiscard]] inline double until_in(const Json& manifest) {
   const auto clock = manifest.find("clock");
   if (clock == manifest.end() || !clock->is_object() || !clock->contains("until_s")) return 0.0;

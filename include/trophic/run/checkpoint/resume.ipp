@@ -23,21 +23,21 @@ namespace trophic::checkpoint {
 
 namespace detail {
 
-/// Throws std::invalid_argument unless a manifest is of this run.
+/// Throws std::invalid_argument unless a manifest belongs to this run.
 inline void check_manifest(const std::filesystem::path& folder, const Json& manifest, const observe::RunDescription& run) {
   const auto check = [&](const char* key, const Json& ours) {
     const auto there = manifest.find(key);
     if (there != manifest.end() && *there == ours) return;
     throw std::invalid_argument{(folder / "manifest.json").string() + ": " + key + " = " +
                                 (there == manifest.end() ? "nothing" : json_text(*there)) + ": must be " + json_text(ours) +
-                                ", as of the run that is to be resumed"};
+                                ", as in the run to resume"};
   };
   check("fingerprint", run.fingerprint);
   check("seed", run.seed);
 }
 
-/// Throws std::invalid_argument for a folder that holds something, but neither a manifest of trophic nor a file with which each
-/// run begins.
+/// Throws std::invalid_argument for a folder that is not empty but has neither a trophic manifest nor a file that every run
+/// starts with.
 inline void check_of_a_run(const std::filesystem::path& folder, const Json& manifest) {
   constexpr std::array<std::string_view, 5> files{"events.csv", "agents.csv", "phylogeny.csv", "genomes.csv", "replay.trp"};
   const bool has_one = std::ranges::any_of(files, [&](auto name) { return std::filesystem::exists(folder / name); });
@@ -45,7 +45,7 @@ inline void check_of_a_run(const std::filesystem::path& folder, const Json& mani
   throw std::invalid_argument{folder.string() + ": is not the folder of a run: it has files, but no events.csv"};
 }
 
-/// How the tables and the recording of a manifest differ from its checksums, or empty.
+/// Returns how the tables and the recording of a manifest differ from its checksums; empty if they do not.
 [[nodiscard]] inline std::string wrong_sum_in(const std::filesystem::path& folder, const Json& manifest) {
   constexpr std::size_t piece_bytes = std::size_t{1} << 20U;
   Json sums = manifest.value("tables", Json::object());
@@ -65,7 +65,7 @@ inline void check_of_a_run(const std::filesystem::path& folder, const Json& mani
   return "";
 }
 
-/// The last checkpoint of this version that is whole, or why there is none. Throws UnreadableFile.
+/// Returns the last complete checkpoint of this version, or why there is none. Throws UnreadableFile.
 [[nodiscard]] inline std::pair<std::optional<Checkpoint>, std::string> last_in(const std::filesystem::path& folder) {
   if (!checkpoint::exists(folder)) return {std::nullopt, "it has no checkpoint"};
   try {
@@ -193,8 +193,8 @@ TROPHIC_INLINE RunState run_state_in(const std::filesystem::path& folder, const 
       throw std::invalid_argument{"until_s = " + number_text(run.until_s) + ": must be > " + number_text(before_s) +
                                   ", which the run in " + folder.string() + " has passed"};
     }
-    std::string remark = "continues from its checkpoint at " + number_text(last->time_s) + " s" +
-                         (manifest.is_null() ? ", as it has no whole manifest.json" : "") +
+    std::string remark = "resumes from its checkpoint at " + number_text(last->time_s) + " s" +
+                         (manifest.is_null() ? ", because its manifest.json is incomplete" : "") +
                          (is_other ? ", which another build of this program wrote" : "");
     return {.complete = false, .from = std::move(last), .remark = std::move(remark)};
   }

@@ -96,7 +96,7 @@ class Sweep:
             named = [any(list(key[: len(part)]) == part for part in parts) for key in keys.itertuples(index=False)]
             for choice, part in zip(choices, parts):
                 if not any(list(key[: len(part)]) == part for key in keys.itertuples(index=False)):
-                    raise KeyError(f"--metric {choice}: no such metric in sweep_metrics.csv")
+                    raise KeyError(f"--metric {choice}: sweep_metrics.csv has no such metric")
             keys = keys[named]
         elif self.chosen_before_looking(keys):
             keys = keys.merge(self.differences[["metric", "species", "group"]].drop_duplicates())

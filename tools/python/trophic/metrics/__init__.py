@@ -125,20 +125,21 @@ def shipped(
     tag_values: Sequence[int] = (-1, 1),
     simulated_s_per_s: float = 1.0,
     is_constant: bool = True,
+    causes: Sequence[str] = demography.CAUSES,
 ) -> Results:
     """All metrics of tables with the columns EVENTS and AGENTS, and what motion.with_contacts adds, for any number of species, in an order that
     depends only on the food web and the tags. A metric whose table has no row or lacks the ticks for it is there with the value nan.
 
     `until_s`: the time of the run that is measured, s. `every_ticks`: agents has the ticks that are
     multiples of it. `tag_values`: the tags that the brains may choose. `simulated_s_per_s`: simulated seconds in a second of the clock.
-    `is_constant`: numbers are, so that extinction is measured here."""
+    `is_constant`: numbers are, so that extinction is measured here. `causes`: of death."""
     results = Results()
     robots = Agents(agents, web)
     locks = locked.locks(robots) if locked.TICKS % every_ticks == 0 else None
     is_free = ~locks.row if locks else numpy.zeros(len(agents), bool)
     free = Agents(agents[is_free], web)
     attribution.measure(events, locked.events_of_free(events, robots, ~is_free) if locks else events[:0], web, results)
-    demography.measure_deaths(events, web, until_s, results)
+    demography.measure_deaths(events, web, until_s, results, causes)
     velocity.measure(
         robots,
         web,
@@ -191,15 +192,23 @@ def measure_run(run: PooledRun, how: Measuring) -> RunValues:
             tag_values=run.tags,
             simulated_s_per_s=run.manifest["clock"].get("simulated_s_per_clock_s", 1.0),
             is_constant=is_constant,
+            causes=_causes_of(run),
         )
         if not is_constant:
             living.measure(run, events, results)
     results.remarks[:0] = remarks
+    shipped_rows = len(results.rows)
     for column in how.columns:
         own.measure_column(column, run, results)  # type: ignore[arg-type]
     for function in how.functions:
         own.measure_function(function, run, results)
+    results.rows = results.rows[shipped_rows:] + results.rows[:shipped_rows]  # one's own stand first everywhere
     return results.run_values()
+
+
+def _causes_of(run: PooledRun) -> Sequence[str]:
+    """The causes of death that are measured: where numbers change those that can happen."""
+    return demography.causes_in(run.manifest["rules"]) if living.changes_numbers(run) else demography.CAUSES
 
 
 def lost_to_thinning(every: int) -> str:
@@ -216,7 +225,7 @@ def lost_to_thinning(every: int) -> str:
     ):
         if apart % every != 0:
             lost += f", no {name}, which needs rows {apart} ticks apart"
-    return f"agents.csv: has the ticks that are multiples of {every}: {lost}"
+    return f"agents.csv: has only ticks that are multiples of {every}: {lost}"
 
 
 def names(run: PooledRun, how: Measuring | None = None) -> list[Metric]:
@@ -230,7 +239,7 @@ def names(run: PooledRun, how: Measuring | None = None) -> list[Metric]:
 
         return bodies.names(run.web)
     is_constant = not living.changes_numbers(run)
-    return names_of(run.web, run.tags, is_constant) + (
+    return names_of(run.web, run.tags, is_constant, _causes_of(run)) + (
         [] if is_constant else living.names(run.web, living.has_energy(run))
     )
 
@@ -245,10 +254,20 @@ def inherited(of: Iterable[Metric], how: Measuring) -> frozenset[str]:
     )  # type: ignore[union-attr]
 
 
-def names_of(web: Web, tag_values: Sequence[int] = (-1, 1), is_constant: bool = True) -> list[Metric]:
+def names_of(
+    web: Web, tag_values: Sequence[int] = (-1, 1), is_constant: bool = True, causes: Sequence[str] = demography.CAUSES
+) -> list[Metric]:
     """The metrics of a run of these species and tags, in the order of all tables, without those of changing numbers."""
     nothing = [pandas.DataFrame(columns=list(columns), dtype=float) for columns in (EVENTS, AGENTS)]
-    found = shipped(web, *nothing, until_s=0.0, floor=walls.Floor(1.0), tag_values=tag_values, is_constant=is_constant)
+    found = shipped(
+        web,
+        *nothing,
+        until_s=0.0,
+        floor=walls.Floor(1.0),
+        tag_values=tag_values,
+        is_constant=is_constant,
+        causes=causes,
+    )
     return [Metric(*row[:4]) for row in found.rows if row[4] == ""]
 
 

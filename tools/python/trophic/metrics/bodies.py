@@ -57,7 +57,7 @@ def check(run: Run) -> None:
     """Raises RunError, naming the folder, unless the run has bodies.csv or genes.csv: a run has them if bodies, gaits or brains differ."""
     if not any((run.path / file).exists() for file in ("bodies.csv", "genes.csv")):
         raise RunError(
-            f"{run.path}: has neither bodies.csv nor genes.csv: --bodies measures runs in which bodies, gaits or brains differ"
+            f"{run.path}: has neither bodies.csv nor genes.csv; --bodies measures runs in which bodies, gaits or brains differ"
         )
 
 

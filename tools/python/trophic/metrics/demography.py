@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection, Sequence
 
 import numpy
 import pandas
@@ -13,7 +14,18 @@ CROWD_AT_FLOOR = 8
 """Hunters that the released rules leave when they starve and rescue at their floor: the authors' runs have 8 for 30 % of the time."""
 CAUSES = ("caught", "starved", "sacrificed", "senescence")
 """The causes of deaths by rules; a body that diverges dies of none."""
+_RULES = {
+    "caught": ("capture",),
+    "starved": ("starvation", "metabolism"),
+    "sacrificed": ("minimum_predators",),
+    "senescence": ("senescence",),
+}
 EXTINCTION = ("extinct", "extinct_at")
+
+
+def causes_in(rules: Collection[str]) -> tuple[str, ...]:
+    """The causes of death that a rule table has a rule for."""
+    return tuple(cause for cause in CAUSES if any(slot in rules for slot in _RULES[cause]))
 
 
 def population_size(agents: Agents, species: str, group: str = "all") -> Means:
@@ -52,9 +64,11 @@ def per_window(time_s: numpy.ndarray, until_s: float) -> tuple[numpy.ndarray, nu
     return ends, numpy.bincount(window[window < len(ends)], minlength=len(ends)).astype(float)
 
 
-def measure_deaths(events: pandas.DataFrame, web: Web, until_s: float, results: Results) -> None:
+def measure_deaths(
+    events: pandas.DataFrame, web: Web, until_s: float, results: Results, causes: Sequence[str] = CAUSES
+) -> None:
     for species in web.species:
-        for cause in (None, *CAUSES):
+        for cause in (None, *causes):
             name = ("deaths", species, cause or "all", "1")
             time_s = deaths(events, species, cause)
             results.add(*name, float(len(time_s)) if len(events) else math.nan)

@@ -60,11 +60,12 @@ def check(run: PooledRun) -> None:
     """
     if run.reached_s is None:
         raise RunError(
-            f"{run.path / 'manifest.json'}: status \"{run.manifest['status']}\": phylogeny.csv has those alive only at a run's end; resume the run"
+            f"{run.path / 'manifest.json'}: status \"{run.manifest['status']}\": phylogeny.csv lists living individuals only at the end of a "
+            "run; resume the run"
         )
     for name in ("phylogeny.csv", "genomes.csv"):
         if not (run.path / name).exists():
-            raise RunError(f"{run.path / name}: is missing: lineage measures need phylogeny and genomes")
+            raise RunError(f"{run.path / name}: is missing; lineage measures need the phylogeny and the genomes")
     if run.manifest.get("rules", {}).get("heredity") == "shared_copy":
         _refuse_shared(run)
 
@@ -72,8 +73,8 @@ def check(run: PooledRun) -> None:
 def _refuse_shared(run: PooledRun) -> None:
     heredity = run.manifest.get("rules", {}).get("heredity", "unknown")
     raise RunError(
-        f"{run.path / 'genomes.csv'}: rule heredity = {heredity}: must give each individual a genome of its own, as own_copy; a genome that several "
-        "share changes after birth"
+        f"{run.path / 'genomes.csv'}: rule heredity = {heredity}: must give each individual its own genome, like own_copy; a shared genome "
+        "changes after birth"
     )
 
 
@@ -106,7 +107,8 @@ def read_descent(run: PooledRun) -> Descent:
         if not (died_s == numpy.inf or born_s <= died_s <= end_s + _ROUNDING_S):
             refuse(
                 one,
-                f"destruction_time = {number_text(died_s)}: must be >= its origin_time, {number_text(born_s)}, and <= {number_text(end_s)}, the run's end",
+                f"destruction_time = {number_text(died_s)}: must be >= its origin_time, {number_text(born_s)}, and <= {number_text(end_s)}, "
+                "the run's end",
             )
         if species not in run.web.species:
             refuse(one, f'species = "{species}": must be a species of the run\'s manifest')
@@ -114,7 +116,7 @@ def read_descent(run: PooledRun) -> Descent:
             refuse(one, f"ancestor_list = {text}: must be [none] or its parents, as [7,9]")
         named = [] if text == "[none]" else [int(word) for word in re.findall(r"\d+", text)]
         if unknown := [other for other in named if other not in places]:
-            refuse(one, f"its parent {unknown[0]} is not among those born before it")
+            refuse(one, f"its parent {unknown[0]} was not born before it")
         if places.setdefault(one, place) != place:
             refuse(one, "has two rows")
         parents.append([places[other] for other in named])
@@ -229,7 +231,7 @@ def _met(run: PooledRun, species: str) -> list[numpy.ndarray]:
     """The inputs of a species in a run, or nothing."""
     path = run.path / "senses.csv"
     if not path.exists():
-        raise RunError(f"{path}: is missing: lineage measures need it of the first run; run with --senses")
+        raise RunError(f"{path}: is missing; lineage measures need it from the first run: run with --senses")
     columns = [f"input{i}" for i in range(len(run.manifest.get("senses", {}).get("inputs", [])))]
     table = _whole(run, "senses.csv", ["species", *columns])
     cells = table.loc[table.species == species, columns].to_numpy()

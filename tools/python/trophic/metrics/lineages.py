@@ -55,7 +55,7 @@ def window_of(runs: Sequence[Run], asked_s: float | None = None) -> float:
     window_s = min(500.0, 0.25 * lengths_s[0]) if asked_s is None else asked_s
     if not (window_s > 0.0 and 4.0 * window_s <= min(lengths_s)):
         raise RunError(
-            f"--window {number_text(window_s)}: must be > 0 and <= {number_text(0.25 * min(lengths_s))}, a quarter of the runs"
+            f"--window {number_text(window_s)}: must be > 0 and <= {number_text(0.25 * min(lengths_s))}, a quarter of the shortest run"
         )
     if window_s * MOST_WINDOWS < max(lengths_s):
         raise RunError(

@@ -104,7 +104,7 @@ def read_metrics(path: str | pathlib.Path) -> list[OwnMetric]:
         own_metric(value) for value in values if callable(value) and hasattr(value, "metric") and hasattr(value, "unit")
     ]
     if not found:
-        raise RunError(f"--metric-file {path}: has no metric: mark a function of a run with @trophic.metric")
+        raise RunError(f"--metric-file {path}: has no metric: decorate a function of a run with @trophic.metric")
     return found
 
 
@@ -113,7 +113,7 @@ def check(columns: Sequence[OwnColumn], functions: Sequence[OwnMetric], shipped:
     taken = set(shipped)
     for column in columns:
         if column.column in taken:
-            raise RunError(f"{column}: there is a metric of this name; rename the column")
+            raise RunError(f"{column}: a metric already has this name; rename the column")
         taken.add(column.column)
     own: set[str] = set()
     for each in functions:
@@ -122,9 +122,9 @@ def check(columns: Sequence[OwnColumn], functions: Sequence[OwnMetric], shipped:
         if not re.fullmatch(r"[\w./^%-]+", each.unit, re.ASCII):
             raise RunError(f'metric {each.name}: unit "{each.unit}": must be letters, digits and _ . / ^ % -')
         if each.name in own:
-            raise RunError(f"metric {each.name}: is there twice")
+            raise RunError(f"metric {each.name}: is given twice")
         if each.name in taken:
-            raise RunError(f"metric {each.name}: trophic has a metric of this name; choose another")
+            raise RunError(f"metric {each.name}: trophic already has a metric with this name; choose another")
         own.add(each.name)
 
 
@@ -198,7 +198,7 @@ def _check_samples(frame: pandas.DataFrame, run: PooledRun) -> None:
 def _add(name: str, unit: str, frame: pandas.DataFrame, who: str, where: str, results: Results) -> None:
     """Adds the means of samples, one for each species and group, and the curves of those with times."""
     if any(row[0] == name for row in results.rows):
-        raise RunError(f"{who}: trophic has a metric of this name; choose another")
+        raise RunError(f"{who}: trophic already has a metric with this name; choose another")
     has_times, is_one = "time_s" in frame, not {"species", "group"} & set(frame.columns)
     samples = pandas.DataFrame(
         {
@@ -211,12 +211,12 @@ def _add(name: str, unit: str, frame: pandas.DataFrame, who: str, where: str, re
     )
     parts = list(samples.groupby(["species", "group"], sort=False))
     if len(parts) > _MOST_PARTS:
-        raise RunError(f"{who}: must be of at most {_MOST_PARTS} species and groups")
+        raise RunError(f"{who}: must cover at most {_MOST_PARTS} species and groups")
     for (species, group), of in parts or ([(("", "all"), samples)] if is_one else []):
         found = means(of.window.to_numpy(), of.value.to_numpy())
         if numpy.isnan(found.mean):
             named = " ".join([name, *filter(None, [species, group if group != "all" else ""])])
-            results.remarks.append(f"{where}: {named} has no value; the run is left out of its mean")
+            results.remarks.append(f"{where}: {named} has no value; the mean omits this run")
         results.add(name, species, group, unit, found.mean)
         if has_times:
             results.add_curve(name, species, group, unit, found.time_s, found.points)

@@ -85,15 +85,15 @@ def _check(request: Mapping[str, Any]) -> None:
     """Raises RunError for options that do not go together."""
     runs, compare = request.get("runs") or [], request.get("compare") or []
     if bool(runs) == bool(compare):
-        raise RunError("either folders of runs, or --compare and two of them")
+        raise RunError("needs either folders of runs, or --compare with two folders")
     for folder in filter(is_sweep, compare):
-        raise RunError(f"--compare {folder}: is a sweep; name two of its cells")
+        raise RunError(f"--compare {folder}: is a sweep; give two of its cells")
     if not (sweeps := [folder for folder in runs if is_sweep(folder)]):
         for option in ("reference", "allow_missing"):
             if request.get(option) not in (None, False):
-                raise RunError(f"--{option.replace('_', '-')}: only with a sweep, a folder with plan.jsonl")
+                raise RunError(f"--{option.replace('_', '-')}: needs a sweep, a folder with plan.jsonl")
     elif len(runs) > 1:
-        raise RunError(f"{sweeps[0]}: is a sweep, which must be analyzed alone")
+        raise RunError(f"{sweeps[0]}: is a sweep and must be analysed alone")
     for option in ("shadow", "published"):
         if sweeps and request.get(option):
             raise RunError(f"{sweeps[0]}: is a sweep: not with --{option}")
@@ -118,16 +118,16 @@ def run(request: Mapping[str, Any]) -> int:
     if asked is not None and not (math.isfinite(asked) and asked > 0.0):
         raise RunError(f"--difference {number_text(asked)}: must be > 0")
     if asked is not None and not how.metrics:
-        raise RunError("--difference: needs --metric, which names what is to differ")
+        raise RunError("--difference: needs --metric to name a metric")
     if request.get("html"):
         from . import page
 
         if not request["html"].lower().endswith((".html", ".htm")):
             raise RunError(f"--html {request['html']}: must end in .html")
         if os.path.lexists(request["html"]):
-            raise RunError(f"--html {request['html']}: exists already; nothing is overwritten")
+            raise RunError(f"--html {request['html']}: exists already; files are never overwritten")
         if not pathlib.Path(request["html"]).absolute().parent.is_dir():
-            raise RunError(f"--html {request['html']}: cannot be made: there is no such folder")
+            raise RunError(f"--html {request['html']}: cannot be made, because its folder does not exist")
         if request.get("figures"):
             page.read_figures(request["figures"])
     wants_tables = request.get("out") is not None or not request.get("html")

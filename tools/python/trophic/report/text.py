@@ -26,7 +26,7 @@ from ..words import (
 
 MOST_INCONCLUSIVE = 3
 _INCONCLUSIVE = "inconclusive does not mean equal: all differences in the interval remain possible\n"
-_AT_ONCE = "intervals of what is corrected hold for all of them at once (Bonferroni), others alone\n"
+_AT_ONCE = "intervals of corrected comparisons hold for all of them at once (Bonferroni), others individually\n"
 _UNATTRIBUTED = "without its control in both sets no difference can be attributed to inheritance\n"
 
 
@@ -58,7 +58,7 @@ def _rules(of: MeasuredSet) -> str:
 def _heading(of: MeasuredSet, frame: pandas.DataFrame) -> str:
     text = f"{described(of)}, fingerprint {describe(of).identity}\n{_rules(of)}"
     if (locked := mean_of(of.table.get((Metric("locked", "all", "all", "1"), ""), ()))) is not None:
-        text += f"locked: {locked:.3f} of robots are within 0.3 m of another for 12 s or longer; --all has the metrics without them\n"
+        text += f"locked: {locked:.3f} of robots are within 0.3 m of another for 12 s or longer; --all prints the metrics without them\n"
     text += "".join(f"{null_title(name)}: {described(null)}\n" for name, null in of.nulls.items())
     text += "".join(f"{sentence}\n" for sentence in judge.living_sentences(of))
     return text + "".join(f"{sentence}\n" for sentence in controls.sentences(of, judge.metrics_of(frame)))
@@ -118,28 +118,42 @@ def _inconclusive(frame: pandas.DataFrame, head: Sequence[str], cells: Any) -> s
     return columns(lines, "  ") + more + _INCONCLUSIVE
 
 
+_HEAD = ["ours [95 %]", "null", "its mean", "runs", "ours - null [95 %]"]
+
+
+def _cells(row: Any) -> list[str]:
+    """What _HEAD names."""
+    reading = Reading(_metric(row))
+    return [
+        reading.of(estimate_of(row)),
+        NULLS.get(row.null, row.null),
+        reading(row.null_mean),
+        judge.runs_of(row),
+        reading.with_interval(row.difference, judge.interval_of_row(row), True),
+    ]
+
+
+def _own(of: MeasuredSet, frame: pandas.DataFrame) -> str:
+    """The metrics of one's own with their nulls, whatever their p; none without one."""
+    rows = [row for row in frame.itertuples(index=False) if row.metric in of.own and row.role in ("null", "")]
+    lines = [["yours", *_HEAD, "p", ""]]
+    for row in rows:
+        tested = _cells(row) if row.role else [Reading(_metric(row)).of(estimate_of(row)), "", "", "", ""]
+        lines.append([metric_title(_metric(row)), *tested, p_text(row.p_holm) if row.role else "", _conclusion(row)])
+    return columns(lines, "  ") if rows else ""
+
+
 def findings(of: MeasuredSet, frame: pandas.DataFrame) -> str:
-    """The findings about a set, then the inconclusive comparisons of the smallest p values. The whole table if the set has no null of runs or nothing
-    was tested."""
+    """The metrics of one's own, the findings about a set, then the inconclusive comparisons of the smallest p values. The whole table if the set has no
+    null of runs or nothing was tested."""
     if not of.nulls or judge.count(frame).comparisons == 0:
         return table(of, frame)
-
-    def cells(row: Any) -> list[str]:
-        reading = Reading(_metric(row))
-        return [
-            reading.of(estimate_of(row)),
-            NULLS.get(row.null, row.null),
-            reading(row.null_mean),
-            judge.runs_of(row),
-            reading.with_interval(row.difference, judge.interval_of_row(row), True),
-        ]
-
-    head = ["ours [95 %]", "null", "its mean", "runs", "ours - null [95 %]"]
     return (
-        _heading(of, frame)
+        _own(of, frame)
+        + _heading(of, frame)
         + _answers(of, frame)
         + findings_text(frame, judge.MOST_FINDINGS)
-        + _inconclusive(frame, head, cells)
+        + _inconclusive(frame, _HEAD, _cells)
         + _too_few(of)
     )
 
@@ -182,7 +196,7 @@ def table(of: MeasuredSet, frame: pandas.DataFrame) -> str:
     size = judge.count(frame)
     return _heading(of, frame) + columns(
         lines
-    ) + "= a null: what the rules give without the effect   * the paper's own baseline, for reference: not tested against\n" f"p: corrected for {size.comparisons} comparisons (Holm); {_AT_ONCE}" + _answers(
+    ) + "= null model: what the rules give without the effect   * the paper's own baseline, shown for reference and not tested\n" f"p: corrected for {size.comparisons} comparisons (Holm); {_AT_ONCE}" + _answers(
         of, frame
     ) + (
         findings_text(frame) if size.comparisons else ""
@@ -208,7 +222,7 @@ def _not_tested(frame: pandas.DataFrame) -> str:
     """How many metrics of a comparison are described alone, if any are."""
     many = int((frame["role"] == "reference").sum())
     return (
-        f"not tested: {many} metric{'s' * (many > 1)} that some runs lack: means over runs in which something happened are described (--all)\n"
+        f"not tested: {many} metric{'s' * (many > 1)} that some runs lack; means over the runs in which something happened are described (--all)\n"
         * bool(many)
     )
 
@@ -227,7 +241,7 @@ def difference_findings(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame)
         ]
 
     about = (
-        f"the answer is the difference {over}: {shown}. Raw differences, which the rules alone can make, are in --all\n"
+        f"the answer is the difference {over}: {shown}. Raw differences, which the rules alone can cause, are shown by --all\n"
         if over
         else f"the differences are raw: {_UNATTRIBUTED}"
     )
@@ -266,7 +280,7 @@ def difference_table(a: MeasuredSet, b: MeasuredSet, frame: pandas.DataFrame) ->
     about = f"those {short} are the answer: {shown}\n" if over else _UNATTRIBUTED
     return _sets(a, b) + columns(
         lines
-    ) + f"p: corrected for {judge.count(frame).comparisons} comparisons (Holm); * significant, p <= 0.05; {_AT_ONCE}" f"raw differences also show how the populations are composed; {about}" + findings_text(
+    ) + f"p: corrected for {judge.count(frame).comparisons} comparisons (Holm); * significant, p <= 0.05; {_AT_ONCE}" f"raw differences also reflect the composition of the populations; {about}" + findings_text(
         frame
     ) + _too_few(
         a, b
@@ -284,7 +298,7 @@ def runs_for(frame: pandas.DataFrame, difference: float) -> str:
     return (
         text
         and text
-        + f"at the level of one of {judge.count(frame).comparisons} comparisons; by the spread of the runs at hand\n"
+        + f"at the level of one of {judge.count(frame).comparisons} comparisons; based on the variance of these runs\n"
     )
 
 
@@ -313,12 +327,12 @@ def claims(of: MeasuredSet) -> str:
         "reproduced: two one-sided tests at 5 % place ours within the margin of the published system\n"
         "not reproduced: they do not, and ours - published is not 0 at 5 %   inconclusive: neither\n"
         "margin: one standard deviation between runs. The published mean is one of ten runs; its error is in the interval\n"
-        "published: text: in the paper; logs: counted in the event logs of its ten runs\n"
+        "published: text: in the paper; logs: counted from the event logs of its ten runs\n"
         "The paper does not say whether inactive prey count. Leaving them out (active) is an inference: the authors' log marks them.\n"
         "Each reading is tested alone: a claim with more readings is more easily reproduced under one of them.\n"
     )
     if min(of.until_s, said.lived_s[1]) != published.DURATION_S:
-        text += f"the claims are about runs of {number_text(published.DURATION_S)} s: counts of deaths in other times do not compare (--until)\n"
+        text += f"the claims concern runs of {number_text(published.DURATION_S)} s; counts of deaths in runs of other lengths are not comparable (--until)\n"
     return text + _too_few(of)
 
 
@@ -341,7 +355,7 @@ def _what_was_published(of: MeasuredSet) -> str:
     said = describe(of)
     text = f"published: ten runs of `released` with bodies in MuJoCo, {number_text(published.DURATION_S)} s"
     if said.engine.startswith("kinematic"):
-        text += "; these are points without bodies, so velocities and walls compare the rules only"
+        text += "; these are points without bodies, so velocities and wall-following compare only the rules"
     if said.label == "released" and said.engine.startswith("mujoco"):
         return text + ", as here"
     return (

@@ -174,7 +174,7 @@ def read_plan(path: pathlib.Path) -> list[PlannedRun]:
         for field, must in _conflicts(runs, so_far):
             raise RunError(f"{where}: {field} = {_json(line[field])}: must be {must}")
     if not runs:
-        raise RunError(f"{path}: must list a run")
+        raise RunError(f"{path}: must list at least one run")
     return runs
 
 
@@ -187,11 +187,11 @@ def _conflicts(runs: Sequence[PlannedRun], so_far: dict[Any, Any]):
         return so_far.setdefault(key, run.index) == run.index
 
     if not is_new("folder", run.folder):
-        yield "folder", "another for each run"
+        yield "folder", "unique among the runs"
     if not is_new(run.cell, run.null, "replicate", run.replicate):
-        yield "replicate", f"another for each run of {cell}"
+        yield "replicate", f"unique among the runs of {cell}"
     if not is_new(run.cell, run.null, "seed", run.seed):
-        yield "seed", f"another for each replicate of {cell}"
+        yield "seed", f"unique among the replicates of {cell}"
     beside = so_far.setdefault((run.cell, "replicate", run.replicate), run.index)
     if runs[beside].seed != run.seed:
         yield "seed", f"{runs[beside].seed}, as a replicate and its nulls have one"
@@ -243,14 +243,14 @@ def _is_null(value: Any) -> bool:
 
 _WHOLE = _is_whole, "be a whole number >= 0"
 _SWITCH = (lambda value: isinstance(value, bool)), "be true or false"
-_TEXT = _is_text, "be a text that is not empty, without control characters"
+_TEXT = _is_text, "be a text, and not empty, without control characters"
 _FIELDS: dict[str, tuple[Callable[[Any], bool], str]] = {
     "cell": _WHOLE,
     "replicate": _WHOLE,
     "null": (_is_null, "be none, shadow or one_sided_SPECIES"),
     "rule_table": _TEXT,
     "engine": _TEXT,
-    "settings": (_are_settings, "be an object of settings by their paths: numbers, texts, true or false"),
+    "settings": (_are_settings, "be an object with settings by their paths: numbers, texts, true or false"),
     "seed": _WHOLE,
     "until_s": (lambda value: _is_number(value, largest=MOST_TIME_S) and value > 0, f"be > 0 and <= {MOST_TIME_S:.0f}"),
     "replay_hz": (lambda value: _is_number(value, largest=1000.0), "be >= 0 and <= 1000"),

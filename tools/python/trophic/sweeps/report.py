@@ -95,7 +95,7 @@ def analyze_sweep(
     if difference is not None and not (math.isfinite(difference) and difference > 0.0):
         raise RunError(f"--difference {number_text(difference)}: must be > 0")
     if difference is not None and not how.metrics:
-        raise RunError("--difference: needs --metric, which names what is to differ")
+        raise RunError("--difference: needs --metric to name a metric")
     sweep = read_sweep(pathlib.Path(folder), how.accept_other_build)
     reference = sweep.grid.cells[0].number if reference is None else reference
     check_sweep(sweep, reference, allow_missing, how)
@@ -110,11 +110,11 @@ def analyze_sweep(
     if len(sweep.builds) > 1:
         remarks.insert(
             0,
-            f"{len(sweep.builds)} builds of a program made these runs: {pool.builds_text(sweep.builds)}; their rules may be other code under the same "
-            "names",
+            f"{len(sweep.builds)} different builds made these runs: {pool.builds_text(sweep.builds)}; their rules may have the same names but "
+            "other code",
         )
     if sweep.missing:
-        remarks.insert(0, f"{sweep.missing_line()}; left out")
+        remarks.insert(0, f"{sweep.missing_line()}; omitted")
     lost = dict.fromkeys(metrics.lost_to_thinning(run.agents_every) for run in sweep.plan)
     compared = values.only(names)
     differences = compare_cells(sweep.grid, compared, reference)
@@ -340,14 +340,14 @@ def header_text(analysis: SweepAnalysis) -> str:
     lines += [f"axis {axis.name}: {values_text(axis)}" for axis in grid.axes]
     lines.append(f"reference: {grid.cell_name(analysis.reference)}, {analysis.label}")
     if not len(differences):
-        return "\n".join([*lines, "one cell alone: there is nothing to compare\n"])
+        return "\n".join([*lines, "only one cell: there is nothing to compare\n"])
     designs = set(differences["design"]) - {"exact"}
     design = (
         "seed by seed where cells share seeds, else as independent sets"
         if len(designs) > 1
         else "seed by seed"
         if designs == {"paired"}
-        else "as independent sets (other seeds in each cell)"
+        else "as independent sets (different seeds in each cell)"
     )
     over = ", each run over its shadow" if (differences["compared"] == ANSWER).any() else ""
     lines.append(
@@ -412,7 +412,8 @@ def differences_text(analysis: SweepAnalysis) -> str:
         text += f"too few runs for a test in {too_few} of them: {MIN_RUNS_FOR_TEST} in each cell are needed\n"
     if inconclusive > 0:
         text += (
-            "smallest_detectable in sweep_differences.csv is what these runs find in 80 % of studies; --difference computes the runs for another effect; "
+            "smallest_detectable in sweep_differences.csv is the effect that such runs detect in 80 % of studies; --difference computes the "
+            "runs for another effect; "
             "fewer metrics (--metric), chosen before looking, need fewer runs\n"
         )
     return text
@@ -457,13 +458,13 @@ def named_text(analysis: SweepAnalysis) -> str:
                 reading(row.smallest_detectable) if row.conclusion in ("inconclusive", "too few runs") else "",
             )
         )
-    lines = [f"the same in all runs, or without a value: {title}\n" for title in dict.fromkeys(constant)]
+    lines = [f"identical in all runs, or without values: {title}\n" for title in dict.fromkeys(constant)]
     return (
         columns([head, *rows])
         + "".join(lines)
         + (
-            "p: corrected for all comparisons (Holm), with intervals that hold for all at once (Bonferroni); detectable: what these runs find in "
-            "80 % of studies\n"
+            "p: corrected for all comparisons (Holm), with intervals that hold for all at once (Bonferroni); detectable: the effect that such "
+            "runs detect in 80 % of studies\n"
         )
     )
 
@@ -493,7 +494,7 @@ def effects_text(effects: pandas.DataFrame) -> str:
         ]
     )
     more = len(significant.groupby([*METRIC, "axis"])) - len(largest[:SHOWN])
-    return text + (f"and {more} more: significant in sweep_effects.csv\n" if more > 0 else "")
+    return text + (f"and {more} more, marked significant in sweep_effects.csv\n" if more > 0 else "")
 
 
 def asked_text(analysis: SweepAnalysis) -> str:
@@ -510,5 +511,5 @@ def asked_text(analysis: SweepAnalysis) -> str:
         )
     if text:
         of = answers(analysis.differences)
-        text += f"at the level of one of {counted(count(of).comparisons, 'comparison')}, {number_text(level_of(of))}; by the spread of the runs at hand\n"
+        text += f"at the level of one of {counted(count(of).comparisons, 'comparison')}, {number_text(round(level_of(of), 5))}; based on the variance of these runs\n"
     return text

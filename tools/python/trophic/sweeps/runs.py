@@ -65,8 +65,8 @@ def is_sweep(folder: pathlib.Path) -> bool:
 
 def read_sweep(folder: pathlib.Path, accept_other_build: bool = False) -> Sweep:
     """Reads a sweep's plan and compares every run's manifest with it. Raises RunError for a broken plan, for a fingerprint, seed or duration that
-    is not the planned one, for a shadow that is none, for runs that several builds of a program made unless `accept_other_build`, and if no
-    run is there. Runs that are missing or incomplete go to `missing`."""
+    is not the planned one, for a shadow that is none, for runs that several builds of a program made unless `accept_other_build`, and if there are no runs. Runs that are missing or incomplete go to `missing`.
+    """
     plan = read_plan(folder / PLAN)
     _check_beside(folder, plan)
     sweep = Sweep(folder, plan, grid_of(plan), [], [], [], [])
@@ -86,7 +86,7 @@ def read_sweep(folder: pathlib.Path, accept_other_build: bool = False) -> Sweep:
     sweep.builds = sorted(builds)
     if len(builds) > 1 and not accept_other_build:
         raise RunError(
-            f"{folder}: its runs were made by {pool.builds_text(sweep.builds)}; builds of a program may have other rules under the same names: "
+            f"{folder}: its runs were made by {pool.builds_text(sweep.builds)}; rules may have the same names but other code in different builds: "
             "--accept-other-build pools them"
         )
     if not webs:
@@ -115,13 +115,13 @@ def _check_beside(folder: pathlib.Path, plan: Sequence[PlannedRun]) -> None:
         sweep = planning.read_sweep(file)
         cells = {_text(cell) for cell in planning.settings_of(sweep)}
         if cells != {_text(run.settings) for run in plan}:
-            raise RunError(f"{file}: has other settings than {PLAN}: it was changed after the plan was made")
+            raise RunError(f"{file}: has other settings than {PLAN}: it was modified after the plan was made")
         for run in plan:
             master_seed = sweep.seed if sweep.paired else planning.seed_of(sweep.seed, run.cell)
             here = (planning.seed_of(master_seed, run.replicate), sweep.replay_hz, sweep.agents_every)
             if run.replicate >= sweep.replicates or (run.seed, run.replay_hz, run.agents_every) != here:
                 raise RunError(
-                    f"{file}: has other replicates, seeds or tables than {PLAN}: it was changed after the plan was made"
+                    f"{file}: has other replicates, seeds or tables than {PLAN}: it was modified after the plan was made"
                 )
     planned: dict[pathlib.Path, list[PlannedRun]] = {}
     for run in plan:
@@ -181,12 +181,12 @@ def check_sweep(sweep: Sweep, reference: int, allow_missing: bool, how: Measurin
                 f"{here}, but {sweep.folder_of(0)} has {number_text(first_s)} s; runs of different length are not compared: use --until"
             )
     if sweep.missing and not allow_missing:
-        raise RunError(f"{sweep.folder}: {sweep.missing_line()} (--allow-missing leaves them out)")
+        raise RunError(f"{sweep.folder}: {sweep.missing_line()} (--allow-missing omits them)")
     for run in _Runs(sweep, how) if how.columns else ():
         for column in how.columns:
             own.check_column(column, run)  # type: ignore[arg-type]
     if sweep.count("run", place) == 0:
-        raise RunError(f"--reference {reference}: must be a cell with a complete run")
+        raise RunError(f"--reference {reference}: must be a cell that has a complete run")
     metrics.check_names(_shipped(sweep, how), how)
 
 
@@ -238,7 +238,8 @@ def measure_sweep(sweep: Sweep, how: Measuring) -> tuple[SweepValues, list[str]]
     is_constant = not any(changes_numbers(pool.read_pooled(sweep.folder_of(place))) for place in first.values())
     if not is_constant and any(run.shadow for run in sweep.plan):
         remarks.append(
-            "numbers change: shadows do not control for one species, so cells are compared raw; trophic analyze judges a cell over its one-sided worlds"
+            "numbers change: shadows do not control for one species, so cells are compared raw; trophic analyze judges a cell over its "
+            "one-sided worlds"
         )
     measured = SweepValues(list(names), values, sweep.is_there, is_constant)
     return measured.only(kept(has_value, how.metrics)), list(dict.fromkeys(remarks))

@@ -53,7 +53,7 @@ class Mujoco::Simulation final : public Engine<State> {
     const std::vector<Hinge>& hinges = bodies_[checked(robot)]->model.hinges;
     if (targets_rad.size() != hinges.size()) {
       throw std::invalid_argument{"joint targets of robot " + std::to_string(robot) + ": " + std::to_string(targets_rad.size()) +
-                                  " numbers, must be " + std::to_string(hinges.size())};
+                                  " numbers: must be " + std::to_string(hinges.size())};
     }
     const std::span<double> own = targets_rad_[robot];
     for (std::size_t i = 0; i < hinges.size(); ++i) {
@@ -92,10 +92,10 @@ class Mujoco::Simulation final : public Engine<State> {
   }
   [[nodiscard]] std::string speed_remark(bool asked) const {
     if (!by_kernel() || engine_share() <= 0.5) return asked ? profile() : "";
-    return "backend.stepping = " + std::string{enum_name(stepping_)} + ": MuJoCo itself took " +
+    return "backend.stepping = " + std::string{enum_name(stepping_)} + ": MuJoCo itself computed " +
            number_text(std::round(100.0 * engine_share())) +
-           " % of the robots' steps, at the speed of islands; the README of the MuJoCo backend lists the steps that its kernel "
-           "leaves to MuJoCo";
+           " % of the robots' steps, so the run is as slow as with islands; the README of the MuJoCo backend lists the steps "
+           "that its kernel leaves to MuJoCo";
   }
   [[nodiscard]] std::size_t robots() const override { return states_.robots(); }
   [[nodiscard]] double time_s() const override { return static_cast<double>(steps_) * physics_.timestep_s; }
@@ -168,8 +168,8 @@ class Mujoco::Simulation final : public Engine<State> {
     const auto all = std::max<std::uint64_t>(1, counts[0] + counts[1] + counts[2] + counts[3]);
     const auto share = [&](std::size_t k) { return number_text(static_cast<double>(1000 * counts.at(k) / all) / 10.0) + " % "; };
     return std::to_string(all) + " steps of " + (stepping_ == Stepping::screening ? "eight" : "four") +
-           " robots or fewer: " + share(0) + "apart, " + share(1) + "one touches itself or heights, " + share(2) + "two touch, " +
-           share(3) + "more";
+           " robots or fewer: " + share(0) + "apart, " + share(1) + "a robot touches itself or a height field, " + share(2) +
+           "two touch, " + share(3) + "more";
   }
 
   static const Physics& checked(const Physics& physics, const Params& params, std::size_t robots) {
@@ -207,7 +207,7 @@ class Mujoco::Simulation final : public Engine<State> {
     steps_ += steps;
   }
 
-  std::vector<std::shared_ptr<const Body>> bodies_;  ///< of each robot
+  std::vector<std::shared_ptr<const Body>> bodies_;  ///< one per robot
   Arena arena_;
   Physics physics_;
   mujoco::BoxDepth box_depth_;
@@ -218,7 +218,7 @@ class Mujoco::Simulation final : public Engine<State> {
   mujoco::RobotStates next_;  ///< the target of a block of steps, until it is checked
   std::uint64_t steps_ = 0;
   mujoco::Rows targets_rad_;
-  mutable mujoco::Rows angles_rad_;  ///< those that were asked for, in the order of the hinges
+  mutable mujoco::Rows angles_rad_;  ///< the requested angles, in the order of the hinges
 };
 
 #if TROPHIC_HEADER_ONLY || defined(TROPHIC_FEW_KERNELS)
@@ -243,8 +243,8 @@ TROPHIC_INLINE std::string Mujoco::Params::prescribe(Physics& physics, const Phy
   refuse_if(physics.timestep_s != table.timestep_s && physics.timestep_s != screening_timestep_s,
             "timestep_s = " + number_text(physics.timestep_s), step);
   physics.timestep_s = screening_timestep_s;
-  return "backend.stepping = screening: single precision and steps of " + step + " s, the table's have " +
-         number_text(table.timestep_s) + " s; for quick looks: make results with backend.stepping = fast";
+  return "backend.stepping = screening: uses single precision and steps of " + step + " s, but the table has " +
+         number_text(table.timestep_s) + " s; this is for previews only: use backend.stepping = fast for results";
 }
 
 TROPHIC_INLINE Mujoco::Mujoco(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,

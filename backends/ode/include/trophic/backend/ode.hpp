@@ -15,12 +15,12 @@ namespace trophic::backend {
 /// ODE as a backend. Satisfies JointDriven, Embodying and Placing. Steps are semi-implicit Euler on velocities, for any
 /// integrator in Physics (ODE has no other; `remarks` reports it), with servos, contacts, friction and joint limits solved
 /// implicitly within the step. Boxes touch the floor, the walls or the height field, other robots, and links of their own robot
-/// that no hinge joins to theirs. Links are free bodies joined by constraints, so a hinge's anchor drifts by micrometres under
-/// load.
+/// that are not joined to theirs by a hinge. Links are free bodies joined by constraints, so a hinge's anchor drifts by
+/// micrometres under load.
 ///
-/// Numbers: SI units. No random draws from the library's streams. Results do not depend on `Params::threads`, bitwise. Errors:
+/// SI units. No random draws from the library's streams. Results are bitwise independent of `Params::threads`. Errors:
 /// std::invalid_argument on construction; Diverged if ODE reports an error or a robot leaves the arena or is unphysically fast:
-/// the backend then still shows the last sound state. Must not be called from several threads at once; several backends may run
+/// the backend then still holds the last valid state. Must not be called from several threads at once; several backends may run
 /// in several threads.
 class Ode : public WithEngine<ode::State> {
  public:

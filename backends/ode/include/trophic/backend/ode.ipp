@@ -108,7 +108,7 @@ class Ode::Simulation final : public Engine<State> {
 
   [[nodiscard]] State save() const override { return state_; }
 
-  /// Throws std::invalid_argument for a state of other bodies or another number of robots.
+  /// Throws std::invalid_argument for a state with different bodies or a different number of robots.
   void restore(const State& state) override {
     const auto check_size = [](std::string_view field, std::size_t size, std::size_t expected) {
       if (size != expected) {
@@ -159,7 +159,7 @@ TROPHIC_INLINE std::string Ode::version() {
 TROPHIC_INLINE std::vector<std::string> Ode::remarks(const Physics& physics) {
   if (physics.integrator == Integrator::semi_implicit_euler) return {};
   return {"physics.integrator = " + std::string{enum_name(physics.integrator)} +
-          " has no effect: ode steps by its own semi-implicit Euler method"};
+          " has no effect: ode has its own semi-implicit Euler method"};
 }
 
 TROPHIC_INLINE Ode::Ode(const RobotModel& robot, const Arena& arena, std::span<const Pose> starts, const Physics& physics,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Common to brains that are networks: the two target angles of the paper, and one step of Hebbian learning.
+// Shared by brains that are networks: the two target angles of the paper, and one step of Hebbian learning.
 #pragma once
 
 #include <trophic/control/brain/contract.hpp>
@@ -11,7 +11,8 @@ namespace trophic::control::brain::detail {
   return output > 0.0 ? turn_angle_rad : -turn_angle_rad;
 }
 
-/// The change of a weight by Oja's rule [oja1982], with x the neuron before it and y the one after: rate * y * (x - y * weight).
+/// The change of a weight by Oja's rule [oja1982], where x is the neuron before it and y the one after: rate * y * (x - y *
+/// weight).
 [[nodiscard]] inline double oja_step(double rate, double x, double y, double weight) {
   return rate * y * (x - y * weight);
 }

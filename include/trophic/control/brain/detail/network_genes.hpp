@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Networks of any shape as genes: hidden neurons; start and end of each link; weight of each link.
+// Networks of any shape as genes: the number of hidden neurons, the start and end of each link, and the weight of each link.
 #pragma once
 
 #include <algorithm>
@@ -32,10 +32,10 @@ struct Link {
   return links;
 }
 
-/// A network taken apart, and its changes. No neuron is linked twice to another.
+/// An unpacked network and its mutations. No two neurons are linked twice.
 class Network {
  public:
-  /// `genes` satisfy `are_network`.
+  /// `genes` must satisfy `are_network`.
   Network(std::span<const double> genes, std::size_t inputs, std::size_t outputs)
       : inputs_{inputs}, hidden_{static_cast<std::size_t>(genes[0])}, outputs_{outputs}, links_{widened_links(genes, 0, 0)} {}
 
@@ -70,7 +70,7 @@ class Network {
     links_.erase(links_.begin() + static_cast<std::ptrdiff_t>(rng.index(links_.size())));
   }
 
-  /// The new neuron comes right before the end of the link, or as the last hidden one before an output.
+  /// The new neuron is placed right before the end of the link or, if that is an output, as the last hidden neuron.
   void split_link(Rng& rng) {
     if (links_.empty()) return;
     const std::size_t split = rng.index(links_.size());
@@ -104,7 +104,7 @@ class Network {
   std::vector<Link> links_;
 };
 
-/// Whether genes are a network: whole numbers in their ranges, links ascending, weights finite.
+/// Returns whether genes are a network: whole numbers are in range, links ascend, and weights are finite.
 [[nodiscard]] inline bool are_network(std::span<const double> genes, std::size_t inputs, std::size_t outputs,
                                       std::size_t most_hidden) {
   const auto whole_below = [](double gene, std::size_t end) {
@@ -123,9 +123,8 @@ class Network {
   return std::ranges::all_of(genes.last(links), [](double weight) { return std::isfinite(weight); });
 }
 
-/// The Euclidean distance between the weights of two networks with links that ascend. A link that one of them lacks has weight 0
-/// there. Neurons are matched in order; those that one network lacks are inserted in it side by side, at the place that gives the
-/// smallest distance.
+/// Returns the Euclidean distance between the weights of two networks with ascending links. A missing link counts as weight 0.
+/// Neurons are matched in order; missing neurons are inserted next to each other at the place that gives the smallest distance.
 [[nodiscard]] inline double network_distance(std::span<const double> fewer, std::span<const double> more) {
   if (fewer[0] > more[0]) std::swap(fewer, more);
   const auto added = static_cast<std::size_t>(more[0] - fewer[0]);
@@ -149,7 +148,7 @@ class Network {
   return std::sqrt(least);
 }
 
-/// One layer of hidden neurons, or none, with every link and all weights 0.
+/// Returns one layer of hidden neurons, or none, with all links and all weights 0.
 [[nodiscard]] inline std::vector<double> layered_genes(std::size_t inputs, std::size_t hidden, std::size_t outputs) {
   std::vector<double> genes{static_cast<double>(hidden)};
   const auto link_all = [&](std::size_t from, std::size_t from_end, std::size_t to, std::size_t to_end) {
@@ -167,7 +166,7 @@ class Network {
   return genes;
 }
 
-/// All neurons in order, given the inputs.
+/// Returns the values of all neurons in order, given the inputs.
 [[nodiscard]] inline std::vector<double> network_neurons(std::span<const double> inputs, std::span<const double> genes,
                                                          std::size_t outputs) {
   std::vector<double> neurons(inputs.begin(), inputs.end());

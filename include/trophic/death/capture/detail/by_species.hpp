@@ -8,7 +8,7 @@
 
 namespace trophic::death::detail {
 
-/// The catches by one species' hunters.
+/// Returns the catches by one species' hunters.
 template <class P>
 [[nodiscard]] std::vector<Capture> captures_of(Species species, const P& policy, std::span<const StateOf<P>> states,
                                                const View& view, Rng& rng) {
@@ -24,7 +24,8 @@ template <class P>
   return all;
 }
 
-/// The catches of each species' hunters by its own policy, by distance; a victim of several hunters is caught by the closest.
+/// Returns the catches of each species' hunters under its own policy, ordered by distance. A victim of several hunters is caught
+/// by the closest.
 template <class P>
 [[nodiscard]] std::vector<Capture> captures_by_species(const P& policy, std::span<const StateOf<P>> states, const View& view,
                                                        Rng& rng) {

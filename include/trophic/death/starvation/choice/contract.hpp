@@ -7,11 +7,11 @@
 
 namespace trophic::death::starvation {
 
-/// Returns whether a hunter is exempt. Observers get each hunter for which a choice calls it and that is exempt.
+/// Returns whether a hunter is exempt. Observers are notified of each exempt hunter for which a choice calls this.
 using IsExempt = std::function<bool(BodyIndex hunter)>;
 
-/// `victims(view, is_exempt)`: returns the hunters that starve in a procedure, in order, each once. Optional, for by_species: a
-/// last argument `OneSpecies only`, whose hunters starve.
+/// `victims(view, is_exempt)`: returns the hunters that starve in a procedure, in order and each once. Optional, for by_species:
+/// a last argument `OneSpecies only`, the species whose hunters may starve.
 template <class P, class... Only>
 concept Choice = requires(const P policy, const View& view, const IsExempt& is_exempt, Only... only) {
   { policy.victims(view, is_exempt, only...) } -> std::same_as<std::vector<BodyIndex>>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The hungriest predator starves; if it is exempt, the oldest that is not.
+// The hungriest predator starves or, if it is exempt, the oldest one that is not.
 #pragma once
 
 #include <trophic/death/starvation/choice/contract.hpp>
@@ -8,9 +8,9 @@
 namespace trophic::death::starvation::choice {
 
 /// Rule: the hunter with the highest hunger dies (ties: the earlier born) unless it is exempt. Then the earliest born of all
-/// hunters that are not exempt dies; ids are in order of birth. If all are exempt none dies. The paper is silent: in "the next
-/// oldest predator dies" (Sec. "Predator Death") *oldest* is here the age, as written; HungriestNonexempt reads it as the
-/// longest without a catch.   Reads: hunger, ids.   Random draws: 0.
+/// hunters that are not exempt dies; ids are in order of birth. If all are exempt, none dies. The paper is ambiguous: this rule
+/// takes *oldest* in "the next oldest predator dies" (Sec. "Predator Death") literally, as age; HungriestNonexempt reads it as
+/// the longest time without a catch.   Reads: hunger, ids.   Random draws: 0.
 struct HungriestElseOldest {
   static constexpr std::string_view name = "hungriest_else_oldest";
   static constexpr std::string_view source = "paper: silent; a reading of Sec. \"Predator Death\"";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The hungriest predator that is not exempt starves; none if all are exempt.
+// The hungriest predator that is not exempt starves; if all are exempt, none does.
 #pragma once
 
 #include <trophic/death/starvation/choice/contract.hpp>
@@ -7,10 +7,10 @@
 
 namespace trophic::death::starvation::choice {
 
-/// Rule: of all hunters the one with the highest hunger (ticks since birth or the last catch) dies, unless it is exempt; then
-/// the next hungriest. The text has "the next oldest predator dies" (Sec. "Predator Death"), here read as the next hungriest,
-/// as in the released code; HungriestElseOldest reads it as written. Ties: the earlier born first. If all are exempt none dies;
-/// HungriestNonexemptElseHungriest is the released code's.   Reads: hunger, ids.   Random draws: 0.
+/// Rule: the hunter with the highest hunger (ticks since birth or the last catch) dies; if it is exempt, the next hungriest does.
+/// The text has "the next oldest predator dies" (Sec. "Predator Death"), here read as the next hungriest, as in the released
+/// code; HungriestElseOldest reads it literally. In ties the earlier born comes first. If all are exempt, none dies; in the
+/// released code the hungriest then does (HungriestNonexemptElseHungriest).   Reads: hunger, ids.   Random draws: 0.
 struct HungriestNonexempt {
   static constexpr std::string_view name = "hungriest_nonexempt";
   static constexpr std::string_view source = "paper, Sec. \"Predator Death\"; silent on the measure of age: released code's";

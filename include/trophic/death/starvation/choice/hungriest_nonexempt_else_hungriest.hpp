@@ -7,8 +7,8 @@
 
 namespace trophic::death::starvation::choice {
 
-/// Rule (released code): as HungriestNonexempt, but if all hunters are exempt the hungriest dies anyway: a procedure always has
-/// a victim.   Reads: hunger, ids.   Random draws: 0.
+/// Rule (released code): like HungriestNonexempt, but if all hunters are exempt, the hungriest dies anyway, so every procedure
+/// has a victim.   Reads: hunger, ids.   Random draws: 0.
 struct HungriestNonexemptElseHungriest {
   static constexpr std::string_view name = "hungriest_nonexempt_else_hungriest";
   static constexpr std::string_view source = "released code";

@@ -8,9 +8,9 @@
 
 namespace trophic::death::starvation::choice {
 
-/// Rule: the hungriest hunters that are not exempt die, until a share of all hunters has died, rounded up. Like
-/// HungriestNonexempt, which kills one, but for populations in which one death at a tick is too few. The paper's rule kills one
-/// of about 14 in a procedure; 1/14 is the default.   Reads: hunger, ids.   Random draws: 0.
+/// Rule: the hungriest hunters that are not exempt die, until a share of all hunters has died, rounded up. This is
+/// HungriestNonexempt, which kills one hunter, for populations in which one death per tick is too few. The paper's rule kills one
+/// of about 14 hunters in a procedure, so the default is 1/14.   Reads: hunger, ids.   Random draws: 0.
 struct HungriestShare {
   static constexpr std::string_view name = "hungriest_share";
   static constexpr std::string_view source = "not in the paper";
@@ -19,7 +19,7 @@ struct HungriestShare {
     double share = 1.0 / 14.0;
     static constexpr auto fields() {
       return std::tuple{
-          field("share", &Params::share, between(0.0, 1.0), "share of all hunters that starve in a procedure, rounded up")};
+          field("share", &Params::share, between(0.0, 1.0), "share of all hunters that starve in one procedure, rounded up")};
     }
   };
   Params params;

@@ -6,9 +6,9 @@
 
 namespace trophic::death::starvation::exemption {
 
-/// Rule: exempt iff an individual that the hunter eats and perceives, with the tags of this moment, is within range (Sec.
-/// "Predator Death": "at a minimum certain distance away from an observable prey"; the paper gives no number, the released code
-/// 5 m). A prey that switches its tag ends the exemption. Reads: positions, species, visibility.   Random draws: 0.
+/// Rule: a hunter is exempt iff an individual that it eats and perceives with the current tags is within range (Sec.
+/// "Predator Death": "at a minimum certain distance away from an observable prey"; the paper gives no range, the released code
+/// uses 5 m). A prey that switches its tag ends the exemption. Reads: positions, species, visibility.   Random draws: 0.
 struct NearPerceivedVictim {
   static constexpr std::string_view name = "near_perceived_victim";
   static constexpr std::string_view source = "paper, Sec. \"Predator Death\"; silent on the range: released code's";
@@ -16,7 +16,8 @@ struct NearPerceivedVictim {
   struct Params {
     double range_m = 5.0;
     static constexpr auto fields() {
-      return std::tuple{field("range_m", &Params::range_m, at_least(0.0), "a perceived victim this close exempts the hunter")};
+      return std::tuple{
+          field("range_m", &Params::range_m, at_least(0.0), "distance within which a perceived victim exempts the hunter")};
     }
   };
   Params params;

@@ -7,7 +7,7 @@
 
 namespace trophic::death::starvation {
 
-/// The time of the last starvation procedure and the interval fixed then.
+/// The time of the last starvation procedure, and the interval that was fixed then.
 struct StarvationClock {
   std::int64_t last_tick = 0;
   std::int64_t interval_ticks = 0;
@@ -16,8 +16,9 @@ struct StarvationClock {
   }
 };
 
-/// `interval_ticks(view)`: returns the ticks between two starvation procedures as of now; `due(clock, view)`: returns whether
-/// one takes place at this tick. Optional, for by_species: a last argument `OneSpecies only`, whose hunters count.
+/// `interval_ticks(view)`: returns the current number of ticks between two starvation procedures; `due(clock, view)`: returns
+/// whether one takes place at this tick. Optional, for by_species: a last argument `OneSpecies only`, the species whose hunters
+/// count.
 template <class P, class... Only>
 concept Interval = requires(const P policy, const StarvationClock& clock, const View& view, Only... only) {
   { policy.interval_ticks(view, only...) } -> std::same_as<std::int64_t>;

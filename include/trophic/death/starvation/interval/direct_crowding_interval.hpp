@@ -7,11 +7,11 @@
 
 namespace trophic::death::starvation::interval {
 
-/// Rule (released code): a starvation procedure takes place once Delta = base - p ticks have passed since the last one, p the
-/// number of hunters at this tick. Births and deaths since then count, unlike in DelayedCrowdingInterval. With only_above
-/// hunters or fewer (7 in the released code) a procedure waits, overdue. Delta never falls below min_interval, 2: with 24
-/// hunters that code also waits two ticks, since its clock restarts after the procedure.   Reads: number of hunters, time of
-/// the last procedure.   Random draws: 0.
+/// Rule (released code): a starvation procedure takes place once Delta = base - p ticks have passed since the last one, where p
+/// is the number of hunters at this tick. Births and deaths since then count, unlike in DelayedCrowdingInterval. With only_above
+/// hunters or fewer (7 in the released code) a procedure waits, overdue. Delta never falls below min_interval (2): with 24
+/// hunters the released code also waits two ticks, because its clock restarts after the procedure.   Reads: number of hunters,
+/// time of the last procedure.   Random draws: 0.
 struct DirectCrowdingInterval {
   static constexpr std::string_view name = "direct_crowding_interval";
   static constexpr std::string_view source = "released code";
@@ -19,6 +19,7 @@ struct DirectCrowdingInterval {
   using Params = detail::Crowding;
   Params params;
 
+  [[nodiscard]] std::string idle(const Outset& outset) const { return detail::never_due(params, outset); }
   [[nodiscard]] std::int64_t interval_ticks(const View& view, OneSpecies only = {}) const {
     return detail::interval_ticks(params, view, only);
   }

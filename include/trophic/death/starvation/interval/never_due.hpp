@@ -6,7 +6,8 @@
 
 namespace trophic::death::starvation::interval {
 
-/// Rule: no starvation procedure takes place: the control for the effect of starvation.   Reads: nothing.   Random draws: 0.
+/// Rule: no starvation procedure takes place. This is the control for the effect of starvation.   Reads: nothing.   Random draws:
+/// 0.
 struct NeverDue {
   static constexpr std::string_view name = "never_due";
   static constexpr std::string_view source = "control";

@@ -22,7 +22,7 @@ class Squares {
 
   void add(const GroundPose& pose) { standing_[place_of(pose.y_m) * side_ + place_of(pose.x_m)].push_back(pose); }
 
-  /// Whether `holds(other)` for every robot near a pose.
+  /// Returns whether `holds(other)` is true for every robot near a pose.
   template <class Holds>
   [[nodiscard]] bool all_near(const GroundPose& pose, const Holds& holds) const {
     const std::size_t column = place_of(pose.x_m);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The share of random controllers: the number of two genome sources.
+// The share of random controllers, a parameter of two genome sources.
 #pragma once
 
 #include <trophic/params/params.hpp>

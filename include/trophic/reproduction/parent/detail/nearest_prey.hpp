@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// The closest prey of a dying predator: shared by two parent rules.
+// The closest prey of a dying predator; two parent rules share this.
 #pragma once
 
 #include <trophic/population/view.hpp>
 
 namespace trophic::reproduction::parent::detail {
 
-/// The closest individual within `range_m` that the occupant of `body` could eat, if any. `only_active`: inactive newborns are
-/// excluded.
+/// Returns the closest individual within `range_m` that the occupant of `body` could eat, if any. `only_active`: inactive
+/// newborns are excluded.
 [[nodiscard]] inline std::optional<Ancestor> nearest_prey(BodyIndex body, double range_m, bool only_active, const View& view) {
   const Species dying = view.robots[body].species;
   const auto eats = [&](Species other) { return view.web.eats(dying, other); };

@@ -1,24 +1,25 @@
 // SPDX-License-Identifier: MIT
-// Escapes of prey from predators, and the prey that may be a parent: shared by the parent rules that rank prey by them.
+// Escapes of prey from predators, and the prey that may be parents; the parent rules that rank prey by escapes share this.
 #pragma once
 
 #include <trophic/reproduction/parent/contract.hpp>
 
 namespace trophic::reproduction::parent::detail {
 
-/// The distances between which a pursued prey escapes.
+/// The distances that define pursuit and escape.
 struct EscapeDistances {
   double near_m = 3.0;
   double far_m = 5.0;
   static constexpr auto fields() {
     using Own = EscapeDistances;
-    return std::tuple{field("near_m", &Own::near_m, above(0.0), "a predator this close pursues"),
-                      field("far_m", &Own::far_m, above(0.0), "a prey farther than this from its pursuer has escaped")};
+    return std::tuple{field("near_m", &Own::near_m, above(0.0), "distance within which a predator is a pursuer"),
+                      field("far_m", &Own::far_m, above(0.0), "distance from its pursuer beyond which a prey has escaped")};
   }
 };
 
-/// Updates the living hunters that pursue `self`, by id: a hunter that eats its species pursues it once within `near_m`, and
-/// until it is farther than `far_m`. Calls `escaped(id)` for each that is then farther. Inactive individuals are not pursued.
+/// Updates the living hunters that pursue `self`, by id: a hunter that eats its species pursues it from the moment it comes
+/// within `near_m` until it is farther than `far_m`. Calls `escaped(id)` for each hunter that is now farther. Inactive
+/// individuals are not pursued.
 template <class Escaped>
 void update_pursuers(std::vector<IndividualId>& pursuers, BodyIndex self, const EscapeDistances& distances, const View& view,
                      Escaped&& escaped) {
@@ -38,16 +39,16 @@ void update_pursuers(std::vector<IndividualId>& pursuers, BodyIndex self, const 
   }
 }
 
-/// Whether an individual may be the parent for a vacancy by a rule that ranks prey: active, and of the species that the body goes
-/// to or, if the rules do not fix it, of one that the dead individual ate.
+/// Returns whether an individual may be the parent for a vacancy under a rule that ranks prey: it must be active and of the
+/// species to which the body goes or, if the rules do not fix that, of a species that the dead individual ate.
 [[nodiscard]] inline bool is_candidate(const Individual& one, const Vacancy& vacancy, const View& view) {
   const bool fits =
       vacancy.successor ? one.species == *vacancy.successor : view.web.eats(view.robots[vacancy.body].species, one.species);
   return fits && one.active;
 }
 
-/// The candidate with the greatest `rank(body)`, an optional number; on equal rank the one closest to the vacant body. None if no
-/// candidate has a rank.
+/// Returns the candidate with the greatest `rank(body)`, an optional number; among equals, the one closest to the vacant body.
+/// Empty if no candidate has a rank.
 template <class Rank>
 [[nodiscard]] std::optional<Ancestor> highest_ranked(const Vacancy& vacancy, const View& view, Rank&& rank) {
   std::optional<BodyIndex> best;

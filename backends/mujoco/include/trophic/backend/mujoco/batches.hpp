@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Divides robots into batches, whose robots one thread steps together.
+// Divides robots into batches; one thread steps the robots of a batch together.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace trophic::backend::mujoco::TROPHIC_LANES {
 
-/// The lanes of robots in a batch. Bodies of a pack have one shape; robots that may touch are in one batch.
+/// The lanes of robots in a batch. Bodies in a pack have the same shape; robots that may touch are in the same batch.
 struct BatchPlan {
   struct Pack {
     std::size_t shape;
@@ -27,13 +27,13 @@ struct BatchPlan {
   [[nodiscard]] std::size_t robot(const kernel::LaneIndex& at) const { return packs[at.pack].robots[at.lane]; }
 };
 
-/// Fills batches with groups of robots, largest first. They take longest, so they share batches only if each thread has one.
+/// Fills batches with groups of robots, largest first. These take longest, so they share batches only if each thread has one.
 class BatchPlanner {
  public:
   explicit BatchPlanner(std::size_t threads = 1) : threads_{threads} {}
 
-  /// `groups`: robots, each ascending, that may touch each other; `discs`: robots whose discs do not touch cannot. `shape_of`
-  /// returns the number of a body's shape. `lone`: further robots, which touch none.
+  /// `groups`: ascending lists of robots that may touch each other; `discs`: robots whose discs do not touch cannot touch.
+  /// `shape_of` returns the index of a body's shape. `lone`: further robots, which touch no others.
   template <class ShapeOf>
   [[nodiscard]] std::span<const BatchPlan> plan(std::span<const std::vector<std::size_t>> groups, std::span<const Disc> discs,
                                                 const ShapeOf& shape_of, std::span<const std::size_t> lone = {}) {
@@ -100,7 +100,7 @@ class BatchPlanner {
     return last == batch.packs.rend() ? batch.packs.size() : static_cast<std::size_t>(batch.packs.rend() - last) - 1;
   }
 
-  /// A group goes into the last batch if threads have enough and that has room for all of it, else into a new one.
+  /// A group goes into the last batch if all threads have work and that batch has room for it, otherwise into a new one.
   template <class ShapeOf>
   void place_group(std::span<const std::size_t> group, std::span<const Disc> discs, const ShapeOf& shape_of) {
     const auto has_room = [&](std::size_t robot) {

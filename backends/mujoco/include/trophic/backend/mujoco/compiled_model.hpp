@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A compiled MuJoCo model of robots, its working memories, one per thread, and the indices of a robot's numbers.
+// A compiled MuJoCo model of robots, its working memories (one per thread), and the indices of a robot's numbers.
 #pragma once
 
 #include <algorithm>
@@ -60,7 +60,7 @@ class CompiledModel {
                 std::size_t memories)
       : robots_{robots.size()}, data_(memories), taken_(memories, false) {
     const std::string height_file = "ground.hfield";
-    // MuJoCo takes a step when it compiles: far enough apart and above the ground nothing touches.
+    // MuJoCo takes a step when it compiles a model: far enough apart and above the ground, robots touch nothing.
     std::vector<Pose> apart(robots.size());
     double ground_m = arena.height_field ? std::ranges::max(arena.height_field->height_m) : 0.0;
     for (const Obstacle& one : arena.obstacles) ground_m = std::max(ground_m, one.height_m);
@@ -88,7 +88,7 @@ class CompiledModel {
   /// The first robot's layout.
   [[nodiscard]] const Layout& layout() const { return layout_; }
   [[nodiscard]] std::span<const Share> shares() const { return shares_; }
-  /// The robot, among those listed, that a number in MuJoCo's arrays belongs to.
+  /// The listed robot to which an index in MuJoCo's arrays belongs.
   [[nodiscard]] std::size_t owner(std::size_t Share::*begin, std::size_t index) const {
     const auto next = std::ranges::find_if(shares_, [&](const Share& share) { return share.*begin > index; });
     return static_cast<std::size_t>(std::max<std::ptrdiff_t>(next - shares_.begin(), 1) - 1);
@@ -105,8 +105,8 @@ class CompiledModel {
     return *data_[slot];
   }
 
-  /// Lends a thread the first working memory that no other thread holds, waiting for one if necessary. A model of which one
-  /// group is stepped at a time uses one, for any threads.
+  /// Lends a thread the first working memory that no other thread holds, waiting for one if necessary. A model that steps one
+  /// group at a time needs only one memory, for any number of threads.
   class Turn {
    public:
     explicit Turn(CompiledModel& model) : model_{model} {
@@ -155,7 +155,7 @@ class CompiledModel {
       for (std::size_t hinge = 0; hinge < layout.hinges; ++hinge) {
         const int joint = mj_name2id(model_.get(), mjOBJ_JOINT, hinge_name(i, hinge).c_str());
         const auto index = static_cast<std::size_t>(model_->jnt_qposadr[joint]);
-        if (index != next.position + layout.angle_index[hinge]) throw std::logic_error{"MuJoCo ordered joints otherwise"};
+        if (index != next.position + layout.angle_index[hinge]) throw std::logic_error{"MuJoCo ordered the joints differently"};
       }
       next.position += layout.positions;
       next.velocity += layout.velocities;

@@ -26,7 +26,7 @@ struct EngineError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// While one lives on a thread, mju_error on that thread throws EngineError instead of ending the process, and mju_warning is
+/// During its lifetime on a thread, mju_error on that thread throws EngineError instead of ending the process, and mju_warning is
 /// silent: warnings are read from mjData. On other threads MuJoCo's own handler, or an earlier one, stays active. The mjData of
 /// an interrupted call must be reset or destroyed.
 class EngineGuard {

@@ -16,19 +16,19 @@ namespace trophic::backend::mujoco {
 struct GroupResult {
   enum class End {
     done,
-    left_disc,     ///< a robot moved farther than its slack: it may have met robots outside the group
+    left_disc,     ///< a robot moved farther than its slack and may have touched robots outside the group
     buffers_full,  ///< more contacts than the capacity of the model
     diverged
   };
   End end = End::done;
   std::size_t steps = 0;  ///< whole steps before the end
-  std::size_t robot = 0;  ///< the robot, except for `done`
+  std::size_t robot = 0;  ///< the affected robot, except for `done`
   std::string what;
-  double speed_m_s = 0.0;          ///< of that robot's root, for `left_disc`
+  double speed_m_s = 0.0;          ///< speed of that robot's root, for `left_disc`
   CompiledModel* model = nullptr;  ///< the model, for `buffers_full`
 };
 
-/// Whether a MuJoCo warning is that its buffers are full.
+/// Whether a MuJoCo warning means that its buffers are full.
 [[nodiscard]] inline bool is_full(int kind) {
   return kind == mjWARN_CONTACTFULL || kind == mjWARN_CNSTRFULL;
 }
@@ -36,7 +36,7 @@ struct GroupResult {
 /// The text of a MuJoCo warning. MuJoCo writes its own text into a buffer that all threads share.
 [[nodiscard]] inline std::string warning_text(int kind) {
   if (kind == mjWARN_INERTIA) return "its inertia matrix is nearly singular";
-  if (is_full(kind)) return "it touches too much at once: the largest model of MuJoCo, 2^31 bytes, has no room for the contacts";
+  if (is_full(kind)) return "it touches too much at once: its contacts do not fit into MuJoCo's largest model, 2^31 bytes";
   const std::string what = kind == mjWARN_BADQPOS   ? "a position"
                            : kind == mjWARN_BADQVEL ? "a velocity"
                            : kind == mjWARN_BADQACC ? "an acceleration"
@@ -45,7 +45,7 @@ struct GroupResult {
   return what.empty() ? "warning " + std::to_string(kind) + " of MuJoCo" : what + " is NaN or too large";
 }
 
-/// An error of MuJoCo in the model of these robots, which does not name one: of the first.
+/// An error of MuJoCo in the model of these robots; it names no robot, so the first is reported.
 [[nodiscard]] inline GroupResult read_error(const EngineError& error, std::span<const std::size_t> robots) {
   const std::string others =
       robots.size() == 1 ? "" : ", in the model of this robot and " + std::to_string(robots.size() - 1) + " others";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps robots that cannot touch separately, on several threads, with the motion of one big model.
+// Steps robots that cannot touch separately, on several threads, with the same motion as in one big model.
 #pragma once
 
 #include <cmath>
@@ -26,7 +26,7 @@ namespace trophic::backend::mujoco {
 /// disc, the block is repeated with twice the slack for it. The result does not depend on the number of threads.
 class Islands {
  public:
-  /// `lanes`: the kernel, which steps robots if it supports all features of their models; none: MuJoCo steps all.
+  /// `lanes`: the kernel, which steps robots if it supports all features of their models; if empty, MuJoCo steps all.
   Islands(const RobotModel& robot, const Arena& arena, const Physics& physics, std::size_t threads, BoxDepth box_depth,
           std::unique_ptr<LaneStepper> lanes = nullptr)
       : arena_{arena},
@@ -37,7 +37,7 @@ class Islands {
     static_cast<void>(find_kind(robot));
   }
 
-  /// The layout of the body that all robots have at first.
+  /// The layout of the body that all robots have initially.
   [[nodiscard]] Layout layout() const { return layout_of(kinds_[0].robot, Servos::combined); }
 
   /// The kind of robots with this body, for `RobotStates::set_body`.
@@ -47,13 +47,13 @@ class Islands {
   /// a crowd's contacts is quadratic in its robots: 4 MB for ten, 26 MB for thirty.
   static constexpr std::uint64_t keeps_idle_models_for = 1000;
 
-  /// The share of all steps of robots that MuJoCo took, with those that were repeated.
+  /// The share of all steps of robots that MuJoCo computed, including repeated ones.
   [[nodiscard]] double engine_share() const {
     const std::uint64_t by_engine = group_robot_steps_ + (lanes_ ? lanes_->counts().back() : 0);
     return robot_steps_ == 0 ? 0.0 : static_cast<double>(by_engine) / static_cast<double>(robot_steps_);
   }
   [[nodiscard]] LaneStepper::Counts counts() const { return lanes_ ? lanes_->counts() : LaneStepper::Counts{}; }
-  [[nodiscard]] std::size_t kinds() const { return kinds_.count(); }   ///< that robots have or had lately
+  [[nodiscard]] std::size_t kinds() const { return kinds_.count(); }   ///< number of kinds that robots have or recently had
   [[nodiscard]] std::size_t models() const { return models_.size(); }  ///< currently cached
 
   /// Takes all steps from the states in `from` to those in `to`; a result that is not `done` leaves `to` undefined.
@@ -90,7 +90,7 @@ class Islands {
     return kinds_.find(robot, advances_, [&](const RobotModel& body) { return make_kind(body); });
   }
 
-  /// The model from which a kind's constants are read is kept if it is the first, which most runs never leave.
+  /// The model from which a kind's constants are read is kept if it is the first kind, the only one in most runs.
   [[nodiscard]] std::unique_ptr<Kind> make_kind(const RobotModel& robot) {
     auto kind = std::make_unique<Kind>();
     kind->robot = robot;
@@ -103,7 +103,7 @@ class Islands {
     return kind;
   }
 
-  /// If all robots have one body, the models of few are used again and again.
+  /// If all robots have the same body, the models of a few robots are reused often.
   [[nodiscard]] bool is_idle(const ModelKey& key, const KeptModel& kept) const {
     const bool has_unknown = !std::ranges::all_of(key.first, [&](std::size_t kind) { return kinds_.is_known(kind); });
     const bool is_kept = key.first.size() <= kept_robots && kinds_.count() == 1;
@@ -125,8 +125,8 @@ class Islands {
     return std::make_unique<CompiledModel>(robots, arena_, physics_, scene, memories);
   }
 
-  /// The model of these robots. Any thread may call it. Robots of the kernel leave so few steps to MuJoCo that its threads share
-  /// a working memory: with one for each thread, each would be used at some time, and memory would grow over a long run.
+  /// The model of these robots. Any thread may call it. With the kernel, so few steps are left to MuJoCo that its threads share a
+  /// working memory: with one per thread, each would be used at some time, and memory would grow over a long run.
   CompiledModel& model_of(std::span<const std::size_t> robots, const RobotStates& states) {
     ModelKey key{{}, std::ranges::any_of(robots, [&](std::size_t robot) {
                    return near_wall(discs_[robot]) || near_obstacle(discs_[robot]);
@@ -173,7 +173,7 @@ class Islands {
     std::vector<std::vector<std::size_t>> by_mujoco{groups.begin(), first_of_kernel};
     const auto first_lone = std::stable_partition(lone_.begin(), lone_.end(), is_mujocos);
     for (auto robot = lone_.begin(); robot != first_lone; ++robot) by_mujoco.push_back({*robot});
-    // Robots near walls share lanes, so that the other packs need not look for walls.
+    // Robots near walls share lanes, so that the other packs need not check for walls.
     std::stable_partition(first_lone, lone_.end(), [&](std::size_t robot) { return near_wall(discs_[robot]); });
     models_of_groups_.clear();
     for (const std::vector<std::size_t>& group : by_mujoco) models_of_groups_.push_back(&model_of(group, states));
@@ -229,7 +229,7 @@ class Islands {
     return result.end == GroupResult::End::left_disc && (result.speed_m_s > fastest_m_s || slack_m_[result.robot] > farthest_m);
   }
 
-  /// Models of up to so many robots are kept even if they are not used.
+  /// Models of up to this many robots are kept even if they are unused.
   static constexpr std::size_t kept_robots = 4;
 
   Arena arena_;

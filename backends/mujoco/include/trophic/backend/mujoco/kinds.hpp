@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bodies of robots: robots of equal bodies are of one kind.
+// The bodies of robots: robots with equal bodies are of the same kind.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace trophic::backend::mujoco {
 
-/// Whether two robots move alike: their names and gaits may differ.
+/// Whether two robots have the same dynamics; their names and gaits may differ.
 [[nodiscard]] inline bool same_body(const RobotModel& a, const RobotModel& b) {
   const auto same_box = [](const Box& x, const Box& y) {
     return x.half_extents_m == y.half_extents_m && x.centre_m == y.centre_m && x.orientation.coeffs() == y.orientation.coeffs();
@@ -31,12 +31,12 @@ namespace trophic::backend::mujoco {
 /// A body that robots have or had.
 struct Kind {
   RobotModel robot;
-  std::shared_ptr<const kernel::KernelModel> constants;  ///< none: MuJoCo steps its robots
+  std::shared_ptr<const kernel::KernelModel> constants;  ///< empty: MuJoCo steps its robots
   std::size_t shape = 0;                                 ///< the number of its shape, see `kernel::same_shape`
   std::uint64_t last_used = 0;
 };
 
-/// The kinds of bodies, by number. The number of a kind or shape that is dropped is given to a later one.
+/// The kinds of bodies, by index. The index of a dropped kind or shape is reused.
 class Kinds {
  public:
   [[nodiscard]] const Kind& operator[](std::size_t kind) const { return *kinds_[kind]; }
@@ -45,7 +45,7 @@ class Kinds {
   }
   void use(std::size_t kind, std::uint64_t now) { kinds_[kind]->last_used = now; }
 
-  /// The number of a robot's kind; `make` makes one that is new.
+  /// The index of a robot's kind; `make` makes a new one.
   template <class Make>
   [[nodiscard]] std::size_t find(const RobotModel& robot, std::uint64_t now, const Make& make) {
     auto known = std::ranges::find_if(kinds_, [&](const auto& kind) { return kind && same_body(kind->robot, robot); });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps batches of robots by the kernel, and by MuJoCo where the kernel declines.
+// Steps batches of robots with the kernel, or with MuJoCo where the kernel declines.
 #pragma once
 
 #include <array>
@@ -130,7 +130,7 @@ class Lanes final : public LaneStepper {
     return scratch;
   }
 
-  /// One mj_step of all robots that are not `valid`, those of one step set together; `to` holds their numbers on the way.
+  /// One mj_step of all robots that are not `valid`, those of one step set together; `to` holds their numbers in between.
   [[nodiscard]] static GroupResult step_declined(const BatchPlan& plan, Scratch& scratch, const Rows& targets_rad,
                                                  RobotStates& to, const ModelOf& model_of) {
     kernel::Batch& batch = scratch.batch;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps robots by the kernel, in double or in single precision.
+// Steps robots with the kernel, in double or single precision.
 #pragma once
 
 #include <array>
@@ -20,8 +20,8 @@ class LaneStepper {
  public:
   /// Returns the model in which MuJoCo steps these robots; any thread may call it.
   using ModelOf = std::function<CompiledModel&(std::span<const std::size_t> robots)>;
-  /// Steps so far: of packs, by the robots in the largest island of their batch (none, one, two, more), then those of robots that
-  /// MuJoCo took because the kernel declined them.
+  /// Numbers of steps so far: of packs, by the number of robots in the largest island of their batch (none, one, two, more), then
+  /// of robots that MuJoCo stepped because the kernel declined them.
   using Counts = std::array<std::uint64_t, 5>;
 
   LaneStepper() = default;

@@ -30,7 +30,7 @@ enum class Servos {
 /// The content of an MJCF model besides the robots.
 struct Scene {
   bool walls = true;      ///< the four walls of an arena without height field
-  bool obstacles = true;  ///< those of the arena
+  bool obstacles = true;  ///< the obstacles of the arena
   Collisions collisions = Collisions::broadphase;
   Servos servos = Servos::position_and_velocity;
   BoxDepth box_depth = BoxDepth::engine;
@@ -307,7 +307,7 @@ class MjcfWriter {
     }
   }
 
-  std::span<const RobotModel* const> models_;  ///< of each robot
+  std::span<const RobotModel* const> models_;  ///< one per robot
   const Arena& arena_;
   Scene scene_;
   pugi::xml_document document_;

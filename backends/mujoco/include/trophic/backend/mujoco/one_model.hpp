@@ -19,7 +19,7 @@ class OneModel {
     compile(std::move(all));
   }
 
-  /// Gives a robot another body; its kind is not used.
+  /// Gives a robot a different body; its kind is not used.
   [[nodiscard]] std::size_t set_body(std::size_t robot, const RobotModel& model) {
     bodies_[robot] = model;
     compiled_.reset();

@@ -15,8 +15,8 @@
 
 namespace trophic::backend::mujoco {
 
-/// No robot is designed to be faster; with too long a timestep one soon is. Such robots would need discs so wide that all of
-/// them become one MuJoCo group, which takes minutes and all memory.
+/// No robot is designed to be faster, but too long a time step soon makes one faster. Such robots would need discs so wide that
+/// all of them become one MuJoCo group, which takes minutes and all memory.
 inline constexpr double fastest_m_s = 100.0;
 
 /// The reason for rejecting a robot that moves unphysically fast.
@@ -36,7 +36,7 @@ class RobotStates {
   [[nodiscard]] const std::vector<double>& values() const { return rows_.values(); }
   void set_values(const std::vector<double>& values) { rows_.set_values(values); }
 
-  /// Gives a robot another body: angles 0, at rest. Its root is to be set.
+  /// Gives a robot a different body, with angles 0 and at rest. Its root must be set next.
   void set_body(std::size_t robot, std::size_t kind, const Layout& layout) {
     rows_.reset(robot, layout.positions + 2 * layout.velocities);
     kinds_[robot] = kind;
@@ -45,7 +45,7 @@ class RobotStates {
 
   [[nodiscard]] bool is_there(std::size_t robot) const { return is_there_[robot]; }
   void set_there(std::size_t robot, bool is_there) { is_there_[robot] = is_there; }
-  /// The robots that are not, ascending.
+  /// The robots that are not in the world, in ascending order.
   [[nodiscard]] std::vector<std::uint64_t> absent() const {
     std::vector<std::uint64_t> robots;
     for (std::size_t robot = 0; robot < is_there_.size(); ++robot) {
@@ -101,7 +101,7 @@ class RobotStates {
     std::copy_n(data.qacc_warmstart + share.velocity, nv, to + nq + nv);
   }
 
-  /// Why a robot is not where it can be, or not as fast; empty if it is.
+  /// Why a robot's position or speed is impossible; empty if it is possible.
   [[nodiscard]] std::string fault(std::size_t robot) const {
     const auto accepted = [](double value) { return std::abs(value) <= mjMAXVAL; };  // by MuJoCo
     if (!std::ranges::all_of(numbers(robot), accepted)) return "a number is NaN or too large";

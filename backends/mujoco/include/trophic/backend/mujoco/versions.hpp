@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The differences between MuJoCo 2.2 and later versions that the backend meets.
+// The differences between MuJoCo 2.2 and later versions that concern the backend.
 #pragma once
 
 #include <mujoco/mujoco.h>

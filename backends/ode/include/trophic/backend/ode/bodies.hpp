@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The model of each robot, and the places of its numbers in a backend's state.
+// The model of each robot, and the indices of its numbers in a backend's state.
 #pragma once
 
 #include <algorithm>
@@ -13,16 +13,16 @@ namespace trophic::backend::ode {
 struct Kind {
   RobotModel model;
   std::string numbers;   ///< equal texts mean equal bodies
-  double reach_m = 0.0;  ///< from the root link's centre of mass to any point of the body
+  double reach_m = 0.0;  ///< largest distance from the root link's centre of mass to a point of the body
 };
 using KindPtr = std::shared_ptr<const Kind>;
 
-/// The kind of each robot. A kind that no robot has any longer is freed.
+/// The kind of each robot. A kind that is no longer used is freed.
 class Bodies {
  public:
   Bodies(const RobotModel& model, std::size_t robots) : kinds_(robots, make(model)) { place(); }
 
-  /// Gives a robot another body.
+  /// Gives a robot a different body.
   void replace(std::size_t robot, const RobotModel& model) {
     KindPtr kind = make(model);
     const auto same = [&](const KindPtr& one) { return one->model.name == kind->model.name && one->numbers == kind->numbers; };
@@ -35,7 +35,7 @@ class Bodies {
   [[nodiscard]] const KindPtr& kind(std::size_t robot) const { return kinds_[robot]; }
   [[nodiscard]] const RobotModel& model(std::size_t robot) const { return kinds_[robot]->model; }
 
-  /// The first number of a robot in lists of all links or all hinges; of the robot after the last one: their length.
+  /// The index of a robot's first entry in lists of all links or all hinges; for the robot after the last one, their length.
   [[nodiscard]] std::size_t first_link(std::size_t robot) const { return first_link_[robot]; }
   [[nodiscard]] std::size_t first_hinge(std::size_t robot) const { return first_hinge_[robot]; }
   [[nodiscard]] std::size_t links(std::size_t robot) const { return model(robot).links.size(); }

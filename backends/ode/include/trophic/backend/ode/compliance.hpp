@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Springs and dampers as ODE's constraint numbers.
+// Springs and dampers as ODE's constraint parameters.
 #pragma once
 
 namespace trophic::backend::ode {

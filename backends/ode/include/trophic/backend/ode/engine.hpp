@@ -31,7 +31,7 @@ class EngineGuard {
     static const Handlers& handlers = earlier();
     static_cast<void>(handlers);
     static thread_local const bool ready = dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll)) != 0;
-    if (!ready) throw EngineError{"ODE: refuses its data for a thread, such as its collision buffers"};
+    if (!ready) throw EngineError{"ODE: cannot allocate its data for a thread, such as collision buffers"};
     ++depth();
   }
   ~EngineGuard() { --depth(); }
@@ -53,7 +53,7 @@ class EngineGuard {
   /// The handlers that were set earlier; the first call starts ODE and sets the library's own.
   static const Handlers& earlier() {
     static const Handlers handlers = [] {
-      if (dInitODE2(0) == 0) throw EngineError{"ODE: the library cannot be started"};
+      if (dInitODE2(0) == 0) throw EngineError{"ODE: cannot initialise the library"};
       const Handlers before{.error = dGetErrorHandler(), .debug = dGetDebugHandler(), .message = dGetMessageHandler()};
       dSetErrorHandler(on_error);
       dSetDebugHandler(on_debug);

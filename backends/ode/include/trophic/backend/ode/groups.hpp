@@ -29,7 +29,7 @@ struct Failure {
   std::string what;
 };
 
-/// Groups are formed anew at each step from the positions of robots: connected sets of overlapping bounding spheres, seen from
+/// Groups are formed again at each step from the positions of robots: connected sets of overlapping bounding spheres, seen from
 /// above. Groups and their order therefore depend on the state alone, not on the number of threads or the division of time into
 /// calls.
 class Groups {
@@ -55,7 +55,7 @@ class Groups {
     return first;
   }
 
-  /// Forgets the scenes with bodies that no robot has any longer.
+  /// Drops the scenes with bodies that no robot has any longer.
   void forget_scenes() {
     const EngineGuard guard;
     for (Scenes& scenes : scenes_) scenes.clear();
@@ -65,11 +65,11 @@ class Groups {
   /// Scenes by the kinds of their robots, in the order of the robots.
   using Scenes = std::map<std::vector<KindPtr>, std::unique_ptr<Scene>>;
 
-  /// A scene takes a few kilobytes a robot and is quickly made; a crowd of many kinds makes many.
+  /// A scene takes a few kilobytes per robot and is quickly made, but a crowd of many kinds needs many.
   static constexpr std::size_t most_scenes = 256;
   /// Larger than the separation of hinges under load.
   static constexpr double drift_m = 0.005;
-  /// No timestep resolves faster motion.
+  /// No time step resolves faster motion.
   static constexpr double most_m_s = 1e3;
   static constexpr double most_rad_s = 1e4;
 
@@ -112,7 +112,7 @@ class Groups {
 
   const Setup& setup_;
   ThreadPool pool_;
-  std::vector<Scenes> scenes_;  ///< of each thread
+  std::vector<Scenes> scenes_;  ///< one per thread
   std::vector<Disc> discs_;
 };
 

@@ -11,16 +11,17 @@ class Ode;
 
 namespace trophic::backend::ode {
 
-/// `quick_step`: dWorldQuickStep, a number of relaxation sweeps over all constraints. Friction is limited by the normal force
-/// that acts at the same moment. `world_step`: dWorldStep, exact except for friction, which it limits by the normal forces that
-/// would act without friction. With it a robot that stands on many points and pushes them apart walks up to 27 % faster and
-/// turns up to 28 % faster (README.md).
+/// `quick_step`: dWorldQuickStep, relaxation with a fixed number of iterations over all constraints. Friction is limited by the
+/// normal force that acts at the same moment. `world_step`: dWorldStep, exact except for friction, which it limits by the normal
+/// forces that would act without friction. With it a robot that stands on many points and pushes them apart walks up to 27 %
+/// faster and turns up to 28 % faster (README.md).
 enum class Solver { quick_step, world_step };
 [[nodiscard]] constexpr std::array<std::string_view, 2> enum_names(Solver) {
   return {"quick_step", "world_step"};
 }
 
-/// From the ninth sweep on QuickStep shuffles its rows with random numbers of the whole process; with at most 8 it draws none.
+/// From the ninth iteration on QuickStep shuffles its rows with the random numbers of the whole process; with at most 8 it draws
+/// none.
 inline constexpr int sweeps_without_draws = 8;
 
 /// Contacts, friction and joint limits are springs and dampers in SI units, so that they are the same physics at every
@@ -44,15 +45,18 @@ struct Params {
 
   static constexpr auto fields() {
     return std::tuple{
-        field("threads", &Params::threads, between(1, 1024), "threads; results do not depend on it"),
+        field("threads", &Params::threads, between(1, 1024), "number of threads; results do not depend on it"),
         field("solver", &Params::solver, "quick_step or world_step"),
-        field("sweeps", &Params::sweeps, between(1, 100'000), "sweeps of quick_step; above 8 one thread at a time solves"),
-        field("contact_stiffness_N_m", &Params::contact_stiffness_N_m, above_to(0.0, 1e9), "of each contact point"),
-        field("contact_damping_N_s_m", &Params::contact_damping_N_s_m, above_to(0.0, 1e9), "of each contact point"),
+        field("sweeps", &Params::sweeps, between(1, 100'000),
+              "iterations of quick_step; above 8 only one thread at a time solves"),
+        field("contact_stiffness_N_m", &Params::contact_stiffness_N_m, above_to(0.0, 1e9), "stiffness of each contact point"),
+        field("contact_damping_N_s_m", &Params::contact_damping_N_s_m, above_to(0.0, 1e9), "damping of each contact point"),
         field("friction_damping_N_s_m", &Params::friction_damping_N_s_m, above_to(0.0, 1e9),
-              "friction force per sliding speed, up to the friction limit"),
-        field("limit_stiffness_N_m_rad", &Params::limit_stiffness_N_m_rad, above_to(0.0, 1e9), "of a hinge beyond its range"),
-        field("limit_damping_N_m_s_rad", &Params::limit_damping_N_m_s_rad, above_to(0.0, 1e9), "of a hinge beyond its range")};
+              "friction force per sliding speed, below the friction limit"),
+        field("limit_stiffness_N_m_rad", &Params::limit_stiffness_N_m_rad, above_to(0.0, 1e9),
+              "stiffness of a hinge beyond its range"),
+        field("limit_damping_N_m_s_rad", &Params::limit_damping_N_m_s_rad, above_to(0.0, 1e9),
+              "damping of a hinge beyond its range")};
   }
 };
 

@@ -30,7 +30,7 @@ namespace trophic::backend::ode {
   return {.position_m = {centre_m.x(), centre_m.y(), centre_m.z()}, .rotation = {q.w(), q.x(), q.y(), q.z()}};
 }
 
-/// The links of a robot at rest with all angles 0, appended to `links`.
+/// Appends the links of a robot at rest with all angles 0 to `links`.
 inline void append_at_rest(const RobotModel& model, const Pose& root, std::vector<LinkState>& links) {
   std::vector<Pose> frames;
   for (const Link& link : model.links) {
@@ -46,7 +46,7 @@ inline void append_at_rest(const RobotModel& model, const Pose& root, std::vecto
   }
 }
 
-/// Mass and inertia of a link about its centre of mass, as ODE's body has them.
+/// Mass and inertia of a link about its centre of mass, as for an ODE body.
 [[nodiscard]] inline dMass mass_of(const Link& link) {
   dMass mass;
   const Eigen::Matrix3d& i = link.inertia_kgm2;
@@ -54,7 +54,8 @@ inline void append_at_rest(const RobotModel& model, const Pose& root, std::vecto
   return mass;
 }
 
-/// The bodies, geoms and joints of one robot. They belong to its world and die with it; the geoms die with the robot.
+/// The bodies, geoms and joints of one robot. Bodies and joints belong to the world and are destroyed with it; the geoms are
+/// destroyed with the robot.
 ///
 /// Servo: the hinge's stop with lower and upper stop at the target is a two-sided spring and damper between angle and target,
 /// integrated implicitly with everything else in the step: torque = kp (target - angle') - kv velocity', with angle' and

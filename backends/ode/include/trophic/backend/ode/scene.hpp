@@ -23,7 +23,7 @@ namespace trophic::backend::ode {
 /// its input states.
 class Scene {
  public:
-  /// `kinds`: of each robot in it.
+  /// `kinds`: the kind of each robot in the scene.
   Scene(std::vector<KindPtr> kinds, const Arena& arena, const Physics& physics, const Params& params)
       : kinds_{std::move(kinds)},
         params_{params},
@@ -42,8 +42,8 @@ class Scene {
     for (const KindPtr& kind : kinds_) robots_.emplace_back(world_.get(), kind->model, params, physics.timestep_s);
   }
 
-  /// One step of the robots `members` of a whole backend's state; `bodies`: of all robots. After an EngineError the scene must
-  /// not be used again.
+  /// One step of the robots `members` of a whole backend's state; `bodies`: the bodies of all robots. After an EngineError the
+  /// scene must not be used again.
   void step(std::span<const std::size_t> members, const Bodies& bodies, State& state) {
     const auto links_of = [&](std::size_t robot) {
       return std::span{state.links}.subspan(bodies.first_link(robot), bodies.links(robot));

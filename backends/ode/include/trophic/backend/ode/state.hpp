@@ -28,8 +28,8 @@ struct State {
   std::vector<LinkState> links;       ///< robot by robot
   std::vector<double> angles_rad;     ///< robot by robot
   std::vector<double> targets_rad;    ///< robot by robot, clipped
-  std::vector<std::uint64_t> bodies;  ///< body_hash of each
-  std::vector<std::uint8_t> absent;   ///< of each robot: 1 if it is not in the world
+  std::vector<std::uint64_t> bodies;  ///< body_hash of each robot
+  std::vector<std::uint8_t> absent;   ///< one per robot: 1 if it is not in the world
   bool operator==(const State&) const = default;
   static constexpr auto saved() {
     return std::tuple{&State::steps, &State::links, &State::angles_rad, &State::targets_rad, &State::bodies, &State::absent};

@@ -6,8 +6,8 @@
 
 namespace trophic::death::starvation::choice::detail {
 
-/// The bodies of all hunters, or of one species, the hungriest (most ticks since birth or the last catch) first. Ties: the
-/// earlier born first.
+/// Returns the bodies of all hunters, or of one species, the hungriest (most ticks since birth or the last catch) first. In ties
+/// the earlier born comes first.
 [[nodiscard]] inline std::vector<BodyIndex> by_hunger(const View& view, OneSpecies only) {
   std::vector<BodyIndex> hunters;
   for (BodyIndex body = 0; body < view.robots.size(); ++body) {

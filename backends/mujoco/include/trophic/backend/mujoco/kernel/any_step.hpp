@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One step of a batch of robots, as MuJoCo 2.2.2's mj_step computes it.
+// One step of a batch of robots, with the results of MuJoCo 2.2.2's mj_step.
 #pragma once
 
 #include <trophic/backend/mujoco/kernel/island_search.hpp>
@@ -23,9 +23,9 @@ TROPHIC_LANES_INLINE void take_trial(const Workspace& work, const Mask& taken, L
 }
 
 /// Acceleration of the robots that are `valid` at the position and velocity of this stage, written to its acceleration, which is
-/// also the warm start (mj_forward). Robots that the kernel cannot compute stop being `valid`: a corner or link whose contact
-/// rounding decides, joint angles it cannot take sines of, a search that does not settle, a result above MuJoCo's bound for
-/// accelerations, and robots in a step set with such a robot.
+/// also the warm start (mj_forward). Robots that the kernel cannot compute become invalid: those with a corner or link whose
+/// contact depends on rounding, joint angles beyond the range of its sine, a search that does not converge, a result above
+/// MuJoCo's bound for accelerations, and robots in a step set with such a robot.
 TROPHIC_LANES_INLINE void forward(Batch& batch) {
   for (std::size_t t = 0; t < batch.pack_count; ++t) {
     Pack& pack = *batch.packs[t];
@@ -152,7 +152,7 @@ TROPHIC_LANES_INLINE void any_step(Batch& batch) {
     batch.packs[t]->valid = batch.packs[t]->lanes;
     if (!euler) begin_runge_kutta(*batch.packs[t]);
   }
-  // A robot that fails in one stage is not there in the next, so that its neighbours must fail too.
+  // A robot that fails in one stage is absent in the next, so its neighbours must fail too.
   if (!euler) {
     for (const auto& [a, b] : batch.neighbours) batch.step_sets.unite(a, b);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Robots that are stepped together: packs of robots of one shape, and contacts between robots of any of them.
+// Robots that are stepped together: packs of robots with the same shape, and contacts between robots of all packs.
 #pragma once
 
 #include <algorithm>
@@ -19,20 +19,20 @@
 
 namespace trophic::backend::kernel::TROPHIC_LANES {
 
-/// Robots whose bodies have one shape, one per lane at most.
+/// Robots whose bodies have the same shape, at most one per lane.
 struct Pack {
   LaneModel model;
   LaneState state;
   Workspace work;
   unsigned lanes = 0;  ///< bit i: a robot is in lane i
-  /// Robots that the step could compute so far, and after it: those that took it. The others keep their state, and are MuJoCo's
-  /// to step.
+  /// Robots that the kernel could compute so far and, after the step, those that it stepped. The others keep their state and must
+  /// be stepped by MuJoCo.
   unsigned valid = 0;
   unsigned coupled = 0;   ///< robots whose links touch other links or a height field in this stage
-  unsigned unsolved = 0;  ///< those of them whose island is not settled
-  unsigned solved = 0;    ///< and those whose island has just settled
+  unsigned unsolved = 0;  ///< those of them whose island has not converged
+  unsigned solved = 0;    ///< and those whose island has just converged
   unsigned changed = 0;   ///< robots whose active rows of planes or limits changed
-  bool is_stale = false;  ///< whether its trees must be eliminated anew
+  bool is_stale = false;  ///< whether its trees must be eliminated again
 
   /// The states of this stage.
   [[nodiscard]] LaneState& current() { return model.shape().runge_kutta ? work.stage : state; }
@@ -66,8 +66,8 @@ struct NearBoxes {
 struct LinkContact {
   std::array<LaneIndex, 2> at;
   std::array<std::size_t, 2> link;
-  Point3 point_m;               ///< from the origin of the first robot's root
-  Point3 apart_m;               ///< and to that of the second's
+  Point3 point_m;               ///< relative to the origin of the first robot's root
+  Point3 apart_m;               ///< and relative to that of the second's
   std::array<Point3, 3> frame;  ///< normal from the first link to the second, and two tangents
   double depth_m;               ///< signed distance, negative
 };
@@ -83,7 +83,7 @@ struct Motion {
   TROPHIC_LANES_INLINE friend Motion operator*(const Motion& a, double scale) { return {a.angular * scale, a.linear * scale}; }
 };
 
-/// Two links that touch, or one that touches the height field: then it is the second.
+/// Two links that touch, or a link that touches the height field; then the link is the second.
 struct TouchingLinks {
   static constexpr std::size_t none = static_cast<std::size_t>(-1);
   std::array<LaneIndex, 2> at{};
@@ -93,7 +93,7 @@ struct TouchingLinks {
   double mu = 0.0;
   double inverse_weight_per_kg = 0.0;
   std::size_t contacts = 0;
-  std::size_t first = none;  ///< four of them, which know the next four
+  std::size_t first = none;  ///< four of them, with the index of the next four
   std::size_t last = none;
 
   /// Whether both are links of one robot.
@@ -143,13 +143,13 @@ class UnionFind {
 /// An island: robots coupled by contacts between links, or one whose own links touch each other or a height field. The memory of
 /// its search.
 struct IslandWork {
-  std::vector<LaneIndex> lanes;  ///< of its robots, in the order of the batch's `order`
+  std::vector<LaneIndex> lanes;  ///< lanes of its robots, in the order of the batch's `order`
   std::vector<const LinkContact*> link_contacts;
   std::vector<TouchingLinks> pairs;
   std::vector<IslandContacts> contacts;
-  std::vector<std::pair<std::size_t, Motion>> columns;  ///< of one pair: index in x and the motion that it makes
+  std::vector<std::pair<std::size_t, Motion>> columns;  ///< for one pair: index in x and the resulting motion
   std::vector<std::size_t> hinge_indices;               ///< index in x of each link's hinge, robot by robot; none: `eliminated`
-  std::vector<std::size_t> first_hinges;                ///< where those of a robot begin
+  std::vector<std::size_t> first_hinges;                ///< index of each robot's first hinge
   std::size_t first_root = 0;                           ///< index in x of the first root's angular acceleration
   std::vector<double> x;
   SymmetricSystem system;
@@ -172,11 +172,11 @@ struct Batch {
   std::vector<LinkContact> link_contacts;
   UnionFind step_sets;                 ///< robots that MuJoCo must step together, if it must step one of them
   UnionFind island_sets;               ///< robots coupled by contacts in this stage
-  std::vector<std::size_t> island_of;  ///< of each slot
-  std::vector<std::size_t> rank_of;    ///< of each slot among the lanes of its island
+  std::vector<std::size_t> island_of;  ///< island of each slot
+  std::vector<std::size_t> rank_of;    ///< rank of each slot among the lanes of its island
   std::vector<IslandWork> islands;
   std::size_t island_count = 0;
-  bool whole_depth;  ///< of faces of boxes in boxes
+  bool whole_depth;  ///< whether contacts between a face and a box have their whole depth
   std::optional<FieldCollider> field_collider;
 
   explicit Batch(mujoco::BoxDepth box_depth) : whole_depth{box_depth == mujoco::BoxDepth::whole || !mujoco::halves_box_depth} {}
@@ -191,7 +191,7 @@ struct Batch {
     order.clear();
   }
 
-  /// A further pack, without robots. `bodies`: of its lanes, of one shape; lanes beyond them get the first.
+  /// Adds a pack without robots. `bodies`: bodies of its lanes, with the same shape; further lanes get the first one.
   Pack& add_pack(std::span<const std::shared_ptr<const KernelModel>> bodies) {
     if (pack_count == packs.size()) packs.push_back(std::make_unique<Pack>());
     Pack& pack = *packs[pack_count++];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The kernel's model of a robot, its ground and its solver: constants that robots of one body share.
+// The kernel's model of a robot, its ground and its solver: constants that robots with the same body share.
 #pragma once
 
 #include <mujoco/mujoco.h>
@@ -21,8 +21,8 @@ struct ContactLaw {
   double impedance_max;
   double width_m;
   double midpoint;
-  double damping_per_s;     ///< B of aref = -B v - K imp r
-  double stiffness_per_s2;  ///< K of the same
+  double damping_per_s;     ///< B in aref = -B v - K imp r
+  double stiffness_per_s2;  ///< K in the same equation
   friend bool operator==(const ContactLaw&, const ContactLaw&) = default;
 };
 
@@ -40,7 +40,7 @@ struct Field {
   int box;  ///< any box
 };
 
-/// How a body keeps its constants: as plain numbers. The kernel keeps the same structs with a number per lane (`lane_model.hpp`).
+/// The constants of a body, as plain numbers. The kernel keeps the same structs with a number per lane (`lane_model.hpp`).
 struct Plain {
   using Number = double;
   template <std::size_t Size>
@@ -56,11 +56,11 @@ struct BoxNumbers {
   Numbers<Kind, 3> centre_m;
   Numbers<Kind, 3> half_extents_m;
   Numbers<Kind, 9> axes;  ///< column-major: directions of the box's axes in the link's frame
-  Number<Kind> radius_m;  ///< of the sphere around its centre that holds it
+  Number<Kind> radius_m;  ///< radius of its bounding sphere
 };
 struct KernelBox : BoxNumbers<Plain> {
   bool aligned;  ///< axes are the link's own
-  /// Half extents and axes as MuJoCo's model has them: which points its tests report depends on their order.
+  /// Half extents and axes as in MuJoCo's model, because the points that its tests report depend on their order.
   std::array<double, 3> geom_half_extents_m;
   std::array<double, 9> geom_axes;
 };
@@ -72,7 +72,7 @@ struct LinkNumbers {
   Number<Kind> mass_kg;
   Numbers<Kind, 3> centre_of_mass_m;
   Numbers<Kind, 6> inertia_kgm2;     ///< about the centre of mass: xx, yy, zz, xy, xz, yz
-  Numbers<Kind, 3> sphere_centre_m;  ///< of a sphere that holds all boxes
+  Numbers<Kind, 3> sphere_centre_m;  ///< centre of a sphere that contains all boxes
   Number<Kind> sphere_radius_m;
   Number<Kind> inverse_weight_per_kg;  ///< `own_inverse_weight_per_kg` and that of the ground
 };
@@ -118,8 +118,8 @@ struct KernelModel {
   std::vector<Plane> planes;
   std::optional<Field> field;
   double bounding_radius_m = 0.0;  ///< no box point is farther from the root's origin
-  double friction = 0.0;           ///< of a link on the ground
-  double link_friction = 0.0;      ///< of two links
+  double friction = 0.0;           ///< friction between a link and the ground
+  double link_friction = 0.0;      ///< friction between two links
   double timestep_s = 0.0;
   double gravity_m_s2 = 0.0;
   bool runge_kutta = false;
@@ -128,8 +128,8 @@ struct KernelModel {
   ContactLaw law{};
 };
 
-/// Whether two bodies in one arena may share a pack: the same tree with as many boxes on each link, and equal softness and
-/// friction. Lengths, angles, masses and servos may differ.
+/// Whether two bodies in the same arena may share a pack: they need the same tree, the same number of boxes on each link, and
+/// equal softness and friction. Lengths, angles, masses and servos may differ.
 [[nodiscard]] inline bool same_shape(const KernelModel& a, const KernelModel& b) {
   const auto same_link = [](const KernelLink& x, const KernelLink& y) { return x.parent == y.parent && x.boxes == y.boxes; };
   const auto same_box = [](const KernelBox& x, const KernelBox& y) { return x.aligned == y.aligned; };

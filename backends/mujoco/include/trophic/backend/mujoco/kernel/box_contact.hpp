@@ -12,14 +12,14 @@
 
 namespace trophic::backend::kernel {
 
-/// A contact of a box with another or the ground.
+/// A contact of a box with another box or the ground.
 struct BoxContact {
   std::array<double, 3> point_m;
   std::array<std::array<double, 3>, 3> frame;  ///< normal towards the second box, and MuJoCo's two tangents
   double depth_m;                              ///< signed distance, negative
 };
 
-/// As MuJoCo's function, with its bits, but inlined: a vector without length becomes the x axis.
+/// Like MuJoCo's function and bitwise equal, but inlined: a vector of length 0 becomes the x axis.
 inline void normalize3(std::array<double, 3>& vector) {
   const double length = std::sqrt(dot3(vector, vector));
   if (length < mjMINVAL) {
@@ -48,7 +48,7 @@ inline void normalize3(std::array<double, 3>& vector) {
   return frame;
 }
 
-/// Puts geom `geom` where `at` is, moved by `moved_m`.
+/// Moves geom `geom` to the position of `at`, shifted by `moved_m`.
 inline void place_geom(mjData& data, std::size_t geom, const PlacedBox& at, const std::array<double, 3>& moved_m) {
   mju_add3(data.geom_xpos + 3 * geom, at.centre_m.data(), moved_m.data());
   for (std::size_t k = 0; k < 3; ++k) {

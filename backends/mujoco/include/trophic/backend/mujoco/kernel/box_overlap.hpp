@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contacts of two boxes that overlap, with MuJoCo's bits.
+// Contacts of two overlapping boxes, bitwise equal to MuJoCo's.
 #pragma once
 
 #include <array>
@@ -48,7 +48,7 @@ class BoxOverlap {
   std::size_t count = 0;
   std::array<Point3, most> points_m;
   std::array<double, most> depths_m;  ///< signed distances, negative where the boxes overlap; half of them if `on_face`
-  Point3 normal;                      ///< from the first to the second, of about unit length
+  Point3 normal;                      ///< from the first box to the second, of about unit length
   bool on_face = false;               ///< a face of one box meets the other
 
   /// `apart_m` is added to the second box's centre.
@@ -369,7 +369,7 @@ class BoxOverlap {
   Point3 at_b_;
   Point3 b_from_a_;
   Point3 a_from_b_;
-  std::array<Point3, 3> cosine_;  ///< of axes of the first with those of the second
+  std::array<Point3, 3> cosine_;  ///< cosines of the first box's axes with those of the second
   double least_ = 0.0;
   std::size_t axis_ = 0;
   Point3 edge_normal_;

@@ -8,14 +8,15 @@
 
 namespace trophic::backend::kernel::TROPHIC_LANES {
 
-/// A row residual that no acceleration turns negative: the row of a lane without contact is never active.
+/// A row residual that no acceleration makes negative, so that the row of a lane without contact is never active.
 inline constexpr double out_of_reach = 1e30;
 
-/// Corners nearer to a plane than this, m, are in contact or not by rounding alone, as those of a robot that is set down flat
-/// are; MuJoCo's rounding must decide.
+/// For corners nearer to a plane than this, in metres, rounding alone decides about contact, for example if a robot is placed
+/// flat; MuJoCo's rounding must decide.
 inline constexpr double doubtful_m = 1e-12;
 
-/// A sphere farther than this, m, from a plane has no corner in or near it: far above rounding.
+/// A sphere farther than this, in metres, from a plane has no corner in or near the plane; the value is far above rounding
+/// errors.
 inline constexpr double sphere_gap_m = 1e-9;
 
 /// Impedance of a row at signed distance r (MuJoCo's solimp): x = |r| / width; y = x^2 / mid up to the midpoint, then

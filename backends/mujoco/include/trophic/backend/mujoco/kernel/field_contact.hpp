@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contacts of boxes with a height field: those of MuJoCo.
+// Contacts of boxes with a height field, equal to MuJoCo's.
 #pragma once
 
 #include <algorithm>
@@ -68,7 +68,7 @@ struct BoxOnField {
   }
 };
 
-/// A box over the height field, placed anew for each question in a MuJoCo model of both. One per thread.
+/// A box over the height field, placed again for each query in a MuJoCo model of both. One per thread.
 class FieldCollider {
  public:
   explicit FieldCollider(const Field& field)
@@ -192,7 +192,7 @@ class FieldCollider {
     return on;
   }
 
-  /// Whether an axis of the box is, but for rounding, one of the world's.
+  /// Whether an axis of the box is, up to rounding, one of the world's.
   [[nodiscard]] static bool level(const PlacedBox& box) {
     constexpr double rounding = 1e-12;
     return std::ranges::any_of(box.axis, [](const auto& axis) {

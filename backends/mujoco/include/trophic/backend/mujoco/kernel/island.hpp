@@ -19,12 +19,12 @@ namespace trophic::backend::kernel::TROPHIC_LANES {
 // maps that motion to a contact's normal and tangents, and W is the sum of D e e' over its active rows e = (1, +-mu, 0), (1, 0,
 // +-mu).
 
-/// One island of robots: its problem is written down once, then solved for one set of active rows after the other.
+/// One island of robots: its problem is set up once, then solved for one set of active rows after the other.
 class Island {
  public:
   Island(Batch& batch, IslandWork& work) : batch_{batch}, own_{work} {}
 
-  /// Writes the problem down, first with the rows active at the trial point.
+  /// Sets up the problem, first with the rows active at the trial point.
   void begin() {
     choose_hinges();
     own_.pairs.clear();
@@ -74,7 +74,7 @@ class Island {
   }
 
  private:
-  /// Contacts between links of these robots, and with the height field.
+  /// Contacts between links of these robots, and contacts with the height field.
   template <class Visit>
   void for_each_contact(const Visit& visit) const {
     for (const LinkContact* contact : own_.link_contacts) visit(*contact);
@@ -91,7 +91,7 @@ class Island {
     const LaneIndex& at;
   };
 
-  /// Those between a link that touches and the root of its robot.
+  /// The hinges between a touching link and the root of its robot.
   TROPHIC_LANES_INLINE void choose_hinges() {
     own_.first_hinges.clear();
     own_.hinge_indices.clear();
@@ -161,7 +161,7 @@ class Island {
     return pair.on_field ? side(1) : side(1) + side(0);
   }
 
-  /// These links among those that touch; new ones have no contact yet.
+  /// The entries of these links among the touching ones; new entries have no contact yet.
   [[nodiscard]] TROPHIC_LANES_INLINE TouchingLinks& pair_of(const std::array<LaneIndex, 2>& at,
                                                             const std::array<std::size_t, 2>& link) {
     for (std::size_t k = own_.pairs.size(); k-- > 0;) {
@@ -218,7 +218,7 @@ class Island {
     add_contact(pair, from.point_m, from.frame, from.depth_m);
   }
 
-  /// As make_rows in contact.hpp, for all contacts of a pair of links.
+  /// Like make_rows in contact.hpp, for all contacts of a pair of links.
   TROPHIC_LANES_INLINE void make_rows(const TouchingLinks& pair) {
     const ContactLaw& law = batch_.pack(pair.at[0]).model.body(pair.at[0].lane).law;
     const Motion velocity = relative(pair, [](const LinkWork& link) -> const Spatial& { return link.velocity; });
@@ -283,7 +283,8 @@ class Island {
     }
   };
 
-  /// Number by number: blocks that overlap what was just stored would wait for it. Entries above the diagonal mean nothing.
+  /// Computed number by number, because overlapping blocks would wait for the previous store. Entries above the diagonal are
+  /// meaningless.
   static void add(double* to, const Motion& what) {
     for (std::size_t i = 0; i < 3; ++i) {
       to[i] += what.angular[i];
@@ -335,7 +336,7 @@ class Island {
     }
   }
 
-  /// The hinges that move a pair's links, and how: of two links of one robot those that do not move both.
+  /// The hinges that move a pair's links, and their effect; for two links of one robot, those that do not move both.
   TROPHIC_LANES_INLINE void list_hinges(const TouchingLinks& pair) {
     own_.columns.clear();
     auto link = pair.link;

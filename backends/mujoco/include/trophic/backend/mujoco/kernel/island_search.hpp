@@ -8,7 +8,7 @@
 
 namespace trophic::backend::kernel::TROPHIC_LANES {
 
-/// Robots in one island; more of them are MuJoCo's, whose work grows less with their number.
+/// The largest number of robots in an island; larger ones are left to MuJoCo, whose work grows less with their number.
 inline constexpr std::size_t largest_island = 32;
 
 /// Divides the robots that are `coupled` and `valid` into islands.
@@ -48,7 +48,7 @@ TROPHIC_LANES_INLINE void keep_trial(Workspace& work, const Mask& taken) {
   }
 }
 
-/// Makes what was kept the trial point of all lanes.
+/// Restores the stored values as the trial point of all lanes.
 TROPHIC_LANES_INLINE void take_kept_trial(Workspace& work) {
   for (std::size_t i = 0; i < work.links.size(); ++i) {
     work.links[i].trial = work.island_links[i].link;
@@ -82,12 +82,11 @@ TROPHIC_LANES_INLINE void move_eliminated(Pack& pack) {
   }
 }
 
-/// Minimises the cost of the robots that are `coupled`, as `trial` of links and hinges; that of the others stays. Robots that do
-/// not settle stop being `valid`.
+/// Minimises the cost of the robots that are `coupled`, as `trial` of links and hinges; that of the others is unchanged. Robots
+/// that do not converge become invalid.
 ///
-/// Full Newton steps until the active rows stay the same, at first with those of planes active last and those of links at
-/// the last acceleration. An island whose rows keep changing
-/// needs MuJoCo's line search.
+/// Takes full Newton steps until the active rows stay the same, starting from the rows of planes that were active last and those
+/// of links at the last acceleration. An island whose rows keep changing needs MuJoCo's line search.
 TROPHIC_LANES_INLINE void minimise_islands(Batch& batch) {
   constexpr int most_steps = 12;
   find_islands(batch);

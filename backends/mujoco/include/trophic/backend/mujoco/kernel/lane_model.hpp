@@ -34,7 +34,7 @@ struct LaneLink : LinkNumbers<PerLane> {
 
 using LaneHinge = HingeNumbers<PerLane>;
 
-/// The constants of the bodies of a pack, which have one shape.
+/// The constants of the bodies of a pack, which have the same shape.
 class LaneModel {
  public:
   std::vector<LaneLink> links;
@@ -42,12 +42,13 @@ class LaneModel {
   std::vector<LaneBox> boxes;
   Real bounding_radius_m{};
 
-  /// Any of the bodies, for all that they share: tree, ground, friction, softness and physics.
+  /// Any of the bodies, for everything that they share: tree, ground, friction, softness and physics.
   [[nodiscard]] const KernelModel& shape() const { return *bodies_[0]; }
   /// The body in a lane.
   [[nodiscard]] const KernelModel& body(std::size_t lane) const { return *bodies_[lane]; }
 
-  /// Puts bodies of one shape into the lanes; lanes beyond them get the first. A body that is there already costs nothing.
+  /// Puts bodies with the same shape into the lanes; further lanes get the first one. A body that is in its lane already costs
+  /// nothing.
   void set_bodies(std::span<const std::shared_ptr<const KernelModel>> bodies) {
     const KernelModel& first = *bodies.front();
     links.resize(first.links.size());

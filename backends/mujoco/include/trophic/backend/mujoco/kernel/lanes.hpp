@@ -6,7 +6,7 @@
 #include <trophic/backend/mujoco/kernel/four.hpp>
 #include <vector>
 
-/// Every source of the kernel is compiled in two namespaces: in_double, and in_single, which only `src/single.cpp` chooses.
+/// Every source of the kernel is compiled in two namespaces: in_double, and in_single, which only `src/single.cpp` selects.
 #ifdef TROPHIC_LANES
 #include <trophic/backend/mujoco/kernel/single_lanes.hpp>
 #else
@@ -23,7 +23,7 @@ using Real = Four;
 using Mask = FourMask;
 using kernel::select;  // which that of vectors would hide
 
-/// Largest |angle| that `sine_cosine` is made for, rad; beyond it its error grows above one unit in the last place.
+/// Largest |angle| in radians for `sine_cosine`, beyond which its error exceeds one unit in the last place.
 inline constexpr double largest_angle_rad = 1e4;
 /// Adding it leaves the nearest integer in the low bits of the mantissa.
 inline constexpr double to_nearest = 0x1.8p52;

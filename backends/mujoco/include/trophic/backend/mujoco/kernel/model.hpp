@@ -58,8 +58,8 @@ class ModelReader {
     return solver && still_air && flags && extras && (o.integrator == mjINT_EULER || o.integrator == mjINT_RK4);
   }
 
-  /// Planes or a height field of the world, boxes of the robot; all alike in what contacts are made of, and so are explicit
-  /// pairs.
+  /// Accepts planes or a height field of the world and boxes of the robot, all with equal contact parameters; the same applies to
+  /// explicit pairs.
   [[nodiscard]] bool plain_geoms() {
     const bool only_pairs = mujoco::tests_only_pairs(m_);
     for (int g = 0; g < m_.ngeom; ++g) {
@@ -124,7 +124,7 @@ class ModelReader {
     return m_.nu == m_.njnt - 1 && std::ranges::count(servo_of_, -1) == 1 && servo_of_[0] == -1;
   }
 
-  /// Whether softness numbers are those of the first call, and of power 2.
+  /// Whether the softness parameters equal those of the first call and have power 2.
   [[nodiscard]] bool same_law(const mjtNum* solref, const mjtNum* solimp) {
     if (solref_ == nullptr) {
       solref_ = solref;
@@ -286,8 +286,8 @@ class ModelReader {
   std::vector<double> reaches_m_;  ///< length of the chain from the root's origin to the link's hinge
 };
 
-/// The kernel's constants of a model of one robot on planes or a height field, or nothing where the model asks for something that
-/// the kernel does not compute: then MuJoCo must step it.
+/// The kernel's constants of a model of one robot on planes or a height field, or nothing if the model requires something that
+/// the kernel does not compute; then MuJoCo must step it.
 [[nodiscard]] inline std::optional<KernelModel> read_model(const mjModel& model) {
   return ModelReader{model}.read();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// First stage of a step: where the links are, how they move, their inertias and the forces that need no constraint.
+// First stage of a step: positions, velocities and inertias of the links, and the forces without constraints.
 #pragma once
 
 #include <trophic/backend/mujoco/kernel/workspace.hpp>

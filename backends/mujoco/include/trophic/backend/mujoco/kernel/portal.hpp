@@ -40,7 +40,7 @@ struct Point {
 [[nodiscard]] inline bool is_zero(double value) {
   return std::abs(value) < std::numeric_limits<double>::epsilon();
 }
-/// Whether two numbers are the same but for rounding.
+/// Whether two numbers are the same up to rounding.
 [[nodiscard]] inline bool same(double a, double b) {
   const double apart = std::abs(a - b);
   return is_zero(apart) || apart < std::numeric_limits<double>::epsilon() * std::max(std::abs(a), std::abs(b));
@@ -48,7 +48,7 @@ struct Point {
 [[nodiscard]] inline bool is_origin(const Point& a) {
   return same(a.x, 0.0) && same(a.y, 0.0) && same(a.z, 0.0);
 }
-/// Whether a number is at least or at most another, but for rounding.
+/// Whether a number is at least or at most another, up to rounding.
 [[nodiscard]] inline bool at_most(double a, double b) {
   return same(a, b) || a < b;
 }
@@ -143,7 +143,7 @@ class Search {
     return Overlap{std::sqrt(dot(apart, apart)), unit(apart), (v_[1].first + v_[1].second) * 0.5};
   }
 
-  /// The direction out of the triangle of three vertices.
+  /// The outward direction of the triangle of three vertices.
   [[nodiscard]] Point outward() const { return unit(cross(v_[2].apart - v_[1].apart, v_[3].apart - v_[1].apart)); }
 
   /// Completes a tetrahedron whose outer triangle is met by the ray from the centres through the origin. False: bodies are apart.

@@ -26,7 +26,7 @@ TROPHIC_LANES_INLINE void place_centres(const LaneModel& model, Workspace& work)
   }
 }
 
-/// A box of the robot in a lane, from the origin of the robot's root; computed once a stage.
+/// A box of the robot in a lane, from the origin of the robot's root; computed once per stage.
 [[nodiscard]] TROPHIC_LANES_INLINE const PlacedBox& placed_box(const KernelModel& model, const LinkWork& link, std::size_t box,
                                                                std::size_t lane, Workspace& work) {
   const std::size_t slot = lane * model.boxes.size() + box;
@@ -91,7 +91,7 @@ TROPHIC_LANES_INLINE void collide_boxes(Batch& batch) {
   }
 }
 
-/// Appends two boxes, written where they stay: a copy would wait for what was just stored.
+/// Appends two boxes, written in place because a copy would wait for the previous store.
 TROPHIC_LANES_INLINE void add_near(const BoxOf& a, const BoxOf& b, const Point3& apart_m, Batch& batch) {
   NearBoxes& near = batch.near_boxes.emplace_back();
   near.of[0] = a;
@@ -120,7 +120,8 @@ TROPHIC_LANES_INLINE void collide_links(const BoxOf& a, const BoxOf& b, const Po
   }
 }
 
-/// Contacts of links of one robot that MuJoCo would collide: spheres around links, then around boxes, of all robots at once.
+/// Contacts between links of one robot that MuJoCo would collide: tests spheres around links, then around boxes, of all robots at
+/// once.
 TROPHIC_LANES_INLINE void collide_own_links(Batch& batch, std::size_t index, unsigned lanes) {
   const LaneModel& model = batch.packs[index]->model;
   Workspace& work = batch.packs[index]->work;
@@ -145,7 +146,7 @@ TROPHIC_LANES_INLINE void collide_own_links(Batch& batch, std::size_t index, uns
   }
 }
 
-/// Contacts of the robots in two lanes: spheres around robots, around links, then boxes.
+/// Contacts of the robots in two lanes: tests spheres around robots, around links, then boxes.
 TROPHIC_LANES_INLINE void collide_robots(Batch& batch, const LaneIndex& a, const LaneIndex& b) {
   const Pack& pack_a = batch.pack(a);
   const Pack& pack_b = batch.pack(b);
@@ -199,7 +200,7 @@ TROPHIC_LANES_INLINE void collide_field(const KernelModel& model, std::size_t in
   std::array<double, 3> centre_m = origin_m;
   for (std::size_t k = 0; k < 3; ++k) centre_m[k] += link.sphere_centre[static_cast<int>(k)][lane];
   if (!std::isfinite(centre_m[0] + centre_m[1] + centre_m[2])) {
-    work.doubtful[lane] = -1;  // MuJoCo says what is wrong with it
+    work.doubtful[lane] = -1;  // MuJoCo reports the error
     return;
   }
   const double highest_m = collider.highest_m(centre_m[0], centre_m[1], radius_m) + gap_m;
@@ -229,7 +230,7 @@ TROPHIC_LANES_INLINE void find_field_contacts(Pack& pack, std::optional<FieldCol
   for (const FieldContact& contact : pack.work.field_contacts) pack.coupled |= 1u << contact.lane;
 }
 
-/// Robots in the step set of one that is not `valid` are not `valid` either.
+/// Robots in the step set of an invalid robot become invalid as well.
 TROPHIC_LANES_INLINE void invalidate_step_sets(Batch& batch) {
   unsigned lost = 0;
   for (std::size_t t = 0; t < batch.pack_count; ++t) lost |= batch.packs[t]->lanes & ~batch.packs[t]->valid;

@@ -9,7 +9,8 @@ namespace trophic::backend::kernel::TROPHIC_LANES {
 /// Full steps tried before the line search, which makes the search finite, and the bound of all steps.
 inline constexpr int full_steps = 6;
 inline constexpr int largest_steps = 60;
-/// Evaluations of the slope in one line search; where they do not suffice the best bracket is used, which still descends.
+/// The largest number of slope evaluations in one line search; if they do not suffice, the best bracket is used, which still
+/// descends.
 inline constexpr int line_steps = 30;
 
 /// Slope of one row along the line, d/da of 1/2 D min(0, r0 + a (r1 - r0))^2, and its curvature.
@@ -104,8 +105,8 @@ TROPHIC_LANES_INLINE void search_line(const LaneModel& model, Workspace& work, c
   for_each_contact(model, work, MoveContact{model.shape().friction, &changed, &along});
 }
 
-/// The rows last active: of a corner those when it last touched the plane, all where it has not, and all joint limits that
-/// are passed.
+/// The rows that were active last: for each corner those of its last contact with the plane, or all if it had none, and all
+/// exceeded joint limits.
 TROPHIC_LANES_INLINE void recall_rows(Workspace& work) {
   for (std::size_t c = 0; c < work.contact_count; ++c) {
     ContactWork& contact = work.contacts[c];
@@ -132,9 +133,9 @@ TROPHIC_LANES_INLINE void try_last(const LaneModel& model, const LaneState& stat
   }
 }
 
-/// The first guess of the active rows: those active last, which is more often right than MuJoCo's guess, those at the last
-/// acceleration, or these where nothing is known of the last step. It changes nothing but the number of steps: the minimum is one
-/// and is computed from the rows that are active there.
+/// The first guess of the active rows: those active last, which is more often right than MuJoCo's guess (those at the last
+/// acceleration), or the latter if nothing is known of the last step. It affects only the number of steps, because the minimum is
+/// unique and is computed from the rows active there.
 TROPHIC_LANES_INLINE void first_rows(const LaneModel& model, const LaneState& state, Workspace& work) {
   recall_rows(work);
   if (work.rows_known) return;
@@ -142,7 +143,7 @@ TROPHIC_LANES_INLINE void first_rows(const LaneModel& model, const LaneState& st
   evaluate_trial(model, work);
 }
 
-/// Keeps which rows are active in `lanes`.
+/// Stores which rows are active in `lanes`.
 TROPHIC_LANES_INLINE void remember_rows(Workspace& work, unsigned lanes) {
   for (std::size_t c = 0; c < work.contact_count; ++c) {
     const ContactWork& contact = work.contacts[c];

@@ -10,7 +10,7 @@
 
 namespace trophic::backend::kernel::in_single {
 
-/// As of in_double (lanes.hpp).
+/// Like those of in_double (lanes.hpp).
 inline constexpr std::size_t lane_count = 8;
 using Floats = float __attribute__((vector_size(lane_count * sizeof(float)), aligned(lane_count * sizeof(float))));
 using Mask = int __attribute__((vector_size(lane_count * sizeof(int)), aligned(lane_count * sizeof(int))));

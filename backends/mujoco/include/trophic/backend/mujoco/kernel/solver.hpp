@@ -220,8 +220,8 @@ TROPHIC_LANES_INLINE void solve_active(const LaneModel& model, Workspace& work) 
   solve_tree(model, work);
 }
 
-/// As `solve_active`, where the last solution differs only by rows that `evaluate_trial` changed in `lanes`: links without such
-/// rows in them or further out are as they were.
+/// Like `solve_active`, if the last solution differs only by rows that `evaluate_trial` changed in `lanes`: links without such
+/// rows in them or further out are unchanged.
 TROPHIC_LANES_INLINE void solve_changed(const LaneModel& model, Workspace& work, unsigned lanes) {
   for (LinkWork& link : work.links) link.is_stale = (lane_bits(link.changed) & lanes) != 0;
   for (std::size_t i = model.links.size() - 1; i > 0; --i) {

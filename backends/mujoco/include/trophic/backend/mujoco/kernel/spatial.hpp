@@ -49,8 +49,8 @@ struct Mat3 {
   return {{dot(m.column[0], a), dot(m.column[1], a), dot(m.column[2], a)}};
 }
 
-/// A motion (angular, linear velocity or acceleration) or a force (torque, force); both of the origin of the robot's root, world
-/// axes.
+/// A motion (angular, linear velocity or acceleration) or a force (torque, force); both relative to the origin of the robot's
+/// root, in world axes.
 struct Spatial {
   Vec3 angular;
   Vec3 linear;
@@ -76,7 +76,7 @@ struct Spatial {
 [[nodiscard]] TROPHIC_LANES_INLINE Spatial cross_force(const Spatial& v, const Spatial& f) {
   return {cross(v.angular, f.angular) + cross(v.linear, f.linear), cross(v.angular, f.linear)};
 }
-/// Motion of the body's point that is at `point` (from the root's origin).
+/// Motion of the body's point at `point` (relative to the root's origin).
 [[nodiscard]] TROPHIC_LANES_INLINE Vec3 point_motion(const Spatial& v, const Vec3& point) {
   return v.linear + cross(v.angular, point);
 }

@@ -9,8 +9,8 @@ namespace trophic::backend::kernel::TROPHIC_LANES {
 
 struct Batch;
 
-/// Steps all robots of a batch once; afterwards those that it stepped are `valid`. The others keep their state and are MuJoCo's
-/// to step.
+/// Steps all robots of a batch once; afterwards those that it stepped are `valid`. The others keep their state and must be
+/// stepped by MuJoCo.
 using StepFunction = void (*)(Batch&);
 
 void step_portable(Batch& batch);
@@ -22,7 +22,7 @@ void step_portable(Batch& batch);
 [[gnu::target("avx2,avx512f,avx512dq,avx512vl")]] void step_avx512(Batch& batch);
 #endif
 
-/// The fastest that this processor has.
+/// The fastest one that this processor supports.
 [[nodiscard]] StepFunction fastest_step();
 
 }  // namespace trophic::backend::kernel::TROPHIC_LANES

@@ -42,7 +42,7 @@ class SymmetricSystem {
     factor_.resize(n_ * stride_);
     solution_.resize(stride_);
     for (std::size_t p = 0; p < n_; ++p) {
-      column(p)[n_] = b[p];  // a row more, so that it is eliminated as well
+      column(p)[n_] = b[p];  // one more row, so that it is eliminated as well
       store_block(factor(p) + block_start(p), Four{});
     }
     for (std::size_t p = 0; p < n_; ++p) {
@@ -59,7 +59,7 @@ class SymmetricSystem {
       }
       solution_[p] = pivot[n_] * inverse;
     }
-    // Each unknown, once known, is taken out of all others: the next one waits for one operation only.
+    // Each unknown, once known, is eliminated from all others, so the next one waits for only one operation.
     for (std::size_t p = n_; p-- > 0;) {
       b[p] = solution_[p];
       for (std::size_t i = 0; i < p; i += block) {

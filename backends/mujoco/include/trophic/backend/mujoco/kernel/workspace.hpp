@@ -62,8 +62,8 @@ struct LaneState {
 /// One link during a step. Vectors are in world axes, points relative to the root's origin.
 struct LinkWork {
   Mat3 rotation;         ///< directions of the link's axes
-  Vec3 anchor;           ///< of its hinge
-  Vec3 sphere_centre;    ///< of the sphere that holds its boxes
+  Vec3 anchor;           ///< anchor of its hinge
+  Vec3 sphere_centre;    ///< centre of the sphere that contains its boxes
   Spatial axis;          ///< S: motion of the link per unit of joint velocity
   RigidInertia inertia;  ///< I
   Spatial velocity;      ///< V
@@ -75,16 +75,16 @@ struct LinkWork {
   Real inverse;          ///< 1 / (S' U + joint terms)
   Real load;             ///< added to S' U: an active joint limit's D
   Real torque;           ///< joint torque minus S' force
-  Spatial acceleration;  ///< of the current point of the search, without drift
-  Spatial trial;         ///< of the point that the search tries
-  Mask changed;          ///< where the active rows of its contacts and its hinge changed
-  bool is_stale;         ///< whether its articulated inertia must be computed anew
+  Spatial acceleration;  ///< acceleration at the current point of the search, without drift
+  Spatial trial;         ///< acceleration at the trial point
+  Mask changed;          ///< lanes in which the active rows of its contacts or its hinge changed
+  bool is_stale;         ///< whether its articulated inertia must be recomputed
 };
 
 /// One hinge during a step.
 struct HingeWork {
-  Real torque;        ///< of the servo
-  Real limit_weight;  ///< D of the joint limit's row, 0 where no limit is near
+  Real torque;        ///< torque of the servo
+  Real limit_weight;  ///< D of the joint limit's row, 0 if no limit is near
   Real limit_side;    ///< -1 at the lower limit, +1 at the upper
   Real limit_offset;  ///< row residual = offset - side * acceleration
   Mask limit_active;
@@ -97,8 +97,8 @@ struct ContactWork {
   Vec3 point;
   Real depth;      ///< signed distance, m, negative in contact
   Real weight;     ///< D of the four rows, 0 in a lane without this contact
-  Vec3 offset;     ///< what is added to the point's acceleration so that the rows' residuals are projections of the sum
-  Mask active[4];  ///< rows n + mu t1, n - mu t1, n + mu t2, n - mu t2 that are active
+  Vec3 offset;     ///< added to the point's acceleration, so that the rows' residuals are projections of the sum
+  Mask active[4];  ///< which of the rows n + mu t1, n - mu t1, n + mu t2, n - mu t2 are active
   std::array<std::size_t, lane_count> memory;  ///< indices in the workspace's `active_rows`
   Vec3 residual;                               ///< at the current point of the search
   Vec3 trial;
@@ -119,14 +119,14 @@ struct ContactGroup {
 struct FieldContact {
   std::size_t lane;
   std::size_t link;
-  BoxContact contact;  ///< from the origin of the robot's root
+  BoxContact contact;  ///< relative to the origin of the robot's root
 };
 
 /// A link of robots that touch each other or a height field.
 struct IslandLink {
   Mask kept;     ///< lanes in which its hinge is an unknown of an island (island.hpp)
-  Spatial link;  ///< trial motion of lanes that are solved, while others are not
-  Real hinge;    ///< and acceleration of its hinge
+  Spatial link;  ///< trial motion of the lanes that have converged, while others have not
+  Real hinge;    ///< and trial acceleration of its hinge
 };
 
 /// Scratch memory of the robots in the lanes.
@@ -142,14 +142,14 @@ struct Workspace {
   bool rows_known = false;               ///< whether these robots took a step since `forget_rows`
   std::vector<PlacedBox> placed_boxes;   ///< lane by lane, from the origin of each robot's root
   std::vector<std::uint8_t> box_placed;  ///< whether it is computed in this stage
-  std::vector<Vec3> box_centres;         ///< of all robots, from the origins of their roots
+  std::vector<Vec3> box_centres;         ///< for all robots, relative to the origins of their roots
   std::vector<FieldContact> field_contacts;
   std::vector<IslandLink> island_links;
-  Mask doubtful{};  ///< lanes in which rounding decides what touches
+  Mask doubtful{};  ///< lanes in which rounding decides about contact
   LaneState stage;  ///< start and sums of a Runge-Kutta step
   LaneState sum;
 
-  /// Makes room for robots of this shape.
+  /// Allocates memory for robots of this shape.
   void fit(const KernelModel& model) {
     const std::size_t boxes = model.boxes.size();
     links.resize(model.links.size());
@@ -165,7 +165,7 @@ struct Workspace {
     sum.fit(model);
   }
 
-  /// To be called when other robots come into the lanes.
+  /// Must be called when the robots in the lanes change.
   void forget_rows() {
     std::ranges::fill(active_rows, all_rows);
     rows_known = false;
