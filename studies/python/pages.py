@@ -960,43 +960,51 @@ def evolving_ponds(data):
 
 
 def draw_atlas(rows, path):
-    """Maps of persistence and of velocities over the shadow, by reach and growth of food."""
+    """Maps of persistence and of velocities over the shadow, by reach and growth of food. Bold: the 95 % interval of a cell's difference excludes 0."""
     import matplotlib.pyplot as plt
 
-    fig, axes = plt.subplots(1, 3, figsize=(10, 2.9), sharey=True, layout="constrained")
+    fig, axes = plt.subplots(1, 3, figsize=(12, 3.4), sharey=True, layout="constrained")
+    towards = "{} over the shadow [cm/s]\n+ towards {}, - away from them"
     for ax, metric, species, key, scale, words in (
-        (axes[0], "persists", "all", "mean", 1, "runs in which both live on"),
-        (axes[1], "velocity", "predator", "over_shadow", 100, "predators over the shadow [cm/s]"),
-        (axes[2], "velocity", "prey", "over_shadow", 100, "prey over the shadow [cm/s]"),
+        (axes[0], "persists", "all", "mean", 1, "both species live on\n[share of runs]"),
+        (axes[1], "velocity", "predator", "over_shadow", 100, towards.format("predators", "prey")),
+        (axes[2], "velocity", "prey", "over_shadow", 100, towards.format("prey", "predators")),
     ):
-        of = {
-            (float(row["growth_1_s"]), float(row["reach_m"])): scale * float(row[key] or "nan")
+        cells = {
+            (float(row["growth_1_s"]), float(row["reach_m"])): row
             for row in rows
             if (row["metric"], row["species"]) == (metric, species)
         }
+        of = {at: scale * float(row[key] or "nan") for at, row in cells.items()}
         growths, reaches = (sorted(set(values)) for values in zip(*of))
         limit = max(abs(value) for value in of.values() if value == value)
-        ax.imshow(
+        image = ax.imshow(
             [[of[growth, reach] for reach in reaches] for growth in growths],
             origin="lower",
             aspect="auto",
-            cmap="RdBu_r",
-            vmin=-limit,
-            vmax=limit,
+            cmap="Greys" if metric == "persists" else "RdBu_r",
+            vmin=0 if metric == "persists" else -limit,
+            vmax=2 if metric == "persists" else limit,
             alpha=0.7,
         )
+        bar = fig.colorbar(image, ax=ax)
+        if metric == "persists":
+            bar.ax.set_ylim(0, 1)
         for row, growth in enumerate(growths):
             for column, reach in enumerate(reaches):
+                cell = cells[growth, reach]
+                lower, upper = (float(cell[f"over_{end}"] or "nan") for end in ("lower", "upper"))
                 ax.text(
                     column,
                     row,
-                    f"{of[growth, reach]:{'.1f' if scale == 1 else '+.2f'}}".replace("+nan", ""),
+                    f"{of[growth, reach]:{'.1f' if scale == 1 else '+.2f'}}".replace("+nan", "no run"),
                     ha="center",
                     va="center",
                     fontsize=8,
+                    weight="bold" if lower > 0 or upper < 0 else "normal",
                 )
+        ax.set_title(words, fontsize=9)
         ax.set(
-            title=words,
             xlabel="reach of predators [m]",
             xticks=range(len(reaches)),
             xticklabels=reaches,
@@ -1004,6 +1012,11 @@ def draw_atlas(rows, path):
             yticklabels=growths,
         )
     axes[0].set_ylabel("growth of food [1/s]")
+    counts = {row["runs"] for row in rows if row["metric"] == "persists"}
+    fig.supxlabel(
+        f"n = {' to '.join(sorted(counts))} runs and as many shadows a cell; bold: the 95 % interval of the difference from the shadow excludes 0, each cell alone",
+        fontsize=8,
+    )
     fig.savefig(path, dpi=150)
 
 

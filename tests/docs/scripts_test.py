@@ -16,7 +16,7 @@ from documents import all_documents
 ROOT = pathlib.Path(sys.argv[1]).resolve()
 SHORT = {"build-deb": "", "fuzz": "1 manifest", "hostile": "build/ci", "kill-and-resume": "1 build/ci", "quickstart": "", "run-tests": "", "setup": "g++",
          "soak": "120 6000", "compile-time": "--help", "mutation-check": "--list", "check-systems": "trixie"}  # fmt: skip
-ELSEWHERE = {"architecture-picture", "release", "size"}  # tests of their own
+ELSEWHERE = {"architecture-picture", "pictures", "release", "size"}  # tests of their own, or pictures to look at
 PROGRAMS = {f"ci/{name}": "echo mujoco" for name in ("examples/trophic-predator-prey", "tests/soak/soak", "tests/fuzz/fuzz_extremes", "tests/hostile/contraction")} | {
     "fuzz/fuzz": "echo stat::peak_rss_mb >&2", "quickstart/tools/first_run": "", "bin/dpkg-query": "echo installed", "bin/dpkg-parsechangelog": "echo 1.0-1",
     "bin/dpkg-buildpackage": "test -f debian/rules && : > ../trophic.deb", "bin/ctest": "mkdir -p build/ci build/sanitize build/threads build/clang"}  # fmt: skip

@@ -161,11 +161,11 @@ class Seen(InFolderWithSets):
                 )
             )
         )
-        corner = strip[-130:-25, -215:-5].astype(int)  # the curves are 192 pixels wide and end at the last moment
+        corner = strip[60:200, -175:-5].astype(int)  # the curves are 160 pixels wide and end at the last moment
         is_prey = numpy.abs(corner - (0, 114, 178)).sum(axis=-1) < 30
-        tops = numpy.array([column.argmax() if column.any() else 105 for column in is_prey.T])
+        tops = numpy.array([column.argmax() if column.any() else 140 for column in is_prey.T])
         highest_s = max(self.alive, key=lambda time_s: len(self.alive[time_s]))
-        self.assertLess(abs((tops.argmin() - numpy.flatnonzero(tops < 105)[0]) / 192 * 1000 - highest_s), 60)
+        self.assertLess(abs((tops.argmin() - numpy.flatnonzero(tops < 140)[0]) / 160 * 1000 - highest_s), 60)
 
     def test_a_live_page_gets_empty_bodies_energy_and_food(self):
         with LiveRun([*RUN, "--duration", "40", "--out", "run"], self.folder) as run, run.page() as page:

@@ -69,8 +69,8 @@ struct Sight {
   for (int i = 0; i < 60; ++i) {
     const double low = corner(1, -1).y;
     const double high = corner(1, 1).y;
-    camera.at_m.y() += 0.25 * (low + high + 0.1) * half;  // above it, title and legend are written
-    const double needed = std::max(corner(1, -1).x / aspect / 0.94, (high - low) / 1.7);
+    camera.at_m.y() += 0.25 * (low + high) * half;
+    const double needed = std::max(corner(1, -1).x / aspect / 0.96, (high - low) / 1.88);
     camera.distance_m *= 1.0 + 0.7 * (needed - 1.0);
   }
   return camera;

@@ -32,7 +32,7 @@ const std::map<std::string, std::vector<std::string>, std::less<>>& codings() {
        {"-c:v", "libvpx-vp9", "-pix_fmt", "yuv420p", "-crf", "34", "-b:v", "0", "-row-mt", "1", "-cpu-used", "4", "-f", "webm"}},
       {".gif",
        {"-filter_complex",
-        "[0:v]split[a][b];[a]palettegen=max_colors=96:stats_mode=diff[p];[b][p]paletteuse=dither=none:diff_mode=rectangle", "-f",
+        "[0:v]split[a][b];[a]palettegen=max_colors=128:stats_mode=full[p];[b][p]paletteuse=dither=none:diff_mode=rectangle", "-f",
         "gif"}}};
   return all;
 }

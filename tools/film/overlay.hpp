@@ -4,6 +4,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <span>
 #include <string>
 #include <tools/film/camera.hpp>
 #include <tools/film/picture.hpp>
@@ -13,6 +14,13 @@ namespace trophic::film {
 /// Texts and flat marks over what MuJoCo drew last; places are pixels from the lower left corner.
 class Overlay {
  public:
+  /// A place and its surroundings.
+  struct Disc {
+    double x = 0.0;
+    double y = 0.0;
+    double radius = 0.0;
+  };
+
   Overlay(const mjrContext& context, const mjrRect& view) : context_{context}, view_{view} {}
 
   void text(double x, double y, const std::string& text, const Colour& colour, bool is_large = false) const;
@@ -33,7 +41,10 @@ class Overlay {
   mjrRect view_;
 };
 
-/// Writes what a picture says in words.
-void write_over(const Overlay& overlay, const Picture& picture, const Camera& camera);
+/// The part of a picture in which the world is drawn: between title and legend above it and caption and scale below it.
+[[nodiscard]] mjrRect stage_of(const Overlay& overlay, const Picture& picture);
+
+/// Writes what a picture says in words. `robots`: where they are.
+void write_over(const Overlay& overlay, const Picture& picture, const Camera& camera, std::span<const Overlay::Disc> robots);
 
 }  // namespace trophic::film

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <memory>
 #include <tools/recording/species_colour.hpp>
-#include <trophic/habitat/arena.hpp>
 #include <trophic/habitat/pose.hpp>
 #include <trophic/habitat/robot_model.hpp>
 
@@ -22,7 +21,7 @@ struct RobotLook {
   std::shared_ptr<const RobotModel> body = {};  ///< its own; null: that of the drawing
 };
 
-/// A line on the floor.
+/// A line on the floor; dashed if it joins two robots.
 struct FloorLine {
   double x0_m = 0.0;
   double y0_m = 0.0;
@@ -30,28 +29,34 @@ struct FloorLine {
   double y1_m = 0.0;
   Colour colour{};
   float opacity = 1.0F;
+  bool is_dashed = false;
+};
+
+/// A circle on the floor.
+struct Circle {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double radius_m = 0.0;
+  Colour colour{};
 };
 
 /// A widening ring where an individual has just died; red for a catch.
 struct Flash {
   double x_m = 0.0;
   double y_m = 0.0;
-  double radius_m = 0.0;
+  double rings = 1.0;  ///< its radius, in radii of a robot's ring
   bool is_catch = false;
 };
 
-/// The name of a robot, above or below it.
+/// The name of a robot, next to it and on no other.
 struct Name {
-  Eigen::Vector3d at_m = Eigen::Vector3d::Zero();
+  std::size_t robot = 0;  ///< its number in the picture
   std::string text;
-  Colour colour{};
-  double radius_m = 0.0;
-  bool is_below = false;
 };
 
 /// A mark and its meaning.
 struct LegendEntry {
-  enum class Mark { species, filled, hollow, catch_, death, marked, trail, sight, food, zone };
+  enum class Mark { species, filled, hollow, catch_, death, marked, trail, sight, food, zone, reach };
   Mark mark = Mark::species;
   Colour colour{};
   std::string text;
@@ -75,6 +80,7 @@ struct Picture {
   std::vector<FoodTile> food;  ///< they are all of the floor; none in a world without food
   std::vector<RobotLook> robots;
   std::vector<FloorLine> lines;
+  std::vector<Circle> circles;
   std::vector<Flash> flashes;
   std::vector<Name> names;
   std::vector<LegendEntry> legend;
@@ -91,9 +97,10 @@ inline constexpr Colour catch_colour{0.76F, 0.0F, 0.18F};
 /// The edge of a zone on the floor.
 inline constexpr Colour zone_colour{0.29F, 0.35F, 0.41F};
 
-/// The radius of a robot's ring: round its body, and never too small to be seen in a picture of the whole arena.
-[[nodiscard]] inline double ring_radius_m(const RobotModel& robot, const Arena& arena) {
-  return std::max(1.15 * robot.bounding_radius_m, 0.021 * arena.half_side_m);
+/// The radius of a robot's ring round its body, where a pixel is so large. A robot whose ring would have fewer pixels is drawn larger.
+[[nodiscard]] inline double ring_radius_m(const RobotModel& robot, double pixel_m) {
+  constexpr double least_pixels = 11.0;
+  return std::max(1.15 * robot.bounding_radius_m, least_pixels * pixel_m);
 }
 
 }  // namespace trophic::film

@@ -22,8 +22,8 @@ using backend::mujoco::ModelPtr;
 
 constexpr double flat_m = 5e-4;  ///< half the height of marks on the floor
 
-/// A world with the slopes of an arena, if it has any: the scene's other objects are added by hand.
-ModelPtr empty_model(std::size_t width, std::size_t height, const Arena& arena) {
+/// A world with the slopes of an arena, if it has any: the scene's other objects are added by hand. `samples`: of each pixel.
+ModelPtr empty_model(std::size_t width, std::size_t height, const Arena& arena, int samples) {
   const double extent_m = arena.half_side_m;
   const auto text = [](double value) { return std::to_string(value); };
   const double highest_m = edge_of(arena).height_m;
@@ -40,7 +40,7 @@ ModelPtr empty_model(std::size_t width, std::size_t height, const Arena& arena) 
   const std::string xml =
       "<mujoco><statistic center='0 0 0' extent='" + text(extent_m) + "'/><visual><global fovy='" + text(fovy_deg) +
       "' offwidth='" + std::to_string(width) + "' offheight='" + std::to_string(height) +
-      "'/><quality offsamples='0' numslices='72'/><map znear='0.03' zfar='12' shadowclip='1.2' "
+      "'/><quality offsamples='" + std::to_string(samples) + "' numslices='72'/><map znear='0.03' zfar='12' shadowclip='1.2' "
       "shadowscale='0.9'/>"
       "<headlight ambient='0.5 0.5 0.5' diffuse='0.14 0.14 0.14' specular='0 0 0'/></visual><asset><texture type='skybox' "
       "builtin='flat' rgb1='1 1 1' rgb2='1 1 1' width='4' height='24'/>" +
@@ -65,7 +65,8 @@ ModelPtr empty_model(std::size_t width, std::size_t height, const Arena& arena) 
 constexpr Colour floor_colour{0.885F, 0.905F, 0.925F};
 constexpr Colour grid_colour{0.8F, 0.83F, 0.86F};
 constexpr Colour wall_colour{0.66F, 0.7F, 0.75F};
-constexpr float shadow_opacity = 0.2F;
+constexpr float shadow_opacity = 0.085F;  ///< of each of three layers, the widest and the narrowest of which make a soft edge
+constexpr double shadow_edge = 0.2;       ///< of a box's width
 /// The light as a slope: a shadow lies so many metres aside a metre of height.
 constexpr double light_x = -0.28;
 constexpr double light_y = 0.5;
@@ -85,9 +86,8 @@ class Renderer::Scene {
         scale_{quality == Quality::fine ? 2U : 1U},
         width_{scale_ * checked("width", width)},
         height_{scale_ * checked("height", height)},
-        model_{empty_model(width_, height_, arena)},
-        data_{mj_makeData(model_.get())},
-        ring_m_{ring_radius_m(robot, arena)} {
+        model_{empty_model(width_, height_, arena, quality == Quality::fine ? 4 : 0)},
+        data_{mj_makeData(model_.get())} {
     mjv_defaultScene(&scene_);
     mjr_defaultContext(&context_);
     mjv_makeScene(model_.get(), &scene_, most_geoms);
@@ -107,14 +107,17 @@ class Renderer::Scene {
   }
 
   [[nodiscard]] Image draw(const Picture& picture, const Camera& camera) {
-    view_ = {0, 0, static_cast<int>(width_), static_cast<int>(height_)};
+    const Overlay overlay{context_, view_};
+    const mjrRect stage = stage_of(overlay, picture);
     mjvCamera eye;
     mjv_defaultCamera(&eye);
     for (int i = 0; i < 3; ++i) eye.lookat[i] = camera.at_m[i];
     eye.distance = camera.distance_m;
     eye.azimuth = camera.azimuth_deg;
     eye.elevation = camera.elevation_deg;
-    pixel_m_ = camera.distance_m * 2.0 * half_height() / static_cast<double>(height_);
+    sight_ = Sight{camera};
+    a_pixel_ = 2.0 * half_height() / stage.height;
+    pixel_m_ = camera.distance_m * a_pixel_;
     mjvOption option;
     mjv_defaultOption(&option);
     mj_forward(model_.get(), data_.get());
@@ -123,17 +126,47 @@ class Renderer::Scene {
     scene_.flags[mjRND_SKYBOX] = 0;  // MuJoCo draws black in empty places; a white sky would cost more than `read` does
     scene_.flags[mjRND_REFLECTION] = 0;
     scene_.flags[mjRND_HAZE] = 0;
-    add_arena(Sight{camera}.eye_m, picture.food);
+    add_arena(sight_.eye_m, picture.food);
+    for (const Circle& one : picture.circles) add_circle(one.x_m, one.y_m, one.radius_m, 6e-3, 1.2 * static_cast<double>(scale_), one.colour);
     for (const FloorLine& line : picture.lines) add_line(line);
     for (const RobotLook& look : picture.robots) add_ring(look);
     for (const Flash& flash : picture.flashes) add_flash(flash);
     for (const RobotLook& look : picture.robots) add_body(look);
-    mjr_render(view_, &scene_, &context_);
-    write_over(Overlay{context_, view_}, picture, camera);
+    mjr_render(stage, &scene_, &context_);
+    write_over(overlay, picture, camera, places_of(picture, camera, stage));
     return scale_ == 2 ? halved(read()) : read();
   }
 
+  [[nodiscard]] double aspect(const Picture& picture) const {
+    const mjrRect stage = stage_of(Overlay{context_, view_}, picture);
+    return static_cast<double>(stage.width) / stage.height;
+  }
+
  private:
+  /// Where robots are in a picture, pixels; of no size behind the camera.
+  [[nodiscard]] std::vector<Overlay::Disc> places_of(const Picture& picture, const Camera& camera, const mjrRect& stage) const {
+    std::vector<Overlay::Disc> places;
+    for (const RobotLook& look : picture.robots) {
+      const auto point = seen_at(camera, look.root.position_m);
+      if (!point) {
+        places.push_back({});
+        continue;
+      }
+      places.push_back({0.5 * (stage.width + point->x * stage.height), stage.bottom + 0.5 * (1.0 + point->y) * stage.height,
+                        ring_m(look) / pixel_at(look.root.position_m)});
+    }
+    return places;
+  }
+
+  /// Size of a pixel at a place, as seen by the camera.
+  [[nodiscard]] double pixel_at(const Eigen::Vector3d& at_m) const {
+    return std::max(1e-6, (at_m - sight_.eye_m).dot(sight_.forward)) * a_pixel_;
+  }
+  [[nodiscard]] const RobotModel& body_of(const RobotLook& look) const { return look.body ? *look.body : robot_; }
+  [[nodiscard]] double ring_m(const RobotLook& look) const {
+    return ring_radius_m(body_of(look), static_cast<double>(scale_) * pixel_at(look.root.position_m));
+  }
+
   [[nodiscard]] Image read() const {
     Image upside_down = Image::blank(static_cast<std::size_t>(view_.width), static_cast<std::size_t>(view_.height), 0);
     mjr_readPixels(upside_down.rgb.data(), nullptr, view_, &context_);
@@ -151,7 +184,7 @@ class Renderer::Scene {
     return image;
   }
 
-  static constexpr int most_geoms = 60000;
+  static constexpr int most_geoms = 120000;
 
   mjvGeom* add(int type, const Eigen::Vector3d& size, const Eigen::Vector3d& at, const Eigen::Matrix3d& turn,
                const Colour& colour, float opacity) {
@@ -191,11 +224,11 @@ class Renderer::Scene {
     }
     const double step = half > 40 ? 10 : half > 15 ? 2 : 1;
     for (double at = -std::floor(half / step) * step; at <= half + 1e-9; at += step) {
-      add_segment({at, -half, 1e-3}, {at, half, 1e-3}, 1.3, grid_colour);
-      add_segment({-half, at, 1e-3}, {half, at, 1e-3}, 1.3, grid_colour);
+      add_segment({at, -half, 1e-3}, {at, half, 1e-3}, 0.9 * static_cast<double>(scale_), grid_colour);
+      add_segment({-half, at, 1e-3}, {half, at, 1e-3}, 0.9 * static_cast<double>(scale_), grid_colour);
     }
     for (const Obstacle& one : arena_.obstacles) add_obstacle(one);
-    for (const Zone& zone : arena_.zones) add_circle(zone.x_m, zone.y_m, zone.radius_m, 1.5e-3, 2.2, zone_colour);
+    for (const Zone& zone : arena_.zones) add_circle(zone.x_m, zone.y_m, zone.radius_m, 1.5e-3, 1.6 * static_cast<double>(scale_), zone_colour);
     if (arena_.height_field) return add_slopes(*arena_.height_field);
     const double thick = 0.006 * half;
     const double height = 0.5 * edge_of(arena_).height_m;
@@ -238,30 +271,46 @@ class Renderer::Scene {
   }
 
   void add_line(const FloorLine& line) {
-    add_segment({line.x0_m, line.y0_m, 2e-3}, {line.x1_m, line.y1_m, 2e-3}, 1.6, mixed(floor_colour, line.colour, line.opacity));
+    const Eigen::Vector3d from{line.x0_m, line.y0_m, 2e-3};
+    const Eigen::Vector3d way{line.x1_m - line.x0_m, line.y1_m - line.y0_m, 0.0};
+    const double pixels = (line.is_dashed ? 1.3 : 2.0) * static_cast<double>(scale_);
+    const Colour colour = mixed(floor_colour, line.colour, line.opacity);
+    constexpr double dash_pixels = 12.0;  // with the gap behind it
+    constexpr double most_dashes = 40.0;
+    const double dashes =
+        line.is_dashed ? std::clamp(std::round(way.norm() / (dash_pixels * static_cast<double>(scale_) * pixel_m_)), 1.0, most_dashes)
+                       : 1.0;
+    const double length = line.is_dashed && dashes > 1.0 ? 0.55 : 1.0;
+    for (double dash = 0.0; dash < dashes; ++dash) {
+      add_segment(from + dash / dashes * way, from + (dash + length) / dashes * way, pixels, colour);
+    }
   }
 
   void add_ring(const RobotLook& look) {
     const double x = look.root.position_m.x();
     const double y = look.root.position_m.y();
+    const double ring = ring_m(look);
     if (look.is_marked) {
-      add_disc(x, y, 1.78 * ring_m_, 0, ink);
-      add_disc(x, y, 1.66 * ring_m_, 1, floor_colour);
+      add_disc(x, y, 1.78 * ring, 0, ink);
+      add_disc(x, y, 1.66 * ring, 1, floor_colour);
     }
     const Eigen::Quaterniond& q = look.root.orientation;
     const double yaw = std::atan2(2 * (q.w() * q.z() + q.x() * q.y()), 1 - 2 * (q.y() * q.y() + q.z() * q.z()));
-    const double heading = yaw + (look.body ? *look.body : robot_).forward_rad;
+    const double heading = yaw + body_of(look).forward_rad;
     const Eigen::Matrix3d turn = Eigen::AngleAxisd{heading + std::numbers::pi / 4, Eigen::Vector3d::UnitZ()}.toRotationMatrix();
-    const double tip = 0.3 * ring_m_;
-    const Eigen::Vector3d at{x + 1.08 * ring_m_ * std::cos(heading), y + 1.08 * ring_m_ * std::sin(heading), 4e-3};
+    const double tip = 0.3 * ring;
+    const Eigen::Vector3d at{x + 1.08 * ring * std::cos(heading), y + 1.08 * ring * std::sin(heading), 4e-3};
     add(mjGEOM_BOX, {tip, tip, 1e-3}, at, turn, look.colour, 1.0F);
-    add_disc(x, y, ring_m_, 2, look.colour);
-    add_disc(x, y, 0.86 * ring_m_, 3, look.filled ? mixed(floor_colour, look.colour, 0.45F) : floor_colour);
+    add_disc(x, y, ring, 2, look.colour);
+    add_disc(x, y, 0.86 * ring, 3, look.filled ? mixed(floor_colour, look.colour, 0.45F) : floor_colour);
   }
 
   void add_flash(const Flash& flash) {
-    const double pixels = flash.is_catch ? std::max(3.0, 0.07 * flash.radius_m / pixel_m_) : 1.8;
-    add_circle(flash.x_m, flash.y_m, flash.radius_m, 9e-3, pixels, flash.is_catch ? catch_colour : ink);
+    const double pixel_m = pixel_at({flash.x_m, flash.y_m, 0.0});
+    const double radius_m = flash.rings * ring_radius_m(robot_, static_cast<double>(scale_) * pixel_m);
+    const double thin = 1.6 * static_cast<double>(scale_);
+    const double pixels = flash.is_catch ? std::max(1.8 * thin, 0.07 * radius_m / pixel_m) : thin;
+    add_circle(flash.x_m, flash.y_m, radius_m, 9e-3, pixels, flash.is_catch ? catch_colour : ink);
   }
 
   void add_circle(double x_m, double y_m, double radius_m, double z_m, double pixels, const Colour& colour) {
@@ -274,24 +323,28 @@ class Renderer::Scene {
   }
 
   void add_body(const RobotLook& look) {
-    const RobotModel& robot = look.body ? *look.body : robot_;
-    const std::vector<Eigen::Isometry3d> frames = link_frames(robot, look.root, look.joint_angles_rad);
+    const RobotModel& robot = body_of(look);
+    std::vector<Eigen::Isometry3d> frames = link_frames(robot, look.root, look.joint_angles_rad);
+    const double larger = std::max(1.0, ring_m(look) / (1.15 * robot.bounding_radius_m));  // as its ring is, on its feet
+    const Eigen::Vector3d foot{look.root.position_m.x(), look.root.position_m.y(), 0.0};
     for (std::size_t i = 0; i < frames.size(); ++i) {
       const Colour colour = i == 0 ? look.colour : limb_colour(look.colour);
       for (const Box& box : robot.links[i].boxes) {
-        const Eigen::Isometry3d frame = frames[i] * Eigen::Translation3d{box.centre_m} * box.orientation;
-        add(mjGEOM_BOX, box.half_extents_m, frame.translation(), frame.linear(), colour, 1.0F)->category = mjCAT_DYNAMIC;
-        if (!arena_.height_field) add_shadow(box, frame);
+        Eigen::Isometry3d frame = frames[i] * Eigen::Translation3d{box.centre_m} * box.orientation;
+        frame.translation() = foot + larger * (frame.translation() - foot);
+        const Eigen::Vector3d half_m = larger * box.half_extents_m;
+        add(mjGEOM_BOX, half_m, frame.translation(), frame.linear(), colour, 1.0F)->category = mjCAT_DYNAMIC;
+        if (!arena_.height_field) add_shadow(half_m, frame);
       }
     }
   }
 
-  /// A rectangle round what a box hides of the light.
-  void add_shadow(const Box& box, const Eigen::Isometry3d& frame) {
+  /// Rectangles round what a box hides of the light.
+  void add_shadow(const Eigen::Vector3d& half_m, const Eigen::Isometry3d& frame) {
     const auto cast = [](const Eigen::Vector3d& v) { return Eigen::Vector2d{v.x() + light_x * v.z(), v.y() + light_y * v.z()}; };
     std::array<Eigen::Vector2d, 3> edges;
     for (int axis = 0; axis < 3; ++axis) {
-      edges[static_cast<std::size_t>(axis)] = cast(box.half_extents_m[axis] * frame.linear().col(axis));
+      edges[static_cast<std::size_t>(axis)] = cast(half_m[axis] * frame.linear().col(axis));
     }
     const Eigen::Vector2d along =
         std::ranges::max_element(edges, {}, [](const Eigen::Vector2d& edge) { return edge.norm(); })->normalized();
@@ -303,7 +356,11 @@ class Renderer::Scene {
     }
     const Eigen::Vector2d at = cast(frame.translation());
     const Eigen::Matrix3d turn = Eigen::AngleAxisd{std::atan2(along.y(), along.x()), Eigen::Vector3d::UnitZ()}.toRotationMatrix();
-    add(mjGEOM_BOX, {half_length, half_width, 1e-4}, {at.x(), at.y(), 7.5e-3}, turn, ink, shadow_opacity);
+    for (int layer = -1; layer <= 1; ++layer) {
+      const double wider = shadow_edge * half_width * layer;
+      const Eigen::Vector3d size{half_length + wider, half_width + wider, 1e-4};
+      add(mjGEOM_BOX, size, {at.x(), at.y(), 7.5e-3 + 4e-4 * layer}, turn, ink, shadow_opacity);
+    }
   }
 
   RobotModel robot_;
@@ -316,8 +373,9 @@ class Renderer::Scene {
   DataPtr data_;
   mjvScene scene_{};
   mjrContext context_{};
-  mjrRect view_{};
-  double ring_m_;
+  mjrRect view_{0, 0, static_cast<int>(width_), static_cast<int>(height_)};
+  Sight sight_{Camera{}};
+  double a_pixel_ = 0.01;  ///< size of a pixel at a distance of 1
   double pixel_m_ = 0.01;  ///< approximate size of a pixel at the camera's target
 };
 
@@ -326,6 +384,10 @@ Renderer::Renderer(const RobotModel& robot, const Arena& arena, std::size_t widt
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
 Renderer::~Renderer() = default;
+
+double Renderer::aspect(const Picture& picture) const {
+  return scene_->aspect(picture);
+}
 
 Image Renderer::draw(const Picture& picture, const Camera& camera) {
   return scene_->draw(picture, camera);

@@ -141,7 +141,7 @@ Json robots_of(const TickSight& sight, const RunFacts& facts) {
             {"angle", column_of(sight.rows, [&](const io::AgentRow& row) { return rounded(row.target_angle_rad); })},
             {"adversary", column_of(sight.rows, [](const io::AgentRow& row) { return or_null(row.adversary); })},
             {"hunger", column_of(sight.rows, [](const io::AgentRow& row) { return or_null(row.hunger_ticks); })}};
-  for (const auto& [name, values_J] : {std::pair{"stock", &sight.stock_J}, {"food", &sight.food_J}})
+  for (const auto& [name, values_J] : {std::pair{"energy", &sight.energy_J}, {"stock", &sight.stock_J}, {"food", &sight.food_J}})
     if (!values_J->empty()) tick[name] = column_of(*values_J, rounded);
   const std::vector<std::string> acts =
       facts.description.outputs.empty() ? std::vector<std::string>{"turn", "tag"} : facts.description.outputs;
@@ -167,12 +167,15 @@ SharedMessage facts_message(const RunFacts& facts) {
     const auto its = std::ranges::find(facts.run.table, number.path, &NamedParam::path);
     numbers.push_back(json_of(number, value_text(its == facts.run.table.end() ? number : *its)));
   }
+  Json rules = Json::object();
+  for (const auto& [slot, policy] : facts.description.slots) rules[slot] = policy;
   return message_of({{"kind", "run"},
                      {"label", facts.run.folder.filename().string()},
                      {"folder", facts.run.folder.string()},
                      {"rule_tables", facts.run.rule_tables},
                      {"species", facts.species},
                      {"tags", facts.description.tags},
+                     {"rules", std::move(rules)},
                      {"numbers", std::move(numbers)},
                      {"head", head_of(facts)}},
                     Message::Kind::facts);

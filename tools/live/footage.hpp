@@ -43,6 +43,7 @@ struct TickSight {
   std::vector<command::replay::Scene> scenes;  ///< of the catches among the events, in their order
   std::vector<io::AgentRow> rows;              ///< empty: only events are shown of this tick
   std::vector<bool> are_spare;                 ///< bodies without an individual
+  std::vector<double> energy_J;                ///< of each body's individual; empty in a world without energy
   std::vector<double> stock_J;                 ///< of each species; empty in a world without energy
   std::vector<double> food_J;                  ///< in each cell of the floor; empty without a resource
   std::vector<std::vector<double>> outputs;    ///< of each body's brain; empty if it was not evaluated

@@ -122,7 +122,9 @@ void Sight::on_tick(const View& view) {
     }
     sight_->stock_J.resize(view.energy.size());
     for (const Individual& one : view.robots) {
-      if (one.lives() && !view.energy.empty()) sight_->stock_J[one.species] += one.energy_J;
+      if (view.energy.empty()) break;
+      sight_->energy_J.push_back(one.lives() ? one.energy_J : 0.0);
+      if (one.lives()) sight_->stock_J[one.species] += one.energy_J;
     }
     for (std::size_t cell = 0; view.field != nullptr && cell < view.field->cells(); ++cell) {
       sight_->food_J.push_back(view.field->food_J(cell));

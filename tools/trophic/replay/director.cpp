@@ -18,6 +18,14 @@ std::string seconds(double time_s) {
   return std::to_string(std::lround(time_s)) + " s";
 }
 
+/// How close a victim must be to hunters of a species, if the rule's parameters say so.
+std::optional<double> reach_of(const RecordedRun& run, const std::string& hunters) {
+  const Json rules = run.manifest.value("params", Json::object()).value("rules", Json::object());
+  const Json capture = rules.value("capture", Json::object());
+  const Json own = capture.contains(hunters) ? capture.at(hunters) : capture;
+  return own.contains("reach_m") ? std::optional{own.at("reach_m").get<double>()} : std::nullopt;
+}
+
 /// A robot's path in a stretch of a recording.
 Track track_of(const io::RecordingReader& recording, const Partner& one, double from_s, double to_s) {
   constexpr double step_s = 0.5;
@@ -81,6 +89,7 @@ std::vector<Scene> catches_of(const RecordedRun& run) {
     const auto victim_id = events.get<IndividualId>(6);
     for (const IndividualId id : {one.id, victim_id}) born.try_emplace(id, Partner{.id = id, .species = "robot"});
     scenes.push_back(scene_of(one.born_s, born[one.id], born[victim_id]));
+    scenes.back().reach_m = reach_of(run, scenes.back().hunter.species);
     scenes.back().x_m = events.get<double>(7);
     scenes.back().y_m = events.get<double>(8);
   }
@@ -129,7 +138,7 @@ const Scene* best_of(const std::vector<Scene>& scenes) {
 Json json_of(const Scene& scene) {
   const auto whole = [](double value) { return std::round(1e3 * value) / 1e3; };
   const auto& [at_m, azimuth_deg, elevation_deg, near_m, high_m, wide_m, is_inside, outside_share] = scene.shot;
-  return {{"time_s", scene.time_s},
+  Json json{{"time_s", scene.time_s},
           {"begins_s", scene.begins_s},
           {"ends_s", scene.ends_s},
           {"still_s", Scene::still_s},
@@ -143,6 +152,8 @@ Json json_of(const Scene& scene) {
             {"near_m", whole(near_m)},
             {"high_m", whole(high_m)},
             {"wide_m", whole(wide_m)}}}};
+  if (scene.reach_m) json["reach_m"] = *scene.reach_m;
+  return json;
 }
 
 Json json_of_scenes(const RecordedRun& run, const Window& window) {

@@ -125,7 +125,6 @@ class Artist {
         to_s_{plan.out.extension() == ".png" && plan.sheet.empty() ? from_s_ : window_.end_s(run.recording)},
         footage_{run, from_s_, to_s_, flash_at(film::is_film(plan.out) ? speed_of(plan) : 0.0)},
         is_wide_{width >= least_width_of_texts},
-        aspect_{static_cast<double>(width) / static_cast<double>(height)},
         renderer_{run.recording.head().robot, run.recording.head().arena, width, height,
                   film::is_film(plan.out) && !plan.fine ? film::Quality::fast : film::Quality::fine} {
     if (plan.follow) followed_ = footage_.body_of(*plan.follow);
@@ -133,12 +132,6 @@ class Artist {
     const std::string name = run.folder.lexically_normal().filename().string();
     title_ = plan.title.value_or((name.empty() ? run.folder.string() : name) + ": " + head.rule_table + ", " + head.backend +
                                  ", seed " + std::to_string(head.seed));
-    if (!scene_) return;
-    const auto seen_height = [&](const Partner& one) {
-      const auto point = film::seen_at(scene_->shot.camera(aspect_), place(scene_->time_s, one.body));
-      return point ? point->y : 0.0;
-    };
-    below_ = seen_height(scene_->hunter) < seen_height(scene_->victim) ? scene_->hunter.id : scene_->victim.id;
   }
 
   /// The catch that is shown, for the line that the program prints.
@@ -153,7 +146,8 @@ class Artist {
     if (scene_) {
       sights.named = {scene_->hunter.id, scene_->victim.id};
       sights.victim = scene_->victim.id;
-      sights.below = below_;
+      sights.hunter = scene_->hunter.id;
+      sights.reach_m = scene_->reach_m;
     } else if (plan_.follow) {
       sights.named = {*plan_.follow};
     }
@@ -164,9 +158,9 @@ class Artist {
     if (is_wide_ && plan_.has_legend) {
       picture.legend = footage_.legend(moment.time_s, sights);
       picture.has_scale = true;
-      footage_.add_curves(picture, moment.time_s);
+      if (!scene_ && !followed_) footage_.add_curves(picture, moment.time_s);
     }
-    return renderer_.draw(picture, camera(moment.time_s));
+    return renderer_.draw(picture, camera(moment.time_s, renderer_.aspect(picture)));
   }
 
   /// `count` moments, as far from each other as they can be. Those of a scene go from its beginning to the catch; the last is its
@@ -212,20 +206,20 @@ class Artist {
 
  private:
   [[nodiscard]] static Moment at(double time_s) { return {time_s, {}}; }
-  /// "4 s before", "the catch" or "3 s after".
+  /// "4 s before", "caught, from within 1 m" or "3 s after".
   [[nodiscard]] std::string moment_text(const Moment& moment) const {
-    if (moment.rows_s) return "the catch";
+    if (moment.rows_s) return scene_->reach_m ? "caught, from within " + number_text(*scene_->reach_m) + " m" : "caught";
     const double from_catch_s = std::round(10.0 * (moment.time_s - scene_->time_s)) / 10.0;
     return number_text(std::abs(from_catch_s)) + (from_catch_s < 0.0 ? " s before" : " s after");
   }
   [[nodiscard]] Moment still() const { return {scene_->time_s, scene_->time_s - 0.5 * footage_.head().times.tick_s}; }
   [[nodiscard]] Eigen::Vector3d place(double time_s, std::size_t body) const { return footage_.root(time_s, body).position_m; }
 
-  [[nodiscard]] film::Camera camera(double time_s) const {
+  [[nodiscard]] film::Camera camera(double time_s, double aspect) const {
     film::Camera camera =
-        plan_.from_above ? film::from_above(footage_.head().arena, aspect_) : film::whole_arena(footage_.head().arena, aspect_);
+        plan_.from_above ? film::from_above(footage_.head().arena, aspect) : film::whole_arena(footage_.head().arena, aspect);
     if (scene_) {
-      camera = scene_->shot.camera(aspect_);
+      camera = scene_->shot.camera(aspect);
     } else if (followed_) {
       camera = film::near(footage_.head().robot, place(time_s, *followed_));
     }
@@ -240,11 +234,9 @@ class Artist {
   double to_s_;
   Footage footage_;
   bool is_wide_;
-  double aspect_;
   film::Renderer renderer_;
   std::optional<std::size_t> followed_;
   std::string title_;
-  std::optional<IndividualId> below_;  ///< the one of the scene that is lower in the picture
 };
 
 }  // namespace

@@ -29,7 +29,7 @@ void add_sights(film::Picture& picture, std::span<const io::AgentRow> rows) {
     if (other == rows.end()) continue;
     const Eigen::Vector3d from = picture.robots[i].root.position_m;
     const Eigen::Vector3d to = picture.robots[static_cast<std::size_t>(other - rows.begin())].root.position_m;
-    picture.lines.push_back({from.x(), from.y(), to.x(), to.y(), colour(rows[i]), 0.22F});
+    picture.lines.push_back({from.x(), from.y(), to.x(), to.y(), colour(rows[i]), 0.5F, true});
   }
 }
 
@@ -42,7 +42,8 @@ Footage::Footage(const RecordedRun& run, double from_s, double to_s, double flas
       from_s_{from_s},
       to_s_{to_s},
       flash_s_{flash_s},
-      filled_tag_{std::ranges::max(run.manifest.at("tags").get<std::vector<int>>())},
+      tags_{run.manifest.at("tags").get<std::vector<int>>()},
+      rules_(run.manifest.value("rules", Json::object())),
       species_{run.manifest.at("species").get<std::vector<std::string>>()} {
   analysis::CsvReader events{run.folder / "events.csv", {"time_s", "event", "x_m", "y_m", "cause", "id"}};
   while (events.next()) {
@@ -76,18 +77,16 @@ film::Picture Footage::picture(double time_s, const Sights& sights) const {
     if (sights.has_lines) add_trail(picture, time_s, row);
     if (std::ranges::find(sights.named, row.id) == sights.named.end()) continue;
     const film::RobotLook& named = picture.robots.back();
-    picture.names.push_back({.at_m = named.root.position_m,
-                             .text = species_.at(row.species) + " " + std::to_string(row.id),
-                             .colour = named.colour,
-                             .radius_m = (named.body ? *named.body : head().robot).bounding_radius_m,
-                             .is_below = row.id == sights.below});
+    picture.names.push_back({picture.robots.size() - 1, species_.at(row.species) + " " + std::to_string(row.id)});
+    if (row.id != sights.hunter || !sights.reach_m) continue;
+    picture.circles.push_back({named.root.position_m.x(), named.root.position_m.y(), *sights.reach_m, ink});
   }
   if (sights.has_lines) add_sights(picture, rows);
   for (const Death& death : deaths_) {
     const double age = (time_s - death.time_s) / flash_s_;
     if (age < 0.0 || age >= 1.0 || (sights.victim && death.id != *sights.victim)) continue;
     const double wide = death.is_catch ? 1.3 + 0.5 * age : 1.2 + 2.2 * age;
-    picture.flashes.push_back({death.x_m, death.y_m, film::ring_radius_m(head().robot, head().arena) * wide, death.is_catch});
+    picture.flashes.push_back({death.x_m, death.y_m, wide, death.is_catch});
   }
   return picture;
 }
@@ -95,7 +94,7 @@ film::Picture Footage::picture(double time_s, const Sights& sights) const {
 film::RobotLook Footage::look(double time_s, const io::AgentRow& row) const {
   const auto [before, after, part] = around(time_s, row.body);
   film::RobotLook look{
-      .root = root(time_s, row.body, &row), .joint_angles_rad = {}, .colour = colour(row), .filled = row.tag == filled_tag_};
+      .root = root(time_s, row.body, &row), .joint_angles_rad = {}, .colour = colour(row), .filled = tags_.size() > 1 && row.tag == std::ranges::max(tags_)};
   const bool differ = head().bodies_differ;
   const std::size_t joints = differ ? recording_.robot(before, row.body).hinges.size() : head().joints;
   for (std::size_t joint = 0; joint < joints; ++joint) {
@@ -137,19 +136,26 @@ std::vector<film::LegendEntry> Footage::legend(double time_s, const Sights& sigh
     const auto alive = std::ranges::count(rows, i, &io::AgentRow::species);
     legend.push_back({Mark::species, species_colour(i), species_[i] + " " + std::to_string(alive)});
   }
-  const std::string sign = filled_tag_ > 0 ? "+" : "";
-  legend.push_back({Mark::filled, ink, "tag " + sign + std::to_string(filled_tag_)});
-  legend.push_back({Mark::hollow, ink, "other tag"});
-  legend.push_back({Mark::species, inactive_colour, "not yet active"});
-  legend.push_back({Mark::catch_, film::catch_colour, "caught"});
-  legend.push_back({Mark::death, ink, "other death"});
+  const auto tag = [](int value) { return "tag " + std::string{value > 0 ? "+" : ""} + std::to_string(value); };
+  const auto fills = [&](std::initializer_list<const char*> slots) {
+    return std::ranges::any_of(slots, [&](const char* slot) { return rules_.contains(slot); });
+  };
+  if (tags_.size() > 1) {
+    legend.push_back({Mark::filled, ink, tag(std::ranges::max(tags_))});
+    legend.push_back({Mark::hollow, ink, tags_.size() == 2 ? tag(std::ranges::min(tags_)) : "other tags"});
+  }
+  if (fills({"activation"})) legend.push_back({Mark::species, inactive_colour, "not yet active"});
+  if (fills({"capture"})) legend.push_back({Mark::catch_, film::catch_colour, "caught"});
+  if (fills({"starvation", "metabolism", "senescence", "minimum_predators"}))
+    legend.push_back({Mark::death, ink, "other death"});
+  if (sights.reach_m) legend.push_back({Mark::reach, ink, "reach of " + number_text(*sights.reach_m) + " m"});
   if (!food_.at(time_s).empty()) legend.push_back({Mark::food, food_colour, "food"});
   std::set<std::string> zones;
   for (const Zone& zone : head().arena.zones) zones.insert(zone.name);
   for (const std::string& name : zones) legend.push_back({Mark::zone, film::zone_colour, name});
   if (sights.marked) legend.push_back({Mark::marked, ink, "selected"});
   if (!sights.has_lines) return legend;
-  legend.push_back({Mark::trail, ink, "trail"});
+  legend.push_back({Mark::trail, ink, "path of " + number_text(trail_s) + " s"});
   legend.push_back({Mark::sight, ink, "perceives"});
   return legend;
 }

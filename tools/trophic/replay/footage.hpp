@@ -28,8 +28,9 @@ struct Sights {
   std::optional<double> rows_s = {};
   std::vector<IndividualId> named = {};     ///< whose names are written
   bool has_lines = true;                    ///< trails, and who perceives whom
-  std::optional<IndividualId> below = {};   ///< whose name is below its robot
   std::optional<IndividualId> victim = {};  ///< the one whose death is marked alone
+  std::optional<IndividualId> hunter = {};  ///< the one whose reach is marked
+  std::optional<double> reach_m = {};
 };
 
 /// A stretch of a recorded run.
@@ -71,7 +72,8 @@ class Footage {
   double from_s_;
   double to_s_;
   double flash_s_;
-  int filled_tag_;
+  std::vector<int> tags_;
+  Json rules_;  ///< the policy of each slot that the table fills
   std::vector<std::string> species_;
   std::vector<Death> deaths_;
   std::vector<film::Curve> curves_ = {};  ///< of the whole stretch

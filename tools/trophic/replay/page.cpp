@@ -137,6 +137,23 @@ std::string recording_bytes(const RecordedRun& run, const Window& window) {
   return run.recording.head().bodies_differ ? deflated(blocks) : blocks;
 }
 
+/// The columns id and heritable traits of genomes.csv; empty for a run without a rule Traits.
+std::string traits_of(const RecordedRun& run) {
+  const Json rules = run.manifest.at("params").value("rules", Json::object());
+  if (!rules.contains("traits") || !std::filesystem::exists(run.folder / "genomes.csv")) return "";
+  analysis::CsvReader genomes{run.folder / "genomes.csv", {"id"}};
+  std::string text = "id";
+  for (const auto& [name, ignored] : rules.at("traits").items()) {
+    genomes.want(name);
+    text += "," + name;
+  }
+  while (genomes.next()) {
+    text += '\n' + std::string{genomes.text(0)};
+    for (std::size_t at = 1; at <= rules.at("traits").size(); ++at) append_short(text += ',', genomes.text(at));
+  }
+  return text += '\n';
+}
+
 /// Files of a run in the page: (name, bytes).
 std::vector<std::pair<std::string_view, std::string>> files_of(const RecordedRun& run, const Window& window) {
   const auto in_window = [&](const analysis::CsvReader& csv) { return window.has(csv.get<double>(0)); };
@@ -157,6 +174,10 @@ std::vector<std::pair<std::string_view, std::string>> files_of(const RecordedRun
     files.emplace_back("senses",
                        deflated(table_without(run.folder / "senses.csv", {"time_s", "id", "species"}, {"time_s"}, ticks, true)));
   }
+  if (std::filesystem::exists(run.folder / "states.csv")) {
+    files.emplace_back("states", deflated(table_without(run.folder / "states.csv", {"time_s", "id"}, {"time_s"}, ticks, true)));
+  }
+  if (const std::string traits = traits_of(run); !traits.empty()) files.emplace_back("traits", deflated(traits));
   const auto moments = [&](const analysis::CsvReader& csv) { return window.has_tick(csv.get<double>(0), 100.0 * tick_s); };
   for (const auto& [name, table] : {std::pair{"energy", "energy.csv"}, {"food", "field.csv"}}) {
     if (!std::filesystem::exists(run.folder / table)) continue;
@@ -207,6 +228,7 @@ Json index_of(const RecordedRun& run, const Window& window, const std::string& l
     }
   }
   const Json rules = run.manifest.value("rules", Json::object());
+  index["rules"] = rules;
   if (rules.is_object() && rules.value("heredity", "") == "nothing_inherited") index["shadow"] = true;
   index["status"] = run.manifest.value("status", "unknown");
   index["species"] = run.manifest.at("species");

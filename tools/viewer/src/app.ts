@@ -57,8 +57,6 @@ export class App {
   private isNow = false;
   private hasGrown = false;
   private grownAt = -Infinity;
-  /** Ecology seconds a second that a live run makes where it is as fast as it goes. */
-  private pace = 0;
   private readonly notice = make("p", "notice");
 
   /** `live`: of a live run, the only one. */
@@ -161,6 +159,7 @@ export class App {
 
   private showLegend(): void {
     const { items, counts } = legendOf(this.run);
+    counts.forEach((count, species) => (count.textContent = this.counts[species]?.textContent ?? ""));
     this.counts = counts;
     this.legend.replaceChildren(...items);
     this.help.legend.replaceChildren(...legendOf(this.run).items);
@@ -415,7 +414,6 @@ export class App {
     if (!this.isNow || !this.live) return;
     const { newest } = this.live;
     const behind = newest - this.time;
-    if (passed > 0) this.pace += Math.min(1, 2 * passed) * (Math.max(0, behind) / passed - this.pace);
     if (behind <= 0) return;
     const { tick_s } = this.run.recording.head;
     const isSmooth = this.speed > 0 && behind <= 3 * tick_s;
@@ -448,7 +446,7 @@ export class App {
         scene: isCurrent ? (this.scene?.scene ?? null) : null,
         victim: isCurrent && this.isNearEvent && this.event?.kind === "catch" ? this.event.other : NaN,
         highlighted: this.branches.get(number) ?? new Set(),
-        flashSeconds: Math.min(mostFlashSeconds, Math.max(leastFlashSeconds, this.speed || this.pace)),
+        flashSeconds: Math.min(mostFlashSeconds, Math.max(leastFlashSeconds, this.speed)), // a live run at its fastest, speed 0: the least
         shown: this.shown,
       });
     });
@@ -475,12 +473,12 @@ export class App {
       if (branch?.has(run.agents.id[at])) ++living;
       ++alive[run.agents.species[at]];
     }
-    this.counts.forEach((count, species) => (count.textContent = String(alive[species])));
+    this.counts.forEach((count, species) => (count.textContent = alive[species] || run.diedOut(species) > time ? String(alive[species]) : `0, died out at ${run.diedOut(species).toFixed(0)} s`));
     this.side.inspector.show(run, this.selected, time, this.worlds[this.current], living);
     this.banner.hidden = !this.isNearEvent;
     if (!event || this.banner.hidden) return;
     const ahead = event.time - this.time;
-    this.banner.textContent = sentence(run, event) + (ahead > 0 ? ` (in ${Math.ceil(ahead)} s)` : "") + (event.scene?.remark ? ` · ${event.scene.remark}` : "");
+    this.banner.textContent = sentence(run, event) + (ahead > 0 ? ` (in ${Math.ceil(ahead)} s)` : "") + (event.scene?.reach_m ? ` · reach ${event.scene.reach_m} m` : "") + (event.scene?.remark ? ` · ${event.scene.remark}` : "");
     this.banner.classList.toggle("happened", ahead <= 0 && (event.kind === "catch" || event.kind === "death"));
   }
 

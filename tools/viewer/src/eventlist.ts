@@ -9,6 +9,8 @@ import { sentence } from "./sentences";
 /** A list of more is cut; the search finds the rest. */
 const most = 400;
 const kinds = [["", "all"], ["catch", "catches"], ["death", "deaths"], ["birth", "births"], ["tag_switch", "tag switches"], ["activation", "activations"]];
+/** What of them happens in a run, as far as its rules say. */
+const happens: Record<string, (run: Run) => boolean> = { catch: (run) => run.fills("capture"), tag_switch: (run) => run.hasTags, activation: (run) => run.fills("activation") };
 
 export class EventList {
   readonly element = make("section", "events");
@@ -41,6 +43,8 @@ export class EventList {
 
   show(run: Run): void {
     this.run = run;
+    for (const option of this.kind.options) option.hidden = !(happens[option.value]?.(run) ?? true);
+    if (this.kind.selectedOptions[0]?.hidden) this.kind.value = "";
     this.fill();
   }
 

@@ -3,7 +3,7 @@
 import { colourOf } from "./colours";
 import { plain } from "./element";
 import type { Run, Senses } from "./run";
-import { deathWords, directionWords } from "./sentences";
+import { deathWords, directionWords, labelled } from "./sentences";
 
 /** Drawn positions of robots, x, y, z, and their headings. */
 export interface Drawn {
@@ -41,8 +41,11 @@ export class Inspector {
     if (body >= 0) {
       const at = row + body;
       rows.push(["age", `${fixed(time - one.birth, 0)} s${agents.active[at] ? "" : ", not yet active"}`]);
-      rows.push(["tag", `${agents.tag[at] > 0 ? "+" : ""}${agents.tag[at]}`]);
-      if (!Number.isNaN(agents.hunger[at])) rows.push(["hunger", `${fixed(agents.hunger[at] * run.recording.head.tick_s, 0)} s without a catch`]);
+      if (agents.energy[at] >= 0) rows.push(["energy", `${fixed(agents.energy[at], 1)} J`]);
+      if (run.hasTags) rows.push(["tag", signed(agents.tag[at])]);
+      const meals = run.fills("metabolism") && !run.fills("starvation") ? "last catch" : "hunger";
+      const hungry = `${fixed(agents.hunger[at] * run.recording.head.tick_s, 0)} s`;
+      if (!Number.isNaN(agents.hunger[at])) rows.push([meals, meals === "hunger" ? `${hungry} without a catch` : `none for ${hungry}`]);
       const other = agents.adversary[at];
       const otherBody = other >= 0 ? run.bodyOf(other, time) : -1;
       let seen = "none";
@@ -53,18 +56,25 @@ export class Inspector {
       rows.push(["perceives", seen]);
       const angle = (agents.targetAngle[at] * 180) / Math.PI;
       const turn = Math.abs(angle) < 0.5 ? "walks straight ahead" : `turns ${fixed(Math.abs(angle), 0)}° to the ${angle >= 0 ? "right" : "left"}`;
-      rows.push(["brain", `${turn}, shows tag ${agents.tag[at] > 0 ? "+" : ""}${agents.tag[at]}`]);
+      rows.push(["brain", turn + (run.hasTags ? `, shows tag ${signed(agents.tag[at])}` : "")]);
       const told = run.senses ? run.senses.outputs(agents.line[at]) : [...agents.outputs].map(([act, values]): [string, number] => [act, values[at]]);
       const outputs = told.filter(([, value]) => !Number.isNaN(value));
       if (outputs.length > 0) rows.push(["outputs", outputs.map(([act, value]) => `${plain(act.replaceAll("_", " "))} ${fixed(value, 2)}`).join(", ")]);
-      if (run.senses) rows.push(...sensed(run.senses, agents.line[at]));
-      for (const [name, column] of agents.extra) rows.push([plain(name), column[agents.line[at]] === "" ? "–" : plain(column[agents.line[at]])]);
+      if (run.senses) rows.push(...sensed(run.senses, agents.line[at], run.hasTags));
+      for (const [name, column] of agents.extra) {
+        const [term, text] = labelled(name, column[agents.line[at]] ?? "");
+        rows.push([plain(term), plain(text)]);
+      }
       if (places) rows.push(["place", `${fixed(places.drawn[3 * body], 2)}, ${fixed(places.drawn[3 * body + 1], 2)} m`]);
       rows.push(["body", `${body}${shapeWords(run, body, time)}`]);
     } else {
       rows.push(["now", time < one.birth ? "not yet born" : "dead"]);
     }
     if (!Number.isNaN(one.mutation) && one.parents.length > 0) rows.push(["mutation", `${fixed(one.mutation, 3)} from the weights that it inherited`]);
+    for (const [trait, value] of one.traits) {
+      const [term, text] = labelled(trait, value);
+      rows.push([plain(term), `${plain(text)}, inherited`]);
+    }
     const name = run.index.species[one.species] ?? "?";
     this.element.innerHTML =
       `<h2><i style="background:${colourOf(one.species)}"></i>${plain(name)} ${id}</h2><dl>` +
@@ -88,7 +98,7 @@ function wayTo({ drawn, headings }: Drawn, from: number, to: number): string {
 }
 
 /** Contacts of a robot, inputs of its brain, and the outcome of its choice. */
-function sensed(senses: Senses, row: number): [string, string][] {
+function sensed(senses: Senses, row: number, hasTags: boolean): [string, string][] {
   const rows: [string, string][] = [];
   const cell = (name: string): string => senses.cell(name, row);
   const number = (text: string): string => (text === "" ? "–" : fixed(Number(text), 2));
@@ -97,7 +107,7 @@ function sensed(senses: Senses, row: number): [string, string][] {
     rows.push(["brain's inputs", told.map(([name, value]) => `${plain(name.replaceAll("_", " "))} ${number(value)}`).join(", ")]);
     const became: Record<string, string> = { kept: "as before", switched: "switched now", denied: "denied" };
     const tag = Number(cell("chosen_tag"));
-    rows.push(["wants tag", `${tag > 0 ? "+" : ""}${tag}, ${became[cell("tag_outcome")] ?? plain(cell("tag_outcome"))}`]);
+    if (hasTags) rows.push(["wants tag", `${signed(tag)}, ${became[cell("tag_outcome")] ?? plain(cell("tag_outcome"))}`]);
   } else {
     rows.push(["brain's inputs", "none at this tick"]);
   }
@@ -109,6 +119,10 @@ function sensed(senses: Senses, row: number): [string, string][] {
     rows.push(["touches", cell("touches_wall") === "1" ? `a wall, ${others}` : others]);
   }
   return rows;
+}
+
+function signed(tag: number): string {
+  return `${tag > 0 ? "+" : ""}${tag}`;
 }
 
 function fixed(value: number, digits: number): string {

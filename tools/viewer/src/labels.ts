@@ -28,7 +28,7 @@ export class Labels {
     tag.hidden = false;
     tag.style.background = colour;
     tag.style.color = colour ? "#fff" : "";
-    tag.style.transform = `translate(${Math.round(x + 12)}px, ${Math.round(y - 26)}px)`;
+    tag.style.transform = `translate(calc(${Math.round(x)}px - 50%), ${Math.round(y - 26)}px)`;
   }
 
   done(): void {

@@ -26,13 +26,12 @@ export function legendOf(run: Run): { items: HTMLElement[]; counts: HTMLElement[
     item.append(" ", count);
     return item;
   });
+  if (run.hasTags) items.push(sign("filled", tagName(Math.max(...tags))), sign("hollow", tags.length === 2 ? tagName(Math.min(...tags)) : "other tags"));
+  if (run.fills("activation")) items.push(sign("grey", "not yet active"));
+  if (run.fills("capture")) items.push(sign("caught", "caught", catchColour));
+  if (run.fills("starvation", "metabolism", "senescence", "minimum_predators")) items.push(sign("dead", "other death"));
+  if (run.fills("activation")) items.push(sign("awake", "becomes active", colourOf(0)));
   items.push(
-    sign("filled", tagName(Math.max(...tags))),
-    sign("hollow", tags.length === 2 ? tagName(Math.min(...tags)) : "other tags"),
-    sign("grey", "not yet active"),
-    sign("caught", "caught", catchColour),
-    sign("dead", "other death"),
-    sign("awake", "becomes active", colourOf(0)),
     sign("selected", "selected"),
     sign("branch", "its branch", branchColour),
     sign("trail", "trail", colourOf(0)),

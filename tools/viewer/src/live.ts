@@ -22,6 +22,7 @@ export interface LiveFacts {
   rule_tables: string[];
   species: string[];
   tags: number[];
+  rules: Record<string, string>; // the policy of each slot that its table fills
   numbers: LiveNumber[];
   head: Head;
 }
@@ -57,8 +58,8 @@ export class Live {
   isConnected = true;
 
   constructor(readonly facts: LiveFacts, private readonly socket: WebSocket) {
-    const { label, species, tags } = facts;
-    this.run = Run.growing({ label, status: "live", species, tags }, facts.head);
+    const { label, species, tags, rules } = facts;
+    this.run = Run.growing({ label, status: "live", species, tags, rules }, facts.head);
   }
 
   get state(): LiveState {

@@ -2,12 +2,12 @@
 // The rule parameters of a live run on sliders, and how it begins again.
 import { make, makeButton } from "./element";
 import type { Live, LiveNumber } from "./live";
-import { changeWords, shortPath } from "./sentences";
+import { changeWords, short, shortPath } from "./sentences";
 
 /** "> 0 and ≤ 1". */
 export function boundWords({ lower, upper, lower_excluded }: LiveNumber): string {
-  const low = lower === null || lower === undefined ? "" : `${lower_excluded ? ">" : "≥"} ${lower}`;
-  const high = upper === null || upper === undefined ? "" : `≤ ${upper}`;
+  const low = lower === null || lower === undefined ? "" : `${lower_excluded ? ">" : "≥"} ${short(String(lower))}`;
+  const high = upper === null || upper === undefined ? "" : `≤ ${short(String(upper))}`;
   return [low, high].filter(Boolean).join(" and ") || "any number";
 }
 
@@ -88,7 +88,7 @@ export class NumbersPanel {
         input.disabled = isOff || state.over;
         if (input === document.activeElement) continue;
         if (input.type === "checkbox") input.checked = value === "true";
-        else input.value = value;
+        else input.value = short(value);
       }
     }
     this.made.replaceChildren(
@@ -121,7 +121,7 @@ export class NumbersPanel {
     const box = make("input");
     box.setAttribute("aria-label", number.path);
     inputs.push(box);
-    const back = makeButton("↺", `back to the rule table's ${number.table}`, () => send(number.table));
+    const back = makeButton("↺", `back to the rule table's ${short(number.table)}`, () => send(number.table));
     back.className = "back";
     back.setAttribute("aria-label", `${number.path}, back to the table's value`);
     element.append(name, back);

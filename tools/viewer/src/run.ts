@@ -23,6 +23,8 @@ export interface RunIndex {
   shadow?: boolean;
   species: string[];
   tags: number[];
+  /** The policy of each slot that the rule table fills. */
+  rules?: Record<string, string>;
   /** The requested stretch of time; the recording's blocks are longer. */
   from_s?: number;
   to_s?: number;
@@ -43,6 +45,8 @@ export interface LiveTick {
   angle: number[];
   adversary: (number | null)[];
   hunger: (number | null)[];
+  /** In a world with energy, J. */
+  energy?: number[];
   /** Outputs of brains, by act; null if a brain was not evaluated. */
   outputs?: Record<string, (number | null)[]>;
   /** In a world with energy: of each species, and in each cell of the floor, J. */
@@ -73,6 +77,7 @@ export interface Scene {
   sentence: string;
   remark: string; // what the scene lacks; may be empty
   camera: Shot;
+  reach_m?: number; // how close a victim must be
   opens?: boolean; // a page opens at it
 }
 
@@ -103,6 +108,7 @@ export interface Individual {
   body: number;
   genome: string;
   mutation: number;
+  traits: [string, string][]; // heritable ones: name with unit, value
   children: Individual[]; // of whom it is the first parent
   offspring: number; // of whom it is a parent
   row: number; // in the phylogeny's drawing
@@ -117,6 +123,7 @@ export class Agents {
   targetAngle = new Float32Array(0);
   adversary = new Int32Array(0); // -1: none
   hunger = new Float32Array(0); // NaN: has no prey
+  energy = new Float32Array(0); // J; -1: not known
   line = new Int32Array(0); // rows of the file
   readonly extra = new Map<string, string[]>(); // by row of the file
   readonly outputs = new Map<string, Float32Array>(); // of brains in a live run, by act; NaN: not evaluated
@@ -150,6 +157,17 @@ export class Agents {
     return agents;
   }
 
+  /** Takes the columns of a table with the same ticks and bodies, such as states.csv. */
+  addStates(table: Table): void {
+    const columns = table.names.filter((name) => !["tick", "body"].includes(name));
+    for (const name of columns) this.extra.set(name, []);
+    const bodies = table.numbers("body");
+    for (const [row, tick] of table.numbers("tick").entries()) {
+      const line = this.line[(tick - this.firstTick) * this.robots + bodies[row]];
+      for (const name of columns) this.extra.get(name)![line] = table.text(name)[row];
+    }
+  }
+
   /** Adds a tick; those that were left out before it are as the one before them. */
   append(tick: LiveTick): void {
     if (this.ticks === 0) this.firstTick = tick.tick;
@@ -169,6 +187,7 @@ export class Agents {
     this.targetAngle.set(tick.angle, at);
     this.adversary.set(tick.adversary.map((id) => id ?? -1), at);
     this.hunger.set(tick.hunger.map((ticks) => ticks ?? NaN), at);
+    if (tick.energy) this.energy.set(tick.energy, at);
     for (const [act, values] of Object.entries(tick.outputs ?? {})) {
       const known = this.outputs.get(act) ?? new Float32Array(0);
       const column = known.length < this.id.length ? grown(known, this.id.length) : known;
@@ -186,7 +205,7 @@ export class Agents {
   }
 }
 
-const columns = ["id", "species", "active", "tag", "targetAngle", "adversary", "hunger", "line"] as const;
+const columns = ["id", "species", "active", "tag", "targetAngle", "adversary", "hunger", "energy", "line"] as const;
 type Column = Int32Array | Int8Array | Uint8Array | Float32Array;
 
 /** A wider array with the values of `from` at its beginning, then -1. */
@@ -254,9 +273,21 @@ export class Run {
       const at = size - 2 * robots + 2 * body;
       this.track[at] = tick.x[body];
       this.track[at + 1] = tick.y[body];
+      this.joinTrack(body, before);
     }
     if (tick.stock) this.addEnergy(tick.time_s, tick.stock);
     if (tick.food) (this.food ??= new Food()).add(tick.time_s, tick.food);
+  }
+
+  /** Fills the ticks from number `from` on that a fast run left out, up to the last one, if the body's individual is the same. */
+  private joinTrack(body: number, from: number): void {
+    const { agents, robots, track } = this;
+    const [first, last] = [from - 1, agents.ticks - 1];
+    if (first < 0 || agents.id[first * robots + body] !== agents.id[last * robots + body]) return;
+    for (const axis of [0, 1]) {
+      const [a, b] = [first, last].map((tick) => track[2 * (tick * robots + body) + axis]);
+      for (let tick = from; tick < last; ++tick) track[2 * (tick * robots + body) + axis] = a + ((b - a) * (tick - first)) / (last - first);
+    }
   }
 
   private addEnergy(time: number, bySpecies: ArrayLike<number>): void {
@@ -296,6 +327,14 @@ export class Run {
     }
   }
 
+  private readTraits(table: Table): void {
+    const names = table.names.filter((name) => name !== "id");
+    table.numbers("id").forEach((id, row) => {
+      const one = this.individuals.get(id);
+      if (one) one.traits = names.map((name) => [name, table.text(name)[row]]);
+    });
+  }
+
   private readTables(events: Table, phylogeny: Table, scenes: Scene[]): void {
     const names = new Map(this.index.species.map((name, i) => [name, i]));
     const time = events.numbers("time_s");
@@ -315,6 +354,23 @@ export class Run {
     });
     this.catches.forEach((event, i) => (event.scene = scenes[i]));
     this.readPhylogeny(phylogeny, names);
+  }
+
+  /** Whether its robots show tags that tell them apart. */
+  get hasTags(): boolean {
+    return this.index.tags.length > 1;
+  }
+  /** Whether its rule table fills one of some slots. */
+  fills(...slots: string[]): boolean {
+    const { rules } = this.index;
+    return rules === undefined || slots.some((slot) => slot in rules);
+  }
+
+  /** When the last member of a species died; Infinity if some live, or none ever did. */
+  diedOut(species: number): number {
+    let last = -Infinity;
+    for (const one of this.individuals.values()) if (one.species === species) last = Math.max(last, one.death);
+    return last === -Infinity ? Infinity : last;
   }
 
   get changes(): Change[] {
@@ -349,6 +405,7 @@ export class Run {
         body: body[i],
         genome: genome[i],
         mutation: mutation[i],
+        traits: [],
         children: [],
         offspring: 0,
         row: 0,
@@ -442,6 +499,8 @@ export class Run {
     const run = new Run(index, recording, Agents.read(agents, recording.head.robots, index.species), senses);
     run.readTables(events, phylogeny, JSON.parse(await text("scenes")) as Scene[]);
     run.placeNewborns();
+    if (isIn("states")) run.agents.addStates(await table("states"));
+    if (isIn("traits")) run.readTraits(await table("traits"));
     for (const [time, stock] of isIn("energy") ? Run.moments(await table("energy"), "stock_J") : []) run.addEnergy(time, stock);
     for (const [time, cells] of isIn("food") ? Run.moments(await table("food"), "food_J") : []) (run.food ??= new Food()).add(time, cells);
     return run;
@@ -450,7 +509,7 @@ export class Run {
 
 /** An individual of which only the birth is known. */
 function bornOf({ id, species, parents, time, origin, body }: Event): Individual {
-  return { id, species, parents, birth: time, death: Infinity, cause: "", killer: NaN, origin, body, genome: "", mutation: NaN, children: [], offspring: 0, row: 0 };
+  return { id, species, parents, birth: time, death: Infinity, cause: "", killer: NaN, origin, body, genome: "", mutation: NaN, traits: [], children: [], offspring: 0, row: 0 };
 }
 
 /** The ids in an ancestor list: "[none]", "[7]" or "[7,9]". */

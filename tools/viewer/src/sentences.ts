@@ -49,12 +49,28 @@ export function shortSentence(run: Run, event: Event): string {
   }
 }
 
+/** A number as people write it: at most six digits that count. Other texts stay as they are. */
+export function short(text: string): string {
+  const digits = text.replace(/e.*/i, "").replace(/\D/g, "").replace(/^0+/, "");
+  return digits.length > 6 && Number.isFinite(Number(text)) ? String(Number(Number(text).toPrecision(6))) : text;
+}
+
+const units: Record<string, string> = { J: "J", m: "m", s: "s", W: "W", rad: "rad", ticks: "ticks" };
+
+/** A column's name and a cell as people write them: "energy_J", "43.21" -> "energy", "43.21 J". */
+export function labelled(column: string, cell: string): [string, string] {
+  const words = column.replace(/^\w+\./, "").split("_");
+  const unit = words.length > 1 ? units[words[words.length - 1]] : undefined;
+  if (unit) words.pop();
+  return [words.join(" "), cell === "" ? "–" : short(cell) + (unit ? ` ${unit}` : "")];
+}
+
 /** A parameter's path without "rules.". */
 export const shortPath = (path: string): string => path.replace(/^rules\./, "");
 
 /** "100 s: capture.reach_m 0.3 → 0.5; mutation.sd 0.05 → 0.1" of changes at one moment. */
 export function changeWords(changes: Change[]): string {
-  return changes.length === 0 ? "" : `${changes[0].time_s} s: ${changes.map(({ number, before, value }) => `${shortPath(number)} ${before} → ${value}`).join("; ")}`;
+  return changes.length === 0 ? "" : `${changes[0].time_s} s: ${changes.map(({ number, before, value }) => `${shortPath(number)} ${short(before)} → ${short(value)}`).join("; ")}`;
 }
 
 /** The changes at the moment of one that is nearest to a place, nearer than `most`. */

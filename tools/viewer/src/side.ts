@@ -94,7 +94,8 @@ export class Side {
     this.plots.population.show(series.population, run, first, last);
     this.plots.energy.element.hidden = !series.energy;
     if (series.energy) this.plots.energy.show(series.energy, run, first, last);
-    this.plots.tags.show(series.tags, run, first, last);
+    this.plots.tags.element.hidden = !run.hasTags;
+    if (run.hasTags) this.plots.tags.show(series.tags, run, first, last);
     this.plots.speed.show(series.speed, run, first, last);
   }
 

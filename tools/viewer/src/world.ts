@@ -33,6 +33,7 @@ export interface Look {
 }
 
 const trailTicks = 30;
+const reachSides = 64;
 /** With more robots than that, those smaller than so many pixels are drawn without their limbs. */
 const manyRobots = 60;
 const farPixels = 16;
@@ -56,6 +57,8 @@ export class World {
   private readonly marks: Marks;
   private readonly trails: Lines;
   private readonly links: Lines;
+  /** A circle round the hunter of a scene: what is in its reach. */
+  private readonly reach: Lines;
   private pose = new Float32Array(7);
   private readonly matrix = new Matrix4();
   /** Last drawn place of each robot: x, y, z; NaN of a spare body. */
@@ -77,7 +80,8 @@ export class World {
     this.marks = new Marks(robots);
     this.trails = new Lines(robots * trailTicks, 0.004);
     this.links = new Lines(robots, 0.1);
-    this.scene.add(this.bodies.group, this.marks.group, this.trails.object, this.links.object);
+    this.reach = new Lines(reachSides, 0.006);
+    this.scene.add(this.bodies.group, this.marks.group, this.trails.object, this.links.object, this.reach.object);
     this.drawn = new Float32Array(3 * robots);
     this.headings = new Float32Array(robots);
     this.camera.up.set(0, 0, 1);
@@ -214,6 +218,7 @@ export class World {
     this.marks.done();
     this.drawTrails(look, row);
     this.drawLinks(look, row, bodyOf);
+    this.drawReach(look, bodyOf);
     if (!look.scene && this.view === "follow" && look.selected >= 0) this.followTo(look.selected);
     this.ground.see(this.camera.position);
     this.renderer.render(this.scene, this.camera);
@@ -250,7 +255,7 @@ export class World {
     const [, , , w, x, y, z] = pose;
     const heading = Math.atan2(2 * (w * z + x * y), 1 - 2 * (y * y + z * z)) + shape.model.forward_rad;
     this.headings[body] = heading;
-    const mark: Mark = { x: pose[0], y: pose[1], heading, colour, filled: agents.tag[row + body] === Math.max(...run.index.tags), size: this.ringOf(body) };
+    const mark: Mark = { x: pose[0], y: pose[1], heading, colour, filled: run.hasTags && agents.tag[row + body] === Math.max(...run.index.tags), size: this.ringOf(body) };
     const isMarked = look.highlighted.has(agents.id[row + body]);
     const highlight = body === look.selected ? theme().ink : isMarked ? branchColour : null;
     this.marks.set(body, mark, look.scene ? null : highlight); // the two of a scene have names
@@ -320,6 +325,17 @@ export class World {
     this.links.done();
   }
 
+  private drawReach({ scene }: Look, bodyOf: Map<number, number>): void {
+    this.reach.clear();
+    const hunter = bodyOf.get(scene?.individuals[0] ?? NaN);
+    if (scene?.reach_m && hunter !== undefined) {
+      const [x, y] = this.drawn.subarray(3 * hunter, 3 * hunter + 2);
+      const corner = (side: number): [number, number] => [x + scene.reach_m! * Math.cos((2 * Math.PI * side) / reachSides), y + scene.reach_m! * Math.sin((2 * Math.PI * side) / reachSides)];
+      for (let side = 0; side < reachSides; ++side) this.reach.add(...corner(side), ...corner(side + 1), theme().ink, 0.8, 0.8);
+    }
+    this.reach.done();
+  }
+
   private placeLabels({ selected, scene }: Look, row: number): void {
     const { agents, index, robots } = this.run;
     this.labels.clear();
@@ -330,7 +346,7 @@ export class World {
       if (this.point.z > 1 || x < 0 || y < 0 || x > this.canvas.clientWidth || y > this.canvas.clientHeight) continue;
       const id = agents.id[row + body];
       const species = agents.species[row + body];
-      const above = scene && isMain ? 0.6 * this.pixelsOf(body) : 0;
+      const above = 0.5 * this.pixelsOf(body); // on no limb of its own
       this.labels.add(isMain ? `${index.species[species] ?? ""} ${id}` : `${id}`, x, y - above, scene && isMain ? colourOf(species) : "", isMain);
     }
     this.labels.done();

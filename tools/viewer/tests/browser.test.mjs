@@ -45,6 +45,8 @@ before(async () => {
   show("pond.html", "pond");
   execFileSync(process.env.WORLDS, ["--rules", "pond_with_refuges", "--backend", "kinematic", "--duration", "60", "--out", at("refuges")]);
   show("refuges.html", "refuges");
+  execFileSync(process.env.WORLDS, ["--rules", "wolf_sheep", "--robots", "200", "--set", "rules.recruitment.sheep.spare_bodies=50", "--set", "rules.metabolism.sheep.gain_J=0", "--states", "--duration", "150", "--out", at("meadow")]);
+  show("meadow.html", "meadow");
   execFileSync(process.env.TROPHIC, ["show", at("bodies"), "--from", "200", "--to", "300", "--out", at("some_bodies.html")]);
   browser = await Browser.start();
 });
@@ -387,6 +389,25 @@ onPage("page: refuges -> their edges on the floor and their name in the legend",
   assert.ok((await opened.page.locator("header .legend").innerText()).includes("refuge"));
   const pixels = await opened.pixels("#4a5968");
   assert.ok(pixels > 300, `${pixels} pixels of edges`);
+});
+
+onPage("page: world without tags, activation and newborns -> says nothing of them, but the energy of each and when a species died out", ["meadow.html"], async (opened) => {
+  const legend = () => opened.page.$$eval("header .legend li", (items) => items.map((item) => item.textContent.trim()));
+  const words = (await legend()).join();
+  assert.ok(!/tag|active/.test(words) && words.includes("other death"), words);
+  assert.equal(await opened.evaluate(() => window.trophic.side.plots.tags.element.hidden), true);
+  const [row] = rows("meadow", "states.csv").filter(({ time_s, id }) => time_s === "2" && Number(id) > 3);
+  await opened.seek(2, Number(row.id));
+  const said = await opened.inspected();
+  assert.equal(said.energy, `${row.energy_J} J`);
+  assert.ok(!("tag" in said) && !said.brain.includes("tag"), JSON.stringify(said));
+  const died = Math.max(...rows("meadow", "phylogeny.csv").filter(({ species }) => species === "sheep").map((one) => Number(one.destruction_time)));
+  await opened.seek(150);
+  assert.equal((await legend())[0], `sheep 0, died out at ${died} s`);
+  await opened.seek(0);
+  assert.match((await legend())[0], /^sheep \d+$/);
+  await opened.page.keyboard.press("e");
+  assert.deepEqual(await opened.page.$$eval(".events option", (all) => all.filter((one) => !one.hidden).map((one) => one.value)), ["", "catch", "death", "birth"]);
 });
 
 test("page: curves and phylogeny of a pond in a window of 1280 x 720 -> all in sight, and with a robot selected all within reach", async () => {

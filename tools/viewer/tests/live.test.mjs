@@ -188,6 +188,20 @@ test("live: numbers that change -> the living are drawn and no others, on their 
   const [drawn, curves] = await opened.evaluate(() => [[...window.trophic.worlds[0].drawn], window.trophic.run.energy.bySpecies.map((curve) => curve.length)]);
   await opened.untilPixels("#9cc47f", (count) => count > 3000);
   await opened.seek(200, await opened.evaluate(() => [...window.trophic.run.individuals.values()].find(({ birth, death }) => birth < 190 && death === Infinity).id));
+  const { energy } = await opened.inspected();
+  assert.match(energy, /^\d+\.\d J$/);
+  // As fast as it goes, ticks are left out: the curve of speed is there all the same, and rings are those of the last moment.
+  const speeds = await opened.evaluate(() => window.trophic.side.plots.speed.plot.data[1].filter((value) => value > 0).length);
+  assert.ok(speeds >= 2, `${speeds} points of speed`);
+  const [rings, deaths] = await opened.evaluate(() => {
+    const { marks, run: shown } = window.trophic.worlds[0];
+    const flats = [marks.catches, marks.flashes].map(({ mesh }) => mesh.instanceMatrix.array);
+    const drawn_ = flats.flatMap((values) => [...values].filter((value, i) => i % 16 === 0 && value > 0));
+    return [drawn_.length, shown.events.filter(({ kind, time }) => (kind === "death" || kind === "activation") && time > 200 - 6).length];
+  });
+  assert.equal(rings, deaths);
+  const angle = opened.page.locator(".number", { hasText: "brain.turn_angle_rad" });
+  assert.deepEqual(await angle.locator(".hint").innerText().then((text) => text.match(/\d\.\d+/g)), ["3.14159"]);
   assert.match((await opened.inspected()).outputs, /^turn -?\d\.\d\d, tag -?\d\.\d\d$/);
   assert.deepEqual(opened.complaints, []);
   await opened.page.close();

@@ -221,7 +221,7 @@ def velocity(data):
                 transform=ax.get_yaxis_transform(),
                 label="published mean",
             )
-        ax.set_ylabel(f"{species}: velocity to\nadversary [cm/s]")
+        ax.set_ylabel(f"{species}: velocity [cm/s]\n(+ towards adversary)")
         legend_above(ax)
     axes[-1, 0].set_xlabel("time [s]")
     return caption(
@@ -358,7 +358,7 @@ def with_and_without(data):
                     scale=scale,
                 )
     axes[0].set(ylabel="individuals", ylim=(0, None))
-    axes[1].set(ylabel="velocity to\nadversary [cm/s]", xlabel="time [s]")
+    axes[1].set(ylabel="velocity [cm/s]\n(+ towards adversary)", xlabel="time [s]")
     axes[1].axhline(0, color="black", linewidth=0.4)
     legend_above(axes[0])
     return caption(
@@ -402,7 +402,8 @@ def own_metric(data, metric):
     if not has_curve:
         ax.set_xticks(range(len(parts)), [" ".join(filter(None, [p.species, p.group])) for p in parts])
     unit = "" if parts[0].unit == "1" else f" [{parts[0].unit}]"
-    ax.set(ylabel=metric.replace("_", " ") + unit, xlabel="time [s]" if has_curve else "")
+    direction = "\n(+ towards adversary)" if metric.startswith("velocity") else ""
+    ax.set(ylabel=metric.replace("_", " ") + unit + direction, xlabel="time [s]" if has_curve else "")
     legend_above(ax)
     return caption(fig, f"{data.subject(metric)} {data.intervals('bands' if has_curve else 'bars')}")
 
