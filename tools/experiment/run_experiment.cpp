@@ -88,11 +88,11 @@ namespace detail {
     const int signal = replicates::StopOnSignal::caught();
     std::cout << (signal != 0 ? "stopped by signal " + std::to_string(signal) : "ended by its page") << " at "
               << number_text(view.time_s) << " of " << number_text(until_s) << " s; the same command with --resume --out "
-              << folder.path().string() << " resumes it\n";
+              << shown(folder.path()) << " resumes it\n";
   }
   progress.summary(std::cout, view);
   if (!slow.empty()) std::cout << "remark  " << slow << "\n";
-  std::cout << "files   " << folder.path().string() << "/{";
+  std::cout << "files   " << shown(folder.path()) << "/{";
   for (const std::string& name : folder.files()) {
     const bool is_table = name.ends_with(".csv");
     std::cout << (name == "events.csv"      ? ""
@@ -172,7 +172,7 @@ inline void check_same_changes(const ExperimentOptions& options, const std::file
 
 /// Makes the past of runs that begin at a moment. Returns false if a signal came before it was made.
 [[nodiscard]] inline bool make_snapshot(const checkpoint::Snapshot& snapshot, const OriginRun& origin) {
-  std::cout << snapshot.folder.string() << ": the snapshot, " << origin.moment.run.string() << " until "
+  std::cout << shown(snapshot.folder) << ": the snapshot, " << shown(origin.moment.run) << " until "
             << number_text(origin.moment.at_s) << " s, is made there" << std::endl;
   return origin.make(snapshot.folder);
 }
@@ -245,7 +245,7 @@ int run_once(const ExperimentOptions& options, AnyExperiment& experiment, const 
   const double until_s = experiment.ecology().duration_s;
   std::optional<checkpoint::RunState> run_state = run_state_for(options, *ecology, until_s, origin);
   if (!run_state) return stopped;
-  if (!run_state->remark.empty()) std::cout << options.out << " " << run_state->remark << std::endl;
+  if (!run_state->remark.empty()) std::cout << shown(options.out) << " " << run_state->remark << std::endl;
   if (run_state->complete) return 0;
   return run_into_folder(options, *ecology, until_s, std::move(*run_state), origin, live);
 }

@@ -57,7 +57,7 @@ struct Options {
   }
   const std::string page = replay::page_of(runs, options.window);
   write_new_file(options.out, page);
-  std::cout << options.out << ": " << megabytes_text(page.size()) << ", opens in any browser, without a server\n";
+  std::cout << shown(options.out) << ": " << megabytes_text(page.size()) << ", opens in any browser, without a server\n";
   flush_output();
   return 0;
 }
