@@ -14,6 +14,7 @@ code is 1 if one succeeded."""
 
 import argparse
 import html.parser
+import importlib
 import json
 import os
 import pathlib
@@ -26,9 +27,13 @@ import subprocess
 import sys
 import tempfile
 import time
+import traceback
 import zlib
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "program"))
+import figures_python  # noqa: E402
+
+figures_python.continue_with_pandas()
 from in_folder import sealed_text  # noqa: E402
 from live_page import LiveRun  # noqa: E402
 
@@ -52,8 +57,40 @@ class Campaign:
         self.seed = seed
         self.ends = {}
         self.found = []
-        self.environment = {**os.environ, "PATH": f"{self.bin}:{os.environ['PATH']}", "MPLCONFIGDIR": tempfile.gettempdir()}
-        self.environment["OPENBLAS_NUM_THREADS"] = "1"
+        self.environment = {
+            **os.environ,
+            "PATH": f"{self.bin}:{os.environ['PATH']}",
+            "MPLCONFIGDIR": tempfile.gettempdir(),
+        }
+        self.environment["OPENBLAS_NUM_THREADS"] = os.environ["OPENBLAS_NUM_THREADS"] = "1"
+        self.has_modules = self.load_modules()
+
+    def load_modules(self):
+        """Loads the package of the programs once: a command that Python does is then a fork, which takes a tenth of the time."""
+        package = next((self.bin.parent / "share/trophic/python").glob("trophic"), None)
+        if package is None:
+            return False
+        sys.path.insert(0, str(package.parent))
+        for name in (
+            "report.analyze",
+            "report.page",
+            "sweeps.report",
+            "contests",
+            "contest_plan",
+            "cross_check",
+            "cite",
+            "plan",
+            "help",
+            "selection",
+            "metrics.forests",
+            "metrics.bodies",
+        ):
+            importlib.import_module(f"trophic.{name}")
+        from trophic import plot
+
+        plot._import_matplotlib()
+        importlib.import_module("trophic.figures.paper")
+        return True
 
     def program(self, name):
         return str(self.bin / name)
@@ -64,9 +101,56 @@ class Campaign:
 
     def call(self, *words, cwd):
         words = [str(word) for word in words]
+        if self.has_modules and words[0] == self.program("trophic") and words[1:2] and words[1] in IN_PYTHON:
+            more = ["--jobs", "1"] if words[1] == "analyze" and "--jobs" not in words and "--help" not in words else []
+            return self.forked([*words, *more], cwd)
         return subprocess.run(
-            words, cwd=cwd, capture_output=True, timeout=300, preexec_fn=limits, env=self.environment, stdin=subprocess.DEVNULL
+            words,
+            cwd=cwd,
+            capture_output=True,
+            timeout=600,
+            preexec_fn=limits,
+            env=self.environment,
+            stdin=subprocess.DEVNULL,
         )
+
+    def forked(self, words, cwd):
+        """As the program trophic-VERB does it."""
+        with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as errors:
+            child = os.fork()
+            if child == 0:
+                try:
+                    os.chdir(cwd)
+                    os.environ.update(self.environment, TROPHIC_BIN=str(self.bin))
+                    limits()
+                    for stream, number in (
+                        (os.open(os.devnull, os.O_RDONLY), 0),
+                        (out.fileno(), 1),
+                        (errors.fileno(), 2),
+                    ):
+                        os.dup2(stream, number)
+                    sys.stdout, sys.stderr = (open(number, "w", encoding="utf-8", closefd=False) for number in (1, 2))
+                    from trophic import command
+
+                    command.main(words[1:])
+                except SystemExit as ended:
+                    sys.stderr.flush()
+                    os._exit(ended.code or 0)
+                except BaseException:
+                    traceback.print_exc()
+                    sys.stderr.flush()
+                finally:
+                    os._exit(1)
+            until = time.monotonic() + 600
+            while (ended := os.waitpid(child, os.WNOHANG))[0] == 0:
+                if time.monotonic() > until:
+                    os.kill(child, signal.SIGKILL)
+                    os.waitpid(child, 0)
+                    raise subprocess.TimeoutExpired(words, 600)
+                time.sleep(0.005)
+            out.seek(0)
+            errors.seek(0)
+            return subprocess.CompletedProcess(words, os.waitstatus_to_exitcode(ended[1]), out.read(), errors.read())
 
     def ok(self, *words, cwd):
         done = self.call(*words, cwd=cwd)
@@ -86,6 +170,8 @@ class Campaign:
         out, errors = done.stdout.decode(errors="replace"), done.stderr.decode(errors="replace")
         code = done.returncode
         self.ends[code] = self.ends.get(code, 0) + 1
+        if sum(self.ends.values()) % 25 == 0:
+            print(f"{sum(self.ends.values())} commands", flush=True)
         about = (words, f"exit {code}", out[-300:], errors)
         if code == -signal.SIGXCPU or code == -signal.SIGKILL or code == 3:
             if not stopped:
@@ -98,10 +184,14 @@ class Campaign:
         if CONTROL.search(errors) or CONTROL.search(out):
             self.find("control character", *about)
         if code in (1, 2):
-            lines = [line for line in errors.splitlines() if not line.startswith(("everything written so far is in", "remark"))]
+            lines = [
+                line
+                for line in errors.splitlines()
+                if not line.startswith("everything written so far is in") and ": left out: " not in line
+            ]
             if len(lines) != 1:
                 self.find(f"{len(lines)} lines on standard error", *about)
-            elif len(lines[0]) > 2000:
+            elif len(lines[0]) > 2000 + max(map(len, map(str, words))):
                 self.find("a long sentence", *about)
             left = files_in(cwd) - before
             if code == 2 and left:
@@ -132,7 +222,11 @@ class Tags(html.parser.HTMLParser):
 
     def handle_starttag(self, tag, attrs):
         is_replay = tag == "iframe" and dict(attrs).get("title") == "replay"
-        if tag in ("evil", "iframe", "object", "embed", "base") and not is_replay or any(name.startswith("on") or name == "evil" for name, _ in attrs):
+        if (
+            tag in ("evil", "iframe", "object", "embed", "base")
+            and not is_replay
+            or any(name.startswith("on") or name == "evil" for name, _ in attrs)
+        ):
             self.wrong.append((tag, attrs[:3]))
 
 
@@ -146,7 +240,17 @@ def tables_of(campaign, folder):
         text = campaign.ok(campaign.program(program), "--help", cwd=folder)
         names = re.search(r"rule table: (.*) \(\w+\)$", text, re.M)[1]
         for table in re.split(r", | or ", names):
-            probe = [campaign.program(program), "--rules", table, "--backend", "kinematic", "--duration", 1, "--out", f"probe-{table}"]
+            probe = [
+                campaign.program(program),
+                "--rules",
+                table,
+                "--backend",
+                "kinematic",
+                "--duration",
+                1,
+                "--out",
+                f"probe-{table}",
+            ]
             refusal = re.search(r"must be on (\w+)", campaign.call(*probe, cwd=folder).stderr.decode())
             found.append((campaign.program(program), table, refusal[1] if refusal else "kinematic"))
     return found
@@ -167,28 +271,53 @@ def kills(campaign, folder, cases):
         program, table, backend = draw.choice(tables)
         work = folder / f"kill-{case}"
         work.mkdir()
-        duration = draw.randrange(400, 4000) if table in ("paper", "released") else draw.randrange(50, 400)
-        command = [program, "--rules", table, "--backend", backend, "--duration", duration, "--seed", draw.randrange(10**6)]
-        command += ["--checkpoint-s", draw.choice((4, 20, 50, 300))]
+        duration = draw.randrange(200, 1500) if table in ("paper", "released") else draw.randrange(20, 80)
+        command = [
+            program,
+            "--rules",
+            table,
+            "--backend",
+            backend,
+            "--duration",
+            duration,
+            "--seed",
+            draw.randrange(10**6),
+        ]
+        command += ["--checkpoint-s", draw.choice((2, 4, 20, 50))]
         for option in ("--senses", "--states"):
             command += [option] if draw.random() < 0.3 else []
         command += ["--agents-every", draw.choice((1, 7))]
         kind = draw.choice(("run", "run", "set", "plan"))
         if kind == "set":
-            command += ["--replicates", 2, "--jobs", draw.choice((1, 2)), *draw.choice(((), ("--shadow",), ("--one-sided",), ("--neutral",)))]
+            command += [
+                "--replicates",
+                2,
+                "--jobs",
+                draw.choice((1, 2)),
+                *draw.choice(((), ("--shadow",), ("--one-sided",), ("--neutral",))),
+            ]
         command += ["--out", "out"]
         whole = ["--out", "whole"]
         if kind == "plan":
             (work / "sweep.toml").write_text(
-                f'rule_table = "{table}"\nengine = "{backend}"\nreplicates = 2\nmaster_seed = {draw.randrange(10**6)}\n'
+                f'rule_table = "{table}"\nengine = "{backend}"\nreplicates = 2\nseed = {draw.randrange(10**6)}\n'
                 f"[set]\necology.duration_s = {duration}.0\n[grid]\necology.idle_control_steps = [0, 1]\n"
             )
             for out in ("whole", "out"):
-                campaign.ok(campaign.program("trophic"), "plan", "sweep.toml", "--program", program, "--out", out, cwd=work)
+                campaign.ok(
+                    campaign.program("trophic"), "plan", "sweep.toml", "--program", program, "--out", out, cwd=work
+                )
             command = [program, "--plan", "out/plan.jsonl", "--jobs", draw.choice((1, 2))]
         command = [str(word) for word in command]
         began = time.monotonic()
-        done = campaign.call(*([word.replace("out/plan", "whole/plan") for word in command] if kind == "plan" else [*command[:-2], *whole]), cwd=work)
+        done = campaign.call(
+            *(
+                [word.replace("out/plan", "whole/plan") for word in command]
+                if kind == "plan"
+                else [*command[:-2], *whole]
+            ),
+            cwd=work,
+        )
         wall_s = time.monotonic() - began
         if done.returncode != 0:
             if kind == "set":  # a null that this table lacks
@@ -201,7 +330,9 @@ def kills(campaign, folder, cases):
             return [*command, *(["--resume"] if kind != "plan" and (work / "out").exists() else [])]
 
         for _ in range(draw.choice((1, 1, 2, 4))):
-            running = subprocess.Popen(resumed(), cwd=work, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=campaign.environment)
+            running = subprocess.Popen(
+                resumed(), cwd=work, stdout=subprocess.PIPE, stderr=subprocess.PIPE, env=campaign.environment
+            )
             try:
                 _, errors = running.communicate(timeout=draw.uniform(0.0, 1.1 * wall_s))
                 if running.returncode != 0:
@@ -212,7 +343,11 @@ def kills(campaign, folder, cases):
                 running.send_signal(number)
                 _, errors = running.communicate(timeout=120)
                 killed += 1
-                if number != signal.SIGKILL and running.returncode not in (0, 3, -number) or b"terminate called" in errors:
+                if (
+                    number != signal.SIGKILL
+                    and running.returncode not in (0, 3, -number)
+                    or b"terminate called" in errors
+                ):
                     campaign.find(f"exit {running.returncode} after signal {number}", command, errors.decode())
         complete = resumed()
         done = campaign.call(*complete, cwd=work)
@@ -220,7 +355,9 @@ def kills(campaign, folder, cases):
             campaign.find("does not resume", complete, done.stderr.decode())
         elif made(work / "out") != made(work / "whole"):
             one, two = made(work / "out"), made(work / "whole")
-            campaign.find("other bytes", complete, [name for name in one.keys() | two.keys() if one.get(name) != two.get(name)])
+            campaign.find(
+                "other bytes", complete, [name for name in one.keys() | two.keys() if one.get(name) != two.get(name)]
+            )
         else:
             shutil.rmtree(work)
     return f"{cases} runs, sets and plans, {killed} kills and signals"
@@ -229,8 +366,53 @@ def kills(campaign, folder, cases):
 # Damages
 
 
-VALUES = [None, True, -1, 0, 1e300, 1e-300, "nan", "", [], {}, "x", "<evil>", "\x1b[2J", [1], {"a": 1}, 2**64, -(2**63), [[]], [None], "../../etc/passwd", "a" * 5000, 0.5, "1"]
-CELLS = ["", "nan", "inf", "-1", "1e300", "1e61", "-0", "0x10", "99999999999999999999", '"', "<evil>", "a" * 3000, "\x1b[2J", "1.5", "=1+1", "prey", "\xff", "[]", "[1,2]", "none"]
+VALUES = [
+    None,
+    True,
+    -1,
+    0,
+    1e300,
+    1e-300,
+    "nan",
+    "",
+    [],
+    {},
+    "x",
+    "<evil>",
+    "\x1b[2J",
+    [1],
+    {"a": 1},
+    2**64,
+    -(2**63),
+    [[]],
+    [None],
+    "../../etc/passwd",
+    "a" * 5000,
+    0.5,
+    "1",
+]
+CELLS = [
+    "",
+    "nan",
+    "inf",
+    "-1",
+    "1e300",
+    "1e61",
+    "-0",
+    "0x10",
+    "99999999999999999999",
+    '"',
+    "<evil>",
+    "a" * 3000,
+    "\x1b[2J",
+    "1.5",
+    "=1+1",
+    "prey",
+    "\xff",
+    "[]",
+    "[1,2]",
+    "none",
+]
 
 
 def damaged_json(draw, value):
@@ -311,7 +493,23 @@ def prepared(campaign, folder):
     campaign.ok(paper, *QUICK, "--duration", 100, *every, "--out", "run", cwd=folder)
     campaign.ok(worlds, "--backend", "kinematic", "--duration", 60, *every, "--out", "pond", cwd=folder)
     campaign.ok(worlds, "--rules", "wolf_sheep", "--duration", 12, "--out", "wolves", cwd=folder)
-    campaign.ok(paper, *QUICK, "--duration", 100, "--replicates", 2, "--shadow", "--one-sided", "--neutral", "--out", "set", cwd=folder)
+    campaign.ok(
+        paper,
+        *QUICK,
+        "--duration",
+        100,
+        "--replicates",
+        2,
+        "--shadow",
+        "--one-sided",
+        "--neutral",
+        "--out",
+        "set",
+        cwd=folder,
+    )
+    campaign.ok(
+        paper, *QUICK[2:], "--backend", "torus", "--duration", 100, "--replicates", 2, "--out", "torus", cwd=folder
+    )
     (folder / "sweep.toml").write_text(
         'engine = "kinematic"\nreplicates = 2\nshadow = true\n[set]\necology.robots = 16\nrules.community.predators = 8\necology.duration_s = 60.0\n'
         "[grid]\nrules.mutation.sd = [0.05, 0.1]\n"
@@ -320,8 +518,23 @@ def prepared(campaign, folder):
     campaign.ok(paper, "--plan", "sweep/plan.jsonl", cwd=folder)
     campaign.ok(trophic, "analyze", "set", "--out", "analysis", cwd=folder)
     campaign.ok(trophic, "analyze", "sweep", "--out", "of_sweep", cwd=folder)
-    campaign.ok(trophic, "contest", "set", "--duration", 10, "--teams", 2, "--team-size", 2, "--epochs", "0,50", "--out", "contests", cwd=folder)
-    campaign.ok(trophic, "cross-check", "sweep/cell-000", "sweep/cell-001", "--out", "engines", cwd=folder)
+    campaign.ok(
+        trophic,
+        "contest",
+        "set",
+        "--duration",
+        10,
+        "--teams",
+        2,
+        "--team-size",
+        2,
+        "--epochs",
+        "0,50",
+        "--out",
+        "contests",
+        cwd=folder,
+    )
+    campaign.ok(trophic, "cross-check", "set", "torus", "--out", "engines", cwd=folder)
     campaign.ok(trophic, "plot", "analysis", "--out", "figures", cwd=folder)
     one = lambda name: [
         [trophic, "cite", name],
@@ -341,8 +554,8 @@ def prepared(campaign, folder):
         "run": [*alone("run"), [paper, "--from", "run", "--at", 50, "--seed", 3, "--duration", 60, "--out", "new"], *([[paper, *QUICK, "--duration", 120, "--resume", "--out", "run"]] * 2)],
         "pond": [*alone("pond"), [worlds, "--backend", "kinematic", "--duration", 70, "--resume", "--out", "pond"], [trophic, "analyze", "pond", "--selection", "trait:0", "--out", "new"]],
         "wolves": [*alone("wolves"), [worlds, "--rules", "wolf_sheep", "--duration", 14, "--resume", "--out", "wolves"]],
-        "set": [*one("set"), [trophic, "show", "set", "--out", "new.html"], [trophic, "contest", "set", "--duration", 10, "--teams", 2, "--out", "new"], [trophic, "analyze", "--compare", "set", "sweep/cell-000", "--out", "new"], [trophic, "analyze", "set", "--published", "--out", "new"], [paper, *QUICK, "--duration", 100, "--replicates", 3, "--resume", "--out", "set"]],
-        "sweep": [[trophic, "analyze", "sweep", "--out", "new"], [trophic, "analyze", "sweep", "--allow-missing", "--out", "new"], [paper, "--plan", "sweep/plan.jsonl"], [paper, "--plan", "sweep/plan.jsonl", "--status"], [paper, "--plan", "sweep/plan.jsonl", "--describe"], [trophic, "plan", "sweep/sweep.toml", "--program", paper, "--out", "sweep"], [trophic, "cross-check", "sweep/cell-000", "sweep/cell-001", "--out", "new"]],
+        "set": [*one("set"), [trophic, "show", "set", "--out", "new.html"], [trophic, "contest", "set", "--duration", 10, "--teams", 2, "--out", "new"], [trophic, "analyze", "--compare", "set", "sweep/cell-000", "--out", "new"], [trophic, "analyze", "set", "--published", "--out", "new"], [trophic, "cross-check", "set", "torus", "--out", "new"], [paper, *QUICK, "--duration", 100, "--replicates", 3, "--resume", "--out", "set"]],
+        "sweep": [[trophic, "analyze", "sweep", "--out", "new"], [trophic, "analyze", "sweep", "--allow-missing", "--out", "new"], [paper, "--plan", "sweep/plan.jsonl"], [paper, "--plan", "sweep/plan.jsonl", "--status"], [paper, "--plan", "sweep/plan.jsonl", "--describe"], [trophic, "plan", "sweep/sweep.toml", "--program", paper, "--out", "sweep"], [trophic, "analyze", "sweep/cell-000", "--out", "new"]],
         "analysis": [[trophic, "plot", "analysis", "--out", "new"]],
         "of_sweep": [[trophic, "plot", "of_sweep", "--out", "new"]],
         "contests": [[trophic, "plot", "contests", "--out", "new"]],
@@ -356,15 +569,25 @@ def damages(campaign, folder, cases):
     master = folder / "master"
     master.mkdir()
     commands = prepared(campaign, master)
-    contents = [path.read_bytes() for path in sorted(master.rglob("*")) if path.is_file() and path.stat().st_size < 10**6]
+    contents = [
+        path.read_bytes() for path in sorted(master.rglob("*")) if path.is_file() and path.stat().st_size < 10**6
+    ]
     tried, sealed = 0, 0
     weights = {"run": 6, "pond": 6, "wolves": 2, "set": 5, "sweep": 5}
     for case in range(cases):
         work = folder / "work"
-        shutil.rmtree(work, ignore_errors=True)
-        shutil.copytree(master, work)
         name = draw.choices(list(commands), [weights.get(one, 1) for one in commands])[0]
-        path = draw.choice([path for path in sorted((work / name).rglob("*")) if path.is_file() and path.suffix not in (".png", ".pdf")])
+        shutil.rmtree(work, ignore_errors=True)
+        work.mkdir()
+        for other in master.iterdir():  # only what is damaged is copied
+            (work / other.name).symlink_to(other) if other.name != name else shutil.copytree(other, work / name)
+        path = draw.choice(
+            [
+                path
+                for path in sorted((work / name).rglob("*"))
+                if path.is_file() and path.suffix not in (".png", ".pdf")
+            ]
+        )
         manifest = path.parent / "manifest.json"
         content = path.read_bytes()
         kind = draw.random()
@@ -424,7 +647,7 @@ BASES = {
     "film": [["run", "--size", "160x90", "--out", "new.png"], []],
     "export": [["run", "--out", "new.glb"], []],
     "evolve-gait": [["--generations", "1", "--backend", "kinematic", "--set", "plan.population=4", "--set", "plan.parents=2", "--set", "plan.children=2"]],
-    "measure-gait": [["--duration", "0.1"]],
+    "measure-gait": [["--duration", "5.1"]],
     "convert": [["body.txt", "--out", "new.toml"], []],
     "analyze": [["run"], ["set"], ["--compare", "run", "set"], []],
     "cite": [["run"], ["set"], []],
@@ -434,7 +657,14 @@ BASES = {
     "plan": [["sweep.toml", "--program", "trophic-predator-prey"], []],
     "plot": [["analysis"], []],
 }  # fmt: skip
-LONG = ("--duration", "--replicates", "--robots", "--generations", "--live", "--jobs")  # of work that is asked for, or that waits for a page
+LONG = (
+    "--duration",
+    "--replicates",
+    "--robots",
+    "--generations",
+    "--live",
+    "--jobs",
+)  # of work that is asked for, or that waits for a page
 IN_PYTHON = ("analyze", "cite", "contest", "cross-check", "help", "plan", "plot")
 
 
@@ -455,7 +685,9 @@ def options(campaign, folder, cases):
     campaign.ok(paper, *QUICK, "--duration", 40, "--replicates", 2, "--out", "set", cwd=work)
     campaign.ok(trophic, "analyze", "set", "--out", "analysis", cwd=work)
     (work / "body.txt").write_text("0 CoreComponent Core 0\n\t0 ActiveHinge Hip 1\n")
-    (work / "sweep.toml").write_text('engine = "kinematic"\nreplicates = 1\n[set]\necology.duration_s = 4.0\n[grid]\nrules.mutation.sd = [0.05]\n')
+    (work / "sweep.toml").write_text(
+        'engine = "kinematic"\nreplicates = 1\n[set]\necology.duration_s = 4.0\n[grid]\nrules.mutation.sd = [0.05]\n'
+    )
     verbs = verbs_of(campaign, work)
     assert set(verbs) <= set(BASES), f"no base for {set(verbs) - set(BASES)}"
     listed, numbers = {}, {}
@@ -464,7 +696,9 @@ def options(campaign, folder, cases):
         text = campaign.ok(*program, "--help", cwd=work)
         listed[name] = re.findall(r"^  (?:-\w, ?)?(--[a-z-]+)(?: (N|X|TEXT)\b)?", text, re.M)
     for name, rules in (("trophic-predator-prey", "paper"), ("trophic-worlds", "pond")):
-        config = campaign.ok(campaign.program(name), "--rules", rules, "--backend", "kinematic", "--print-config", cwd=work)
+        config = campaign.ok(
+            campaign.program(name), "--rules", rules, "--backend", "kinematic", "--print-config", cwd=work
+        )
         section, numbers[name] = "", []
         for line in config.splitlines():
             if found := re.match(r"\[(.+)\]", line):
@@ -475,7 +709,13 @@ def options(campaign, folder, cases):
     tried = 0
     while tried < cases:
         # the programs in Python take ten times as long
-        name = draw.choices(list(BASES), [0.12 if name in IN_PYTHON and name != "help" else 6 if name.startswith("trophic-") else 1 for name in BASES])[0]
+        name = draw.choices(
+            list(BASES),
+            [
+                0.12 if name in IN_PYTHON and name != "help" else 6 if name.startswith("trophic-") else 1
+                for name in BASES
+            ],
+        )[0]
         program = [campaign.program(name)] if name.startswith("trophic-") else [trophic, name]
         words = list(draw.choice(BASES[name]))
         asks = False
@@ -491,15 +731,22 @@ def options(campaign, folder, cases):
             asks = asks or option in LONG
             if kind:
                 value = draw.choice(WORDS)
-                if option in ("--duration", "--replicates", "--robots", "--generations", "--jobs", "--threads") and re.fullmatch(r"\d{3,}|1e3", value):
+                if option in (
+                    "--duration",
+                    "--replicates",
+                    "--robots",
+                    "--generations",
+                    "--jobs",
+                    "--threads",
+                ) and re.fullmatch(r"\d{3,}|1e3", value):
                     value = "3"
                 words += [option, value] if draw.random() < 0.8 else [f"{option}={value}"]
             else:
                 words += [option] + ([draw.choice(WORDS)] if draw.random() < 0.15 else [])
-        if not words and name.startswith("trophic-"):
-            words = ["--duration", "2", "--backend", "kinematic"]
-        if name.startswith("trophic-") and "mujoco" in words or "ode" in words:
-            words += ["--duration", "2", "--robots", "4"]
+        if name.startswith("trophic-"):  # a table's own engine and length are minutes
+            words += [] if "--duration" in words or "--plan" in words else ["--duration", "2"]
+            words += [] if "--backend" in words or "--from" in words else ["--backend", "kinematic"]
+            words += ["--robots", "4"] if {"mujoco", "ode"} & set(words) else []
         if draw.random() < 0.05:
             words += [draw.choice(WORDS)]
         tried += 1
@@ -541,7 +788,21 @@ def texts(campaign, folder, cases):
             [trophic, "analyze", f"./{text}", "--html", "new.html"],
             [trophic, "cite", f"./{text}"],
             [trophic, "show", f"./{text}/replicate-00", "--out", "new.html"],
-            [trophic, "contest", f"./{text}", "--duration", 4, "--teams", 2, "--team-size", 2, "--epochs", "0,30", "--out", "new"],
+            [
+                trophic,
+                "contest",
+                f"./{text}",
+                "--duration",
+                4,
+                "--teams",
+                2,
+                "--team-size",
+                2,
+                "--epochs",
+                "0,30",
+                "--out",
+                "new",
+            ],
             [trophic, "cross-check", f"./{text}", base / "set", "--out", "new"],
             [trophic, "analyze", "--compare", f"./{text}", base / "set", "--out", "new"],
             [paper, *QUICK, "--duration", 60, "--replicates", 3, "--shadow", "--out", f"./{text}", "--resume"],
@@ -560,20 +821,34 @@ def texts(campaign, folder, cases):
         ]
 
     def as_robot(text, work):
-        (work / "robot.toml").write_text(re.sub(r'^name = .*$', lambda _: f"name = {toml(text)}", spider.read_text(), flags=re.M))
+        (work / "robot.toml").write_text(
+            re.sub(r"^name = .*$", lambda _: f"name = {toml(text)}", spider.read_text(), flags=re.M)
+        )
         run = [paper, *QUICK, "--duration", 20, "--robot", "./robot.toml", "--out", "run"]
-        return [run, [trophic, "cite", "run"], [trophic, "show", "run", "--out", "new.html"], [trophic, "analyze", "run", "--html", "new.html"]]
+        return [
+            run,
+            [trophic, "cite", "run"],
+            [trophic, "show", "run", "--out", "new.html"],
+            [trophic, "analyze", "run", "--html", "new.html"],
+        ]
 
     def as_arena(text, work):
         (work / "arena.toml").write_text(f"name = {toml(text)}\nhalf_side_m = 20\n[[zone]]\nname = {toml(text)}\n")
         run = [paper, *QUICK, "--duration", 20, "--set", "ecology.arena=./arena.toml", "--out", "run"]
-        return [run, [trophic, "cite", "run"], [trophic, "show", "run", "--out", "new.html"], [trophic, "analyze", "run", "--html", "new.html"]]
+        return [
+            run,
+            [trophic, "cite", "run"],
+            [trophic, "show", "run", "--out", "new.html"],
+            [trophic, "analyze", "run", "--html", "new.html"],
+        ]
 
     def as_column(text, work):
         shutil.copytree(base / "set", work / "set")
         cell = '"' + text.replace('"', '""') + '"'
         for run in (work / "set").rglob("replicate-*"):
-            (run / "own.csv").write_text(f"time_s,{cell},species\n0,1.5,prey\n4,2.5,{cell}\n", encoding="utf-8", errors="surrogateescape")
+            (run / "own.csv").write_text(
+                f"time_s,{cell},species\n0,1.5,prey\n4,2.5,{cell}\n", encoding="utf-8", errors="surrogateescape"
+            )
         return [
             [trophic, "analyze", "set", "--column", f"own.csv:{text}", "--out", "new"],
             [trophic, "analyze", "set", "--column", f"own.csv:{text}:{text}", "--html", "new.html"],
@@ -583,7 +858,9 @@ def texts(campaign, folder, cases):
     def as_metric(text, work):
         shutil.copytree(base / "set", work / "set")
         (work / "mine.py").write_text(
-            f"import trophic\n@trophic.metric(name={text!r}, unit={text!r})\ndef mine(run):\n    return float(len(run.events))\n", encoding="utf-8", errors="backslashreplace"
+            f"import trophic\n@trophic.metric(name={text!r}, unit={text!r})\ndef mine(run):\n    return float(len(run.events))\n",
+            encoding="utf-8",
+            errors="backslashreplace",
         )
         return [
             [trophic, "analyze", "set", "--metric-file", "mine.py", "--all", "--out", "analysis"],
@@ -600,13 +877,28 @@ def texts(campaign, folder, cases):
         (work / "other.sweep.toml").write_text(
             f'engine = "kinematic"\nreplicates = 1\n[set]\necology.duration_s = 8.0\n[[runs]]\nname = {toml(text)}\nrules.mutation.sd = 0.1\n[grid]\n{toml(text)} = [1]\n'
         )
-        return [[trophic, "plan", f"{name}sweep.toml", "--program", paper, "--out", f"sweep{name}"] for name in ("", "other.")]
+        return [
+            [trophic, "plan", f"{name}sweep.toml", "--program", paper, "--out", f"sweep{name}"]
+            for name in ("", "other.")
+        ]
 
     def in_manifest(text, work):
         shutil.copytree(base / "set", work / "set")
         path = work / "set/replicate-00/manifest.json"
         manifest = json.loads(path.read_text())
-        for key in draw.sample(["rule_table", "backend", "host", "command_line", "compiler", "trophic_revision", "source_revision", "build"], 2):
+        for key in draw.sample(
+            [
+                "rule_table",
+                "backend",
+                "host",
+                "command_line",
+                "compiler",
+                "trophic_revision",
+                "source_revision",
+                "build",
+            ],
+            2,
+        ):
             manifest[key] = text
         manifest["description"]["sentence"] = manifest["description"]["name"] = text
         manifest["species"][0] = text
@@ -631,33 +923,33 @@ def texts(campaign, folder, cases):
 
     def as_body(text, work):
         (work / "body.txt").write_text(f"0 CoreComponent Core 0\n\t0 ActiveHinge {text} 1\n", errors="surrogateescape")
-        return [[trophic, "convert", "body.txt", "--out", "new.toml", "--name", text], [trophic, "convert", "body.txt", "--out", "new.toml"]]
+        return [
+            [trophic, "convert", "body.txt", "--out", "new.toml", "--name", text],
+            [trophic, "convert", "body.txt", "--out", "new.toml"],
+        ]
 
     places = (in_folder, as_out, as_robot, as_arena, as_column, as_metric, as_sweep, in_manifest, as_caption, as_body)
-    for text in TEXTS:
-        for place in places:
-            if place is as_caption and draw.random() < 0.7:
-                continue
-            if place in (in_folder, as_out) and ("/" in text):
-                continue
-            work = folder / "work"
-            shutil.rmtree(work, ignore_errors=True)
-            work.mkdir()
-            commands = place(text, work)
-            chosen = draw.sample(commands, min(4, len(commands))) if place in (in_folder, as_out) else commands
-            for words in chosen:
-                if tried >= cases:
-                    return f"{tried} commands on {len(TEXTS)} hostile texts in {len(places)} places"
-                tried += 1
-                campaign.judged(*words, cwd=work)
-                if any(folder.rglob("pwned")):
-                    campaign.find("a text is a command", words)
-                for table in work.glob("new/*.tex"):
-                    if "\\input{" in table.read_text():
-                        campaign.find("LaTeX of the user's", words, table)
-                for left in work.glob("new*"):
-                    shutil.rmtree(left) if left.is_dir() else left.unlink()
-    return f"{tried} commands on {len(TEXTS)} hostile texts in {len(places)} places"
+    pairs = [(text, place) for text in TEXTS for place in places if place not in (in_folder, as_out) or "/" not in text]
+    draw.shuffle(pairs)
+    used = set()
+    while tried < cases and pairs:
+        text, place = pairs.pop()
+        used.add(text)
+        work = folder / "work"
+        shutil.rmtree(work, ignore_errors=True)
+        work.mkdir()
+        commands = place(text, work)
+        for words in draw.sample(commands, min(3, len(commands))) if place in (in_folder, as_out) else commands:
+            tried += 1
+            campaign.judged(*words, cwd=work)
+            if any(folder.rglob("pwned")):
+                campaign.find("a text is a command", words)
+            for table in work.glob("new/*.tex"):
+                if "\\input{/etc" in table.read_text(errors="replace"):
+                    campaign.find("LaTeX of the user's", words, table)
+            for left in work.glob("new*"):
+                shutil.rmtree(left) if left.is_dir() else left.unlink()
+    return f"{tried} commands on {len(used)} hostile texts in {len(places)} places"
 
 
 # Live
@@ -669,7 +961,14 @@ def live(campaign, folder, cases):
     for number in range((cases + 39) // 40):
         work = folder / f"live-{number}"
         work.mkdir()
-        command = [campaign.program("trophic-predator-prey"), *QUICK, "--seed", str(draw.randrange(1000)), "--duration", "60"]
+        command = [
+            campaign.program("trophic-predator-prey"),
+            *QUICK,
+            "--seed",
+            str(draw.randrange(1000)),
+            "--duration",
+            "60",
+        ]
         with LiveRun([*command, "--out", "run"], work) as run:
             with run.page() as page:
                 page.send({"do": "pause"})
@@ -702,8 +1001,33 @@ def live(campaign, folder, cases):
 def attack(campaign, run, page):
     draw = campaign.draw
     host, token = f"127.0.0.1:{run.port}", run.token
-    wrong_host = draw.choice(["evil.example", f"evil.example:{run.port}", "127.0.0.1.evil.example", f"127.0.0.1:{run.port}@evil", "", "[::1]evil", "localhost:x", "0", "127.0.0.1\t", f"127.0.0.2:{run.port}"])
-    wrong_token = draw.choice(["", "0" * 32, token[:-1], token + "0", token.upper() if token.upper() != token else "x", token[::-1], "%00", "a" * 9000, f"{token}&x"])
+    wrong_host = draw.choice(
+        [
+            "evil.example",
+            f"evil.example:{run.port}",
+            "127.0.0.1.evil.example",
+            f"127.0.0.1:{run.port}@evil",
+            "",
+            "[::1]evil",
+            "localhost:x",
+            "0",
+            "127.0.0.1\t",
+            f"127.0.0.2:{run.port}",
+        ]
+    )
+    wrong_token = draw.choice(
+        [
+            "",
+            "0" * 32,
+            token[:-1],
+            token + "0",
+            token.upper() if token.upper() != token else "x",
+            token[::-1],
+            "%00",
+            "a" * 9000,
+            f"{token}&x",
+        ]
+    )
     kind = draw.randrange(12)
     refused = None
     if kind == 0:
@@ -711,7 +1035,9 @@ def attack(campaign, run, page):
         refused = status in (None, 400, 403, 404, 405)
     elif kind == 1:
         method = draw.choice(["POST", "PUT", "DELETE", "OPTIONS", "HEAD", "CONNECT", "TRACE", "PATCH", "EVIL"])
-        status, body = run.ask(f"{method} /?token={token} HTTP/1.1\r\nHost: {host}\r\nContent-Length: 0\r\n\r\n".encode())
+        status, body = run.ask(
+            f"{method} /?token={token} HTTP/1.1\r\nHost: {host}\r\nContent-Length: 0\r\n\r\n".encode()
+        )
         refused = status in (None, 400, 405)
     elif kind == 2:
         status, body = run.ask(f"GET /?token={token} HTTP/1.1\r\nHost: {wrong_host}\r\n\r\n".encode())
@@ -720,11 +1046,35 @@ def attack(campaign, run, page):
         status, body = run.get(f"/?token={wrong_token}", host=host)
         refused = status in (None, 400, 403)
     elif kind == 4:
-        path = draw.choice(["/../../etc/passwd", "/%2e%2e/", "//evil", "/live", "/run/manifest.json", "*", "http://evil/", "/\x00", "/;", "/?", "/??token="])
+        path = draw.choice(
+            [
+                "/../../etc/passwd",
+                "/%2e%2e/",
+                "//evil",
+                "/live",
+                "/run/manifest.json",
+                "*",
+                "http://evil/",
+                "/\x00",
+                "/;",
+                "/?",
+                "/??token=",
+            ]
+        )
         status, body = run.get(f"{path}?token={token}", host=host)
         refused = status in (None, 400, 403, 404)
     elif kind == 5:
-        wrong = draw.choice([{"origin": "http://evil.example"}, {"origin": "null"}, {"origin": f"https://{host}"}, {"origin": f"http://{host}.evil"}, {"token": wrong_token}, {"host": "evil.example"}, {"origin": f"http://localhost:{run.port}"}])
+        wrong = draw.choice(
+            [
+                {"origin": "http://evil.example"},
+                {"origin": "null"},
+                {"origin": f"https://{host}"},
+                {"origin": f"http://{host}.evil"},
+                {"token": wrong_token},
+                {"host": "evil.example"},
+                {"origin": f"http://localhost:{run.port}"},
+            ]
+        )
         try:
             with run.page(**wrong) as other:
                 refused, body = other.status == 403, ""
@@ -739,21 +1089,59 @@ def attack(campaign, run, page):
         wish = draw.choice(wishes)
         page.send(wish)
         message = page.until_kind("refused")
-        refused, body = len(message["text"].splitlines()) == 1 and not CONTROL.search(message["text"]) and "json.exception" not in message["text"], message["text"]
+        refused, body = (
+            len(message["text"].splitlines()) == 1
+            and not CONTROL.search(message["text"])
+            and "json.exception" not in message["text"],
+            message["text"],
+        )
     elif kind == 9:  # a second page, which may not steer
         with run.page() as other:
-            other.send(draw.choice(['{"do": "play"}', '{"do": "set", "number": "rules.mutation.sd", "value": "0.7"}', '{"do": "restart", "seed": 1, "rules": "paper"}']))
+            other.send(
+                draw.choice(
+                    [
+                        '{"do": "play"}',
+                        '{"do": "set", "number": "rules.mutation.sd", "value": "0.7"}',
+                        '{"do": "restart", "seed": 1, "rules": "paper"}',
+                    ]
+                )
+            )
             body = other.until_kind("refused")["text"]
             refused = "Another page steers" in body
     elif kind == 10:  # broken frames of a second page
         with run.page() as other:
-            other.socket.sendall(draw.choice([b"\x81\x05hello", b"\x81\xff" + b"\xff" * 8, b"\xf1\x80abcd", b"\x83\x80abcd", bytes(draw.randrange(256) for _ in range(200)), b"\x88\x81abcd\x00", b"\x01\x80abcd" * 50]))
+            other.socket.sendall(
+                draw.choice(
+                    [
+                        b"\x81\x05hello",
+                        b"\x81\xff" + b"\xff" * 8,
+                        b"\xf1\x80abcd",
+                        b"\x83\x80abcd",
+                        bytes(draw.randrange(256) for _ in range(200)),
+                        b"\x88\x81abcd\x00",
+                        b"\x01\x80abcd" * 50,
+                    ]
+                )
+            )
         refused, body = True, ""
     else:  # half of a request, or many headers
         import socket
 
         with socket.create_connection(("127.0.0.1", run.port), timeout=20) as connection:
-            connection.sendall(draw.choice([b"GET / HT", b"GET /?token=" + token.encode() + b" HTTP/1.1\r\nHost: " + host.encode() + b"\r\n" + b"A: b\r\n" * draw.choice((1, 5000)), b"\x16\x03\x01\x02\x00\x01"]))
+            connection.sendall(
+                draw.choice(
+                    [
+                        b"GET / HT",
+                        b"GET /?token="
+                        + token.encode()
+                        + b" HTTP/1.1\r\nHost: "
+                        + host.encode()
+                        + b"\r\n"
+                        + b"A: b\r\n" * draw.choice((1, 5000)),
+                        b"\x16\x03\x01\x02\x00\x01",
+                    ]
+                )
+            )
         refused, body = True, ""
     if not refused:
         campaign.find(f"attack {kind} is not refused", body)
