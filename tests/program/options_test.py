@@ -71,7 +71,7 @@ COMMANDS = {
     "branch": [PREDATOR_PREY, "--from", "run", "--at", "20", "--duration", "40", "--out", "new"],
     "analyze": [TROPHIC, "analyze", "run"],
     "evolve-gait": [TROPHIC, "evolve-gait", "--generations", "1", "--backend", "kinematic"],
-    "measure-gait": [TROPHIC, "measure-gait", "--duration", "0.2"],
+    "measure-gait": [TROPHIC, "measure-gait", "--duration", "5.1"],
     "contest": [
         TROPHIC,
         "contest",

@@ -168,6 +168,13 @@ class Ways(Sweeps):
         self.sweep("--jobs", "2")
         self.assert_same()
 
+    def test_a_plan_that_is_cut_short_has_runs_of_every_cell(self):
+        tables = (self.sets / "one").glob("cell-*/replicate-*/genomes.csv")
+        ends = {table.parent: table.stat().st_mtime_ns for table in tables}
+        order = [folder.name for folder in sorted(ends, key=ends.get)]
+        self.assertEqual(order, sorted(order))
+        self.assertLess(len(set(order)), len(order))
+
     def test_again_runs_nothing(self):
         times = lambda: {path: path.stat().st_mtime_ns for path in (self.sets / "one").rglob("*.csv")}
         before = times()

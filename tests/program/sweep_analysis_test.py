@@ -144,9 +144,10 @@ class SweepAnalysis(InFolderWithSets):
             "sweep: 2 of 48 runs missing: run 14 (cell-001/replicate-02): no such folder; run 31 (cell-002/shadow/replicate-01): status "
             '"stopped", must be "complete"'
         )
-        self.refused(words + " (--allow-missing omits them)")
+        by = "trophic-predator-prey --plan sweep/plan.jsonl makes them"
+        self.refused(f"{words} ({by}; --allow-missing omits them)")
         result = self.analyzed("--allow-missing")
-        self.assertIn(words.removeprefix("sweep: ") + "; omitted", result.stderr)
+        self.assertIn(words.removeprefix("sweep: ") + f"; omitted; {by}", result.stderr)
         cells = self.rows("analysis/cells.csv")
         self.assertEqual(
             [(cell["runs"], cell["runs_planned"], cell["shadow_runs"]) for cell in cells],

@@ -7,8 +7,27 @@
 #include <iostream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
+#include <trophic/support/control_characters.hpp>
 
 namespace trophic::command {
+
+/// A path as it is printed: in one line, with control characters as \x0a.
+[[nodiscard]] inline std::string shown(const std::filesystem::path& path) {
+  constexpr std::string_view digits = "0123456789abcdef";
+  const std::string text = path.string();
+  std::string line;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::size_t control = control_bytes(std::string_view{text}.substr(i));
+    if (control == 0) line += text[i];
+    for (std::size_t end = i + control; i < end; ++i) {
+      const auto byte = static_cast<unsigned char>(text[i]);
+      line += {'\\', 'x', digits[byte / 16], digits[byte % 16]};
+    }
+    if (control > 0) --i;
+  }
+  return line;
+}
 
 /// Flushes standard output. Throws std::runtime_error if that fails.
 inline void flush_output() {

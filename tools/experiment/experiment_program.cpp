@@ -16,6 +16,7 @@
 #include <tools/experiment/signatures.hpp>
 #include <trophic/experiment.hpp>
 #include <trophic/io/next_free_folder.hpp>
+#include <trophic/io/run_folder.hpp>
 #include <utility>
 
 namespace trophic::command {
@@ -227,9 +228,9 @@ int run_chosen(ExperimentOptions& options, const Offer& offer) {
         "--resume: " + options.out +
         " does not exist: must be the folder of a run or of replicates; without --resume a new run starts there"};
   }
-  if (options.out.empty() && options.save_mjcf.empty()) {
-    options.out = io::next_free_folder(std::filesystem::path{"runs"} / options.program).string();
-  }
+  const std::filesystem::path usual_out = std::filesystem::path{"runs"} / options.program;
+  const bool has_usual_out = options.out.empty() && options.save_mjcf.empty();
+  if (has_usual_out) options.out = io::next_free_folder(usual_out).string();
   std::unique_ptr<AnyExperiment> its;
   if (origin) {
     its = find_experiment(offer, origin->rule_table, origin->engine);
@@ -245,7 +246,14 @@ int run_chosen(ExperimentOptions& options, const Offer& offer) {
   }
   const bool is_printed = options.print_config || options.print_table;
   if (options.live && !is_printed) return run_live(std::move(chosen), options, config, offer);
-  return run_experiment(*chosen, options, config, origin);
+  for (;;) {
+    try {
+      return run_experiment(*chosen, options, config, origin);
+    } catch (const io::FolderExists&) {  // another program may take a name at the same moment
+      if (!has_usual_out) throw;
+      options.out = io::next_free_folder(usual_out).string();
+    }
+  }
 }
 
 int run_options(ExperimentOptions& options, const Offer& offer) {

@@ -90,11 +90,11 @@ namespace detail {
     const int signal = replicates::StopOnSignal::caught();
     std::cout << (signal != 0 ? "stopped by signal " + std::to_string(signal) : "ended from its page") << " at "
               << number_text(view.time_s) << " of " << number_text(until_s)
-              << " s; to resume it, repeat the command with --resume --out " << folder.path().string() << "\n";
+              << " s; to resume it, repeat the command with --resume --out " << shown(folder.path()) << "\n";
   }
   progress.summary(std::cout, view);
   if (!slow.empty()) std::cout << "remark  " << slow << "\n";
-  std::cout << "files   " << folder.path().string() << "/{";
+  std::cout << "files   " << shown(folder.path()) << "/{";
   for (const std::string& name : folder.files()) {
     const bool is_table = name.ends_with(".csv");
     std::cout << (name == "events.csv"      ? ""
@@ -175,7 +175,7 @@ inline void check_same_changes(const ExperimentOptions& options, const std::file
 /// Makes the past of runs that begin at a moment. Returns false if a signal came before it was made. Throws
 /// std::invalid_argument if `first`, the ecology of such a run, cannot begin there.
 [[nodiscard]] inline bool make_snapshot(const checkpoint::Snapshot& snapshot, const OriginRun& origin, Simulation& first) {
-  std::cout << snapshot.folder.string() << ": making the snapshot, " << origin.moment.run.string() << " until "
+  std::cout << shown(snapshot.folder) << ": making the snapshot, " << shown(origin.moment.run) << " until "
             << number_text(origin.moment.at_s) << " s" << std::endl;
   if (!origin.make(snapshot.folder)) return false;
   checkpoint::check_begins(snapshot, first);
@@ -258,7 +258,7 @@ int run_once(const ExperimentOptions& options, AnyExperiment& experiment, const 
   const double until_s = experiment.ecology().duration_s;
   std::optional<checkpoint::RunState> run_state = run_state_for(options, *ecology, until_s, origin);
   if (!run_state) return stopped;
-  if (!run_state->remark.empty()) std::cout << options.out << " " << run_state->remark << std::endl;
+  if (!run_state->remark.empty()) std::cout << shown(options.out) << " " << run_state->remark << std::endl;
   if (run_state->complete) return 0;
   return run_into_folder(options, *ecology, until_s, std::move(*run_state), origin, live);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Definitions of run_live.hpp.
 #include <iostream>
+#include <tools/command/output.hpp>
 #include <tools/command/run_command.hpp>
 #include <tools/experiment/experiment_of.hpp>
 #include <tools/experiment/run_experiment.hpp>
@@ -78,7 +79,7 @@ int run_live(std::unique_ptr<AnyExperiment> chosen, ExperimentOptions options, C
     chosen = find_experiment(offer, next->rule_table, chosen->backend().name());
     if (chosen == nullptr) throw std::invalid_argument{"rule table " + next->rule_table + ": is not a table of this program"};
     options.provenance.emplace_back("restarted", "by the live page of the run in " + first_out.string());
-    std::cout << "live    seed " << next->seed << ", rules " << next->rule_table << ", into " << options.out << std::endl;
+    std::cout << "live    seed " << next->seed << ", rules " << next->rule_table << ", into " << shown(options.out) << std::endl;
   }
 }
 

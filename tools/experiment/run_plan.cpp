@@ -120,7 +120,7 @@ class Runner {
       common.provenance.emplace_back("planned_run", std::to_string(index));
       const std::string remark = run_planned(*experiment_of(run, offer_), config_of(run.settings), run.null, history_of(run),
                                              run.seed, folder, common, {progress.watch(run.folder.string()), stop});
-      if (!remark.empty()) std::cout << run.folder.string() + " " + remark + "\n" << std::flush;
+      if (!remark.empty()) std::cout << shown(run.folder) + " " + remark + "\n" << std::flush;
     };
     try {
       plan::make_run(folder_, run, work, !options_.no_verify);
@@ -156,8 +156,9 @@ class Runner {
   std::atomic<std::size_t> diverged_ = 0;
 };
 
-/// The numbers of the runs that are to be made. Those with the most work come first, so that none of them is begun when all
-/// others have ended; neutral nulls, which repeat other runs, come last.
+/// The numbers of the runs that are to be made: the first run of every cell and null, then the second of each, so that a plan
+/// that is cut short has runs of all. Of these, those with the most work come first. Neutral nulls, which repeat other runs, come
+/// last.
 [[nodiscard]] inline std::vector<std::size_t> chosen_runs(const ExperimentOptions& options, const std::vector<PlannedRun>& plan) {
   std::vector<std::size_t> runs{options.run.begin(), options.run.end()};
   std::ranges::sort(runs);
@@ -170,7 +171,10 @@ class Runner {
     runs.resize(plan.size());
     std::iota(runs.begin(), runs.end(), std::size_t{0});
   }
-  const auto before = [&](std::size_t place) { return std::pair{plan[place].null == Null::neutral, -plan[place].work}; };
+  std::map<std::string, std::size_t> of_kind;
+  std::vector<std::size_t> round(plan.size());
+  for (std::size_t i = 0; i < plan.size(); ++i) round[i] = of_kind[kind_of(plan[i])]++;
+  const auto before = [&](std::size_t i) { return std::tuple{plan[i].null == Null::neutral, round[i], -plan[i].work}; };
   std::ranges::stable_sort(runs, {}, before);
   return runs;
 }
@@ -179,7 +183,7 @@ class Runner {
 [[nodiscard]] inline int report(const ExperimentOptions& options, std::size_t runs,
                                 const std::map<std::size_t, std::string>& unfinished, std::size_t diverged) {
   constexpr std::size_t most_sentences = 20;
-  std::cout << runs - unfinished.size() << " of " << runs << " runs complete in " << options.plan << "\n";
+  std::cout << runs - unfinished.size() << " of " << runs << " runs complete in " << shown(options.plan) << "\n";
   flush_output();
   if (unfinished.empty()) return 0;
   std::size_t printed = 0;
@@ -248,7 +252,7 @@ struct Spent {
   const std::array stages{std::pair{Stage::complete, "done"}, std::pair{Stage::running, "running"},
                           std::pair{Stage::failed, "failed"}, std::pair{Stage::interrupted, "interrupted"},
                           std::pair{Stage::missing, "missing"}};
-  std::string text = runner.folder().string() + ": " + std::to_string(runner.runs().size()) + " runs";
+  std::string text = shown(runner.folder()) + ": " + std::to_string(runner.runs().size()) + " runs";
   for (const auto& [stage, name] : stages) {
     text += (stage == Stage::complete ? ": " : ", ") + std::to_string(runs[stage].size()) + " " + name;
   }

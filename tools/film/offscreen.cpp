@@ -4,6 +4,7 @@
 #include <EGL/eglext.h>
 
 #include <array>
+#include <cstdlib>
 #include <stdexcept>
 #include <string_view>
 #include <tools/film/offscreen.hpp>
@@ -27,6 +28,7 @@ struct Offscreen::Context {
 
   /// Returns whether a context was made and is current.
   [[nodiscard]] bool open() {
+    ::setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);  // Mesa would complain on standard error of a home that is not writable
     display = display_without_screen();
     if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) != EGL_TRUE) return false;
     if (eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) return false;

@@ -103,8 +103,7 @@ void report(const PreExperiment& experiment, std::size_t evaluations, double ela
   const std::size_t champion = lineage.champion();
   std::cout << experiment.robot().name << ": fitness " << lineage.individuals[champion].fitness << " (individual " << champion
             << "), " << lineage.individuals.size() - before << " evaluations in " << observe::duration_text(watch.elapsed_s())
-            << " on " << threads << " threads\nfiles   " << folder.string()
-            << "/{gait,settings,checkpoint}.toml, phylogeny.csv\n";
+            << " on " << threads << " threads\nfiles   " << shown(folder) << "/{gait,settings,checkpoint}.toml, phylogeny.csv\n";
   flush_output();
   return 0;
 }

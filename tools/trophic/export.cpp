@@ -34,7 +34,7 @@ struct Options {
   const replay::GltfScene scene{run, options.window.start_s(run.recording), options.window.end_s(run.recording), options.follow};
   const std::string content = out.extension() == ".glb" ? scene.file().glb() : scene.file().gltf();
   write_new_file(out, content);
-  std::cout << options.out << ": " << scene.individuals() << (scene.individuals() == 1 ? " robot, " : " robots, ")
+  std::cout << shown(options.out) << ": " << scene.individuals() << (scene.individuals() == 1 ? " robot, " : " robots, ")
             << scene.frames() << (scene.frames() == 1 ? " frame, " : " frames, ")
             << observe::short_text(static_cast<double>(content.size()) / 1e6) << " MB\n";
   flush_output();

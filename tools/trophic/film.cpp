@@ -53,7 +53,7 @@ struct Options {
                       .height = height,
                       .from_above = options.view == "top",
                       .has_legend = options.legend == "on"});
-  std::cout << options.out << ": 1 picture\n";
+  std::cout << shown(options.out) << ": 1 picture\n";
   flush_output();
   return 0;
 }

@@ -58,7 +58,7 @@ struct Options {
   }
   const std::string page = replay::page_of(runs, options.window);
   write_new_file(options.out, page);
-  std::cout << options.out << ": " << megabytes_text(page.size()) << ", opens in any browser and needs no server\n";
+  std::cout << shown(options.out) << ": " << megabytes_text(page.size()) << ", opens in any browser and needs no server\n";
   flush_output();
   return 0;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 #include <trophic/io/growing_file.hpp>
 #include <trophic/io/manifest.hpp>
 #include <trophic/io/own_table.hpp>
@@ -18,13 +19,18 @@
 
 namespace trophic::io {
 
-/// Throws std::invalid_argument if the path exists.
+/// Thrown for an output folder that is there already, also if another program made it a moment ago.
+struct FolderExists : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+/// Throws FolderExists if the path exists.
 inline void check_new_folder(const std::filesystem::path& path) {
   if (!std::filesystem::exists(std::filesystem::symlink_status(path))) return;
-  throw std::invalid_argument{"output folder " + path.string() + ": exists already; runs are never overwritten"};
+  throw FolderExists{"output folder " + path.string() + ": exists already; runs are never overwritten"};
 }
 
-/// Makes a new folder. Throws std::invalid_argument if the path exists, std::runtime_error if it cannot be made.
+/// Makes a new folder. Throws FolderExists if the path exists, std::runtime_error if it cannot be made.
 [[nodiscard]] std::filesystem::path make_new_folder(const std::filesystem::path& path);
 
 class AgentLog;

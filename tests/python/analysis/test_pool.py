@@ -6,9 +6,10 @@ import pathlib
 
 import pytest
 from hand_written import CATCH, NONE, WALK, refusal, robot, sum_of, write_run, write_set
-from trophic import metrics, pool
+from trophic import judge, metrics, pool
 from trophic.description import describe
 from trophic.metrics import AGENTS, EVENTS, Measuring, own
+from trophic.report import analyze
 from trophic.runs import read_runs, read_study
 from trophic.words import NO_NEUTRAL
 
@@ -25,6 +26,13 @@ def pooled(*paths, **how):
 def read(path, **how):
     (values,) = pool.read_set([path], how=Measuring(jobs=1, **how)).values
     return values
+
+
+def test_a_summary_has_the_time_that_each_run_lived():
+    write_run("a", status="stopped", result={"reached_s": 100.0})
+    of = pool.read_set(["a"], how=Measuring(jobs=1))
+    (run,) = analyze.Outcome([of], [judge.summarize(of, [])], None).analysis(None).summary["sets"][0]["runs"]
+    assert (run["status"], run["until_s"], run["lived_s"]) == ("stopped", 6000.0, 100.0)
 
 
 BRANCH = {"run": "tape", "at_s": "700", "seed": "7", "fingerprint": "aa"}

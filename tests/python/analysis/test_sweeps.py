@@ -253,7 +253,9 @@ def test_an_absent_or_incomplete_run_is_missing_with_the_reason(disk):
         "4 of 8 runs missing: run 1 (cell-0/replicate-1): no such folder; run 3 (cell-0/shadow/replicate-1): no manifest.json; run 4 "
         '(cell-1/replicate-0): status "stopped", must be "complete"; run 5 (cell-1/replicate-1): '
     )
-    assert refusal(check_sweep, sweep, 0, False, Measuring()).endswith(" (--allow-missing omits them)")
+    assert refusal(check_sweep, sweep, 0, False, Measuring()).endswith(
+        " (PROGRAM --plan " + str(disk / "plan.jsonl") + " makes them; --allow-missing omits them)"
+    )
     check_sweep(sweep, 0, True, Measuring())
 
 
@@ -267,7 +269,8 @@ def test_of_many_missing_runs_the_first_are_named(tmp_path):
     )
     shutil.rmtree(tmp_path / plan[0].folder)
     assert (
-        refusal(read_sweep, tmp_path) == f"{tmp_path}: has no complete run; run 0 (cell-0/replicate-0): no such folder"
+        refusal(read_sweep, tmp_path)
+        == f"{tmp_path}: has no complete run; run 0 (cell-0/replicate-0): no such folder (PROGRAM --plan {tmp_path}/plan.jsonl makes them)"
     )
 
 

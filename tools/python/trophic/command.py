@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import importlib
 import os
 import pathlib
 import signal
 import sys
+import warnings
 from collections.abc import Callable
 from typing import NoReturn
 
@@ -44,7 +46,15 @@ def _guarded(who: str, work: Callable[[], int]) -> int:
             "python3-pandas python3-scipy, or set TROPHIC_PYTHON to a Python that has it"
         )
     except OSError as error:
-        code, why = (1, f"{error.filename or 'cannot write to standard output'}: {error.strerror}")
+        is_output = error.filename is None and error.errno in (
+            errno.EBADF,
+            errno.EIO,
+            errno.ENOSPC,
+            errno.EFBIG,
+            errno.EDQUOT,
+        )
+        where = "cannot write to standard output" if is_output else error.filename
+        code, why = 1, ": ".join(str(part) for part in (where, error.strerror or error) if part)
     except MemoryError:
         code, why = 1, "there is not enough memory"
     except KeyboardInterrupt:
@@ -68,6 +78,7 @@ _again: list[str] = []  # the arguments of Python that begin again
 
 def main(words: list[str]) -> NoReturn:
     """A verb and its arguments, as the shell passes them."""
+    warnings.simplefilter("ignore")  # of libraries: a user is given sentences
     _occupy_closed_streams()
     for stream in (sys.stdout, sys.stderr):  # whatever the locale
         stream.reconfigure(encoding="utf-8", errors="surrogateescape")  # type: ignore[union-attr]

@@ -48,7 +48,7 @@ from typing import Any
 import numpy
 
 from .programs import chosen_program
-from .errors import RunError
+from .errors import RunError, printable
 from .sweeps.grid import PLAN, read_plan
 from .values import one_sided_name
 from .words import number_text, one_line
@@ -642,7 +642,10 @@ def run(request: dict) -> int:
     else:
         plan = make_plan(sweep, program, pathlib.Path(out))
         text = (
-            f"{len(plan)} runs planned; next: {shlex.quote(named)} --plan {shlex.quote(str(pathlib.Path(out) / PLAN))}\n"
+            printable(
+                f"{len(plan)} runs planned; next: {shlex.quote(named)} --plan {shlex.quote(str(pathlib.Path(out) / PLAN))}"
+            )
+            + "\n"
             if sbatch is None
             else job_script(program, pathlib.Path(out), plan, sbatch)
         )

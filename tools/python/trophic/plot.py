@@ -2,6 +2,7 @@
 """`trophic plot`: every figure of an analysis, or the curves of one run, into a new folder, as PNG and PDF with captions.json and captions.tex."""
 from __future__ import annotations
 
+import logging
 import os
 import pathlib
 
@@ -9,6 +10,7 @@ import pathlib
 def _import_matplotlib() -> None:
     """Figures are of the analysis alone: no matplotlibrc of the user, of the working folder or of the environment is read."""
     os.environ["MATPLOTLIBRC"] = os.devnull
+    logging.getLogger("matplotlib").setLevel(logging.ERROR)  # without a home it works in a temporary folder
     os.environ.pop("MPLBACKEND", None)
     here = os.getcwd()
     os.chdir(pathlib.Path(__file__).parent)

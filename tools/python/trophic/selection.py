@@ -547,6 +547,6 @@ def run(request: Mapping[str, Any]) -> int:
     for name, of in sets.items():
         said = describe(MeasuredSet("", list(of), [], until_s=of[0].until_s))
         length = said.length()
-        print(f"{name}: {said.label} on {said.engine}, {length[0].lower()}{length[1:]}")
+        print(f"{printable(name)}: {said.label} on {said.engine}, {length[0].lower()}{length[1:]}")
     print(text(frame) + f"files   {printable(str(folder.with_suffix('')))}/selection.csv")
     return 0

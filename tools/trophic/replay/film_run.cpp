@@ -276,7 +276,7 @@ int film_run(const FilmPlan& plan) {
     film::write_png(plan.out, sheet);
     what = std::to_string(moments.size()) + (moments.size() == 1 ? " picture" : " pictures");
   }
-  std::cout << plan.out.string() << ": " << what << artist.subject() << "\n";
+  std::cout << shown(plan.out) << ": " << what << artist.subject() << "\n";
   flush_output();
   return 0;
 }

@@ -8,7 +8,7 @@ import pathlib
 import matplotlib.pyplot as plt
 import pandas as pd
 
-from .style import caption
+from .style import Missing, caption
 
 
 def draw_metrics(axes, metrics, engines):
@@ -27,6 +27,8 @@ def draw_metrics(axes, metrics, engines):
 def cross_check(folder):
     """The figure of a cross-check's folder."""
     table = pd.read_csv(pathlib.Path(folder) / "cross_check.csv")
+    if table.difference.isna().all():
+        raise Missing("no difference is known")
     figure, panel = plt.subplots(figsize=(5.0, 4.0))
     draw_metrics(panel, table[table.conclusion.notna()], table.engine.unique())
     return caption(

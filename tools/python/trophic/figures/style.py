@@ -8,6 +8,7 @@ import textwrap
 
 import matplotlib.pyplot as plt
 
+from ..errors import RunError
 from ..words import latex_text, one_line
 from ..writing import encoded
 
@@ -159,6 +160,15 @@ def captions_tex(captions, folder="."):
     )
 
 
+_UNFIT = (
+    ArithmeticError,
+    AttributeError,
+    LookupError,
+    TypeError,
+    ValueError,
+)  # of values that a table of trophic's never has
+
+
 def save_all(figures, out, with_captions=False):
     """Draws each of (name, function) into the folder OUT, which may be there, as PNG and PDF, with captions.json and captions.tex; one whose data are missing
     is left out with a line. Returns how many were drawn."""
@@ -168,17 +178,23 @@ def save_all(figures, out, with_captions=False):
     for name, draw in figures:
         try:
             figure = draw()
+            letter_panels(figure)
+            if with_captions and getattr(figure, "caption", ""):
+                _with_caption(figure)
+            for ending in ("png", "pdf"):
+                figure.savefig(
+                    out / f"{name}.{ending}", dpi=300, metadata={"CreationDate": None} if ending == "pdf" else None
+                )
         except Missing as why:
             print(f"{name}: left out: {why}", file=sys.stderr)
             plt.close("all")
             continue
-        letter_panels(figure)
-        if with_captions and getattr(figure, "caption", ""):
-            _with_caption(figure)
-        for ending in ("png", "pdf"):
-            figure.savefig(
-                out / f"{name}.{ending}", dpi=300, metadata={"CreationDate": None} if ending == "pdf" else None
-            )
+        except RunError:
+            raise
+        except _UNFIT as error:
+            raise RunError(
+                f"{name}: cannot be drawn from tables that are not as trophic writes them: {error}"
+            ) from None
         captions[name] = getattr(figure, "caption", "")
         plt.close(figure)
         drawn += 1

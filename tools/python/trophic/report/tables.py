@@ -144,7 +144,8 @@ def _runs(of: MeasuredSet) -> list[dict[str, Any]]:
             "status": run.manifest["status"],
             "builds": run.builds,
             "half_side_m": run.manifest.get("arena", {}).get("half_side_m"),
-            "until_s": min(of.until_s, getattr(run, "lived_s", of.until_s)),
+            "until_s": of.until_s,
+            "lived_s": getattr(run, "lived_s", of.until_s),
         }
         for run in of.runs
     ]

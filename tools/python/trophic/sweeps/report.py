@@ -114,7 +114,7 @@ def analyze_sweep(
             "other code",
         )
     if sweep.missing:
-        remarks.insert(0, f"{sweep.missing_line()}; omitted")
+        remarks.insert(0, f"{sweep.missing_line()}; omitted; {sweep.finished_by()}")
     lost = dict.fromkeys(metrics.lost_to_thinning(run.agents_every) for run in sweep.plan)
     compared = values.only(names)
     differences = compare_cells(sweep.grid, compared, reference)

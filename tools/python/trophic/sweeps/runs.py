@@ -6,6 +6,7 @@ import dataclasses
 import importlib.util
 import json
 import pathlib
+import shlex
 from collections.abc import Sequence
 
 import numpy
@@ -52,11 +53,21 @@ class Sweep:
         return sum(place is not None and self.is_there[place] for place in places)
 
     def missing_line(self) -> str:
-        """The missing runs in one line; of many the first few."""
+        """The missing runs in one line, of many the first few, and the cells that have no run at all."""
         more = len(self.missing) - MOST_NAMED
-        return f"{len(self.missing)} of {len(self.plan)} runs missing: {'; '.join(self.missing[:MOST_NAMED])}" + (
-            f"; and {more} more" if more > 0 else ""
+        empty = [str(cell.number) for place, cell in enumerate(self.grid.cells) if self.count("run", place) == 0]
+        named = ", ".join(empty[:MOST_NAMED]) + (", ..." if len(empty) > MOST_NAMED else "")
+        return (
+            f"{len(self.missing)} of {len(self.plan)} runs missing: {'; '.join(self.missing[:MOST_NAMED])}"
+            + (f"; and {more} more" if more > 0 else "")
+            + (f"; no run at all of {len(empty)} of {len(self.grid.cells)} cells: {named}" if empty else "")
         )
+
+    def finished_by(self) -> str:
+        """The command that makes the runs that are missing, those of the cells with the fewest runs first."""
+        made = next((run.manifest.get("command_line", "") for run in self.first_of_web), "")
+        program = made.split(" --plan ")[0] if " --plan " in made else "PROGRAM"
+        return f"{program} --plan {shlex.quote(str(self.folder / PLAN))} makes them"
 
 
 def is_sweep(folder: pathlib.Path) -> bool:
@@ -90,7 +101,7 @@ def read_sweep(folder: pathlib.Path, accept_other_build: bool = False) -> Sweep:
             "--accept-other-build pools them"
         )
     if not webs:
-        raise RunError(f"{folder}: has no complete run; {sweep.missing[0]}")
+        raise RunError(f"{folder}: has no complete run; {sweep.missing[0]} ({sweep.finished_by()})")
     for cell in sweep.grid.cells:  # the first shadow of each
         for one in cell.replicates:
             if (
@@ -181,7 +192,7 @@ def check_sweep(sweep: Sweep, reference: int, allow_missing: bool, how: Measurin
                 f"{here}, but {sweep.folder_of(0)} has {number_text(first_s)} s; runs of different length are not compared: use --until"
             )
     if sweep.missing and not allow_missing:
-        raise RunError(f"{sweep.folder}: {sweep.missing_line()} (--allow-missing omits them)")
+        raise RunError(f"{sweep.folder}: {sweep.missing_line()} ({sweep.finished_by()}; --allow-missing omits them)")
     for run in _Runs(sweep, how) if how.columns else ():
         for column in how.columns:
             own.check_column(column, run)  # type: ignore[arg-type]
