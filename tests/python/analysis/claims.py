@@ -67,7 +67,7 @@ def of_table(text: str) -> Output:
     """The whole table of a set on the terminal."""
     lines = text.splitlines()
     start = next(i for i, line in enumerate(lines) if line.startswith("metric "))
-    end = next(i for i, line in enumerate(lines) if line.startswith("= a null"))
+    end = next(i for i, line in enumerate(lines) if line.startswith("= null model"))
     headings = [
         one
         for one in ("metric", "ours [95 %]", "published", "ours - null [95 %]", "p", "conclusion")
