@@ -59,7 +59,7 @@ class Notebook(unittest.TestCase):
         notebook, files = self.execute(pathlib.Path(PREDATOR_PREY).parent)
         outputs = "".join(str(cell.get("outputs", "")) for cell in notebook.cells)
         for text in (
-            "<td>shadow</td><td>6</td>",
+            "6 runs of 2000 s, 6 of the shadow",
             "caught",
             "n = 6 runs and 6 of the shadow",
             "image/png",
