@@ -24,36 +24,20 @@ def _import_matplotlib() -> None:
 def run(request: dict) -> int:
     """Draws the figures of the folder `analysis`; the request has the options of `trophic plot`. Returns the exit code."""
     _import_matplotlib()
-    from .figures import (
-        bodies,
-        contests,
-        cross_check,
-        paper,
-        run as of_run,
-        style,
-        sweep,
-    )
+    from .figures import bodies, contests, cross_check, paper, run as of_run, style, sweep
     from .writing import check_new, result_folder
     from .errors import RunError, printable
     from .runs import read_analysis
 
     folder = pathlib.Path(request["analysis"])
     if not folder.is_dir():
-        raise RunError(
-            f"{folder}: {'is not a folder' if folder.exists() else 'does not exist'}"
-        )
-    which, metrics, axes = (
-        request["run"] or 0,
-        request["metric"] or [],
-        request["axes"] or [],
-    )
+        raise RunError(f"{folder}: {'is not a folder' if folder.exists() else 'does not exist'}")
+    which, metrics, axes = (request["run"] or 0, request["metric"] or [], request["axes"] or [])
     if request["out"] is not None:
         check_new(request["out"])
     is_sweep = (folder / "sweep_metrics.csv").exists()
     if not is_sweep and (metrics or axes):
-        raise RunError(
-            "--metric and --axes: need the analysis of a sweep, a folder with sweep_metrics.csv"
-        )
+        raise RunError("--metric and --axes: need the analysis of a sweep, a folder with sweep_metrics.csv")
     style.use(request["style"], request["columns"])
     try:
         if (folder / "manifest.json").exists():
@@ -75,14 +59,10 @@ def run(request: dict) -> int:
     except KeyError as error:
         option = str(error.args[0])
         raise RunError(
-            option
-            if option.startswith("--")
-            else f"{folder}: no {error}: is this folder an output of trophic analyze?"
+            option if option.startswith("--") else f"{folder}: no {error}: is this folder an output of trophic analyze?"
         ) from None
     except (OSError, ValueError, AttributeError) as error:
-        raise RunError(
-            f"{folder}: is not what trophic analyze writes: {error}"
-        ) from None
+        raise RunError(f"{folder}: is not what trophic analyze writes: {error}") from None
     with result_folder(request["out"], name=str(folder / "figures")) as part:
         drawn = style.save_all(figures, part, request["with_captions"])
         if not drawn:
