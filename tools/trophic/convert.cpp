@@ -41,8 +41,8 @@ inline constexpr std::uint64_t most_bytes = std::uint64_t{1} << 20U;
   const RobotModel robot = body::build(design);
   write_new_file(out, convert::robot_file(body, name));
   const auto bricks = std::ranges::count(body.modules.modules(), body::ModuleType::brick, &body::Module::type);
-  std::cout << shown(options.out) << ": " << robot.hinges.size() << (robot.hinges.size() == 1 ? " hinge, " : " hinges, ") << bricks
-            << (bricks == 1 ? " brick" : " bricks") << ", from " << body.format
+  std::cout << shown(options.out) << ": " << robot.hinges.size() << (robot.hinges.size() == 1 ? " hinge, " : " hinges, ")
+            << bricks << (bricks == 1 ? " brick" : " bricks") << ", from " << body.format
             << "; its brain, sizes and masses were not converted\n";
   for (const std::string& remark : body.remarks) std::cout << remark << '\n';
   flush_output();
