@@ -496,7 +496,12 @@ def make_plan(sweep: Sweep, program: str, out: pathlib.Path) -> list[Line]:
         _replace(place / "sweep.toml", sweep.text)
         _replace(place / PLAN, "".join(_json(line) + "\n" for line in plan))
         if place != out:
-            place.rename(out)
+            try:
+                place.rename(out)
+            except OSError:
+                if not out.is_dir():
+                    raise
+                raise RunError(f"{out}: exists already: another program made it at the same moment") from None
     return plan
 
 
