@@ -130,7 +130,8 @@ class BadInput(InFolder):
                 [PREDATOR_PREY, "--backend", "kinematic", "--duration", "10", *replicates, "--out", out],
                 capture_output=True,
             )
-            self.assertEqual((done.returncode, done.stderr), (0, b""))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertRegex(done.stderr, rb"\A(remark  .*\n)*\Z")
             with open(out + (b"/replicates.json" if replicates else b"/manifest.json")) as file:
                 self.assertIn("\ufffd", json.load(file)["command_line"])
 

@@ -38,7 +38,7 @@ class ProgressLine(InFolder):
         os.close(here)
         self.assertEqual(process.returncode, 0, read)
         lines = [line.replace("\x1b[K", "").strip("\r\n") for line in read.decode().split("\r")]
-        return [line for line in lines if line]
+        return [line for line in lines if line and not line.startswith("remark  ")]
 
     def test_progress_line_fits_the_terminal(self):
         for more in ([], ["--replicates", "2", "--jobs", "2"]):
