@@ -42,7 +42,8 @@ void draw_mark(const Overlay& overlay, const LegendEntry& entry, double x, doubl
     case Mark::food:
       return overlay.bar(x - radius, y - radius, 2.0 * radius, 2.0 * radius, entry.colour);
     case Mark::sight:
-      for (const double dash : {-1.0, -0.2, 0.6}) overlay.bar(x + dash * radius, y - 0.5 * thin, 0.5 * radius, thin, mixed(paper, entry.colour, 0.7F));
+      for (const double dash : {-1.0, -0.2, 0.6})
+        overlay.bar(x + dash * radius, y - 0.5 * thin, 0.5 * radius, thin, mixed(paper, entry.colour, 0.7F));
       return;
     case Mark::reach:
       return overlay.ring(x, y, radius, 1.0, entry.colour);

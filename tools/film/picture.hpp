@@ -97,7 +97,8 @@ inline constexpr Colour catch_colour{0.76F, 0.0F, 0.18F};
 /// The edge of a zone on the floor.
 inline constexpr Colour zone_colour{0.29F, 0.35F, 0.41F};
 
-/// The radius of a robot's ring round its body, where a pixel is so large. A robot whose ring would have fewer pixels is drawn larger.
+/// The radius of a robot's ring round its body, where a pixel is so large. A robot whose ring would have fewer pixels is drawn
+/// larger.
 [[nodiscard]] inline double ring_radius_m(const RobotModel& robot, double pixel_m) {
   constexpr double least_pixels = 11.0;
   return std::max(1.15 * robot.bounding_radius_m, least_pixels * pixel_m);

@@ -39,8 +39,9 @@ ModelPtr empty_model(std::size_t width, std::size_t height, const Arena& arena, 
   }
   const std::string xml =
       "<mujoco><statistic center='0 0 0' extent='" + text(extent_m) + "'/><visual><global fovy='" + text(fovy_deg) +
-      "' offwidth='" + std::to_string(width) + "' offheight='" + std::to_string(height) +
-      "'/><quality offsamples='" + std::to_string(samples) + "' numslices='72'/><map znear='0.03' zfar='12' shadowclip='1.2' "
+      "' offwidth='" + std::to_string(width) + "' offheight='" + std::to_string(height) + "'/><quality offsamples='" +
+      std::to_string(samples) +
+      "' numslices='72'/><map znear='0.03' zfar='12' shadowclip='1.2' "
       "shadowscale='0.9'/>"
       "<headlight ambient='0.5 0.5 0.5' diffuse='0.14 0.14 0.14' specular='0 0 0'/></visual><asset><texture type='skybox' "
       "builtin='flat' rgb1='1 1 1' rgb2='1 1 1' width='4' height='24'/>" +
@@ -127,7 +128,8 @@ class Renderer::Scene {
     scene_.flags[mjRND_REFLECTION] = 0;
     scene_.flags[mjRND_HAZE] = 0;
     add_arena(sight_.eye_m, picture.food);
-    for (const Circle& one : picture.circles) add_circle(one.x_m, one.y_m, one.radius_m, 6e-3, 1.2 * static_cast<double>(scale_), one.colour);
+    for (const Circle& one : picture.circles)
+      add_circle(one.x_m, one.y_m, one.radius_m, 6e-3, 1.2 * static_cast<double>(scale_), one.colour);
     for (const FloorLine& line : picture.lines) add_line(line);
     for (const RobotLook& look : picture.robots) add_ring(look);
     for (const Flash& flash : picture.flashes) add_flash(flash);
@@ -228,7 +230,8 @@ class Renderer::Scene {
       add_segment({-half, at, 1e-3}, {half, at, 1e-3}, 0.9 * static_cast<double>(scale_), grid_colour);
     }
     for (const Obstacle& one : arena_.obstacles) add_obstacle(one);
-    for (const Zone& zone : arena_.zones) add_circle(zone.x_m, zone.y_m, zone.radius_m, 1.5e-3, 1.6 * static_cast<double>(scale_), zone_colour);
+    for (const Zone& zone : arena_.zones)
+      add_circle(zone.x_m, zone.y_m, zone.radius_m, 1.5e-3, 1.6 * static_cast<double>(scale_), zone_colour);
     if (arena_.height_field) return add_slopes(*arena_.height_field);
     const double thick = 0.006 * half;
     const double height = 0.5 * edge_of(arena_).height_m;
@@ -278,8 +281,9 @@ class Renderer::Scene {
     constexpr double dash_pixels = 12.0;  // with the gap behind it
     constexpr double most_dashes = 40.0;
     const double dashes =
-        line.is_dashed ? std::clamp(std::round(way.norm() / (dash_pixels * static_cast<double>(scale_) * pixel_m_)), 1.0, most_dashes)
-                       : 1.0;
+        line.is_dashed
+            ? std::clamp(std::round(way.norm() / (dash_pixels * static_cast<double>(scale_) * pixel_m_)), 1.0, most_dashes)
+            : 1.0;
     const double length = line.is_dashed && dashes > 1.0 ? 0.55 : 1.0;
     for (double dash = 0.0; dash < dashes; ++dash) {
       add_segment(from + dash / dashes * way, from + (dash + length) / dashes * way, pixels, colour);

@@ -27,7 +27,8 @@ class Renderer {
   Renderer& operator=(Renderer&&) noexcept;
   ~Renderer();
 
-  /// Width over height of the part in which a picture's world is drawn: its title, legend, caption and scale are above and below it.
+  /// Width over height of the part in which a picture's world is drawn: its title, legend, caption and scale are above and below
+  /// it.
   [[nodiscard]] double aspect(const Picture& picture) const;
 
   [[nodiscard]] Image draw(const Picture& picture, const Camera& camera);

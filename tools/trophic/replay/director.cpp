@@ -139,19 +139,19 @@ Json json_of(const Scene& scene) {
   const auto whole = [](double value) { return std::round(1e3 * value) / 1e3; };
   const auto& [at_m, azimuth_deg, elevation_deg, near_m, high_m, wide_m, is_inside, outside_share] = scene.shot;
   Json json{{"time_s", scene.time_s},
-          {"begins_s", scene.begins_s},
-          {"ends_s", scene.ends_s},
-          {"still_s", Scene::still_s},
-          {"individuals", {scene.hunter.id, scene.victim.id}},
-          {"sentence", scene.sentence},
-          {"remark", scene.remark},
-          {"camera",
-           {{"at_m", {whole(at_m.x()), whole(at_m.y()), whole(at_m.z())}},
-            {"azimuth_deg", azimuth_deg},
-            {"elevation_deg", elevation_deg},
-            {"near_m", whole(near_m)},
-            {"high_m", whole(high_m)},
-            {"wide_m", whole(wide_m)}}}};
+            {"begins_s", scene.begins_s},
+            {"ends_s", scene.ends_s},
+            {"still_s", Scene::still_s},
+            {"individuals", {scene.hunter.id, scene.victim.id}},
+            {"sentence", scene.sentence},
+            {"remark", scene.remark},
+            {"camera",
+             {{"at_m", {whole(at_m.x()), whole(at_m.y()), whole(at_m.z())}},
+              {"azimuth_deg", azimuth_deg},
+              {"elevation_deg", elevation_deg},
+              {"near_m", whole(near_m)},
+              {"high_m", whole(high_m)},
+              {"wide_m", whole(wide_m)}}}};
   if (scene.reach_m) json["reach_m"] = *scene.reach_m;
   return json;
 }

@@ -45,7 +45,7 @@ struct Scene {
   Partner victim;
   double x_m = 0.0;  ///< of the catch
   double y_m = 0.0;
-  std::string sentence;  ///< "predator 19 catches prey 4: inherited, lived 92 s"
+  std::string sentence;                ///< "predator 19 catches prey 4: inherited, lived 92 s"
   std::optional<double> reach_m = {};  ///< how close a victim must be, if a parameter says so
   unsigned flaws = 0;
   std::string remark = {};  ///< flaws in words, except of genomes; empty if there is none

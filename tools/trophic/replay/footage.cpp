@@ -93,8 +93,10 @@ film::Picture Footage::picture(double time_s, const Sights& sights) const {
 
 film::RobotLook Footage::look(double time_s, const io::AgentRow& row) const {
   const auto [before, after, part] = around(time_s, row.body);
-  film::RobotLook look{
-      .root = root(time_s, row.body, &row), .joint_angles_rad = {}, .colour = colour(row), .filled = tags_.size() > 1 && row.tag == std::ranges::max(tags_)};
+  film::RobotLook look{.root = root(time_s, row.body, &row),
+                       .joint_angles_rad = {},
+                       .colour = colour(row),
+                       .filled = tags_.size() > 1 && row.tag == std::ranges::max(tags_)};
   const bool differ = head().bodies_differ;
   const std::size_t joints = differ ? recording_.robot(before, row.body).hinges.size() : head().joints;
   for (std::size_t joint = 0; joint < joints; ++joint) {
@@ -146,8 +148,7 @@ std::vector<film::LegendEntry> Footage::legend(double time_s, const Sights& sigh
   }
   if (fills({"activation"})) legend.push_back({Mark::species, inactive_colour, "not yet active"});
   if (fills({"capture"})) legend.push_back({Mark::catch_, film::catch_colour, "caught"});
-  if (fills({"starvation", "metabolism", "senescence", "minimum_predators"}))
-    legend.push_back({Mark::death, ink, "other death"});
+  if (fills({"starvation", "metabolism", "senescence", "minimum_predators"})) legend.push_back({Mark::death, ink, "other death"});
   if (sights.reach_m) legend.push_back({Mark::reach, ink, "reach of " + number_text(*sights.reach_m) + " m"});
   if (!food_.at(time_s).empty()) legend.push_back({Mark::food, food_colour, "food"});
   std::set<std::string> zones;
