@@ -18,9 +18,9 @@ namespace {
 
 template <class Rules>
 std::vector<std::string> remarks(const Experiment<Rules>& experiment) {
-  const BackendChoice points = backend::Kinematic::Params{};
-  const auto checked = load_checked(experiment, points, TROPHIC_MODEL_DIR);
-  auto found = describe(checked.params, points, checked.habitat, 100.0).remarks;
+  const BackendChoice engine = backend::Kinematic::Params{};
+  const auto checked = load_checked(experiment, engine, TROPHIC_MODEL_DIR);
+  auto found = describe(checked.params, engine, checked.habitat, 100.0).remarks;
   std::erase_if(found, [](const std::string& remark) { return remark.starts_with("physics"); });
   return found;
 }

@@ -55,7 +55,7 @@ void append_short(std::string& text, std::string_view cell) {
 /// The columns of a file but for those named, in the rows that `keep` says yes to; it is asked with the reader at the row, whose
 /// first columns are `looked_at`. A truncated last line is left out. With `is_short` long numbers are shortened.
 template <class Keep>
-std::string table_without(const std::filesystem::path& path, std::initializer_list<std::string_view> left_out,
+std::string table_without(const std::filesystem::path& path, const std::vector<std::string_view>& left_out,
                           std::initializer_list<std::string_view> looked_at, Keep&& keep, bool is_short = false) {
   analysis::CsvReader csv{path, looked_at};
   std::string header;
@@ -137,19 +137,26 @@ std::string recording_bytes(const RecordedRun& run, const Window& window) {
   return run.recording.head().bodies_differ ? deflated(blocks) : blocks;
 }
 
-/// The columns id and heritable traits of genomes.csv; empty for a run without a rule Traits.
-std::string traits_of(const RecordedRun& run) {
+/// The names of heritable traits; none for a run without a rule Traits.
+std::vector<std::string> trait_names(const RecordedRun& run) {
+  std::vector<std::string> names;
   const Json rules = run.manifest.at("params").value("rules", Json::object());
-  if (!rules.contains("traits") || !std::filesystem::exists(run.folder / "genomes.csv")) return "";
+  for (const auto& [name, ignored] : rules.value("traits", Json::object()).items()) names.push_back(name);
+  return names;
+}
+
+/// The columns id and heritable traits of genomes.csv; empty for a run without them.
+std::string traits_of(const RecordedRun& run, const std::vector<std::string>& traits) {
+  if (traits.empty() || !std::filesystem::exists(run.folder / "genomes.csv")) return "";
   analysis::CsvReader genomes{run.folder / "genomes.csv", {"id"}};
   std::string text = "id";
-  for (const auto& [name, ignored] : rules.at("traits").items()) {
+  for (const std::string& name : traits) {
     genomes.want(name);
     text += "," + name;
   }
   while (genomes.next()) {
     text += '\n' + std::string{genomes.text(0)};
-    for (std::size_t at = 1; at <= rules.at("traits").size(); ++at) append_short(text += ',', genomes.text(at));
+    for (std::size_t at = 1; at <= traits.size(); ++at) append_short(text += ',', genomes.text(at));
   }
   return text += '\n';
 }
@@ -162,9 +169,10 @@ std::vector<std::pair<std::string_view, std::string>> files_of(const RecordedRun
   const auto always = [](const analysis::CsvReader&) { return true; };
   std::vector<std::pair<std::string_view, std::string>> files;
   files.emplace_back("replay", recording_bytes(run, window));
-  files.emplace_back("agents", deflated(table_without(run.folder / "agents.csv",
-                                                      {"time_s", "origin", "x_m", "y_m", "heading_rad", "adversary_distance_m"},
-                                                      {"time_s"}, ticks)));
+  const std::vector<std::string> traits = trait_names(run);
+  std::vector<std::string_view> elsewhere{"time_s", "origin", "x_m", "y_m", "heading_rad", "adversary_distance_m"};
+  elsewhere.insert(elsewhere.end(), traits.begin(), traits.end());
+  files.emplace_back("agents", deflated(table_without(run.folder / "agents.csv", elsewhere, {"time_s"}, ticks)));
   files.emplace_back("events",
                      deflated(table_without(run.folder / "events.csv", {"tick", "tag", "active", "genome_id", "ancestor_list"},
                                             {"time_s"}, in_window)));
@@ -177,7 +185,7 @@ std::vector<std::pair<std::string_view, std::string>> files_of(const RecordedRun
   if (std::filesystem::exists(run.folder / "states.csv")) {
     files.emplace_back("states", deflated(table_without(run.folder / "states.csv", {"time_s", "id"}, {"time_s"}, ticks, true)));
   }
-  if (const std::string traits = traits_of(run); !traits.empty()) files.emplace_back("traits", deflated(traits));
+  if (const std::string own = traits_of(run, traits); !own.empty()) files.emplace_back("traits", deflated(own));
   const auto moments = [&](const analysis::CsvReader& csv) { return window.has_tick(csv.get<double>(0), 100.0 * tick_s); };
   for (const auto& [name, table] : {std::pair{"energy", "energy.csv"}, {"food", "field.csv"}}) {
     if (!std::filesystem::exists(run.folder / table)) continue;
