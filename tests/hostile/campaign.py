@@ -573,7 +573,7 @@ def damages(campaign, folder, cases):
         path.read_bytes() for path in sorted(master.rglob("*")) if path.is_file() and path.stat().st_size < 10**6
     ]
     tried, sealed = 0, 0
-    weights = {"run": 6, "pond": 6, "wolves": 2, "set": 5, "sweep": 5}
+    weights = {"run": 18, "pond": 18, "wolves": 6, "set": 15, "sweep": 15}  # figures take seconds
     for case in range(cases):
         work = folder / "work"
         name = draw.choices(list(commands), [weights.get(one, 1) for one in commands])[0]
@@ -911,8 +911,10 @@ def texts(campaign, folder, cases):
         ]
 
     def as_caption(text, work):
-        campaign.ok(trophic, "analyze", base / "set", "--out", "analysis", cwd=work)
-        campaign.ok(trophic, "plot", "analysis", "--out", "figures", cwd=work)
+        if not (base / "figures").exists():
+            campaign.ok(trophic, "analyze", "set", "--out", "analysis", cwd=base)
+            campaign.ok(trophic, "plot", "analysis", "--out", "figures", cwd=base)
+        shutil.copytree(base / "figures", work / "figures")
         captions = json.loads((work / "figures/captions.json").read_text())
         for value in captions if isinstance(captions, list) else captions.values():
             for key in value if isinstance(value, dict) else ():
