@@ -143,8 +143,8 @@ TEST_CASE("read recording: invalid numbers in the head -> error before allocatio
   CHECK(refused("\"robots\":3", "\"robots\":1e300") == cannot + "robots = 1e+300: must be a whole number from 1 to 4294967295");
   CHECK(refused("\"robots\":3", "\"robots\":4294967296") ==
         cannot + "robots = 4294967296: must be a whole number from 1 to 4294967295");
-  CHECK(refused("\"robots\":3", "\"robots\":4294967295").find(": damaged, more frames than its bytes can hold in the block at byte ") ==
-        0);
+  CHECK(refused("\"robots\":3", "\"robots\":4294967295")
+            .find(": damaged, more frames than its bytes can hold in the block at byte ") == 0);
   CHECK(refused("\"joints\":2", "\"joints\":1") == cannot + "joints = 1: must be 0 or 2, the number of its robot's hinges");
   CHECK(refused("\"frames_per_tick\":", "\"frames_per_tick\":1234567890123").find("frames_per_tick = ") != std::string::npos);
   CHECK(refused("\"steps_per_tick\":", "\"steps_per_tick\":1234567890123").find("steps_per_tick = ") != std::string::npos);
