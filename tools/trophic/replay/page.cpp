@@ -141,7 +141,8 @@ std::string recording_bytes(const RecordedRun& run, const Window& window) {
 std::vector<std::string> trait_names(const RecordedRun& run) {
   std::vector<std::string> names;
   const Json rules = run.manifest.at("params").value("rules", Json::object());
-  for (const auto& [name, ignored] : rules.value("traits", Json::object()).items()) names.push_back(name);
+  const Json traits = rules.value("traits", Json::object());
+  for (const auto& [name, ignored] : traits.items()) names.push_back(name);
   return names;
 }
 
