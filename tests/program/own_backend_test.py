@@ -20,7 +20,7 @@ class OwnBackend(InFolder):
         printed = self.run_ok("--print-config")
         self.assertIn("engine = 'toy'", printed.stdout)
         self.assertIn("[backend]\nbreaks_beyond_rad = 100", printed.stdout)
-        self.assertIn("physics: toy, kinematic (toy)", self.call("--help").stdout)
+        self.assertIn("physics: toy, kinematic (default: toy)", self.call("--help").stdout)
         self.run_ok("--robots", 1, "--set", "rules.community.predators=0", "--duration", 20, "--out", "run")
         self.assertEqual(self.manifest("run")["backend"], "toy 1")
 
@@ -33,7 +33,7 @@ class OwnBackend(InFolder):
         self.run_ok(*run, "--replicates", 1, "--out", "set")
         for one in ("run", "set/replicate-00"):
             found = self.manifest(one)
-            self.assertEqual((found["remarks"], found["speed"]), (["physics has no effect: a toy"], "a toy is slow"))
+            self.assertEqual((found["remarks"][0], found["speed"]), ("physics has no effect: a toy", "a toy is slow"))
 
     def test_a_number_of_its_backend_is_read_and_checked(self):
         program = pathlib.Path(PROGRAM).name

@@ -22,7 +22,7 @@ class OwnTable(InFolder):
 
     def test_help_names_both_tables_and_every_option(self):
         text = self.call_ok("--help")
-        self.assertIn(f"rule table: {AGEING} or paper ({AGEING})", text)
+        self.assertIn(f"rule table: {AGEING} or paper (default: {AGEING})", text)
         for option in (
             "rules",
             "backend",

@@ -281,7 +281,7 @@ class Pages(InFolderWithSets):
             (b"\x89PNG\r\n\x1a\n" + content[8:], r"replay.trp: is not a trophic recording"),
             (
                 (self.sets / "other" / "replay.trp").read_bytes(),
-                r"manifest.json: fingerprint \w+, seed 1, but replay.trp next to it is of .* two runs",
+                r"manifest.json: fingerprint \w+, seed 1, but replay.trp next to it is of .* different runs",
             ),
         ):
             (run / "replay.trp").write_bytes(damaged)
