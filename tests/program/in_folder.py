@@ -50,6 +50,11 @@ def run_ok(*words, **how):
     return ended
 
 
+def said_by(errors):
+    """The lines on standard error, but for remarks on a run that began."""
+    return [line for line in errors.strip().splitlines() if not line.startswith("remark  ")]
+
+
 class InFolder(unittest.TestCase):
     program = ()  # the first words of each command of the class
 
@@ -65,8 +70,7 @@ class InFolder(unittest.TestCase):
     def assert_refused(self, ended, *parts, code=2):
         """A command has ended with this code and, but for remarks on a run that began, one line, which has these parts."""
         self.assertEqual(ended.returncode, code, ended.stdout + ended.stderr)
-        errors = [line for line in ended.stderr.strip().splitlines() if not line.startswith("remark  ")]
-        self.assertEqual(len(errors), 1, ended.stderr)
+        self.assertEqual(len(said_by(ended.stderr)), 1, ended.stderr)
         for part in parts:
             self.assertIn(part, ended.stderr)
 

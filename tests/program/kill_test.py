@@ -16,7 +16,7 @@ import sys
 import time
 import unittest
 
-from in_folder import InFolder, sealed_text
+from in_folder import InFolder, said_by, sealed_text
 
 PARSER = argparse.ArgumentParser()
 PARSER.add_argument("program")
@@ -177,7 +177,7 @@ class Killed(InFolder):
         run.send_signal(signal.SIGCONT)
         _, errors = run.communicate(timeout=60)
         self.assertEqual(run.returncode, 1, errors)
-        complaint, where = errors.splitlines()
+        complaint, where = said_by(errors)
         self.assertIn(": cannot ", complaint)
         return where
 
@@ -225,7 +225,7 @@ class Killed(InFolder):
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, resource.RLIM_INFINITY)),
         )
         self.assertEqual(run.returncode, 1, run.stderr)
-        self.assertRegex(run.stderr, r"^[^\n]*agents.csv: File too large\nall output so far is in run\n$")
+        self.assertRegex("\n".join(said_by(run.stderr)), r"^[^\n]*agents.csv: File too large\nall output so far is in run$")
         self.assertNotEqual(self.manifest("run")["status"], "complete")
         again = self.finish(*self.command("run", 7, "--resume"))
         self.assertIn("resumes from its checkpoint at", again.stdout, again.stderr)
@@ -234,9 +234,9 @@ class Killed(InFolder):
     def test_replicates_whose_output_pipe_is_closed(self):
         program = self.start(*self.command("set", 5, "--replicates", "4", "--jobs", "2"))
         program.stdout.close()
-        errors = program.stderr.read()
+        errors = said_by(program.stderr.read())
         self.assertEqual(
-            (program.wait(timeout=60), errors), (1, "trophic-predator-prey: cannot write to standard output\n")
+            (program.wait(timeout=60), errors), (1, ["trophic-predator-prey: cannot write to standard output"])
         )
         for number in range(4):
             self.assertEqual(self.manifest(f"set/replicate-0{number}")["status"], "complete")

@@ -15,7 +15,7 @@ import sys
 import time
 import unittest
 
-from in_folder import InFolder
+from in_folder import InFolder, said_by
 from live_page import LiveRun
 
 PROGRAM = sys.argv.pop(1)
@@ -60,7 +60,7 @@ class Live(InFolder):
             page.until(lambda message: seen.append(message) or (message["kind"] == "state" and message["over"]))
             self.assertEqual([message["time_s"] for message in seen if message["kind"] == "tick"][-1], float(duration))
         code, errors = run.wait()
-        self.assertEqual((code, [line for line in errors.splitlines() if not line.startswith("remark  ")]), (0, []))
+        self.assertEqual((code, said_by(errors)), (0, []))
         return self.folder / "run"
 
     def test_live_run_with_two_changes_is_made_again_to_the_byte(self):
