@@ -14,7 +14,7 @@ import tomllib
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "program"))
-from in_folder import InFolder, planned, sealed_text  # noqa: E402
+from in_folder import InFolder, planned, said_by, sealed_text  # noqa: E402
 
 PREDATOR_PREY, TROPHIC, OWN_RULE_1, OWN_RULE_3 = (sys.argv.pop(1) for _ in range(4))
 RANDOM_DAMAGES = int(sys.argv.pop().removeprefix("--damages=")) if sys.argv[-1].startswith("--damages=") else 12
@@ -40,7 +40,7 @@ class Hostile(InFolder):
         """The one line on standard error."""
         done = self.call(*words)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
-        said = [line for line in done.stderr.splitlines() if not line.startswith("all output so far is in")]
+        said = [line for line in said_by(done.stderr) if not line.startswith("all output so far is in")]
         self.assertEqual(len(said), 1, done.stderr)
         return said[0]
 

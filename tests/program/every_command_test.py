@@ -16,7 +16,7 @@ import time
 import unittest
 
 import figures_python
-from in_folder import InFolderWithSets
+from in_folder import InFolderWithSets, said_by
 
 if figures_python.PYTHON is None:
     print("no Python with matplotlib, pandas and scipy")
@@ -208,12 +208,12 @@ class EveryCommand(InFolderWithSets):
                 program.stdout.close()
                 _, code, errors = self.ended(program)
                 self.assertIn(code, (0, 1, -signal.SIGPIPE), errors)
-                self.assertLessEqual(len(errors.splitlines()), 1, errors)
+                self.assertLessEqual(len(said_by(errors)), 1, errors)
                 self.check_result(name, OUT, True)
             self.clear()
             with self.subTest(name, full=True), open("/dev/full", "w") as full:
                 _, code, errors = self.ended(self.start(name, self.folder, OUT, stdout=full))
-                self.assertEqual((code, len(errors.splitlines())), (1, 1), errors)
+                self.assertEqual((code, len(said_by(errors))), (1, 1), errors)
                 self.assertIn("cannot write to standard output", errors)
                 self.check_result(name, OUT, False)
             self.clear()
@@ -221,7 +221,7 @@ class EveryCommand(InFolderWithSets):
                 _, code, errors = self.ended(
                     self.start(name, self.folder, OUT, stdout=None, preexec_fn=lambda: os.close(1))
                 )
-                self.assertEqual((code, len(errors.splitlines())), (1, 1), errors)
+                self.assertEqual((code, len(said_by(errors))), (1, 1), errors)
                 self.assertIn("cannot write to standard output", errors)
                 self.check_result(name, OUT, False)
             self.clear()
@@ -241,7 +241,7 @@ class EveryCommand(InFolderWithSets):
                 for program in programs:
                     _, code, errors = self.ended(program)
                     codes.append(code)
-                    self.assertIn((code, len(errors.splitlines())), ((0, 0), (1, 1), (2, 1)), errors)
+                    self.assertIn((code, len(said_by(errors))), ((0, 0), (1, 1), (2, 1)), errors)
                     self.assertEqual(
                         code != 0, bool(re.search("exists already|it exists|another program is", errors)), errors
                     )

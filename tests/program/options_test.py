@@ -13,7 +13,7 @@ import subprocess
 import sys
 import unittest
 
-from in_folder import InFolderWithSets, run_ok
+from in_folder import InFolderWithSets, run_ok, said_by
 
 PREDATOR_PREY, TROPHIC = (sys.argv.pop(1) for _ in range(2))
 ALL = "--all" in sys.argv
@@ -150,7 +150,7 @@ class Options(InFolderWithSets):
         if text == "":
             self.assertEqual(done.returncode, 2, "an empty text counts as one that is not given")
         if done.returncode in (1, 2):
-            self.assertEqual(len(errors.splitlines()), 1, errors[:1000])
+            self.assertEqual(len(said_by(errors)), 1, errors[:1000])
             self.assertEqual(new, set())
         for path in sorted(new, reverse=True):
             (os.rmdir if (self.folder / path).is_dir() else os.remove)(self.folder / path)

@@ -40,7 +40,10 @@ class JointProgress {
       joint_->advance(name_, 0.0, clock_scale_);
     }
     void on_event(const observe::Event& event, const View& view) { tally_.on_event(event, view); }
-    void on_tick(const View& view) { joint_->advance(name_, view.time_s - from_s_, clock_scale_); }
+    void on_tick(const View& view) {
+      tally_.on_tick(view);
+      joint_->advance(name_, view.time_s - from_s_, clock_scale_);
+    }
     void on_end(const View& view) {
       const double clock_s = view.time_s - from_s_;
       joint_->finish(name_, name_ + "  " + observe::short_text(view.time_s) + " s, " + std::to_string(tally_.deaths()) +

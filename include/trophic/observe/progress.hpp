@@ -50,7 +50,7 @@ class Progress {
   static constexpr std::string_view section = "progress";  ///< name of its section in a checkpoint
   template <class Archive>
   void persist(Archive& archive) {
-    archive(tally_, gone_s_);
+    archive(tally_);
   }
 
   void on_start(const RunDescription& run, const View& view) {
@@ -66,11 +66,7 @@ class Progress {
   }
   void on_event(const Event& event, const View& view) { tally_.on_event(event, view); }
   void on_tick(const View& view) {
-    gone_s_.resize(view.web.size(), -1.0);
-    for (Species species = 0; species < view.web.size(); ++species) {
-      if (view.count(species) > 0) gone_s_[species] = -1.0;
-      if (view.count(species) == 0 && gone_s_[species] < 0.0) gone_s_[species] = view.time_s;
-    }
+    tally_.on_tick(view);
     if (!show_ || watch_.elapsed_s() - drawn_s_ < 0.1) return;
     drawn_s_ = watch_.elapsed_s();
     const std::string text = line(view);
@@ -104,9 +100,9 @@ class Progress {
     for (Species species = 0; species < view.web.size(); ++species)
       out << " " << view.count(species) << " " << view.web.name(species);
     out << "\n";
-    for (Species species = 0; species < gone_s_.size(); ++species)
-      if (gone_s_[species] >= 0.0)
-        out << "gone    " << view.web.name(species) << " since " << short_text(gone_s_[species]) << " s\n";
+    for (Species species = 0; species < tally_.gone_s().size(); ++species)
+      if (tally_.gone_s()[species] >= 0.0)
+        out << "gone    " << view.web.name(species) << " since " << short_text(tally_.gone_s()[species]) << " s\n";
   }
 
   [[nodiscard]] double elapsed_s() const { return watch_.elapsed_s(); }
@@ -151,7 +147,6 @@ class Progress {
   Stopwatch watch_;
   double drawn_s_ = 0.0;
   Tally tally_;
-  std::vector<double> gone_s_;  ///< time since which each species has no member; negative while it has members
 };
 
 }  // namespace trophic::observe

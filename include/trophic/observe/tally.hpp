@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Counts of births and deaths.
+// Counts of births and deaths, and when species died out.
 #pragma once
 
 #include <trophic/observe/event.hpp>
@@ -23,6 +23,13 @@ class Tally {
     if (event.kind == EventKind::birth) ++births_.at(static_cast<std::size_t>(event.individual.origin));
     if (event.kind == EventKind::death && event.cause) ++count_of(*event.cause);
   }
+  void on_tick(const View& view) {
+    gone_s_.resize(view.web.size(), -1.0);
+    for (Species species = 0; species < view.web.size(); ++species) {
+      if (view.count(species) > 0) gone_s_[species] = -1.0;
+      if (view.count(species) == 0 && gone_s_[species] < 0.0) gone_s_[species] = view.time_s;
+    }
+  }
 
   [[nodiscard]] std::size_t births() const { return births_[0] + births_[1]; }
   [[nodiscard]] std::size_t births(Origin origin) const { return births_.at(static_cast<std::size_t>(origin)); }
@@ -42,9 +49,12 @@ class Tally {
     return found == deaths_.end() ? 0 : found->second;
   }
 
+  /// The time at which each species died out; negative for one that lives.
+  [[nodiscard]] const std::vector<double>& gone_s() const { return gone_s_; }
+
   template <class Archive>
   void persist(Archive& archive) {
-    archive(births_, deaths_);
+    archive(births_, deaths_, gone_s_);
   }
 
  private:
@@ -60,6 +70,7 @@ class Tally {
     for (const std::string_view cause : enum_names(Cause{})) all.emplace_back(cause, 0);
     return all;
   }();
+  std::vector<double> gone_s_;
 };
 
 }  // namespace trophic::observe
