@@ -381,7 +381,7 @@ class Builds(Hostile):
         self.run_ok(OWN_RULE_3, *command, "--accept-other-build")
         self.assertIn("--accept-other-build", self.refused(2, TROPHIC, "analyze", "out", "--out", "new"))
         self.assertIn(
-            "2 builds of a program",
+            "2 different builds made these runs",
             self.run_ok(TROPHIC, "analyze", "out", "--accept-other-build", "--out", "new").stderr,
         )
 

@@ -71,7 +71,7 @@ class CrossCheck(InFolderWithSets):
             ([self.slow, self.released, "--out", "new"], ["released", 'must be "paper"']),
             (
                 [self.slow, self.short, "--out", "new"],
-                ["600 of 600 s", 'must be as status "complete" at 1200 of 1200 s'],
+                ["600 of 600 s", 'must have status "complete" at 1200 of 1200 s'],
             ),
             ([self.slow, "nosuch", "--out", "new"], ["nosuch"]),
         ]:

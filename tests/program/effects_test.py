@@ -86,7 +86,8 @@ class Effects(InFolder):
     def parameters(self, *options, program=PREDATOR_PREY):
         """Each parameter with its value, and the other values of the enumerations."""
         printed = call(program, *options, "--print-config").stdout
-        names = dict(re.findall(r"^(\w+) = '\w*'  # ((?:\w+(?:, | or ))+\w+)", printed, re.M))
+        listed = re.findall(r"^(\w+) = '\w*'  # .*?((?:\w+(?: \(\w+\))?(?:, | or ))+\w+(?: \(\w+\))?)$", printed, re.M)
+        names = {name: re.sub(r" \(\w+\)", "", words) for name, words in listed}
         values = dict(
             flat({name: part for name, part in tomllib.loads(printed).items() if name not in ("rule_table", "engine")})
         )

@@ -143,7 +143,9 @@ class EveryCommand(InFolderWithSets):
     @classmethod
     def listed(cls):
         own = re.findall(r"^  ([a-z][a-z-]+)  ", cls.there.split("\nCommands:\n")[1], re.M)
-        return sorted([*own, *re.search(r"^Further commands, each with its own --help: (.*)$", cls.there, re.M)[1].split(", ")])
+        return sorted(
+            [*own, *re.search(r"^Further commands, each with its own --help: (.*)$", cls.there, re.M)[1].split(", ")]
+        )
 
     @classmethod
     def start(cls, name, folder, out=None, env=ENVIRONMENT, **how):

@@ -225,7 +225,9 @@ class Killed(InFolder):
             preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (limit, resource.RLIM_INFINITY)),
         )
         self.assertEqual(run.returncode, 1, run.stderr)
-        self.assertRegex("\n".join(said_by(run.stderr)), r"^[^\n]*agents.csv: File too large\nall output so far is in run$")
+        self.assertRegex(
+            "\n".join(said_by(run.stderr)), r"^[^\n]*agents.csv: File too large\nall output so far is in run$"
+        )
         self.assertNotEqual(self.manifest("run")["status"], "complete")
         again = self.finish(*self.command("run", 7, "--resume"))
         self.assertIn("resumes from its checkpoint at", again.stdout, again.stderr)

@@ -144,7 +144,7 @@ class SweepAnalysis(InFolderWithSets):
             "sweep: 2 of 48 runs missing: run 14 (cell-001/replicate-02): no such folder; run 31 (cell-002/shadow/replicate-01): status "
             '"stopped", must be "complete"'
         )
-        by = "trophic-predator-prey --plan sweep/plan.jsonl makes them"
+        by = "PROGRAM --plan sweep/plan.jsonl makes them"
         self.refused(f"{words} ({by}; --allow-missing omits them)")
         result = self.analyzed("--allow-missing")
         self.assertIn(words.removeprefix("sweep: ") + f"; omitted; {by}", result.stderr)
@@ -207,7 +207,7 @@ class SweepAnalysis(InFolderWithSets):
             "--out",
             "one",
         )
-        self.assertEqual(one.stdout, "1 figures in one, with captions.json and captions.tex\n")
+        self.assertEqual(one.stdout, "1 figure in one, with captions.json and captions.tex\n")
         for arguments, part in (
             (["--metric", "no"], "--metric no: no such metric"),
             (["--axes", "no"], "--axes no: must be one of "),
