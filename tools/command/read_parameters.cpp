@@ -71,7 +71,7 @@ struct ReadValue {
     keys += (keys.empty() ? "" : ", ") + key;
     last = std::move(key);
   }
-  return keys.empty() ? "no parameters, because this rule has none" : "known here: " + keys;
+  return keys.empty() ? "this rule has no parameters" : "known here: " + keys;
 }
 
 void read_below(const ParamRefs& params, const toml::table& table, const std::string& prefix) {
