@@ -97,7 +97,7 @@ TEST_CASE("plan file: broken -> refused with line, field, value and bound") {
            std::tuple{"cell-2/replicate-0", "/tmp", "must be a folder within"},
            std::tuple{"cell-2/replicate-0", ".", "must be a folder within"},
            std::tuple{"cell-2/replicate-0", "cell-0/replicate-0",
-                      "plan.jsonl:3: folder = \"cell-0/replicate-0\": must be another"},
+                      "plan.jsonl:3: folder = \"cell-0/replicate-0\": must be unique"},
        }) {
     CAPTURE(by);
     CHECK(disk.refused(with(what, by)).find(message) != std::string::npos);
