@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
 #include <numbers>
 #include <stdexcept>
 #include <tools/film/offscreen.hpp>
@@ -387,7 +388,10 @@ Renderer::Renderer(const RobotModel& robot, const Arena& arena, std::size_t widt
     : scene_{std::make_unique<Scene>(robot, arena, width, height, quality)} {}
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
-Renderer::~Renderer() = default;
+/// An exception that passed through the driver leaves its locks closed: whatever it draws with then stays until the program exits.
+Renderer::~Renderer() {
+  if (std::uncaught_exceptions() > 0) static_cast<void>(scene_.release());
+}
 
 double Renderer::aspect(const Picture& picture) const {
   return scene_->aspect(picture);
