@@ -388,7 +388,7 @@ Renderer::Renderer(const RobotModel& robot, const Arena& arena, std::size_t widt
     : scene_{std::make_unique<Scene>(robot, arena, width, height, quality)} {}
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
-/// An exception that passed through the driver leaves its locks closed: whatever it draws with then stays until the program exits.
+/// An exception that passed through the driver leaves its locks closed: what it draws with then stays until the exit.
 Renderer::~Renderer() {
   if (std::uncaught_exceptions() > 0) static_cast<void>(scene_.release());
 }
