@@ -158,9 +158,9 @@ class EveryCommand(InFolderWithSets):
 
     @staticmethod
     def ended(program):
-        """What it printed, its exit code and its errors, without the figures that `plot` leaves out."""
+        """What it printed, its exit code and its errors, without remarks on a run and the figures that `plot` leaves out."""
         said, errors = program.communicate(timeout=240)
-        return said, program.returncode, "".join(line for line in errors.splitlines(True) if ": left out: " not in line)
+        return said, program.returncode, "\n".join(line for line in said_by(errors) if ": left out: " not in line)
 
     def setUp(self):
         super().setUp()

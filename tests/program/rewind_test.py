@@ -9,7 +9,7 @@ import sys
 import time
 import unittest
 
-from in_folder import InFolder
+from in_folder import InFolder, said_by
 
 PROGRAM = sys.argv.pop(1)
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -255,13 +255,13 @@ class Rewind(InFolder):
                 self.run_ok("--from", "whole", "--at", 700, "--duration", 900, "--seed", 5, "--out", out)
             pipes = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE, "text": True}
             programs = [subprocess.Popen(begun, cwd=self.folder, **pipes) for _ in range(4)]
-            errors = [program.communicate(timeout=60)[1] for program in programs]
+            errors = ["\n".join(said_by(program.communicate(timeout=60)[1])) for program in programs]
             with self.subTest(arguments=arguments, errors=errors):
                 for program, error in zip(programs, errors, strict=True):
                     self.assertEqual(program.returncode != 0, bool(error))
                     self.assertRegex(
                         error,
-                        "^$|^[^\n]*(another program is running in it|exists already; runs are never overwritten)\n$",
+                        "^$|^[^\n]*(another program is running in it|exists already; runs are never overwritten)$",
                     )
                 for name in TABLES:
                     self.assertEqual(self.table(out, name), self.table("alone", name), name)
