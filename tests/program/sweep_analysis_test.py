@@ -209,7 +209,7 @@ class SweepAnalysis(InFolderWithSets):
         )
         self.assertEqual(one.stdout, "1 figure in one, with captions.json and captions.tex\n")
         for arguments, part in (
-            (["--metric", "no"], "--metric no: no such metric"),
+            (["--metric", "no"], "--metric no: sweep_metrics.csv has no such metric"),
             (["--axes", "no"], "--axes no: must be one of "),
         ):
             self.assert_refused(self.call(TROPHIC, "plot", "analysis", "--out", "wrong", *arguments), part)
