@@ -232,10 +232,7 @@ class EveryCommand(InFolderWithSets):
         for name in self.whole:
             if COMMANDS[name][1] is None:
                 continue
-            takes_free_name = (
-                "next free"
-                in subprocess.run([TROPHIC, name, "--help"], env=ENVIRONMENT, capture_output=True, text=True).stdout
-            )
+            takes_free_name = name in ("analyze", "contest", "cross-check", "plot", "predator-prey", "worlds")
             with self.subTest(name, takes_free_name=takes_free_name):
                 before = set(self.folder.rglob("*"))
                 programs = [self.start(name, self.folder, None if takes_free_name else OUT) for _ in range(3)]
@@ -245,7 +242,9 @@ class EveryCommand(InFolderWithSets):
                     codes.append(code)
                     self.assertIn((code, len(said_by(errors))), ((0, 0), (1, 1), (2, 1)), errors)
                     self.assertEqual(
-                        code != 0, bool(re.search("exists already|it exists|another program is", errors)), errors
+                        code != 0,
+                        bool(re.search("exists already|it exists|another program is|plan.jsonl.part", errors)),
+                        errors,
                     )
                 wanted = (1, 2, 3) if name == "plan" else (3,) if takes_free_name else (1,)  # a plan may be made again
                 self.assertIn(codes.count(0), wanted, codes)
@@ -269,7 +268,7 @@ class EveryCommand(InFolderWithSets):
                     program.send_signal(signal.SIGINT)
                     _, code, errors = self.ended(program)
                     self.assertIn(code, (0, 3, -signal.SIGINT), errors)
-                    self.assertIn(errors.strip(), ("", "stopping: finished work is kept"))
+                    self.assertIn(errors.strip(), ("", "stopping; finished work is kept"))
                     if code == 0:
                         self.check_result(name, OUT, True)
                 is_over = code == 0
