@@ -232,7 +232,7 @@ class EveryCommand(InFolderWithSets):
         for name in self.whole:
             if COMMANDS[name][1] is None:
                 continue
-            takes_free_name = name in ("analyze", "contest", "cross-check", "plot", "predator-prey", "worlds")
+            takes_free_name = name in ("analyze", "contest", "cross-check", "predator-prey", "worlds")
             with self.subTest(name, takes_free_name=takes_free_name):
                 before = set(self.folder.rglob("*"))
                 programs = [self.start(name, self.folder, None if takes_free_name else OUT) for _ in range(3)]

@@ -192,7 +192,7 @@ onPage("page: numbers go from 10 to 70 and down to 20 -> the living are drawn at
   for (const time of [0, 60, 420, 425.9, 1000]) {
     await opened.seek(time);
     const alive = rows("pond", "agents.csv").filter((row) => Number(row.tick) === Math.floor(time / 2));
-    const [drawn, counts] = await opened.evaluate(() => [[...window.trophic.worlds[0].drawn], window.trophic.counts.map((one) => Number(one.textContent))]);
+    const [drawn, counts] = await opened.evaluate(() => [[...window.trophic.worlds[0].drawn], window.trophic.counts.map((one) => Number.parseFloat(one.textContent))]);
     const bodies = alive.map((row) => Number(row.body));
     assert.deepEqual(drawn.flatMap((x, i) => (i % 3 === 0 && !Number.isNaN(x) ? [i / 3] : [])), bodies);
     const off = (row) => Math.hypot(drawn[3 * row.body] - row.x_m, drawn[3 * row.body + 1] - row.y_m);
