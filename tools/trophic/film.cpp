@@ -39,7 +39,8 @@ struct Options {
 
 #ifdef TROPHIC_WITH_FILM
 /// The picture of a robot file.
-[[nodiscard]] int draw_robot(const Options& options) {
+[[nodiscard]] int draw_robot(Options options) {
+  if (options.out.empty()) options.out = free_name(options.robot, ".png");
   if (!options.run.empty()) throw std::invalid_argument{"--robot: not with a run, whose recording has its robot"};
   if (options.from_s || options.to_s || options.follow || options.catch_ || !options.sheet.empty()) {
     throw std::invalid_argument{"--robot: not with --from, --to, --follow, --catch or --sheet, which need a run"};
@@ -58,9 +59,10 @@ struct Options {
   return 0;
 }
 
-[[nodiscard]] int run(const Options& options) {
-  if (!options.robot.empty()) return draw_robot(options);
+[[nodiscard]] int run(Options options) {
+  if (!options.robot.empty()) return draw_robot(std::move(options));
   if (options.run.empty()) throw std::invalid_argument{"needs either the folder of a run, or --robot with a robot file"};
+  if (options.out.empty()) options.out = free_name(options.run, options.sheet.empty() ? ".mp4" : ".png");
   return replay::film_run({.folder = options.run,
                            .out = options.out,
                            .window = {options.from_s, options.to_s},
