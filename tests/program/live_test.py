@@ -316,7 +316,7 @@ class Sessions(InFolder):
                 numbers = [
                     number
                     for number in page.until_kind("run")["numbers"]
-                    if draw.random() < 0.3 or "reach" in number["path"]
+                    if (draw.random() < 0.3 or "reach" in number["path"]) and not number["acts_at_start"]
                 ]
                 is_over = False
                 for _ in range(draw.randrange(1, 12)):
@@ -352,7 +352,7 @@ class Sessions(InFolder):
 
     def test_random_sessions_are_made_again_to_the_byte(self):
         made = [self.session(seed) for seed in range(SESSIONS)]
-        self.assertGreater(sum(changes for changes, _ in made), SESSIONS)
+        self.assertGreater(sum(changes for changes, _ in made), 2 * SESSIONS)
         if SESSIONS > 4:
             print(
                 f"{SESSIONS} sessions, {sum(changes for changes, _ in made)} changes, {sum(code != 0 for _, code in made)} ended by an error"
