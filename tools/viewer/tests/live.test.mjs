@@ -191,6 +191,7 @@ test("live: numbers that change -> the living are drawn and no others, on their 
   const { energy } = await opened.inspected();
   assert.match(energy, /^\d+\.\d J$/);
   // As fast as it goes, ticks are left out: the curve of speed is there all the same, and rings are those of the last moment.
+  await opened.until(() => window.trophic.side.plots.speed.plot !== null);
   const speeds = await opened.evaluate(() => window.trophic.side.plots.speed.plot.data[1].filter((value) => value > 0).length);
   assert.ok(speeds >= 2, `${speeds} points of speed`);
   const [rings, deaths] = await opened.evaluate(() => {
