@@ -820,27 +820,23 @@ def texts(campaign, folder, cases):
             [trophic, "analyze", base / "set", "--html", f"./{text}.html"],
         ]
 
-    def as_robot(text, work):
-        (work / "robot.toml").write_text(
-            re.sub(r"^name = .*$", lambda _: f"name = {toml(text)}", spider.read_text(), flags=re.M)
-        )
-        run = [paper, *QUICK, "--duration", 20, "--robot", "./robot.toml", "--out", "run"]
+    def made_and_read(*options):
         return [
-            run,
+            [paper, *QUICK, "--duration", 20, *options, "--out", "run"],
             [trophic, "cite", "run"],
             [trophic, "show", "run", "--out", "new.html"],
             [trophic, "analyze", "run", "--html", "new.html"],
         ]
 
+    def as_robot(text, work):
+        (work / "robot.toml").write_text(
+            re.sub(r"^name = .*$", lambda _: f"name = {toml(text)}", spider.read_text(), flags=re.M)
+        )
+        return made_and_read("--robot", "./robot.toml")
+
     def as_arena(text, work):
         (work / "arena.toml").write_text(f"name = {toml(text)}\nhalf_side_m = 20\n[[zone]]\nname = {toml(text)}\n")
-        run = [paper, *QUICK, "--duration", 20, "--set", "ecology.arena=./arena.toml", "--out", "run"]
-        return [
-            run,
-            [trophic, "cite", "run"],
-            [trophic, "show", "run", "--out", "new.html"],
-            [trophic, "analyze", "run", "--html", "new.html"],
-        ]
+        return made_and_read("--set", "ecology.arena=./arena.toml")
 
     def as_column(text, work):
         shutil.copytree(base / "set", work / "set")
