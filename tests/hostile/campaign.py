@@ -187,7 +187,8 @@ class Campaign:
             lines = [
                 line
                 for line in errors.splitlines()
-                if not line.startswith(("all output so far is in", "remark")) and ": left out: " not in line
+                if not line.startswith(("all output so far is in", "remark", "to resume only these"))
+                and ": left out: " not in line
             ]
             if len(lines) != 1:
                 self.find(f"{len(lines)} lines on standard error", *about)

@@ -287,6 +287,27 @@ def test_a_table_has_the_rows_and_the_checksum_of_its_manifest():
         assert refusal(read, "run").endswith("as its manifest says; the table was cut or modified after the run")
 
 
+@pytest.mark.parametrize("cell", ["=1+1", "\u00ff", "", "1e999x"])
+def test_a_time_that_is_no_number_is_refused_although_the_checksum_fits(cell):
+    folder = write_run("run")
+    path = folder / "agents.csv"
+    lines = path.read_text().splitlines(keepends=True)
+    path.write_text("".join([*lines[:2], cell + lines[2][lines[2].index(",") :], *lines[3:]]))
+    manifest = folder / "manifest.json"
+    manifest.write_text(json.dumps(json.loads(manifest.read_text()) | {"tables": {"agents.csv": sum_of(path)}}))
+    assert refusal(read, "run") == f'run/agents.csv:3: time_s = "{cell}": must be a number'
+
+
+def test_a_table_without_a_column_that_is_read_is_refused():
+    folder = write_run("run", files={"resource.csv": "time_s,tick\n0,0\n", "energy.csv": "time_s,tick\nsoon,0\n"})
+    (run,) = pooled(folder)[0]
+    assert (
+        refusal(run.table, "resource", ["time_s", "grown_J"])
+        == 'run/resource.csv:1: no column "grown_J"; another kind of file?'
+    )
+    assert refusal(run.table, "energy") == "run/energy.csv: time_s: must be numbers"
+
+
 def test_damage_of_any_listed_file_is_refused():
     write_run(
         "run",

@@ -107,7 +107,7 @@ class PooledRun(Run):
         whose checksum is in the manifest is what the program wrote; the cells of any other are checked. Raises RunError, naming file, line and
         column, for a cell that cannot be."""
         content, is_whole = self._lines(file, remarks)
-        _header(self.path / file, content, [*columns, "tick"])
+        runs.check_header(self.path / file, content, [*columns, "tick"])
         if file in self.manifest.get("tables", {}):
             types = {name: _TYPES.get(name, "float64") for name in columns}
             # The parser is exact for at most 15 digits, which all numbers but times have; those are few, as texts.
@@ -123,7 +123,7 @@ class PooledRun(Run):
                 if types[name] == "float64" and (wrong := frame[name].abs() > MOST_NUMBER).any():
                     cell = number_text(frame[name][place := wrong.idxmax()])
                     raise RunError(f"{self.path / file}:{place + 2}: {name} = {cell}: must be >= -1e60 and <= 1e60")
-            frame["time_s"] = frame.time_s.astype("category").cat.rename_categories(float).astype(float)
+            frame["time_s"] = self._times(file, frame.time_s)
         else:
             frame = _checked(
                 self, file, _parsed(self.path / file, content, usecols=list({*columns, "tick"}), dtype=str)
@@ -132,10 +132,20 @@ class PooledRun(Run):
                 frame = frame[frame.tick != frame.tick.iloc[-1]]
         return frame[frame.time_s <= self.until_s] if len(frame) and frame.time_s.iloc[-1] > self.until_s else frame
 
+    def _times(self, file: str, texts: pandas.Series) -> pandas.Series:
+        """Times as exact numbers. Raises RunError, naming the line, for a text that is not one."""
+        try:
+            return texts.astype("category").cat.rename_categories(float).astype(float)
+        except ValueError:
+            place = pandas.to_numeric(texts, errors="coerce").isna().idxmax()
+            raise RunError(
+                f'{self.path / file}:{place + 2}: time_s = "{excerpt(texts[place])}": must be a number'
+            ) from None
+
     def texts(self, file: str, columns: Sequence[str], optional: Sequence[str], remarks: list[str]) -> pandas.DataFrame:
         """The cells of any table in the folder as texts: `columns`, and those of `optional` that it has."""
         content, _ = self._lines(file, remarks)
-        header = _header(self.path / file, content, columns)
+        header = runs.check_header(self.path / file, content, columns)
         return _parsed(self.path / file, content, usecols=[*columns, *(set(optional) & set(header))], dtype=str)
 
     def _lines(self, file: str, remarks: list[str]) -> tuple[bytes, bool]:
@@ -568,14 +578,6 @@ def _not_plain(value: Any) -> str | None:
         else []
     )
     return next((found for part in parts if (found := _not_plain(part)) is not None), None)
-
-
-def _header(path: pathlib.Path, content: bytes, columns: Sequence[str]) -> list[str]:
-    header = content[: content.index(b"\n")].decode(errors="replace").rstrip("\r").split(",")
-    for name in columns:
-        if name not in header:
-            raise RunError(f'{path}:1: no column "{name}"; another kind of file?')
-    return header
 
 
 def _parsed(path: pathlib.Path, content: bytes, **how: Any) -> pandas.DataFrame:

@@ -15,7 +15,7 @@ import os
 import pathlib
 import shutil
 import zlib
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import BinaryIO
 
 import pandas
@@ -508,8 +508,18 @@ def whole_lines(path: pathlib.Path, expected: dict | None, whole: bytes | None =
     return lines
 
 
+def check_header(path: pathlib.Path, content: bytes, columns: Iterable[str]) -> list[str]:
+    """The names in the header of a table. Raises RunError if one of `columns` is missing."""
+    header = content[: content.index(b"\n")].decode(errors="replace").rstrip("\r").split(",")
+    for name in columns:
+        if name not in header:
+            raise RunError(f'{path}:1: no column "{name}"; another kind of file?')
+    return header
+
+
 def _table(path: pathlib.Path, columns: list[str] | None = None, expected: dict | None = None) -> pandas.DataFrame:
     lines = whole_lines(path, expected)
+    check_header(path, lines, columns or ())
     header = pandas.read_csv(io.BytesIO(lines), nrows=0).columns
     texts = {name: str for name in header if name in _TEXT or name == "run"}
     numbers = {name: [""] for name in header if name not in texts}
@@ -527,6 +537,8 @@ def _table(path: pathlib.Path, columns: list[str] | None = None, expected: dict 
         and not (pandas.api.types.is_numeric_dtype(table["tick"]) and table["tick"].is_monotonic_increasing)
     ):
         raise RunError(f"{path}: tick: must be >= that of the row before")
+    if "time_s" in table and len(table) > 0 and not pandas.api.types.is_numeric_dtype(table["time_s"]):
+        raise RunError(f"{path}: time_s: must be numbers")
     return table
 
 
