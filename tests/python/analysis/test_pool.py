@@ -305,7 +305,7 @@ def test_a_table_without_a_column_that_is_read_is_refused():
         refusal(run.table, "resource", ["time_s", "grown_J"])
         == 'run/resource.csv:1: no column "grown_J"; another kind of file?'
     )
-    assert refusal(run.table, "energy") == "run/energy.csv: time_s: must be numbers"
+    assert refusal(run.table, "energy") == "run/energy.csv: time_s: must be finite numbers, >= -1e60 and <= 1e60"
 
 
 def test_damage_of_any_listed_file_is_refused():

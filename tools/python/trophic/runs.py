@@ -469,10 +469,13 @@ def _check_rows(path: pathlib.Path, table: pandas.DataFrame, species: list[str] 
         if column == "species" and species is not None:
             if unknown := sorted(set(table[column]) - set(species)):
                 raise RunError(f"{path}: species = {unknown[0]!r}: must be a species of the run's manifest")
-        elif column not in _TEXT and not (
-            pandas.api.types.is_numeric_dtype(table[column]) and not table[column].abs().max() > MOST_NUMBER
-        ):
-            raise RunError(f"{path}: {column}: must be finite numbers, >= -1e60 and <= 1e60")
+        elif column not in _TEXT:
+            _check_numbers(path, table[column])
+
+
+def _check_numbers(path: pathlib.Path, column: pandas.Series) -> None:
+    if not pandas.api.types.is_numeric_dtype(column) or column.abs().max() > MOST_NUMBER:
+        raise RunError(f"{path}: {column.name}: must be finite numbers, >= -1e60 and <= 1e60")
 
 
 def check_sum(path: pathlib.Path, whole: bytes, expected: dict) -> None:
@@ -537,8 +540,8 @@ def _table(path: pathlib.Path, columns: list[str] | None = None, expected: dict 
         and not (pandas.api.types.is_numeric_dtype(table["tick"]) and table["tick"].is_monotonic_increasing)
     ):
         raise RunError(f"{path}: tick: must be >= that of the row before")
-    if "time_s" in table and len(table) > 0 and not pandas.api.types.is_numeric_dtype(table["time_s"]):
-        raise RunError(f"{path}: time_s: must be numbers")
+    if "time_s" in table and len(table) > 0:
+        _check_numbers(path, table["time_s"])
     return table
 
 
