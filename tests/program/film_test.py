@@ -209,7 +209,7 @@ class Films(InFolderWithSets):
         whole = self.draw(*arguments)
         bare = self.draw(*arguments, "--legend", "off", "--lines", "off")
         self.assertGreater(int((whole[:30] != 255).any(axis=-1).sum()), 300)
-        self.assertEqual(int((bare[:6] != 255).any(axis=-1).sum()), 0)
+        self.assertEqual(int((bare[:9] != 255).any(axis=-1).sum()), 0)
         self.assertGreater(
             int((whole != bare).any(axis=-1).sum()), int((whole[:30] != bare[:30]).any(axis=-1).sum()) + 100
         )
