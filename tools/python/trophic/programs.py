@@ -5,9 +5,11 @@ from __future__ import annotations
 import os
 import pathlib
 import shutil
+import signal
 import subprocess
 
 from .errors import ProgramError
+from .progress import Errors
 
 
 def find_program(name: str) -> str:
@@ -27,22 +29,27 @@ def chosen_program(request: dict) -> str:
     return str(pathlib.Path(named).absolute()) if os.sep in named else find_program(named)
 
 
-def call(program: str, arguments: list, what: str) -> str:
-    """Calls a program and returns its remarks on standard error. If it fails, raises ProgramError with its message, or with `what` and the exit
-    code."""
+def call(program: str, arguments: list, what: str, *, progress: bool = False) -> str:
+    """Calls a program and returns its remarks on standard error, and draws its progress if asked. If it fails, raises ProgramError with its message,
+    or with `what` and the exit code. An interrupt lets it end as Ctrl-C does: after a tick and with a checkpoint."""
+    errors = Errors(what, progress)
     try:
-        done = subprocess.run(
-            [program, *map(str, arguments)],
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.PIPE,
-            encoding="utf-8",
-            errors="surrogateescape",
-        )
+        called = subprocess.Popen([program, *map(str, arguments)], stdout=subprocess.DEVNULL, stderr=errors.writer)
     except OSError as error:
+        errors.read()
         raise ProgramError(f"{program}: {error.strerror}") from None
-    if done.returncode != 0:
-        raise ProgramError(done.stderr.strip() or f"{what}: exit code {done.returncode}")
-    return done.stderr
+    try:
+        with called:
+            try:
+                said = errors.read()
+            except BaseException:
+                called.send_signal(signal.SIGINT)
+                raise
+    finally:
+        errors.end(called.returncode == 0)
+    if called.returncode != 0:
+        raise ProgramError(said.strip() or f"{what}: exit code {called.returncode}")
+    return said
 
 
 class Page:
