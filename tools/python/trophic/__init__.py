@@ -22,6 +22,8 @@ _MODULES = {
     "study_frames": "runs",
     "to_parquet": "runs",
     "metric": "metrics.own",
+    "env": "environment",
+    "Environment": "environment",
     "show": "start",
     "run": "start",
     "analyze": "start",
