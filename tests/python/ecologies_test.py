@@ -35,7 +35,7 @@ def run_by_its_own(ecology: trophic_ecologies.Ecology, ticks: int | None = None)
 
 
 def tables_in(folder: pathlib.Path) -> dict[str, bytes]:
-    return {path.name: path.read_bytes() for path in folder.iterdir() if path.suffix in (".csv", ".trp")}
+    return {path.name: path.read_bytes() for path in folder.iterdir() if path.suffix == ".csv"}
 
 
 def test_own_brains_give_the_bytes_of_a_programs_run(tmp_path):
@@ -44,7 +44,7 @@ def test_own_brains_give_the_bytes_of_a_programs_run(tmp_path):
     subprocess.run([program, *map(str, options)], check=True, stdout=subprocess.DEVNULL)
     assert run_by_its_own(started(PAPER, out=str(tmp_path / "stepped"))) == 101
     assert tables_in(tmp_path / "program") == tables_in(tmp_path / "stepped")
-    assert len(tables_in(tmp_path / "stepped")) == 5
+    assert len(tables_in(tmp_path / "stepped")) == 4
     manifest = json.loads((tmp_path / "stepped" / "manifest.json").read_text())
     assert manifest["status"] == "complete"
     assert manifest["description"]["name"] == "paper with brain = outside"
