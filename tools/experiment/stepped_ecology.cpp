@@ -66,7 +66,8 @@ struct Files {
                state.opening(),
                simulation.state_columns()},
         writer{path, {}, checkpoint::parts_of(folder, decided)} {
-    if (state.from) checkpoint::restore(*state.from, simulation, checkpoint::parts_of(folder, decided));
+    // run_state_in has compared it with the description of a run that is decided from outside.
+    if (state.from) checkpoint::restore_any(*state.from, simulation, checkpoint::parts_of(folder, decided));
   }
   io::RunFolder folder;
   checkpoint::CheckpointWriter writer;
