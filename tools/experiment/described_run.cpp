@@ -12,7 +12,7 @@
 
 namespace trophic {
 
-namespace {
+namespace described {
 
 using command::Config;
 
@@ -54,24 +54,24 @@ void check_known(const std::string& key, const std::string& name, const std::vec
   return *null;
 }
 
-}  // namespace
+}  // namespace described
 
 DescribedRun described_run(const Json& description, const Offer& offer) {
   if (!description.is_object()) throw std::invalid_argument{"a description: must be an object with parameters by their names"};
   const Offer whole = command::with_backends(offer);
   Json left = description;
-  std::string table = take_text(left, "rule_table");
+  std::string table = described::take_text(left, "rule_table");
   if (table.empty()) table = whole.rule_tables.front().first;
-  check_known("rule_table", table, command::table_names(whole));
-  std::string engine = take_text(left, "engine");
+  described::check_known("rule_table", table, command::table_names(whole));
+  std::string engine = described::take_text(left, "engine");
   if (engine.empty()) engine = command::default_backend_of(whole, table);
-  check_known("engine", engine, command::backend_names(whole.backends));
-  const Null null = null_of(take_text(left, "null"));
+  described::check_known("engine", engine, command::backend_names(whole.backends));
+  const Null null = described::null_of(described::take_text(left, "null"));
   std::optional<std::uint64_t> seed;
   if (left.contains("seed")) seed = whole_number<std::uint64_t>(left, "seed");
   left.erase("seed");
   Config config = command::read_config({}, {});
-  insert_parameters(config.parameters, "", left);
+  described::insert_parameters(config.parameters, "", left);
   const auto chosen = command::find_experiment(whole, table, engine);
   DescribedRun run{command::detail::planned_experiment(*chosen, config), null};
   if (seed) run.experiment->seed() = *seed;

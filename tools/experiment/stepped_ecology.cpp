@@ -12,7 +12,7 @@
 
 namespace trophic {
 
-namespace {
+namespace stepped {
 
 /// Keeps events until they are taken.
 struct Events {
@@ -73,13 +73,13 @@ struct Files {
   checkpoint::CheckpointWriter writer;
 };
 
-}  // namespace
+}  // namespace stepped
 
 struct SteppedEcology::Run {
   std::unique_ptr<Simulation> simulation;
-  Events events = {};
-  Decided decided = {};
-  std::unique_ptr<Files> files = {};
+  stepped::Events events = {};
+  stepped::Decided decided = {};
+  std::unique_ptr<stepped::Files> files = {};
   std::unique_ptr<SteppedRun> steps = {};
   bool is_noted = false;
 
@@ -106,7 +106,7 @@ void SteppedEcology::reset(std::optional<std::uint64_t> seed, const std::filesys
     if (!resume) io::check_new_folder(folder);
     if (resume) state = checkpoint::run_state_in(folder, run->simulation->stepping().describe_outside(until_s_));
     if (state.complete) throw std::invalid_argument{folder.string() + ": " + state.remark};
-    run->files = std::make_unique<Files>(*run->simulation, folder, state, run->decided);
+    run->files = std::make_unique<stepped::Files>(*run->simulation, folder, state, run->decided);
     run->steps = std::make_unique<SteppedRun>(*run->simulation, until_s_, run->events, run->decided, run->files->folder,
                                               run->files->writer);
   }
