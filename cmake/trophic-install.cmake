@@ -32,6 +32,9 @@ if(TROPHIC_BUILD_EXAMPLES)
   install(TARGETS trophic_program predator_prey worlds RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   install(DIRECTORY ${PROJECT_BINARY_DIR}/installed_verbs/ DESTINATION ${CMAKE_INSTALL_BINDIR} USE_SOURCE_PERMISSIONS)
 endif()
+if(TARGET trophic_ecologies)
+  install(TARGETS trophic_ecologies LIBRARY DESTINATION ${CMAKE_INSTALL_DATADIR}/trophic/python COMPONENT python)
+endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/trophic)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/python DESTINATION ${CMAKE_INSTALL_DATADIR}/trophic FILES_MATCHING PATTERN "*.py" PATTERN "*.j2" PATTERN "*.ipynb")
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
@@ -40,6 +43,7 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/trophic-config.cmake.i
                               INSTALL_DESTINATION ${trophic_cmake_dir})
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/trophic-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/trophic-config.cmake ${PROJECT_BINARY_DIR}/trophic-config-version.cmake
+              ${PROJECT_SOURCE_DIR}/cmake/trophic-python.cmake ${PROJECT_SOURCE_DIR}/cmake/python-module.cpp.in
               ${PROJECT_SOURCE_DIR}/cmake/trophic-experiment.cmake ${PROJECT_SOURCE_DIR}/cmake/source-revision.cmake
               ${PROJECT_SOURCE_DIR}/cmake/FindODE.cmake ${PROJECT_SOURCE_DIR}/cmake/FindRandom123.cmake
               ${PROJECT_SOURCE_DIR}/cmake/trophic-build-type.cmake ${PROJECT_SOURCE_DIR}/cmake/trophic-find-mujoco.cmake ${PROJECT_SOURCE_DIR}/cmake/trophic-versions.cmake

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Living worlds, in which energy decides who lives and numbers change: docs/worlds.md.
+#include <tools/tables/shipped_tables.hpp>
 #include <trophic/experiment.hpp>
-#include <trophic/worlds/food_chain.hpp>
-#include <trophic/worlds/lotka_volterra.hpp>
-#include <trophic/worlds/ponds.hpp>
-#include <trophic/worlds/wolf_sheep.hpp>
 
 int main(int argc, char** argv) {
-  using namespace trophic::worlds;
-  return trophic::experiment<Pond, PondWithRefuges, PondWithConditions, FoodChain, WolfSheep, RosenzweigMacArthur, LotkaVolterra>(
-      argc, argv);
+  return trophic::command::experiment_program(argc, argv,
+                                              [] { return trophic::Offer{.rule_tables = trophic::command::world_tables()}; });
 }

@@ -27,6 +27,7 @@
 #include <trophic/death/starvation/choice/hungriest_else_oldest.hpp>
 #include <trophic/death/starvation/choice/hungriest_share.hpp>
 #include <trophic/ecology/simulations_of.hpp>
+#include <trophic/ecology/stepped_run.hpp>
 #include <trophic/energy/metabolism/fixed_gains.hpp>
 #include <trophic/energy/metabolism/grazing_and_hunting.hpp>
 #include <trophic/energy/order/by_turns.hpp>
@@ -43,7 +44,6 @@
 #include <trophic/perception/sensors/joint_angles.hpp>
 #include <trophic/perception/sensors/own_energy.hpp>
 #include <trophic/perception/sensors/own_speed.hpp>
-#include <trophic/perception/sensors/per_species.hpp>
 #include <trophic/perception/sensors/random_turn.hpp>
 #include <trophic/perception/sensors/rays.hpp>
 #include <trophic/perception/sensors/tilt.hpp>

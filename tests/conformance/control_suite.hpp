@@ -33,6 +33,25 @@ template <class Policy>
   return genes;
 }
 
+/// Asked about several individuals at once, a brain sets what it sets for each.
+template <control::EvaluatesAll Policy>
+void check_evaluates_all(const Policy& policy, std::size_t inputs, Rng& rng) {
+  constexpr std::size_t individuals = 3;
+  constexpr std::size_t outputs = control::acts::TurnAndTag::outputs;
+  std::vector<std::vector<double>> genes;
+  for (std::size_t i = 0; i < individuals; ++i) genes.push_back(brain_genes(policy, inputs, rng));
+  const std::vector<std::span<const double>> genomes{genes.begin(), genes.end()};
+  std::vector<double> all(individuals * inputs);
+  for (double& input : all) input = rng.uniform(-1.0, 1.0);
+  std::vector<double> together(individuals * outputs);
+  policy.evaluate_all(all, genomes, together);
+  std::vector<double> apart(individuals * outputs);
+  for (std::size_t i = 0; i < individuals; ++i)
+    policy.evaluate(std::span{all}.subspan(i * inputs, inputs), genomes[i], std::span{apart}.subspan(i * outputs, outputs));
+  CHECK(together == apart);
+  CHECK_NOTHROW(policy.evaluate_all({}, {}, {}));
+}
+
 }  // namespace trophic::conformance
 
 TEST_CASE_TEMPLATE_DEFINE("brain", Policy, trophic_brain_suite) {
@@ -60,6 +79,7 @@ TEST_CASE_TEMPLATE_DEFINE("brain", Policy, trophic_brain_suite) {
     auto same = born_with(seed);
     CHECK((control::ask::decide(policy, same, std::span{inputs}, std::span{genome}) == decision));
     if constexpr (Stateful<Policy>) CHECK(first_difference(own, same) == "");
+    if constexpr (control::EvaluatesAll<Policy>) conformance::check_evaluates_all(policy, given, rng);
   }
   conformance::check_params_used<Policy>([&](const Policy& made) {
     conformance::Answers answers;

@@ -132,6 +132,9 @@ TEST_CASE_TEMPLATE_DEFINE("sensor", Policy, trophic_sensor_suite) {
   const auto policy = conformance::defaulted<Policy>();
   const auto check_range = [](const auto& values) {
     for (const double value : values) CHECK(std::abs(value) <= 1.0);
+    if constexpr (requires { Policy::least <= Policy::most; }) {
+      for (const double value : values) CHECK((value >= Policy::least && value <= Policy::most));
+    }
   };
   conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
     if (robots.individuals.empty()) return;

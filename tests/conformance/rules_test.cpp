@@ -15,6 +15,7 @@
 #include <trophic/control/brain/feed_forward_brain.hpp>
 #include <trophic/control/brain/growing_brain.hpp>
 #include <trophic/control/brain/hebbian.hpp>
+#include <trophic/control/brain/outside.hpp>
 #include <trophic/control/brain/recurrent_brain.hpp>
 #include <trophic/control/brain/turns_by_input.hpp>
 #include <trophic/control/gait/inherited_cpg.hpp>
@@ -144,6 +145,13 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_brain_suite, control::brain::CognitiveBrain, c
                           control::brain::Hebbian<control::brain::FeedForwardBrain>,
                           control::brain::Hebbian<control::brain::RecurrentBrain>, control::brain::GrowingBrain,
                           control::brain::Hebbian<control::brain::GrowingBrain>, control::brain::TurnsByInput);
+TEST_CASE("brain: Outside -> the numbers of its genome, no outputs of its own") {
+  conformance::check_policy<control::brain::Outside>();
+  const control::brain::Outside brain{{.genes = 5}};
+  CHECK(brain.genome_size(3, 2) == 5);
+  std::array<double, 2> outputs{};
+  CHECK_THROWS_AS(brain.evaluate({}, {}, outputs), RuleError);
+}
 TEST_CASE_TEMPLATE_INVOKE(trophic_act_suite, control::acts::Turn, control::acts::Tag, control::acts::Effort, control::acts::Eat,
                           control::acts::Mate, control::acts::Signal<0>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_pace_suite, control::pace::SamePace, control::pace::ConstantPace);

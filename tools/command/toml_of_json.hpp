@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <tools/command/read_parameters.hpp>
@@ -25,6 +26,16 @@ void insert_value(toml::table& table, std::string_view key, const Json& value) {
   } else {
     table.insert(key, value.template get<std::string>());
   }
+}
+
+/// Inserts a value under its path into nested tables. Throws std::invalid_argument for a path below a value.
+template <class Json>
+void insert_at(toml::table& table, std::string_view path, const Json& value) {
+  const std::size_t dot = path.find('.');
+  if (dot == std::string_view::npos) return insert_value(table, path, value);
+  toml::node* nested = &table.insert(path.substr(0, dot), toml::table{}).first->second;
+  if (!nested->is_table()) throw std::invalid_argument{std::string{path} + ": is nested under a key that has a value"};
+  insert_at(*nested->as_table(), path.substr(dot + 1), value);
 }
 
 /// The parameters of a manifest in the form of a configuration file. Throws Json::exception for a value that is not a number,

@@ -34,21 +34,12 @@ namespace detail::plans {
 using plan::PlannedRun;
 using plan::Stage;
 
-/// One value under its path, in nested tables.
-inline void insert(toml::table& table, std::string_view path, const Json& value) {
-  const std::size_t dot = path.find('.');
-  if (dot == std::string_view::npos) return insert_value(table, path, value);
-  toml::node* nested = &table.insert(path.substr(0, dot), toml::table{}).first->second;
-  if (!nested->is_table()) throw std::invalid_argument{std::string{path} + ": is nested under a key that has a value"};
-  insert(*nested->as_table(), path.substr(dot + 1), value);
-}
-
 /// Settings as a configuration file has them.
 [[nodiscard]] inline Config config_of(const Json& settings) {
   Config config{.origin = {}, .file = {}, .parameters = {}, .rule_table = {}, .engine = {}, .assignments = {}};
   for (const auto& [path, value] : settings.items()) {
     if (path == "seed" || path == "backend.threads") throw std::invalid_argument{path + ": is not allowed in a plan"};
-    insert(config.parameters, path, value);
+    insert_at(config.parameters, path, value);
   }
   return config;
 }

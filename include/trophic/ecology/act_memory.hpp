@@ -29,12 +29,19 @@ class ActMemory {
   void act(BodyIndex body, const Outputs& outputs) {
     Acts::each(outputs, [&]<class One>(std::size_t place, std::span<const double, One::outputs> out) {
       const auto value = static_cast<double>(One::value(out));
-      if (!(value >= One::least && value <= One::most)) {
-        throw RuleError{"acts", std::string{One::name} + " = " + number_text(value) + ": must be >= " + number_text(One::least) +
-                                    " and <= " + number_text(One::most)};
-      }
+      if (!is_in_bounds<One>(value)) throw RuleError{"acts", must_be<One>(value)};
       values_[body * Acts::count + place] = value;
     });
+  }
+
+  /// A sentence about the first value of these outputs that is out of its bounds.
+  [[nodiscard]] static std::optional<std::string> out_of_bounds(std::span<const double, Acts::outputs> outputs) {
+    std::optional<std::string> wrong;
+    Acts::each(outputs, [&]<class One>(std::size_t, std::span<const double, One::outputs> out) {
+      const auto value = static_cast<double>(One::value(out));
+      if (!wrong && !is_in_bounds<One>(value)) wrong = must_be<One>(value);
+    });
+    return wrong;
   }
 
   void persist(Archive& archive) {
@@ -44,6 +51,16 @@ class ActMemory {
   }
 
  private:
+  template <class One>
+  [[nodiscard]] static bool is_in_bounds(double value) {
+    return value >= One::least && value <= One::most;
+  }
+  template <class One>
+  [[nodiscard]] static std::string must_be(double value) {
+    return std::string{One::name} + " = " + number_text(value) + ": must be >= " + number_text(One::least) +
+           " and <= " + number_text(One::most);
+  }
+
   std::vector<double> values_;  ///< one per body and act
 };
 
@@ -56,6 +73,7 @@ class ActMemory<Rules, false> {
   [[nodiscard]] ActValues values() const { return {}; }
   void rest(BodyIndex) {}
   void act(BodyIndex, const Outputs&) {}
+  [[nodiscard]] static std::optional<std::string> out_of_bounds(std::span<const double, Acts::outputs>) { return std::nullopt; }
   void persist(Archive&) {}
 };
 

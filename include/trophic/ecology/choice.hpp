@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sighting of a robot at a tick, and the decision of its brain.
+// What a robot perceives at a tick, and the outputs of its brain.
 #pragma once
 
 #include <trophic/ecology/population.hpp>
@@ -8,23 +8,24 @@
 
 namespace trophic {
 
-/// A robot's sighting and its brain's decision; no decision if a robot without a target keeps its last one.
+/// A robot's sighting, the inputs of its brain and the outputs; a robot without a target that keeps its last decision has
+/// neither.
 template <class Rules>
 struct Choice {
   using Inputs = typename Population<Rules>::Sensors::Values;
 
   std::optional<Sighting> sighting;
-  std::optional<control::Decision> decision;
+  bool is_asked = false;  ///< whether the brain decides
   Inputs inputs{};
   typename Population<Rules>::Outputs outputs{};
 };
 
-/// One moment of an ecology at which robots perceive and decide.
+/// One moment of an ecology at which robots perceive.
 template <class Rules>
 class Moment {
  public:
   /// All arguments must outlive it.
-  Moment(const Policies<Rules>& rules, Population<Rules>& population, std::uint64_t seed, const View& now)
+  Moment(const Policies<Rules>& rules, const Population<Rules>& population, std::uint64_t seed, const View& now)
       : rules_{rules}, population_{population}, seed_{seed}, now_{now} {}
 
   /// Applies the Visibility rule.
@@ -39,24 +40,22 @@ class Moment {
     return perception::adversary(body, now_, std::bind_front(&Moment::sees, this), horizon);
   }
 
-  /// The choice of a robot with this sighting. `common`: the values of sensors that are the same for all robots.
+  /// Sets whether the brain of a robot with this sighting decides, and its inputs. `common`: the values of sensors that are the
+  /// same for all robots. Throws RuleError for an input that is not finite.
   template <class Common>
-  [[nodiscard]] Choice<Rules> choice(BodyIndex body, const std::optional<Sighting>& sighting, const Common& common,
-                                     WithoutTarget without_target) const {
-    Choice<Rules> choice{.sighting = sighting, .decision = std::nullopt};
-    if (!choice.sighting && without_target == WithoutTarget::keeps_decision) return choice;
+  void perceive(BodyIndex body, const Common& common, WithoutTarget without_target, Choice<Rules>& choice) const {
+    choice.is_asked = choice.sighting || without_target == WithoutTarget::decides;
+    if (!choice.is_asked) return;
     const auto rng_of = [&](std::size_t sensor) { return Rng{seed_, Stream::sensors, population_[body].id, tick(), sensor}; };
     choice.inputs = rules_.sensors.sense(population_.states().sensors[body], body, choice.sighting, now_, common, rng_of);
-    const std::size_t size = Population<Rules>::Sensors::size_of(population_[body].species);
-    choice.decision = population_.decide(body, std::span{choice.inputs}.first(size), choice.outputs);
-    return choice;
+    check_finite("sensors", "inputs", population_.inputs_of(body, choice.inputs));
   }
 
  private:
   [[nodiscard]] std::uint64_t tick() const { return static_cast<std::uint64_t>(now_.tick); }
 
   const Policies<Rules>& rules_;
-  Population<Rules>& population_;
+  const Population<Rules>& population_;
   std::uint64_t seed_;
   const View& now_;
 };

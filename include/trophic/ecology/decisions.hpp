@@ -16,47 +16,82 @@ class Decisions {
   Decisions(const EcologyParams& params, const Policies<Rules>& rules, std::uint64_t seed, Population<Rules>& population)
       : params_{params}, rules_{rules}, seed_{seed}, population_{population} {}
 
-  /// Unless robots decide in turn, all perceive the same moment: all decisions are made before the first tag changes. `now`
-  /// refers to the individuals, so it shows each change at once.
+  /// Lets all robots perceive and decide by the brains of their genomes. `now` refers to the individuals, so it shows each change
+  /// at once.
   void make(observe::Audience& audience, const View& now) {
-    const Moment<Rules> moment{rules_, population_, seed_, now};
-    const auto common = rules_.sensors.sense_common(now);
+    for (begin(now); sense(now); act(audience, now)) ask_brains();
+  }
+
+  /// Begins a tick.
+  void begin(const View& now) {
+    common_.emplace(rules_.sensors.sense_common(now));
     choices_.resize(population_.individuals().size());
-    const bool in_turn = params_.decision_order == DecisionOrder::in_turn;
-    for (std::size_t i = 0; i < choices_.size() && !in_turn; ++i) {
-      const BodyIndex body = now.tree == nullptr ? i : now.tree->by_place(i);  // neighbours perceive the same robots
-      if (population_[body].lives()) choices_[body].sighting = moment.sighting(body);
+    next_ = 0;
+  }
+
+  /// Lets the next robots of the tick perceive: one if they decide in turn; else all, the same moment, so that all decisions are
+  /// made before the first tag changes. Returns false after the last.
+  [[nodiscard]] bool sense(const View& now) {
+    const Moment<Rules> moment{rules_, population_, seed_, now};
+    asked_.clear();
+    first_ = next_;
+    if (params_.decision_order == DecisionOrder::in_turn) {
+      while (first_ < choices_.size() && !population_[first_].lives()) ++first_;
+      next_ = std::min(first_ + 1, choices_.size());
+      if (first_ < next_) choices_[first_].sighting = moment.sighting(first_);
+    } else {
+      next_ = choices_.size();
+      for (std::size_t i = first_; i < next_; ++i) {
+        const BodyIndex body = now.tree == nullptr ? i : now.tree->by_place(i);  // neighbours perceive the same robots
+        if (population_[body].lives()) choices_[body].sighting = moment.sighting(body);
+      }
     }
-    for (BodyIndex body = 0; body < choices_.size(); ++body) {
+    for (BodyIndex body = first_; body < next_; ++body) {
       if (!population_[body].lives()) continue;
-      const auto sighting = in_turn ? moment.sighting(body) : choices_[body].sighting;
-      choices_[body] = moment.choice(body, sighting, common, params_.without_target);
-      if (in_turn) act(audience, body, choices_[body], now);
+      moment.perceive(body, *common_, params_.without_target, choices_[body]);
+      if (choices_[body].is_asked) asked_.push_back(body);
     }
-    for (BodyIndex body = 0; body < choices_.size() && !in_turn; ++body) act(audience, body, choices_[body], now);
+    return first_ < next_;
+  }
+
+  /// The robots that perceived and whose brains decide.
+  [[nodiscard]] std::span<const BodyIndex> asked() const { return asked_; }
+  [[nodiscard]] Choice<Rules>& choice(BodyIndex body) { return choices_[body]; }
+
+  /// Sets the outputs by the brains of their genomes.
+  void ask_brains() { population_.ask_brains(asked_, choices_); }
+
+  /// Lets those that perceived do what the outputs stand for.
+  void act(observe::Audience& audience, const View& now) {
+    decided_.clear();
+    for (const BodyIndex body : asked_) decided_.push_back(population_.decision(body, choices_[body].outputs));
+    auto decision = decided_.begin();
+    for (BodyIndex body = first_; body < next_; ++body) {
+      if (!population_[body].lives()) continue;
+      population_.sight(body, choices_[body].sighting, now);
+      if (choices_[body].is_asked) act(audience, body, *decision++, now);
+    }
   }
 
  private:
   static constexpr bool shows_outputs = control::EvaluatesOutputs<typename Population<Rules>::Brain>;
 
-  void act(observe::Audience& audience, BodyIndex body, const Choice<Rules>& choice, const View& now) {
-    if (!population_[body].lives()) return;
-    population_.sight(body, choice.sighting, now);
-    if (!choice.decision) return;
+  void act(observe::Audience& audience, BodyIndex body, const control::Decision& decision, const View& now) {
     const Individual& self = population_[body];
+    const Choice<Rules>& choice = choices_[body];
     const int tag_before = self.tag;
-    population_.turn(body, choice.decision->target_angle_rad);
+    population_.turn(body, decision.target_angle_rad);
     population_.acts().act(body, choice.outputs);
     using perception::MaySwitch;
     const MaySwitch may_switch = perception::ask::may_switch(rules_.tag_switch, population_.states().tag_switch[body], self, now);
     if (may_switch != MaySwitch::no) {
-      show_tag(audience, body, choice.decision->tag, may_switch == MaySwitch::yes_and_clock_restarts, now);
+      show_tag(audience, body, decision.tag, may_switch == MaySwitch::yes_and_clock_restarts, now);
     }
     audience.decision({.body = body,
-                       .inputs = std::span{choice.inputs}.first(Population<Rules>::Sensors::size_of(self.species)),
+                       .inputs = population_.inputs_of(body, choice.inputs),
                        .outputs = shows_outputs ? std::span<const double>{choice.outputs} : std::span<const double>{},
-                       .target_angle_rad = choice.decision->target_angle_rad,
-                       .tag = choice.decision->tag,
+                       .target_angle_rad = decision.target_angle_rad,
+                       .tag = decision.tag,
                        .tag_before = tag_before,
                        .might_switch = may_switch != MaySwitch::no},
                       now);
@@ -77,7 +112,14 @@ class Decisions {
   const Policies<Rules>& rules_;
   std::uint64_t seed_;
   Population<Rules>& population_;
-  std::vector<Choice<Rules>> choices_;
+  std::vector<Choice<Rules>> choices_;  ///< by body
+  /// Of the tick: the sensors that are the same for all robots.
+  std::optional<decltype(std::declval<const PolicyIn<Rules, RuleSlot::sensors>&>().sense_common(std::declval<const View&>()))>
+      common_;
+  BodyIndex first_ = 0;  ///< of those that perceived
+  BodyIndex next_ = 0;   ///< the first that has not yet perceived
+  std::vector<BodyIndex> asked_;
+  std::vector<control::Decision> decided_;
 };
 
 }  // namespace trophic

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <trophic/backend/backend_choice.hpp>
+#include <trophic/control/brain/outside.hpp>
 #include <trophic/ecology/births.hpp>
 #include <trophic/ecology/body_genes.hpp>
 #include <trophic/ecology/brain_genes.hpp>
@@ -48,11 +49,15 @@ template <class Rules>
   return named_params_of(all);
 }
 
+/// Who decides for the robots of a run: the brains of their genomes, or a program outside the ecology (ecology/stepped_run.hpp).
+enum class Decider { genome, outside };
+
 /// Everything that determines a run of `experiment` on `backend` in `habitat` until `until_s` (ecology seconds), and its
-/// fingerprint. A run under a null is described as the table with another heredity: heredity_under.
+/// fingerprint. A run under a null is described as the table with another heredity: heredity_under; one that is decided from
+/// outside as the table with the brain "outside".
 template <class Rules>
 [[nodiscard]] observe::RunDescription describe(const Experiment<Rules>& experiment, const BackendChoice& backend,
-                                               const Habitat& habitat, double until_s) {
+                                               const Habitat& habitat, double until_s, Decider decider = Decider::genome) {
   const Policies<Rules> policies = make_policies<Rules>(experiment.rules);
   observe::RunDescription run{.rules = table_name<Rules>(),
                               .slots = {},
@@ -71,6 +76,11 @@ template <class Rules>
   if (!heredity.empty()) run.rules += " with heredity = " + heredity;
   for (const rules::SlotRule& rule : rules::slot_rules<Rules>())
     run.slots.emplace_back(rule.slot, rule.slot == slot_name(RuleSlot::heredity) && !heredity.empty() ? heredity : rule.policy);
+  if (decider == Decider::outside && !control::IsOutside<AnswersForSpecies<PolicyIn<Rules, RuleSlot::brain>>>) {
+    const auto brain = std::ranges::find(run.slots, slot_name(RuleSlot::brain), &std::pair<std::string, std::string>::first);
+    brain->second = control::brain::Outside::name;
+    run.rules += " with brain = " + brain->second;
+  }
   if (experiment.null == Null::shadow || experiment.null == Null::clones) {
     std::erase_if(run.named_params, [](const NamedParam& param) { return param.path.starts_with("rules.heredity."); });
   }

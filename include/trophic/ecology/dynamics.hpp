@@ -7,6 +7,8 @@
 #include <trophic/ecology/describe.hpp>
 #include <trophic/ecology/recruiting.hpp>
 #include <trophic/ecology/repetition.hpp>
+#include <trophic/ecology/spaces.hpp>
+#include <trophic/ecology/stepping.hpp>
 #include <trophic/ecology/table_simulation.hpp>
 #include <trophic/io/state_columns.hpp>
 #include <trophic/perception/visibility/contract.hpp>
@@ -18,11 +20,12 @@ namespace trophic {
 /// brains, log. Before all of these, energy is spent and taken from the resource; the rule Order may let species act in turn.
 /// Tick 0 is the start. A policy that returns an invalid value or violates its contract causes a RuleError.
 template <class Rules>
-class Dynamics final : public TableSimulation<Rules> {
+class Dynamics final : public TableSimulation<Rules>, private Stepping {
  public:
   explicit Dynamics(CheckedExperiment<Rules> from) : all_{std::move(from)} {}
 
   void persist(Archive& archive) override {
+    check_between_ticks();
     archive(all_.tick, started_, starvation_clock_, all_.population, all_.bodies);
     repetition_.persist(archive);
     if (grows<Rules>) archive(all_.refused_births);
@@ -36,31 +39,132 @@ class Dynamics final : public TableSimulation<Rules> {
   [[nodiscard]] const Habitat& habitat() const override { return all_.habitat; }
   [[nodiscard]] const RuleStates<Rules>& states() const override { return all_.population.states(); }
 
-  [[nodiscard]] observe::RunDescription describe(double until_s) const override {
-    auto run = trophic::describe(all_.params, all_.choice, all_.habitat, until_s);
+  [[nodiscard]] observe::RunDescription describe(double until_s) const override { return described(until_s, Decider::genome); }
+  [[nodiscard]] io::StateColumns state_columns() const override { return io::state_columns(states()); }
+  [[nodiscard]] Stepping& stepping() override { return *this; }
+
+ private:
+  [[nodiscard]] observe::RunDescription described(double until_s, Decider decider) const {
+    auto run = trophic::describe(all_.params, all_.choice, all_.habitat, until_s, decider);
     run.spare_bodies = reproduction::ask::spare_bodies(all_.rules.recruitment);
     if (std::string slow = backend().speed_remark(); !slow.empty()) run.remarks.push_back(std::move(slow));
     return run;
   }
 
-  [[nodiscard]] io::StateColumns state_columns() const override { return io::state_columns(states()); }
-
- private:
   void run(double until_s, observe::Audience& audience) override {
-    repetition_.check();
+    if constexpr (control::IsOutside<typename Population<Rules>::Brain>) {
+      throw std::invalid_argument{
+          "rules.brain = outside: decisions come from outside the ecology: must be run by SteppedRun "
+          "(trophic/ecology/stepped_run.hpp) or from Python"};
+    }
+    check_can_begin();
     try {
       audience.start(describe(until_s), view());
-      if (!started_) start(audience);
-      while (time_s() < until_s && !view().is_over && audience.keep_running() && move(audience)) {
-        tick(audience);
-        audience.between_ticks(*this, false);
+      while (reach_decisions(until_s, audience)) {
+        if (rules_act()) decisions_.make(audience, view());
+        end_tick(audience);
       }
-      audience.between_ticks(*this, true);
-      audience.end(view());
+      end(audience);
     } catch (const std::exception& error) {
       audience.failure(error.what());
       throw;
     }
+  }
+
+  [[nodiscard]] observe::RunDescription describe_outside(double until_s) const override {
+    return described(until_s, Decider::outside);
+  }
+
+  [[nodiscard]] Spaces spaces() const override { return spaces_of<Rules>(all_.web.size(), all_.population.tags()); }
+
+  void begin(double until_s, observe::Audience& audience) override {
+    check_can_begin();
+    audience.start(describe_outside(until_s), view());
+  }
+
+  [[nodiscard]] bool sense(double until_s, observe::Audience& audience) override {
+    while (!is_in_tick_) {
+      if (!reach_decisions(until_s, audience)) {
+        stop(audience);
+        return false;
+      }
+      is_in_tick_ = true;
+      if (rules_act()) decisions_.begin(view());
+      ask_next(audience);
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool is_in_tick() const override { return is_in_tick_; }
+  void stop(observe::Audience& audience) override { end(audience); }
+
+  /// Lets the next robots of the tick perceive, until some wait for a decision or the tick ends.
+  void ask_next(observe::Audience& audience) {
+    for (; rules_act() && decisions_.sense(view()); decisions_.act(audience, view())) {
+      has_asked_ = false;
+      if (decisions_.asked().empty()) continue;
+      return note_perceived();
+    }
+    is_in_tick_ = false;
+    end_tick(audience);
+  }
+
+  [[nodiscard]] const Perceived& perceived() const override { return perceived_; }
+
+  [[nodiscard]] std::span<const double> own_outputs() override {
+    if (has_asked_) return own_outputs_;
+    has_asked_ = true;
+    decisions_.ask_brains();
+    own_outputs_.clear();
+    for (const BodyIndex body : perceived_.bodies) {
+      const auto& outputs = decisions_.choice(body).outputs;
+      own_outputs_.insert(own_outputs_.end(), outputs.begin(), outputs.end());
+    }
+    return own_outputs_;
+  }
+
+  void check(std::span<const double> outputs) const override { all_.population.check_outputs(perceived_.bodies, outputs); }
+
+  void decide(std::span<const double> outputs, observe::Audience& audience) override {
+    auto from = outputs.begin();
+    for (const BodyIndex body : perceived_.bodies) {
+      auto& own = decisions_.choice(body).outputs;
+      std::copy_n(from, own.size(), own.begin());
+      from += std::ssize(own);
+    }
+    decisions_.act(audience, view());
+    ask_next(audience);
+  }
+
+  void note_perceived() {
+    const auto asked = decisions_.asked();
+    perceived_.bodies.assign(asked.begin(), asked.end());
+    perceived_.inputs_each = Population<Rules>::Sensors::size;
+    perceived_.outputs_each = Population<Rules>::Acts::outputs;
+    perceived_.inputs.clear();
+    for (const BodyIndex body : asked) {
+      const auto& inputs = decisions_.choice(body).inputs;
+      perceived_.inputs.insert(perceived_.inputs.end(), inputs.begin(), inputs.end());
+    }
+  }
+
+  void check_between_ticks() const {
+    if (is_in_tick_) throw std::logic_error{"the robots of tick " + std::to_string(all_.tick) + " wait for decide(outputs)"};
+  }
+  void check_can_begin() const {
+    check_between_ticks();
+    repetition_.check();
+  }
+
+  /// Runs to where the robots of the next tick perceive. Returns false if the run ends before it.
+  [[nodiscard]] bool reach_decisions(double until_s, observe::Audience& audience) {
+    if (!started_) {
+      start(audience);
+    } else if (!(time_s() < until_s && !view().is_over && audience.keep_running() && move(audience))) {
+      return false;
+    }
+    let_live_and_die(audience);
+    return true;
   }
 
   void start(observe::Audience& audience) {
@@ -70,7 +174,16 @@ class Dynamics final : public TableSimulation<Rules> {
       if (population()[body].lives()) turnover_.emit(audience, observe::EventKind::birth, body);
     repetition_.start();
     starvation_clock_ = death::ask::start(all_.rules.starvation, view());
-    tick(audience);
+  }
+
+  void end_tick(observe::Audience& audience) {
+    audience.tick(view());
+    if (all_.tick > 0) audience.between_ticks(*this, false);
+  }
+
+  void end(observe::Audience& audience) {
+    audience.between_ticks(*this, true);
+    audience.end(view());
   }
 
   /// Moves the bodies through a tick. Returns false and leaves everything unchanged if an observer cancelled it.
@@ -98,9 +211,11 @@ class Dynamics final : public TableSimulation<Rules> {
     turnover_.begin_life(audience, body);
   }
 
-  void tick(observe::Audience& audience) {
-    const bool rules_act = time_s() >= all_.params.ecology.first_tick_s;
-    const bool lives_end = rules_act && !repetition_ && all_.params.lineup.empty();
+  [[nodiscard]] bool rules_act() const { return time_s() >= all_.params.ecology.first_tick_s; }
+
+  /// What happens in a tick before robots perceive.
+  void let_live_and_die(observe::Audience& audience) {
+    const bool lives_end = rules_act() && !repetition_ && all_.params.lineup.empty();
     if (lives_end) activate(audience);
     if (in_turn()) {
       act_in_turn(audience, lives_end);
@@ -113,8 +228,6 @@ class Dynamics final : public TableSimulation<Rules> {
       minimum_predators(audience);
       if (!in_turn()) recruit(audience, AllAct{});
     }
-    if (rules_act) decisions_.make(audience, view());
-    audience.tick(view());
   }
 
   /// Whether species act in turn.
@@ -249,6 +362,11 @@ class Dynamics final : public TableSimulation<Rules> {
   Decisions<Rules> decisions_{all_.params.ecology, all_.rules, all_.params.seed, all_.population};
   death::ClockOf<PolicyIn<Rules, RuleSlot::starvation>> starvation_clock_;
   bool started_ = false;
+  // Of a run that is decided from outside.
+  bool is_in_tick_ = false;  ///< whether robots wait for decisions
+  bool has_asked_ = false;   ///< whether own_outputs_ are those of the brains of the robots that wait
+  Perceived perceived_;
+  std::vector<double> own_outputs_;
 };
 
 /// The dynamics of an experiment, whose models are loaded by trophic/habitat/load/habitat.hpp. Throws std::invalid_argument

@@ -40,6 +40,7 @@ class Ecology final : public Simulation {
 
   [[nodiscard]] observe::RunDescription describe(double until_s) const override { return dynamics_->describe(until_s); }
   [[nodiscard]] io::StateColumns state_columns() const override { return dynamics_->state_columns(); }
+  [[nodiscard]] Stepping& stepping() override { return dynamics_->stepping(); }
 
  private:
   void run(double until_s, observe::Audience& audience) override { dynamics_->run_before(audience, until_s); }

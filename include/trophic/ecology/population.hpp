@@ -51,7 +51,8 @@ class Population {
   [[nodiscard]] std::span<const std::size_t> members() const { return census_.members(); }  ///< number per species
   [[nodiscard]] IndividualId next_id() const { return next_id_; }                           ///< id of the next newborn
   [[nodiscard]] const Individual& operator[](BodyIndex body) const { return census_[body]; }
-  [[nodiscard]] std::uint64_t seed() const { return seed_; }  ///< seed of all random numbers of births
+  [[nodiscard]] std::uint64_t seed() const { return seed_; }         ///< seed of all random numbers of births
+  [[nodiscard]] std::span<const int> tags() const { return tags_; }  ///< that brains may choose
   [[nodiscard]] const RuleStates<Rules>& states() const { return states_; }
   [[nodiscard]] const Economy<Rules>& economy() const { return economy_; }
 
@@ -132,15 +133,36 @@ class Population {
     notify_sighting(rules_, states_, body, sighting, view);
   }
 
-  /// Returns the brain's decision for these inputs, and its outputs. Throws RuleError for an unlisted tag or a number that is not
-  /// finite.
+  using Inputs = typename Sensors::Values;
   using Outputs = typename ActMemory<Rules>::Outputs;
-  [[nodiscard]] control::Decision decide(BodyIndex body, std::span<const double> inputs, Outputs& outputs) {
-    check_finite("sensors", "inputs", inputs);
+
+  /// Returns the inputs of an individual's brain: the first of the sensors' values.
+  [[nodiscard]] std::span<const double> inputs_of(BodyIndex body, const Inputs& inputs) const {
+    return std::span{inputs}.first(Sensors::size_of(census_[body].species));
+  }
+
+  /// Sets the outputs of an individual's brain for these inputs.
+  void ask_brain(BodyIndex body, const Inputs& inputs, Outputs& outputs) {
     const Individual& self = census_[body];
-    const control::Decision decision = control::ask::decide<Acts>(
-        for_species(rules_.brain, self.species), states_.brain[body], inputs, self.genome->weights,
-        std::span<double, Acts::outputs>{outputs}, {.target_angle_rad = self.target_angle_rad, .tag = self.tag});
+    control::ask::answer(for_species(rules_.brain, self.species), states_.brain[body], inputs_of(body, inputs),
+                         self.genome->weights, outputs);
+  }
+
+  /// The same for several individuals, one after another or, if the brain evaluates all at once, together. `choices`: by body.
+  void ask_brains(std::span<const BodyIndex> asked, auto& choices) {
+    if constexpr (control::EvaluatesAll<Brain>) {
+      for (Species species = 0; species < web_.size(); ++species) ask_species(species, asked, choices);
+    } else {
+      for (const BodyIndex body : asked) ask_brain(body, choices[body].inputs, choices[body].outputs);
+    }
+  }
+
+  /// Returns the decision that these outputs stand for. Throws RuleError for an unlisted tag or a number that is not finite.
+  [[nodiscard]] control::Decision decision(BodyIndex body, const Outputs& outputs) const {
+    const Individual& self = census_[body];
+    const control::Decision decision =
+        control::ask::decision_of<Acts>(for_species(rules_.brain, self.species), std::span<const double, Acts::outputs>{outputs},
+                                        {.target_angle_rad = self.target_angle_rad, .tag = self.tag});
     check_tag(tags_, decision.tag, "brain");
     check_finite("brain", "a target angle", {&decision.target_angle_rad, 1});
     check_finite("brain", "outputs", outputs);
@@ -207,7 +229,58 @@ class Population {
     }
   }
 
+  /// Throws std::invalid_argument unless `outputs` has a decision for each of these individuals, one after another.
+  void check_outputs(std::span<const BodyIndex> bodies, std::span<const double> outputs) const {
+    if (outputs.size() != bodies.size() * Acts::outputs) {
+      throw std::invalid_argument{"outputs: " + std::to_string(outputs.size()) + " numbers: must be " +
+                                  std::to_string(bodies.size() * Acts::outputs) + ", " + std::to_string(Acts::outputs) +
+                                  " for each of " + std::to_string(bodies.size()) + " robots"};
+    }
+    for (std::size_t row = 0; row < bodies.size(); ++row) {
+      const auto own = outputs.subspan(row * Acts::outputs).template first<Acts::outputs>();
+      const auto wrong = wrong_output(own);
+      if (!wrong) continue;
+      const Individual& self = census_[bodies[row]];
+      throw std::invalid_argument{"outputs: row " + std::to_string(row) + ", individual " + std::to_string(self.id) + " (" +
+                                  web_.name(self.species) + "): " + *wrong};
+    }
+  }
+
  private:
+  /// Why these outputs are not a decision, if they are not.
+  [[nodiscard]] std::optional<std::string> wrong_output(std::span<const double, Acts::outputs> outputs) const {
+    for (std::size_t i = 0; i < outputs.size(); ++i)
+      if (!std::isfinite(outputs[i])) return Acts::output_names()[i] + " = " + number_text(outputs[i]) + ": must be finite";
+    if constexpr (!control::EvaluatesOutputs<Brain>) {
+      for (const int tag : tags_)
+        if (outputs[1] == tag) return std::nullopt;
+      return "tag = " + number_text(outputs[1]) + ": must be one of the brain's tags";
+    }
+    return acts_.out_of_bounds(outputs);
+  }
+
+  /// The outputs of those individuals of a species that are asked, in one call.
+  void ask_species(Species species, std::span<const BodyIndex> asked, auto& choices) requires control::EvaluatesAll<Brain> {
+    std::vector<BodyIndex> bodies;
+    std::vector<double> inputs;
+    std::vector<std::span<const double>> genomes;
+    for (const BodyIndex body : asked) {
+      if (census_[body].species != species) continue;
+      const auto own = inputs_of(body, choices[body].inputs);
+      bodies.push_back(body);
+      inputs.insert(inputs.end(), own.begin(), own.end());
+      genomes.emplace_back(census_[body].genome->weights);
+    }
+    if (bodies.empty()) return;
+    std::vector<double> outputs(bodies.size() * Acts::outputs);
+    for_species(rules_.brain, species).evaluate_all(inputs, genomes, outputs);
+    auto from = outputs.begin();
+    for (const BodyIndex body : bodies) {
+      std::copy_n(from, Acts::outputs, choices[body].outputs.begin());
+      from += Acts::outputs;
+    }
+  }
+
   /// Adds a body with a founder of a species, or a spare one.
   void found(Species species) {
     Individual born = newborn(species, 0.0, 0, nullptr);

@@ -2,6 +2,7 @@
 // An ecology whose rules and backend are type-erased.
 #pragma once
 
+#include <stdexcept>
 #include <trophic/backend/any_backend.hpp>
 #include <trophic/observe/audience.hpp>
 #include <trophic/observe/run_description.hpp>
@@ -13,6 +14,8 @@ struct StateColumns;
 }
 
 namespace trophic {
+
+class Stepping;
 
 /// Type-erased interface for running, observing and checkpointing an ecology.
 class Simulation {
@@ -47,6 +50,8 @@ class Simulation {
   [[nodiscard]] virtual observe::RunDescription describe(double until_s) const = 0;
   /// The states of rules with a State, for states.csv (trophic/io/state_log.hpp). Refers to the ecology.
   [[nodiscard]] virtual io::StateColumns state_columns() const = 0;
+  /// For runs whose decisions come from outside (trophic/ecology/stepped_run.hpp). Throws std::logic_error if there can be none.
+  [[nodiscard]] virtual Stepping& stepping() { throw std::logic_error{"this simulation cannot be stepped from outside"}; }
 
  protected:
   Simulation() = default;

@@ -53,12 +53,17 @@ __attribute__((no_sanitize("address"))) inline void copy_unchecked(const char* f
   return hash.value();
 }
 
-/// Hashes the program, which is the first object that the system names.
-inline int hash_program(::dl_phdr_info* program, std::size_t, void* into) {
-  const std::span segments{program->dlpi_phdr, program->dlpi_phnum};
+/// Hashes the object that contains this function: a program, or a library such as a Python module.
+inline int hash_own_object(::dl_phdr_info* object, std::size_t, void* into) {
+  const std::span segments{object->dlpi_phdr, object->dlpi_phnum};
+  const auto here = reinterpret_cast<ElfW(Addr)>(&hash_own_object);
+  const auto is_here = [&](const auto& segment) {
+    return segment.p_type == PT_LOAD && here - (object->dlpi_addr + segment.p_vaddr) < segment.p_memsz;
+  };
+  if (std::ranges::none_of(segments, is_here)) return 0;
   std::string hashes;
   for (const auto& segment : segments) {
-    if (is_code(segment)) hashes += std::to_string(hash_words(words_of(segment, segments, program->dlpi_addr))) + ' ';
+    if (is_code(segment)) hashes += std::to_string(hash_words(words_of(segment, segments, object->dlpi_addr))) + ' ';
   }
   *static_cast<std::string*>(into) = hash_text(hashes);
   return 1;
@@ -69,7 +74,7 @@ inline int hash_program(::dl_phdr_info* program, std::size_t, void* into) {
 TROPHIC_INLINE const std::string& program_code() {
   static const std::string code = [] {
     std::string hash;
-    ::dl_iterate_phdr(detail::hash_program, &hash);
+    ::dl_iterate_phdr(detail::hash_own_object, &hash);
     return hash;
   }();
   return code;

@@ -23,6 +23,8 @@ _MODULES = {
     "to_parquet": "runs",
     "metric": "metrics.own",
     "Page": "programs",
+    "env": "environment",
+    "Environment": "environment",
     "show": "start",
     "run": "start",
     "sweep": "start",

@@ -8,6 +8,7 @@ from . import (
     runs as runs,
     start as start,
 )
+from .environment import Environment as Environment, env as env
 from .errors import ProgramError as ProgramError, RunError as RunError
 from .metrics.own import metric as metric
 from .programs import Page as Page

@@ -63,6 +63,20 @@ concept EvaluatesOutputs = requires(const P policy, std::span<const double> numb
   { policy.evaluate(numbers, numbers, outputs, own) } -> std::same_as<void>;
 };
 
+/// A brain without a State that evaluates many individuals in one call, such as a network that uses SIMD.
+template <class P>
+concept EvaluatesAll =
+    EvaluatesOutputs<P> && !Stateful<P> && requires(const P policy, std::span<const double> inputs,
+                                                    std::span<const std::span<const double>> genomes, std::span<double> outputs) {
+  { policy.evaluate_all(inputs, genomes, outputs) } -> std::same_as<void>;
+};
+
+/// A brain whose decisions come from outside the ecology: brain/outside.hpp.
+template <class P>
+concept IsOutside = requires {
+  requires P::is_outside;
+};
+
 /// A brain that turns and chooses a tag without output neurons.
 template <class P>
 concept Decides = requires(const P policy, std::span<const double> numbers) {
@@ -77,7 +91,9 @@ concept Decides = requires(const P policy, std::span<const double> numbers) {
 /// outputs, in the order of the table's acts, which convert them to values. It is a pure function of inputs and weights and, with
 /// a State, of `own`, which it may change; it is called at most once per tick. The weights are the genome's, which change only at
 /// births. Optional: `target_angle_rad(output)` and `tag(output)`, which interpret the outputs of the acts Turn and Tag
-/// (control/acts/).
+/// (control/acts/). Optional, without a State: `evaluate_all(inputs, genomes, outputs)`, which does the same for all individuals
+/// of a species at a tick: `genomes` has a span of weights for each; `inputs` and `outputs` hold one individual's numbers after
+/// another's. It must set exactly the outputs that `evaluate` sets.
 ///
 /// Instead of `evaluate`, a brain that only turns and chooses a tag may have `Decision decide(inputs, weights)`; the table's acts
 /// are then those of the paper. Instead of `genome_size` it may have the functions of a GrowingBrain. A brain for only one number
@@ -174,15 +190,31 @@ void evaluate(const P& policy, [[maybe_unused]] StateOf<P>& own, std::span<const
   }
 }
 
-/// Returns the decision of a brain in a table with these acts, and its outputs if it has output neurons. Parts of the decision
-/// without an act are copied from `before`.
-template <class Acts, class P>
-[[nodiscard]] Decision decide(const P& policy, [[maybe_unused]] StateOf<P>& own, std::span<const double> inputs,
-                              std::span<const double> weights, std::span<double, Acts::outputs> outputs,
-                              const Decision& before = {}) {
+/// Sets the outputs of a brain; those of one without output neurons are its target angle, rad, and its tag.
+template <class P>
+void answer(const P& policy, [[maybe_unused]] StateOf<P>& own, std::span<const double> inputs, std::span<const double> weights,
+            std::span<double> outputs) {
   if constexpr (EvaluatesOutputs<P>) {
     evaluate(policy, own, inputs, weights, outputs);
-    Decision decision = before;
+  } else {
+    const auto decision = [&] {
+      if constexpr (requires { policy.decide(inputs, weights, own); }) {
+        return policy.decide(inputs, weights, own);
+      } else {
+        return policy.decide(inputs, weights);
+      }
+    }();
+    outputs[0] = decision.target_angle_rad;
+    outputs[1] = decision.tag;
+  }
+}
+
+/// Returns the decision that outputs of a brain stand for in a table with these acts. Parts of the decision without an act are
+/// copied from `before`.
+template <class Acts, class P>
+[[nodiscard]] Decision decision_of(const P& policy, std::span<const double, Acts::outputs> outputs, const Decision& before = {}) {
+  Decision decision = before;
+  if constexpr (EvaluatesOutputs<P>) {
     Acts::each(outputs, [&]<class One>(std::size_t, std::span<const double, One::outputs> out) {
       if constexpr (std::same_as<One, acts::Turn>) {
         if constexpr (requires { policy.target_angle_rad(out[0]); }) {
@@ -198,12 +230,18 @@ template <class Acts, class P>
         }
       }
     });
-    return decision;
-  } else if constexpr (requires { policy.decide(inputs, weights, own); }) {
-    return policy.decide(inputs, weights, own);
   } else {
-    return policy.decide(inputs, weights);
+    decision = {.target_angle_rad = outputs[0], .tag = static_cast<int>(outputs[1])};
   }
+  return decision;
+}
+
+/// Returns the decision of a brain in a table with these acts, and its outputs.
+template <class Acts, class P>
+[[nodiscard]] Decision decide(const P& policy, StateOf<P>& own, std::span<const double> inputs, std::span<const double> weights,
+                              std::span<double, Acts::outputs> outputs, const Decision& before = {}) {
+  answer(policy, own, inputs, weights, outputs);
+  return decision_of<Acts>(policy, std::span<const double, Acts::outputs>{outputs}, before);
 }
 
 /// Returns the decision of a brain in a table with the paper's acts.

@@ -38,6 +38,17 @@ struct FeedForwardBrain {
   void evaluate(std::span<const double> inputs, std::span<const double> weights, std::span<double> outputs) const {
     propagate(inputs, weights, outputs);
   }
+  /// The same for many, without memory for each.
+  void evaluate_all(std::span<const double> inputs, std::span<const std::span<const double>> genomes,
+                    std::span<double> outputs) const {
+    std::vector<double> hidden(params.hidden);
+    const std::size_t in = genomes.empty() ? 0 : inputs.size() / genomes.size();
+    const std::size_t out = genomes.empty() ? 0 : outputs.size() / genomes.size();
+    for (std::size_t i = 0; i < genomes.size(); ++i) {
+      tanh_layer<0>(inputs.subspan(i * in, in), hidden, genomes[i].data());
+      tanh_layer<0>(hidden, outputs.subspan(i * out, out), genomes[i].data() + params.hidden * in);
+    }
+  }
   [[nodiscard]] double target_angle_rad(double output) const { return detail::either_side(output, params.turn_angle_rad); }
 
   /// Calls `visit(weight's index, neuron before, neuron after)` for each link.
@@ -64,6 +75,6 @@ struct FeedForwardBrain {
     return hidden;
   }
 };
-static_assert(Brain<FeedForwardBrain>);
+static_assert(Brain<FeedForwardBrain> && EvaluatesAll<FeedForwardBrain>);
 
 }  // namespace trophic::control::brain

@@ -69,7 +69,8 @@ concept CommonSensor = detail::Sized<P> && requires(const P policy, const View& 
   { policy.sense(view) } -> std::same_as<std::array<double, P::size>>;
 };
 
-/// One sensor of a robot. The brain's inputs are the numbers of all sensors, in the order of the list.
+/// One sensor of a robot. Optional: the bounds of its values, `static constexpr double least = 0.0, most = 1.0;`, for programs
+/// that decide from outside. The brain's inputs are the numbers of all sensors, in the order of the list.
 template <class P>
 concept Sensor = detail::NamedSensor<P> &&(OwnSensor<P> || CommonSensor<P>);
 

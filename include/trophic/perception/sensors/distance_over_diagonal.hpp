@@ -13,6 +13,8 @@ struct DistanceOverDiagonal {
   static constexpr std::string_view name = "distance_over_diagonal";
   static constexpr std::string_view source = "paper: silent; a reading of Sec. \"Inputs\"";
   static constexpr std::size_t size = 1;
+  static constexpr double least = 0.0;
+  static constexpr double most = 1.0;
   [[nodiscard]] std::array<double, size> sense(BodyIndex, const std::optional<Sighting>& sighting, const View& view, Rng&) const {
     return {sighting ? std::min(1.0, sighting->distance_m / (std::numbers::sqrt2 * view.arena.extent_m)) : 1.0};
   }

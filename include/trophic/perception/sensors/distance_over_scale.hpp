@@ -12,6 +12,8 @@ struct DistanceOverScale {
   static constexpr std::string_view name = "distance_over_scale";
   static constexpr std::string_view source = "released code";
   static constexpr std::size_t size = 1;
+  static constexpr double least = 0.0;
+  static constexpr double most = 1.0;
 
   struct Params {
     double full_scale_m = 20.0;

@@ -14,6 +14,8 @@ struct DistanceOverTerrain {
   static constexpr std::string_view name = "distance_over_terrain";
   static constexpr std::string_view source = "paper, Sec. \"Inputs\"";
   static constexpr std::size_t size = 1;
+  static constexpr double least = 0.0;
+  static constexpr double most = 1.0;
   [[nodiscard]] std::array<double, size> sense(BodyIndex, const std::optional<Sighting>& sighting, const View& view, Rng&) const {
     return {sighting ? std::min(1.0, sighting->distance_m / view.arena.extent_m) : 1.0};
   }

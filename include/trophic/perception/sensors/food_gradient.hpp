@@ -13,6 +13,8 @@ struct FoodGradient {
   static constexpr std::string_view name = "food_gradient";
   static constexpr std::string_view source = "not in the paper";
   static constexpr std::size_t size = 2;
+  static constexpr double least = -1.0;
+  static constexpr double most = 1.0;
 
   struct Params {
     double reach_m = 1.0;

@@ -16,6 +16,8 @@ struct Hearing {
   static constexpr std::string_view name = "hearing";
   static constexpr std::string_view source = "not in the paper";
   static constexpr std::size_t size = sectors;
+  static constexpr double least = 0.0;
+  static constexpr double most = 1.0;
   using ReadsActs = control::acts::List<control::acts::Signal<channel>>;
 
   struct Params {

@@ -12,6 +12,8 @@ struct OwnSpeed {
   static constexpr std::string_view name = "own_speed";
   static constexpr std::string_view source = "not in the paper";
   static constexpr std::size_t size = 1;
+  static constexpr double least = 0.0;
+  static constexpr double most = 1.0;
 
   struct Params {
     double full_scale_m_s = 0.1;

@@ -12,6 +12,8 @@ struct RandomTurn {
   static constexpr std::string_view name = "random_turn";
   static constexpr std::string_view source = "not in the paper; [wilensky1997]";
   static constexpr std::size_t size = 1;
+  static constexpr double least = -1.0;
+  static constexpr double most = 1.0;
   [[nodiscard]] std::array<double, size> sense(BodyIndex, const std::optional<Sighting>&, const View&, Rng& rng) const {
     return {rng.uniform() - rng.uniform()};
   }

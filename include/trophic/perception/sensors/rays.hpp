@@ -21,6 +21,8 @@ struct Rays {
   static constexpr std::string_view name = "rays";
   static constexpr std::string_view source = "not in the paper";
   static constexpr std::size_t size = count * sizeof...(kinds);
+  static constexpr double least = 0.0;
+  static constexpr double most = 1.0;
 
   struct Params {
     double range_m = 3.0;

@@ -13,6 +13,8 @@ struct SideAwayFromHunter {
   static constexpr std::string_view name = "side_away_from_hunter";
   static constexpr std::string_view source = "released code";
   static constexpr std::size_t size = 1;
+  static constexpr double least = -1.0;
+  static constexpr double most = 1.0;
   [[nodiscard]] std::array<double, size> sense(BodyIndex self, const std::optional<Sighting>& sighting, const View& view,
                                                Rng&) const {
     if (!sighting) return {0.0};

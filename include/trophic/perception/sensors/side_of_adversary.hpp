@@ -12,6 +12,8 @@ struct SideOfAdversary {
   static constexpr std::string_view name = "side_of_adversary";
   static constexpr std::string_view source = "paper, Sec. \"Inputs\"";
   static constexpr std::size_t size = 1;
+  static constexpr double least = -1.0;
+  static constexpr double most = 1.0;
   [[nodiscard]] std::array<double, size> sense(BodyIndex, const std::optional<Sighting>& sighting, const View&, Rng&) const {
     if (!sighting) return {0.0};
     return {sighting->bearing_rad < 0.0 ? -1.0 : 1.0};

@@ -12,6 +12,8 @@ struct TagRatioOfActive {
   static constexpr std::string_view name = "tag_ratio_of_active";
   static constexpr std::string_view source = "released code";
   static constexpr std::size_t size = 1;
+  static constexpr double least = -0.5;
+  static constexpr double most = 0.5;
   [[nodiscard]] std::array<double, size> sense(const View& view) const {
     double total = 0.0;
     double positive = 0.0;

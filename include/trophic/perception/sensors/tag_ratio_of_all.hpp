@@ -12,6 +12,8 @@ struct TagRatioOfAll {
   static constexpr std::string_view name = "tag_ratio_of_all";
   static constexpr std::string_view source = "paper, Sec. \"Inputs\", Eq. 2";
   static constexpr std::size_t size = 1;
+  static constexpr double least = -0.5;
+  static constexpr double most = 0.5;
   [[nodiscard]] std::array<double, size> sense(const View& view) const {
     const auto total = static_cast<double>(std::ranges::count_if(view.robots, &Individual::lives));
     const auto is_positive = [](const Individual& one) { return one.lives() && one.tag == 1; };

@@ -13,6 +13,8 @@ struct Tilt {
   static constexpr std::string_view name = "tilt";
   static constexpr std::string_view source = "not in the paper";
   static constexpr std::size_t size = 1;
+  static constexpr double least = 0.0;
+  static constexpr double most = 1.0;
   static constexpr bool needs_joints = true;
 
   [[nodiscard]] std::array<double, size> sense(BodyIndex self, const std::optional<Sighting>&, const View& view, Rng&) const {
