@@ -1,26 +1,59 @@
 # SPDX-License-Identifier: MIT
-"""Trophic's programs as commands: their location, their errors, and the page that `trophic show` makes."""
+"""Trophic's programs as commands and its compiled module: their location, their errors, and the page that `trophic show` makes."""
 from __future__ import annotations
 
+import importlib.machinery
+import importlib.util
 import os
 import pathlib
 import shutil
 import signal
 import subprocess
+import sys
+from types import ModuleType
+from typing import NoReturn
 
 from .errors import ProgramError
 from .progress import Errors
 
 
+def compiled() -> pathlib.Path | None:
+    """The folder of the programs that pip installed: those with MuJoCo if the wheel of the MuJoCo that they need is beside trophic."""
+    package = pathlib.Path(__file__).resolve().parent
+    for folder in sorted((package / "compiled").glob("mujoco-*")):
+        version = folder.name.removeprefix("mujoco-")
+        if (package.parent / f"mujoco/libmujoco.so.{version}").exists():
+            return folder
+    kinematic = package / "compiled/kinematic"
+    return kinematic if kinematic.is_dir() else None
+
+
 def find_program(name: str) -> str:
-    """The path of one of trophic's programs: in $TROPHIC_BIN, next to an installed copy of this module, or on the PATH."""
-    places = [os.environ.get("TROPHIC_BIN"), str(pathlib.Path(__file__).resolve().parents[4] / "bin")]
+    """The path of one of trophic's programs: in $TROPHIC_BIN, where pip installed it, next to an installed copy of this module, or on the PATH."""
+    places = [os.environ.get("TROPHIC_BIN"), compiled(), pathlib.Path(__file__).resolve().parents[4] / "bin"]
     for place in filter(None, places):
-        if (found := shutil.which(name, path=place)) is not None:
+        if (found := shutil.which(name, path=str(place))) is not None:
             return found
     if (found := shutil.which(name)) is not None:
         return found
     raise ProgramError(f"{name}: is not on the PATH; install trophic, or set TROPHIC_BIN to its folder of programs")
+
+
+def script() -> NoReturn:
+    """Becomes the program of the name under which pip installed this script."""
+    os.environ.setdefault("TROPHIC_PYTHON", sys.executable)  # of its verbs
+    os.execv(find_program(pathlib.Path(sys.argv[0]).name), sys.argv)
+
+
+def ecologies() -> ModuleType:
+    """The compiled module trophic_ecologies: where pip installed it, or on the path."""
+    if (folder := compiled()) is not None and "trophic_ecologies" not in sys.modules:
+        finder = importlib.machinery.PathFinder()
+        if (found := finder.find_spec("trophic_ecologies", [str(folder)])) is not None and found.loader is not None:
+            module = importlib.util.module_from_spec(found)
+            sys.modules["trophic_ecologies"] = module
+            found.loader.exec_module(module)
+    return importlib.import_module("trophic_ecologies")
 
 
 def chosen_program(request: dict) -> str:
