@@ -51,7 +51,10 @@ endfunction()
 
 # trophic_wheel(): the target and the component.
 function(trophic_wheel)
-  add_custom_target(trophic_wheel)
+  if(TROPHIC_BUILD_TESTS)
+    set(tested ALL)
+  endif()
+  add_custom_target(trophic_wheel ${tested})
   # The list of engines that is linked first replaces that of trophic::command.
   add_library(trophic_no_engines OBJECT EXCLUDE_FROM_ALL ${PROJECT_SOURCE_DIR}/tools/command/backends.cpp)
   target_link_libraries(trophic_no_engines PRIVATE trophic::compiled trophic_own_flags)
