@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """workflow_test.py ROOT: the workflow runs scripts that exist on the systems that packaging/README.md names, each with the day and commit of its last
-run; the Python package has a script for each program and verb, and one version of MuJoCo, which CMake takes."""
+run; the Python package has the project's version, a script for each program and verb, and one version of MuJoCo, which CMake takes."""
 
 import pathlib
 import re
@@ -28,6 +28,10 @@ class Package(unittest.TestCase):
         self.assertEqual(
             scripts, {**dict.fromkeys(programs, "programs"), **{f"trophic-{verb}": "command" for verb in verbs}}
         )
+
+    def test_its_version_is_the_projects(self):
+        version = re.search(r"VERSION ([\d.]+)\n", (ROOT / "CMakeLists.txt").read_text())[1]
+        self.assertIn(f'__version__ = "{version}"\n', (ROOT / "tools/python/trophic/__init__.py").read_text())
 
     def test_it_is_built_and_used_with_one_mujoco(self):
         versions = set(re.findall(r'"mujoco==([\d.]+)"', self.project))
