@@ -41,8 +41,11 @@ def find_program(name: str) -> str:
 
 def script() -> NoReturn:
     """Becomes the program of the name under which pip installed this script."""
+    name = pathlib.Path(sys.argv[0]).name
+    if (folder := compiled()) is None:
+        sys.exit(f"{name}: pip installed trophic without its programs; run pip install without -e and without settings")
     os.environ.setdefault("TROPHIC_PYTHON", sys.executable)  # of its verbs
-    os.execv(find_program(pathlib.Path(sys.argv[0]).name), sys.argv)
+    os.execv(folder / name, sys.argv)
 
 
 def ecologies() -> ModuleType:
