@@ -19,6 +19,7 @@ figures_python.continue_with_pandas()
 import pandas  # noqa: E402
 import trophic  # noqa: E402
 from in_folder import InFolder  # noqa: E402
+from trophic.metrics import Measuring  # noqa: E402
 
 PREDATOR_PREY, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
 os.environ["TROPHIC_BIN"] = str(pathlib.Path(TROPHIC).parent)
@@ -252,6 +253,10 @@ class Start(InFolder):
         cells = trophic.sweep(sweep, out=self.folder / "sweep")
         self.assertEqual([(name, len(runs)) for name, runs in cells.items()], [("cell-000", 2), ("cell-001", 2)])
         self.assertTrue(all(run.complete for runs in cells.values() for run in runs))
+        self.assertIn(
+            "<pre>sweep of 2 cells, 4 runs of 60 s",
+            trophic.analyze_sweep(self.folder / "sweep", how=Measuring(jobs=1))._repr_html_(),
+        )
         again = trophic.sweep(self.folder / "sweep/sweep.toml", out=self.folder / "again")
         plan = [(self.folder / name / "plan.jsonl").read_bytes() for name in ("sweep", "again")]
         self.assertEqual(plan[0], plan[1])
