@@ -43,7 +43,20 @@ def tools() -> pathlib.Path:
     """A folder with scikit-build-core."""
     folder = pathlib.Path(tempfile.mkdtemp(prefix="trophic-wheel-"))
     unittest.addModuleCleanup(shutil.rmtree, folder)
-    words = [sys.executable, "-m", "pip", "install", "-q", "--target", folder, "scikit-build-core"]
+    words = [
+        sys.executable,
+        "-m",
+        "pip",
+        "install",
+        "-q",
+        "--retries",
+        1,
+        "--timeout",
+        10,
+        "--target",
+        folder,
+        "scikit-build-core",
+    ]
     try:
         done = call(*words, timeout=60)
         why = done.stderr.strip().splitlines()[-1:] if done.returncode else None
