@@ -25,7 +25,7 @@ struct Happened {
   std::optional<Cause> cause = {};         ///< of a death
 };
 
-/// A described run that is decided from outside, and what has happened since it was last asked.
+/// A described run that is decided from outside, and the events since its last decisions.
 class SteppedEcology {
  public:
   /// Throws as described_run does.
@@ -52,10 +52,10 @@ class SteppedEcology {
   [[nodiscard]] const Simulation& simulation() const;
   [[nodiscard]] Spaces spaces() const;
   [[nodiscard]] double until_s() const { return until_s_; }
-  /// The description of the run.
+  /// Describes the run as its manifest does.
   [[nodiscard]] observe::RunDescription description() const;
-  /// Events since the last call.
-  [[nodiscard]] std::vector<Happened> take_events();
+  /// The events since the last call of decide, or of reset.
+  [[nodiscard]] const std::vector<Happened>& events() const;
 
  private:
   struct Run;
