@@ -21,14 +21,6 @@ sys.path.insert(0, str(SOURCES / "tests/program"))
 from in_folder import InFolder, call, run_ok  # noqa: E402
 
 RUN = ("--backend", "kinematic", "--duration", 60, "--seed", 3, "--out")
-CODE = """
-import trophic
-run = trophic.run("pond", backend="kinematic", duration=100, out="pond")
-assert run.complete and len(run.agents) > 0
-page = trophic.show(run, "pond.html")
-assert page.path.stat().st_size > 100_000
-print(trophic.__file__)
-"""
 STEPS = """
 import trophic.programs
 ecology = trophic.programs.ecologies().Ecology({"rule_table": "paper", "engine": "kinematic", "seed": 3, "ecology.duration_s": 60})
@@ -125,8 +117,19 @@ class Wheel(InFolder):
         self.assert_same("its", "ours", "replay.trp")
         self.assertIn("rule table `paper`", self.in_environment("trophic", "cite", "its").stdout)
 
-    def test_python_runs_reads_and_shows(self):
-        self.assertIn(str(self.site), self.in_environment("python", "-c", CODE).stdout)
+    def test_the_python_of_readme(self):
+        blocks = re.findall(r"```python\n(.*?)```", (SOURCES / "README.md").read_text(), re.DOTALL)
+        self.assertTrue(blocks)
+        environment = {"PATH": "/usr/bin:/bin", "HOME": str(self.folder)}
+        for block in blocks:
+            code = f"{block}\nimport trophic; print(trophic.__file__)"
+            done = self.call(self.bin / "python", "-c", code, env=environment)
+            if lacking := re.search(r"No module named '(?!trophic)\w+'", done.stderr):
+                self.skipTest(lacking[0])
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertIn(str(self.site), done.stdout)
+        for page in re.findall(r'"([\w-]+\.html)"', "".join(blocks)):
+            self.assertGreater((self.folder / page).stat().st_size, 100_000)
 
     def test_python_steps(self):
         if not list((BUILD / "wheel/kinematic").glob("trophic_ecologies.*")):
