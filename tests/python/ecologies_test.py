@@ -94,16 +94,23 @@ def test_the_manifest_of_a_run_that_is_decided_from_outside(tmp_path):
     assert resumed.returncode == 2 and "paper with brain = outside" in resumed.stderr
 
 
-def test_a_run_is_analysed_shown_and_cited_as_any_other(tmp_path):
-    runs = tmp_path / "runs"
-    runs.mkdir()
-    for seed in range(6):
-        run_by_its_own(started({**PAPER, "seed": seed}, out=runs / f"replicate-0{seed}"))
-    analyzed = trophic("analyze", *sorted(runs.iterdir()), "--out", tmp_path / "analysis")
-    assert "6 runs" in analyzed and "paper with brain = outside" in analyzed
-    cited = trophic("cite", runs / "replicate-00")
-    assert "A run of 200 s on kinematic" in cited and "the rule table `paper with brain = outside`" in cited
-    trophic("show", runs / "replicate-00", "-o", tmp_path / "run.html")
+def test_runs_are_analysed_compared_shown_and_cited_as_any_others(tmp_path):
+    for side, turn in (("left", -1.0), ("right", 1.0)):
+        for seed in range(6):
+            ecology = started({**PAPER, "seed": seed}, out=tmp_path / side / f"replicate-0{seed}")
+            while ecology.sense():
+                outputs = ecology.own_outputs()
+                outputs[ecology.species == 0, 0] = turn
+                ecology.decide(outputs)
+        listed = {"replicates": [{"folder": f"replicate-0{seed}", "seed": seed} for seed in range(6)]}
+        (tmp_path / side / "replicates.json").write_text(json.dumps(listed))
+    analyzed = trophic("analyze", tmp_path / "left", "--out", tmp_path / "analysis")
+    assert "6 runs of 200 s" in analyzed and "paper with brain = outside" in analyzed
+    compared = trophic("analyze", "--compare", tmp_path / "left", tmp_path / "right", "--out", tmp_path / "differences")
+    assert compared.count("6 runs of 200 s") == 2
+    cited = trophic("cite", tmp_path / "right")
+    assert "6 runs of 200 s on kinematic" in cited and "the rule table `paper with brain = outside`" in cited
+    trophic("show", tmp_path / "left" / "replicate-00", "-o", tmp_path / "run.html")
     assert (tmp_path / "run.html").stat().st_size > 100_000
 
 
