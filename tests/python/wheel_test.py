@@ -22,8 +22,8 @@ from in_folder import InFolder, call, run_ok  # noqa: E402
 
 RUN = ("--backend", "kinematic", "--duration", 60, "--seed", 3, "--out")
 STEPS = """
-import trophic.programs
-ecology = trophic.programs.ecologies().Ecology({"rule_table": "paper", "engine": "kinematic", "seed": 3, "ecology.duration_s": 60})
+import trophic_ecologies
+ecology = trophic_ecologies.Ecology({"rule_table": "paper", "engine": "kinematic", "seed": 3, "ecology.duration_s": 60})
 ecology.reset(out="stepped")
 while ecology.sense():
     ecology.decide(ecology.own_outputs())
@@ -98,7 +98,7 @@ class Wheel(InFolder):
                 )
         package = SOURCES / "tools/python"
         kinds = ("*.py", "*.pyi", "*.j2", "py.typed")
-        files = {str(path.relative_to(package)) for kind in kinds for path in (package / "trophic").rglob(kind)}
+        files = {str(path.relative_to(package)) for kind in kinds for path in package.rglob(kind)}
         models = {
             f"trophic/compiled/share/trophic/{path.relative_to(SOURCES)}"
             for path in (SOURCES / "models").rglob("*.toml")

@@ -2,11 +2,11 @@
 """An ecology as a PettingZoo ParallelEnv: agents are individuals that are born and die."""
 from __future__ import annotations
 
+import os
+import pathlib
 from collections.abc import Callable
 
 import numpy
-
-from .programs import ecologies
 
 try:
     from gymnasium.spaces import Box
@@ -16,6 +16,16 @@ except ImportError as error:
 
 #: An event of an individual: (tick, time_s, event, id, species, other or -1, cause or "").
 Event = tuple
+
+
+def _module():
+    """The compiled module; the models lie next to an installed copy of this package."""
+    models = pathlib.Path(__file__).resolve().parents[2] / "models"
+    if models.is_dir():
+        os.environ.setdefault("TROPHIC_MODELS", str(models))
+    import trophic_ecologies
+
+    return trophic_ecologies
 
 
 def _rewards_of(rewards: dict[str, float] | Callable | None) -> Callable[[list[Event]], dict[int, float]]:
@@ -68,7 +78,7 @@ class Environment(ParallelEnv):
         if render_mode not in (None, "rgb_array"):
             raise ValueError(f"render_mode = {render_mode}: must be rgb_array or None")
         description = {"rule_table": rule_table, "engine": backend, "ecology.decision_order": "together", "seed": seed}
-        self.ecology = (module or ecologies()).Ecology({**description, **(parameters or {})})
+        self.ecology = (module or _module()).Ecology({**description, **(parameters or {})})
         self.render_mode = render_mode
         self._rewards = _rewards_of(rewards)
         self._seed = seed

@@ -10,7 +10,6 @@ import shutil
 import signal
 import subprocess
 import sys
-from types import ModuleType
 from typing import NoReturn
 
 from .errors import ProgramError
@@ -48,15 +47,16 @@ def script() -> NoReturn:
     os.execv(folder / name, sys.argv)
 
 
-def ecologies() -> ModuleType:
-    """The compiled module trophic_ecologies: where pip installed it, or on the path."""
-    if (folder := compiled()) is not None and "trophic_ecologies" not in sys.modules:
-        finder = importlib.machinery.PathFinder()
-        if (found := finder.find_spec("trophic_ecologies", [str(folder)])) is not None and found.loader is not None:
-            module = importlib.util.module_from_spec(found)
-            sys.modules["trophic_ecologies"] = module
-            found.loader.exec_module(module)
-    return importlib.import_module("trophic_ecologies")
+def become_compiled(name: str) -> None:
+    """Replaces the module of this name by the compiled one that pip installed."""
+    folder = compiled()
+    found = importlib.machinery.PathFinder.find_spec(name, [str(folder)]) if folder is not None else None
+    if found is None or found.loader is None:
+        raise ModuleNotFoundError(
+            f"{name}: is not compiled here: run pip install in the sources of trophic, or cmake", name=name
+        )
+    sys.modules[name] = importlib.util.module_from_spec(found)
+    found.loader.exec_module(sys.modules[name])
 
 
 def chosen_program(request: dict) -> str:
