@@ -29,7 +29,7 @@ class Trophic(CMakePackage):
     depends_on("cli11")
     depends_on("yaml-cpp")
     depends_on("boost@1.74:")
-    depends_on("mujoco@2.2:3.5", when="+mujoco")
+    depends_on("mujoco@2.2:", when="+mujoco")
     depends_on("pugixml", when="+mujoco")
     depends_on("py-jinja2", type="run")
     depends_on("py-matplotlib", type="run")
