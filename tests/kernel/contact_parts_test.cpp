@@ -17,6 +17,7 @@ using backend::kernel::PlacedBox;
 using backend::kernel::Point3;
 using backend::kernel::SymmetricSystem;
 using backend::mujoco::BoxDepth;
+using Found = backend::mujoco::FoundContact;
 
 namespace {
 
@@ -29,7 +30,7 @@ PlacedBox box(const Eigen::Vector3d& centre_m, const Eigen::Quaterniond& turn, c
   return placed;
 }
 
-/// MuJoCo's own function for two boxes.
+/// MuJoCo's test of two boxes, as the backend installs it.
 class EngineBoxes {
  public:
   explicit EngineBoxes(BoxDepth depth) {
@@ -46,7 +47,7 @@ class EngineBoxes {
     data_.reset(mj_makeData(model_.get()));
   }
 
-  std::span<const mjContact> collide(const PlacedBox& a, const PlacedBox& b, const Point3& apart_m) {
+  std::span<const Found> collide(const PlacedBox& a, const PlacedBox& b, const Point3& apart_m) {
     std::size_t geom = 0;
     for (const auto& [box, moved_m] : {std::pair{&a, Point3{}}, std::pair{&b, apart_m}}) {
       std::copy_n(box->half_m.data(), 3, model_->geom_size + 3 * geom);
@@ -59,7 +60,7 @@ class EngineBoxes {
  private:
   backend::mujoco::ModelPtr model_;
   backend::mujoco::DataPtr data_;
-  std::array<mjContact, mjMAXCONPAIR> found_{};
+  std::array<Found, mjMAXCONPAIR> found_{};
 };
 
 Eigen::Vector3d random_vector(Rng& rng, double low, double high) {
@@ -71,13 +72,13 @@ Eigen::Quaterniond random_turn(Rng& rng) {
 }
 
 /// Whether the contacts are MuJoCo's to the last bit, or to rounding where its function is compiled otherwise.
-bool same_contacts(const BoxOverlap& own, double face_scale, std::span<const mjContact> expected) {
+bool same_contacts(const BoxOverlap& own, double face_scale, std::span<const Found> expected) {
   bool same = own.count == expected.size();
   const auto is = [](double a, double b) { return backend::mujoco::is_mujoco_3 ? std::abs(a - b) < 1e-12 : a == b; };
   for (std::size_t c = 0; c < own.count && same; ++c) {
     same = is(own.depths_m[c] * (own.on_face ? face_scale : 1.0), expected[c].dist);
     for (std::size_t i = 0; i < 3; ++i)
-      same &= is(own.points_m[c][i], expected[c].pos[i]) && is(own.normal[i], expected[c].frame[i]);
+      same &= is(own.points_m[c][i], expected[c].pos[i]) && is(own.normal[i], backend::mujoco::normal_of(expected[c])[i]);
   }
   return same;
 }
@@ -103,10 +104,12 @@ TEST_CASE("kernel contacts: random boxes, every fourth pair with parallel edges 
     for (std::size_t i = 0; i < 3; ++i) apart_m[i] = a.centre_m[i] - b.centre_m[i] + rng.uniform(-0.08, 0.08);
     BoxOverlap overlap{a, b, apart_m};
     if (!overlap.separated(0.0)) overlap.meet();
-    const std::span<const mjContact> expected = half.collide(a, b, apart_m);
+    const std::span<const Found> expected = half.collide(a, b, apart_m);
     if (expected.empty() && overlap.count == 0) continue;
     faces += overlap.on_face ? 1U : 0U;
-    wrong += same_contacts(overlap, backend::mujoco::halves_box_depth ? 1.0 : 2.0, expected) ? 0U : 1U;
+    // From 3.12 on MuJoCo's own test, for models without the request, finds other contacts.
+    const double engine_scale = backend::mujoco::halves_box_depth ? 1.0 : 2.0;
+    wrong += backend::mujoco::replaces_box_test || same_contacts(overlap, engine_scale, expected) ? 0U : 1U;
     wrong += same_contacts(overlap, 2.0, whole.collide(a, b, apart_m)) ? 0U : 1U;
     ++pair;
   }

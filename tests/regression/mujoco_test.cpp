@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <regression/pen.hpp>
 #include <trophic/backend/mujoco.hpp>
+#include <trophic/backend/mujoco/versions.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/io/event_log.hpp>
@@ -30,10 +31,11 @@ struct Closest {
   }
 };
 
-/// Each version of MuJoCo has golden files of its own; those of 2.2.2 are the reference.
+/// The golden files of 2.2.2 are the reference; those of 3.5.0 are those of all versions whose boxes have their whole depth.
 void check_run(backend::Mujoco::Stepping stepping, const std::string& mode, std::uint64_t seed) {
   const std::string version = backend::Mujoco::version();
-  const std::string name = (version == "2.2.2" ? "mujoco_paper" : "mujoco_" + version + "_paper") + mode;
+  const std::string of = version == "2.2.2" ? "" : backend::mujoco::halves_box_depth ? version + "_" : "3.5.0_";
+  const std::string name = "mujoco_" + of + "paper" + mode;
   const std::filesystem::path written = test::written_folder(name);
   std::filesystem::create_directory(written);
   Mujoco::Params params{.seed = seed};

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <trophic/backend/body_hash.hpp>
 #include <trophic/backend/mujoco.hpp>
+#include <trophic/backend/mujoco/agreement.hpp>
 #include <trophic/backend/mujoco/islands.hpp>
 #include <trophic/backend/mujoco/lane_step.hpp>
 #include <trophic/backend/mujoco/one_model.hpp>
@@ -186,6 +187,10 @@ class Mujoco::Simulation final : public Engine<State> {
   [[nodiscard]] bool by_kernel() const { return stepping_ == Stepping::fast || stepping_ == Stepping::screening; }
 
   [[nodiscard]] std::unique_ptr<mujoco::LaneStepper> make_lanes(std::size_t threads) const {
+    if (mujoco::is_untried && by_kernel()) {
+      static const double disagreement = mujoco::kernel_disagreement();
+      mujoco::require_agreement(disagreement);
+    }
     if (stepping_ == Stepping::fast) return std::make_unique<mujoco::Lanes>(box_depth_, threads);
     return stepping_ == Stepping::screening ? mujoco::lanes_in_single(box_depth_, threads) : nullptr;
   }

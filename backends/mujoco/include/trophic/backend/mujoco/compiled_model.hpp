@@ -73,7 +73,7 @@ class CompiledModel {
     if (arena.height_field) heights = {height_file, height_file_content(*arena.height_field)};
     model_ = compile(write_mjcf(robots, arena, physics, scene, apart, height_file), heights);
     // Dense rows are faster only for one or two robots.
-    model_->opt.jacobian = robots.size() < 3 ? mjJAC_DENSE : mjJAC_SPARSE;
+    model_->opt.jacobian = robots.size() < 3 || !solves_sparse ? mjJAC_DENSE : mjJAC_SPARSE;
     layout_ = layout_of(*robots.front(), scene.servos);
     read_shares(robots, scene.servos);
     resize(std::min<std::size_t>(300 + 100 * robots.size(), largest_rows()));

@@ -81,7 +81,7 @@ class MjcfWriter {
     set(compiler, "angle", "radian");
     set(compiler, "inertiafromgeom", "false");
     write_option(physics);
-    if (scene.box_depth == BoxDepth::whole) ask_whole_box_depth(root_);
+    if (scene.box_depth == BoxDepth::whole || replaces_box_test) ask_whole_box_depth(root_);
   }
 
   pugi::xml_document write(std::span<const Pose> poses, const std::string& height_file) {
@@ -118,6 +118,8 @@ class MjcfWriter {
     set(option, "cone", "pyramidal");
     set(option, "tolerance", 1e-15);
     set(option, "iterations", 100.0);
+    if (!solves_sparse) set(option, "jacobian", "dense");
+    if (finds_several_contacts) set(option.append_child("flag"), "multiccd", "disable");
     if (has_collision_option && scene_.collisions == Collisions::pairs) set(option, "collision", "predefined");
   }
 

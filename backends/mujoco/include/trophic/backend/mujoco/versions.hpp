@@ -8,11 +8,15 @@
 #include <algorithm>
 #include <cstddef>
 #include <limits>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <trophic/backend/mujoco/give_back_pages.hpp>
 
 namespace trophic::backend::mujoco {
+
+/// Whether the included header is newer than all versions that were tried (packaging/README.md).
+inline constexpr bool is_untried = mjVERSION_HEADER >= 4001000;
 
 /// Whether the included header is of MuJoCo 3.
 inline constexpr bool is_mujoco_3 = mjVERSION_HEADER >= 300;
@@ -22,6 +26,47 @@ inline constexpr bool has_collision_option = !is_mujoco_3;
 
 /// Whether MuJoCo reports half the depth of face contacts between boxes: up to 3.3.7 (see box_depth.hpp).
 inline constexpr bool halves_box_depth = mjVERSION_HEADER < 3004000;
+
+/// Whether a test of two boxes finds other contacts than that of MuJoCo 3.4 to 3.11, so that the backend installs its own (see
+/// box_test.hpp).
+inline constexpr bool replaces_box_test = mjVERSION_HEADER >= 3012000;
+
+/// The most contacts of two boxes.
+inline constexpr std::size_t most_box_contacts = replaces_box_test ? 8 : mjMAXCONPAIR;
+
+/// Whether a Runge-Kutta step combines the turns of the root by Munthe-Kaas' correction: the stages' angular velocities as rates
+/// of one rotation vector.
+inline constexpr bool corrects_turns = mjVERSION_HEADER >= 4000000;
+
+/// Whether two convex geoms have several contacts unless the flag `multiccd` is off.
+inline constexpr bool finds_several_contacts = mjVERSION_HEADER >= 3008000;
+
+/// Whether the Newton solver works with a sparse Jacobian: 4.0.0 factorizes some of its matrices wrongly (MuJoCo's issue 3767).
+inline constexpr bool solves_sparse = mjVERSION_HEADER != 4000000;
+
+/// The flags that the backend sets in all models.
+#if mjVERSION_HEADER >= 3008000
+inline constexpr int plain_disabled = mjDSBL_MULTICCD;
+#else
+inline constexpr int plain_disabled = 0;
+#endif
+
+/// What a function in MuJoCo's table of collisions reads and writes: from 3.9 on not a whole contact.
+#if mjVERSION_HEADER >= 3009000
+using CollisionData = mjData;
+using FoundContact = mjPreContact;
+#else
+using CollisionData = const mjData;
+using FoundContact = mjContact;
+#endif
+template <class Contact>
+[[nodiscard]] auto normal_of(Contact& contact) {
+  if constexpr (requires { contact.normal; }) {
+    return std::span{contact.normal};
+  } else {
+    return std::span{contact.frame}.template first<3>();
+  }
+}
 
 /// Puts a file into a virtual file system. Throws std::runtime_error if MuJoCo refuses it.
 inline void add_file(mjVFS& files, const std::string& name, const std::string& content) {

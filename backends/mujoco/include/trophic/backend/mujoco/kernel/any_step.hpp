@@ -125,6 +125,19 @@ TROPHIC_LANES_INLINE void begin_runge_kutta(Pack& pack) {
   for (std::size_t i = 0; i < sum.velocity.size(); ++i) sum.velocity[i] = sum.acceleration[i] = Real{};
 }
 
+/// The rate of the rotation vector `turn`, in the root's axes, that goes with the angular velocity w:
+/// w + turn x w / 2 + (1 - a cot a) turn x (turn x w) / |turn|^2 with a = |turn| / 2.
+[[nodiscard]] TROPHIC_LANES_INLINE Vec3 rate_of_turn(const Vec3& turn, const Vec3& w) {
+  const Real square = dot(turn, turn);
+  const Real half = 0.5 * sqrt(square);
+  Real sine, cosine;
+  sine_cosine(half, sine, cosine);
+  const Mask turns = square > 1e-30;
+  const Real scale = select(turns, (1.0 - half * cosine / sine) / square, broadcast(1.0 / 12));
+  const Vec3 across = cross(turn, w);
+  return w + across * broadcast(0.5) + cross(turn, across) * scale;
+}
+
 /// Adds stage `s` to the sums and goes to the next stage.
 TROPHIC_LANES_INLINE void next_stage(Pack& pack, std::size_t s) {
   constexpr double ahead[4] = {0.5, 0.5, 1.0, 0.0};
@@ -133,6 +146,12 @@ TROPHIC_LANES_INLINE void next_stage(Pack& pack, std::size_t s) {
   LaneState& stage = pack.work.stage;
   LaneState& sum = pack.work.sum;
   const std::size_t speeds = state.velocity.size();
+  if constexpr (mujoco::corrects_turns) {
+    const Vec3 turn = s == 0 ? Vec3{} : pack.work.turn;
+    const Vec3 rate = rate_of_turn(turn, {{stage.velocity[3], stage.velocity[4], stage.velocity[5]}});
+    for (int i = 0; i < 3; ++i) stage.velocity[3 + static_cast<std::size_t>(i)] = rate[i];
+    pack.work.turn = rate * broadcast(ahead[s] * pack.model.shape().timestep_s);
+  }
   for (std::size_t i = 0; i < speeds; ++i) {
     sum.velocity[i] += weight[s] * stage.velocity[i];
     sum.acceleration[i] += weight[s] * stage.acceleration[i];

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstddef>
 #include <trophic/backend/mujoco/kernel/box_overlap.hpp>
+#include <trophic/backend/mujoco/versions.hpp>
 
 namespace trophic::backend::kernel {
 
@@ -18,6 +19,34 @@ struct BoxContact {
   std::array<std::array<double, 3>, 3> frame;  ///< normal towards the second box, and MuJoCo's two tangents
   double depth_m;                              ///< signed distance, negative
 };
+
+/// Leaves the points at which the boxes touch: of points that are one but for rounding the last, as MuJoCo does of equal points,
+/// and of more than MuJoCo takes the deepest.
+TROPHIC_LANES_INLINE void keep_contacts(BoxOverlap& overlap) {
+  constexpr double rounding_m2 = 1e-20;
+  auto& points_m = overlap.points_m;
+  auto& depths_m = overlap.depths_m;
+  std::size_t kept = 0;
+  for (std::size_t c = 0; c < overlap.count; ++c) {
+    bool taken = depths_m[c] < 0.0;
+    for (std::size_t later = c + 1; later < overlap.count; ++later) {
+      const Point3 between_m = minus(points_m[c], points_m[later]);
+      taken &= dot3(between_m, between_m) >= rounding_m2;
+    }
+    if (!taken) continue;
+    points_m[kept] = points_m[c];
+    depths_m[kept++] = depths_m[c];
+  }
+  for (; kept > mujoco::most_box_contacts; --kept) {
+    const auto shallowest = static_cast<std::size_t>(std::max_element(depths_m.data(), depths_m.data() + kept) - depths_m.data());
+    std::shift_left(points_m.data() + shallowest, points_m.data() + kept, 1);
+    std::shift_left(depths_m.data() + shallowest, depths_m.data() + kept, 1);
+  }
+  overlap.count = kept;
+}
+
+/// The least overlap of boxes that touch: far above the rounding of places, far below depths that matter.
+inline constexpr double least_overlap_m = 1e-12;
 
 /// Like MuJoCo's function and bitwise equal, but inlined: a vector of length 0 becomes the x axis.
 inline void normalize3(std::array<double, 3>& vector) {

@@ -111,9 +111,9 @@ class FieldCollider {
   [[nodiscard]] bool collide(const PlacedBox& box, const std::array<double, 3>& origin_m, const Take& take) {
     const std::size_t count = mujoco::is_mujoco_3 ? find_by_engine(box, origin_m) : find(box, origin_m);
     for (std::size_t c = 0; c < count; ++c) {
-      const mjContact& contact = found_[c];
+      const mujoco::FoundContact& contact = found_[c];
       if (!(contact.dist < 0.0)) continue;
-      BoxContact found{{}, contact_frame(contact.frame), contact.dist};
+      BoxContact found{{}, contact_frame(mujoco::normal_of(contact).data()), contact.dist};
       mju_sub3(found.point_m.data(), contact.pos, origin_m.data());
       take(found);
     }
@@ -169,10 +169,10 @@ class FieldCollider {
           if (++nodes < 3 || prism.is_below(low.z)) continue;
           const auto overlap = portal::find_overlap(prism, on, tolerance, iterations);
           if (!overlap) continue;
-          mjContact& contact = found_[count++];
+          mujoco::FoundContact& contact = found_[count++];
           const auto& [depth, direction, place] = *overlap;
           contact.dist = -depth;
-          std::ranges::copy(std::array{direction.x, direction.y, direction.z}, contact.frame);
+          std::ranges::copy(std::array{direction.x, direction.y, direction.z}, mujoco::normal_of(contact).begin());
           std::ranges::copy(std::array{place.x + place_m[0], place.y + place_m[1], place.z + place_m[2]}, contact.pos);
           if (count == found_.size()) return count;
         }
@@ -205,7 +205,7 @@ class FieldCollider {
   int field_;
   std::size_t box_;
   mujoco::DataPtr data_;
-  std::vector<mjContact> found_;
+  std::vector<mujoco::FoundContact> found_;
 };
 
 }  // namespace trophic::backend::kernel

@@ -49,20 +49,13 @@ TROPHIC_LANES_INLINE void place_centres(const LaneModel& model, Workspace& work)
   return lane_bits(dot(between, between) <= radius_m * radius_m);
 }
 
-/// Appends the contacts of two boxes; of points that are one but for rounding the last, as MuJoCo does of equal points.
+/// Appends the contacts of two boxes.
 TROPHIC_LANES_INLINE void add_box_contacts(const NearBoxes& near, const BoxOverlap& overlap, Batch& batch) {
-  constexpr double rounding_m2 = 1e-20;
   const auto& [a, b] = near.of;
   const std::size_t known = batch.link_contacts.size();
   const auto frame = contact_frame(overlap.normal.data());
   const double scale = overlap.on_face && batch.whole_depth ? 2.0 : 1.0;
   for (std::size_t c = 0; c < overlap.count; ++c) {
-    bool taken = overlap.depths_m[c] < 0.0;
-    for (std::size_t later = c + 1; later < overlap.count; ++later) {
-      const Point3 between_m = minus(overlap.points_m[c], overlap.points_m[later]);
-      taken &= dot3(between_m, between_m) >= rounding_m2;
-    }
-    if (!taken) continue;
     LinkContact& contact = batch.link_contacts.emplace_back();
     contact.at = {a.at, b.at};
     contact.link = {a.link, b.link};
@@ -78,15 +71,15 @@ TROPHIC_LANES_INLINE void add_box_contacts(const NearBoxes& near, const BoxOverl
 
 /// Appends the contacts of all boxes whose spheres overlap. Boxes that overlap by rounding only, side by side, do not touch.
 TROPHIC_LANES_INLINE void collide_boxes(Batch& batch) {
-  constexpr double rounding_m = 1e-12;  // far above that of places, far below depths that matter
   const auto placed = [&](const BoxOf& of) -> const PlacedBox& {
     Pack& pack = batch.pack(of.at);
     return placed_box(pack.model.body(of.at.lane), pack.work.links[of.link], of.box, of.at.lane, pack.work);
   };
   for (const NearBoxes& near : batch.near_boxes) {
     BoxOverlap overlap{placed(near.of[0]), placed(near.of[1]), near.apart_m};
-    if (overlap.separated(rounding_m)) continue;
+    if (overlap.separated(least_overlap_m)) continue;
     overlap.meet();
+    keep_contacts(overlap);
     add_box_contacts(near, overlap, batch);
   }
 }

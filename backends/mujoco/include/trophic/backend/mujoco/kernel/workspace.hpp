@@ -148,6 +148,7 @@ struct Workspace {
   Mask doubtful{};  ///< lanes in which rounding decides about contact
   LaneState stage;  ///< start and sums of a Runge-Kutta step
   LaneState sum;
+  Vec3 turn{};  ///< that of the root from the start of the step to this stage
 
   /// Allocates memory for robots of this shape.
   void fit(const KernelModel& model) {
