@@ -70,7 +70,7 @@ DescribedRun described_run(const Json& description, const Offer& offer) {
   std::optional<std::uint64_t> seed;
   if (left.contains("seed")) seed = whole_number<std::uint64_t>(left, "seed");
   left.erase("seed");
-  Config config = command::read_config({}, {});
+  command::Config config = command::read_config({}, {});
   described::insert_parameters(config.parameters, "", left);
   const auto chosen = command::find_experiment(whole, table, engine);
   DescribedRun run{command::detail::planned_experiment(*chosen, config), null};

@@ -14,7 +14,7 @@ namespace trophic {
 
 namespace stepped {
 
-/// Keeps events until they are taken.
+/// Keeps events until the next decisions.
 struct Events {
   std::vector<Happened> all = {};
   void on_event(const observe::Event& event, const View& view) {
@@ -133,7 +133,17 @@ bool SteppedEcology::sense() {
   return goes_on;
 }
 void SteppedEcology::decide(std::span<const double> outputs) {
-  run().steps->decide(outputs);
+  Run& own = run();
+  const auto before = std::ssize(own.events.all);
+  own.steps->decide(outputs);
+  own.events.all.erase(own.events.all.begin(), own.events.all.begin() + before);
+}
+void SteppedEcology::check(std::span<const double> outputs) const {
+  run().steps->check(outputs);
+}
+bool SteppedEcology::run_until(double until_s) {
+  while ((waits() || sense()) && simulation().time_s() < until_s) decide(own_outputs());
+  return waits();
 }
 std::span<const double> SteppedEcology::own_outputs() {
   return run().steps->own_outputs();
@@ -153,8 +163,8 @@ Spaces SteppedEcology::spaces() const {
 observe::RunDescription SteppedEcology::description() const {
   return run().simulation->stepping().describe_outside(until_s_);
 }
-std::vector<Happened> SteppedEcology::take_events() {
-  return std::exchange(run().events.all, {});
+const std::vector<Happened>& SteppedEcology::events() const {
+  return run().events.all;
 }
 
 }  // namespace trophic

@@ -25,7 +25,7 @@ struct Happened {
   std::optional<Cause> cause = {};         ///< of a death
 };
 
-/// A described run that is decided from outside, and what has happened since it was last asked.
+/// A described run that is decided from outside, and the events since its last decisions.
 class SteppedEcology {
  public:
   /// Throws as described_run does.
@@ -44,18 +44,22 @@ class SteppedEcology {
 
   /// As SteppedRun's. All throw std::logic_error before reset.
   [[nodiscard]] bool sense();
+  void check(std::span<const double> outputs) const;
   void decide(std::span<const double> outputs);
   [[nodiscard]] std::span<const double> own_outputs();
   [[nodiscard]] const Perceived& perceived() const;
+  /// Lets the brains of the genomes decide until the clock is at `until_s` or later and robots wait, or to the end of the run.
+  /// Returns whether robots wait.
+  [[nodiscard]] bool run_until(double until_s);
 
   [[nodiscard]] bool waits() const;
   [[nodiscard]] const Simulation& simulation() const;
   [[nodiscard]] Spaces spaces() const;
   [[nodiscard]] double until_s() const { return until_s_; }
-  /// The description of the run.
+  /// Describes the run as its manifest does.
   [[nodiscard]] observe::RunDescription description() const;
-  /// Events since the last call.
-  [[nodiscard]] std::vector<Happened> take_events();
+  /// The events since the last call of decide, or of reset.
+  [[nodiscard]] const std::vector<Happened>& events() const;
 
  private:
   struct Run;

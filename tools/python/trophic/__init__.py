@@ -24,6 +24,8 @@ _MODULES = {
     "metric": "metrics.own",
     "env": "environment",
     "Environment": "environment",
+    "OneAgent": "environment",
+    "VectorEnv": "ecologies",
     "show": "start",
     "run": "start",
     "analyze": "start",
