@@ -100,7 +100,7 @@ void SteppedEcology::reset(std::optional<std::uint64_t> seed, const std::filesys
   if (seed) described_.experiment->seed() = *seed;
   auto run = std::make_unique<Run>(Run{.simulation = described_.simulation()});
   if (folder.empty()) {
-    run->steps = std::make_unique<SteppedRun>(*run->simulation, until_s_, run->events, run->decided);
+    run->steps = std::make_unique<SteppedRun>(*run->simulation, until_s_, run->events);
   } else {
     checkpoint::RunState state;
     if (!resume) io::check_new_folder(folder);

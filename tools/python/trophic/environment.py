@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Callable
 from typing import Any
 
 import numpy
@@ -25,6 +26,71 @@ _COLOURS = (
     (148, 103, 189),
     (255, 127, 14),
 )
+
+
+class _Infos(dict):
+    """The infos of agents, which are made when the first is read: most learners read none."""
+
+    def __init__(
+        self, agents: list[str], parents: list[tuple[int, ...]], people: numpy.ndarray
+    ):
+        super().__init__(dict.fromkeys(agents))
+        self._of = agents, parents, people
+
+    def _make(self) -> None:
+        if self._of is None:
+            return
+        (agents, parents, people), self._of = self._of, None
+        columns = (
+            people[name].tolist()
+            for name in ("energy_J", "age_s", "x_m", "y_m", "waits")
+        )
+        for agent, born_of, energy_J, age_s, x_m, y_m, asked in zip(
+            agents, parents, *columns
+        ):
+            self[agent] = {
+                "energy_J": energy_J,
+                "age_s": age_s,
+                "parents": born_of,
+                "position_m": (x_m, y_m),
+                "asked": asked,
+            }
+
+    def __iter__(
+        self,
+    ):  # with an iterator of its own dict(infos) does not copy what has not been made
+        return super().__iter__()
+
+    def __reduce__(self):
+        return dict, (dict(self),)
+
+
+def _after_making(name: str) -> Callable:
+    plain = getattr(dict, name)
+
+    def method(self, *arguments):
+        self._make()
+        return plain(self, *arguments)
+
+    return method
+
+
+for _name in (
+    "__eq__",
+    "__getitem__",
+    "__ne__",
+    "__or__",
+    "__repr__",
+    "__ror__",
+    "copy",
+    "get",
+    "items",
+    "pop",
+    "popitem",
+    "setdefault",
+    "values",
+):
+    setattr(_Infos, _name, _after_making(_name))
 
 
 class Environment(ParallelEnv):
@@ -312,23 +378,7 @@ class Environment(ParallelEnv):
         return self._last.copy()
 
     def _infos(self) -> dict[str, dict]:
-        people = self._people
-        columns = [
-            people[name].tolist()
-            for name in ("energy_J", "age_s", "x_m", "y_m", "waits")
-        ]
-        return {
-            agent: {
-                "energy_J": energy_J,
-                "age_s": age_s,
-                "parents": parents,
-                "position_m": (x_m, y_m),
-                "asked": asked,
-            }
-            for agent, parents, energy_J, age_s, x_m, y_m, asked in zip(
-                self._living, self._parents, *columns
-            )
-        }
+        return _Infos(self._living, self._parents, self._people)
 
 
 #: An ecology of a rule table as a PettingZoo ParallelEnv: `trophic.env("pond", backend="kinematic", seed=1)`.
