@@ -142,7 +142,7 @@ void SteppedEcology::check(std::span<const double> outputs) const {
   run().steps->check(outputs);
 }
 bool SteppedEcology::run_until(double until_s) {
-  while ((waits() || sense()) && simulation().time_s() < until_s) decide(own_outputs());
+  while ((waits() || sense()) && (simulation().time_s() < until_s || until_s >= until_s_)) decide(own_outputs());
   return waits();
 }
 std::span<const double> SteppedEcology::own_outputs() {

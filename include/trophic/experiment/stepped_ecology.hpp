@@ -48,8 +48,8 @@ class SteppedEcology {
   void decide(std::span<const double> outputs);
   [[nodiscard]] std::span<const double> own_outputs();
   [[nodiscard]] const Perceived& perceived() const;
-  /// Lets the brains of the genomes decide until the clock is at `until_s` or later and robots wait, or to the end of the run.
-  /// Returns whether robots wait.
+  /// Lets the brains of the genomes decide until the clock is at `until_s` or later and robots wait; from the time of its end on,
+  /// to the end of the run. Returns whether robots wait.
   [[nodiscard]] bool run_until(double until_s);
 
   [[nodiscard]] bool waits() const;
