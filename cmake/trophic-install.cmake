@@ -36,7 +36,7 @@ if(TARGET trophic_ecologies)
   install(TARGETS trophic_ecologies LIBRARY DESTINATION ${CMAKE_INSTALL_DATADIR}/trophic/python COMPONENT python)
 endif()
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATADIR}/trophic)
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/python DESTINATION ${CMAKE_INSTALL_DATADIR}/trophic FILES_MATCHING PATTERN "*.py" PATTERN "*.j2" PATTERN "*.ipynb")
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/python DESTINATION ${CMAKE_INSTALL_DATADIR}/trophic FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN py.typed PATTERN "*.j2" PATTERN "*.ipynb")
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 get_property(trophic_mujoco_version GLOBAL PROPERTY TROPHIC_MUJOCO_VERSION)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/trophic-config.cmake.in ${PROJECT_BINARY_DIR}/trophic-config.cmake

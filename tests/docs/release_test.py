@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """release_test.py ROOT CMAKE: the release archive of the last commit is reproducible, has its checksum and names its commit without git,
-the recipes name the archive, and another version in a file that states it is refused."""
+and another version in a file that states it is refused."""
 
 import pathlib
 import subprocess
@@ -32,13 +32,6 @@ def main() -> int:
         archives = [next((folder / out).glob("*.tar.gz")) for out in ("first", "second")]
         assert archives[0].read_bytes() == archives[1].read_bytes(), "two archives of one commit differ"
         run("sha256sum", "--check", f"{archives[0].name}.sha256", cwd=folder / "first")
-        checksum = (folder / "first" / f"{archives[0].name}.sha256").read_text().split()[0]
-        for recipe in ("spack/packages/trophic/package.py", "conda/recipe.yaml"):
-            text = (folder / "first" / recipe).read_text()
-            assert (
-                f"{checksum}" in text and f"file://{folder}/first/trophic-" in text
-            ), f"{recipe} does not name the archive"
-
         with tarfile.open(archives[0]) as archive:
             archive.extractall(folder)
         tree = folder / archives[0].name.removesuffix(".tar.gz")

@@ -2,10 +2,13 @@
 # SPDX-License-Identifier: MIT
 """start_test.py PREDATOR_PREY TROPHIC: runs that Python starts are those of the programs; what it cannot do is one sentence, and files are never overwritten."""
 
+import importlib.util
 import os
 import pathlib
 import re
+import signal
 import sys
+import threading
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -16,6 +19,7 @@ figures_python.continue_with_pandas()
 import pandas  # noqa: E402
 import trophic  # noqa: E402
 from in_folder import InFolder  # noqa: E402
+from trophic.metrics import Measuring  # noqa: E402
 
 PREDATOR_PREY, TROPHIC = sys.argv.pop(1), sys.argv.pop(1)
 os.environ["TROPHIC_BIN"] = str(pathlib.Path(TROPHIC).parent)
@@ -26,7 +30,7 @@ class Start(InFolder):
         run = trophic.run(
             "released",
             backend="kinematic",
-            set={"rules.mutation.half_width": 0.3},
+            params={"rules": {"mutation": {"half_width": 0.3}}},
             duration=60,
             seed=7,
             out=self.folder / "mine",
@@ -55,13 +59,7 @@ class Start(InFolder):
 
     def test_replicates_measures_and_analysis(self):
         runs = trophic.run(
-            PREDATOR_PREY,
-            rules="paper",
-            backend="kinematic",
-            duration=400,
-            replicates=6,
-            shadow=True,
-            out=self.folder / "set",
+            program=PREDATOR_PREY, backend="kinematic", duration=400, replicates=6, shadow=True, out=self.folder / "set"
         )
         self.assertEqual((len(runs), len(runs.shadow)), (6, 6))
         runs.measure("catches", lambda run: (run.events.event == "catch").sum())
@@ -123,7 +121,13 @@ class Start(InFolder):
         """Sets whose tables differ: times with fractions in one of them alone, and two weights more."""
         runs = [
             trophic.run(
-                table, backend="kinematic", set=numbers, duration=60, replicates=2, shadow=True, out=self.folder / name
+                table,
+                backend="kinematic",
+                params=numbers,
+                duration=60,
+                replicates=2,
+                shadow=True,
+                out=self.folder / name,
             )
             for name, table, numbers in (("a", "paper", {}), ("b", "released", {"ecology.tick_s": 2.5}))
         ]
@@ -190,14 +194,89 @@ class Start(InFolder):
         for arguments, sentence in (
             (dict(out=self.folder / "there"), "exists already; files are never overwritten"),
             (dict(out=self.folder / "x", backend="none"), "must be"),
-            (dict(out=self.folder / "x", set={"rules.mutatio.sd": 1}), "did you mean rules.mutation.sd"),
+            (dict(out=self.folder / "x", params={"rules.mutatio.sd": 1}), "did you mean rules.mutation.sd"),
         ):
             with self.assertRaisesRegex(trophic.ProgramError, sentence) as raised:
                 trophic.run("paper", **arguments)
             self.assertEqual(len(str(raised.exception).splitlines()), 1)
             self.assertFalse((self.folder / "x").exists())
         with self.assertRaisesRegex(trophic.ProgramError, "No such file"):
-            trophic.run("./no/such/program", out=self.folder / "x")
+            trophic.run(program="./no/such/program", out=self.folder / "x")
+        with self.assertRaisesRegex(trophic.ProgramError, "must be pond, .*; did you mean pond"):
+            trophic.run("pnd", out=self.folder / "x")
+        with self.assertRaisesRegex(trophic.RunError, r"^rules.x = \[1\]: must be a finite number"):
+            trophic.run("paper", params={"rules": {"x": [1]}}, out=self.folder / "x")
+
+    def watched(self, code):
+        """What Python writes to standard error when it makes a run that takes half a second, with \\n for \\r."""
+        run = 'import trophic; trophic.run("paper", backend="kinematic", duration=6000, out=sys.argv[1], progress=True)'
+        environment = {**os.environ, "PYTHONPATH": str(ROOT / "tools/python")}
+        return self.run_ok(
+            sys.executable, "-c", f"import sys; {code}; {run}", self.folder / code[:5], env=environment
+        ).stderr
+
+    def test_progress_is_drawn_and_remarks_stay(self):
+        without = self.watched("sys.modules['tqdm'] = None")
+        self.assertRegex(without, r"\n[\d.]+ of 6000 s  [\d.]+ %  .*\x1b\[K")
+        remark = r"remark  physics.timestep_s, .* have no effect: .*\n$"
+        self.assertRegex(without, remark)
+        if importlib.util.find_spec("tqdm") is None:
+            self.skipTest("no tqdm")
+        bar = self.watched("pass")
+        self.assertRegex(bar, r"\d+%\|.*[\d.]+ of 6000 s, .*x real time")
+        self.assertIn("100%|", bar)
+        self.assertRegex(bar, remark)
+
+    def test_an_interrupt_leaves_a_run_that_continues(self):
+        whole = trophic.run("paper", backend="kinematic", duration=20000, out=self.folder / "whole")
+        timer = threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT))
+        timer.start()
+        try:
+            with self.assertRaises(KeyboardInterrupt):
+                trophic.run("paper", backend="kinematic", duration=20000, out=self.folder / "run")
+        finally:
+            timer.cancel()
+        self.assertEqual(trophic.read_run(self.folder / "run").manifest["status"], "stopped")
+        run = trophic.run("paper", backend="kinematic", duration=20000, out=self.folder / "run", resume=True)
+        self.assertTrue(run.complete)
+        for name in ("events", "agents", "genomes"):
+            self.assertEqual((run.path / f"{name}.csv").read_bytes(), (whole.path / f"{name}.csv").read_bytes())
+
+    def test_a_sweep_is_that_of_its_file(self):
+        sweep = {
+            "rule_table": "pond",
+            "engine": "kinematic",
+            "replicates": 2,
+            "set": {"ecology": {"duration_s": 60}},
+            "grid": {"rules.mutation.sd": (0.05, 0.2)},
+        }
+        cells = trophic.sweep(sweep, out=self.folder / "sweep")
+        self.assertEqual([(name, len(runs)) for name, runs in cells.items()], [("cell-000", 2), ("cell-001", 2)])
+        self.assertTrue(all(run.complete for runs in cells.values() for run in runs))
+        self.assertIn(
+            "<pre>sweep of 2 cells, 4 runs of 60 s",
+            trophic.analyze_sweep(self.folder / "sweep", how=Measuring(jobs=1))._repr_html_(),
+        )
+        again = trophic.sweep(self.folder / "sweep/sweep.toml", out=self.folder / "again")
+        plan = [(self.folder / name / "plan.jsonl").read_bytes() for name in ("sweep", "again")]
+        self.assertEqual(plan[0], plan[1])
+        for name, runs in again.items():
+            pandas.testing.assert_frame_equal(runs.table("events"), cells[name].table("events"))
+        for wrong, sentence in (
+            ({"grid": {"x": 3}}, r"^sweep: \[grid\] x = 3: must be a list"),
+            ({**sweep, "gird": {}}, r"^sweep: \[gird\]: unknown key; did you mean grid"),
+            ({**sweep, "grid": {"rules.mutatio.sd": [1]}}, r"^sweep: cell 0 .* did you mean rules.mutation.sd"),
+            ({"runs": [3]}, r"^sweep: runs: must be sections"),
+        ):
+            with self.assertRaisesRegex(trophic.RunError, sentence):
+                trophic.sweep(wrong, out=self.folder / "wrong")
+        with self.assertRaisesRegex(trophic.RunError, "the folder has another plan"):
+            trophic.sweep({**sweep, "seed": 2}, out=self.folder / "sweep")
+        self.assertFalse((self.folder / "wrong").exists())
+
+    def test_a_checker_of_types_sees_every_name(self):
+        text = (ROOT / "tools/python/trophic/__init__.pyi").read_text()
+        self.assertEqual(sorted(re.findall(r"(\w+) as \1\b", text)), sorted({*trophic.__all__, *trophic._PARTS}))
 
 
 def leaves(text):

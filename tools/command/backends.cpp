@@ -16,12 +16,18 @@ namespace trophic::command {
 
 namespace {
 
-/// An engine for which trophic has a backend, and the Debian packages that it needs.
+/// An engine for which trophic has a backend, and what to run for it.
 struct Engine {
   std::string_view name;
-  std::string_view packages;
+  std::string_view command;
 };
-constexpr std::array known_engines{Engine{"mujoco", "libmujoco-dev libgl-dev libpugixml-dev"}, Engine{"ode", "libode-dev"}};
+constexpr std::array known_engines{
+#ifdef TROPHIC_WHEEL  // what pip installs
+    Engine{"mujoco", "pip install \"trophic[mujoco]\""},
+#else
+    Engine{"mujoco", "apt-get install libmujoco-dev libgl-dev libpugixml-dev and build trophic again"},
+#endif
+    Engine{"ode", "apt-get install libode-dev and build trophic again"}};
 
 }  // namespace
 
@@ -71,8 +77,7 @@ std::string about_missing_backend(const std::string& name, const std::vector<std
   const auto engine = std::ranges::find(known_engines, name, &Engine::name);
   if (engine == known_engines.end()) return must_be_one_of(option, names) + did_you_mean(nearest_word(name, names));
   const std::string instead = names.empty() ? "" : ", or use --backend " + names.front();
-  return option + ": this program was built without it; run apt-get install " + std::string{engine->packages} +
-         " and build trophic again" + instead;
+  return option + ": this program was built without it; run " + std::string{engine->command} + instead;
 }
 
 std::string backend_help(const std::vector<std::string>& names, std::string_view otherwise) {

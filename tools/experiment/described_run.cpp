@@ -14,8 +14,6 @@ namespace trophic {
 
 namespace described {
 
-using command::Config;
-
 /// Puts parameters, in nested objects or under their paths, into nested tables.
 void insert_parameters(toml::table& table, const std::string& prefix, const Json& parameters) {
   for (const auto& [key, value] : parameters.items()) {

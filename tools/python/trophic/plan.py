@@ -42,7 +42,7 @@ import shutil
 import subprocess
 import tempfile
 import zlib
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy
@@ -90,13 +90,20 @@ def _json(value: Any) -> str:
     return json.dumps(value, separators=(",", ":"), ensure_ascii=False)
 
 
-def _leaves(table: dict[str, Any], prefix: str = "") -> Iterable[tuple[str, Any]]:
+def _leaves(table: Mapping[str, Any], prefix: str = "") -> Iterable[tuple[str, Any]]:
     for key, value in table.items():
         path = f"{prefix}.{key}" if prefix else key
-        if isinstance(value, dict):
+        if isinstance(value, Mapping):
             yield from _leaves(value, path)
         else:
-            yield path, value
+            yield path, _plain(value)
+
+
+def _plain(value: Any) -> Any:
+    """The same without numpy's types, as TOML has it."""
+    if isinstance(value, (numpy.generic, numpy.ndarray)):
+        value = value.tolist()
+    return [_plain(one) for one in value] if isinstance(value, (list, tuple)) else value
 
 
 def _value(value: Any, where: str) -> Any:
@@ -111,7 +118,8 @@ def _value(value: Any, where: str) -> Any:
     raise RunError(f"{where} = {value}: must be a finite number, a text, true or false")
 
 
-def _settings(table: dict[str, Any]) -> Settings:
+def settings_of_table(table: Mapping[str, Any]) -> Settings:
+    """The values of a table, flat or nested, by their paths. Raises RunError for one that no parameter can have."""
     return {path: _value(value, path) for path, value in _leaves(table)}
 
 
@@ -168,6 +176,24 @@ def read_sweep(path: str | os.PathLike) -> Sweep:
         raise RunError(f"{path}: {error}") from None
 
 
+def sweep_of(table: Mapping[str, Any]) -> Sweep:
+    """The sweep of a dictionary that has the keys of a sweep file. Raises RunError "sweep: ..." for a bad one."""
+    path = pathlib.Path("sweep")
+    try:
+        sweep = _sweep(path, "", {key: value if key == "runs" else _plain(value) for key, value in table.items()})
+    except RunError as error:
+        raise RunError(f"{path}: {error}") from None
+    sections: list[tuple[str, Mapping]] = [
+        ("", {key: value for key, value in table.items() if key != "runs" and not isinstance(value, Mapping)})
+    ]
+    sections += [(f"[{key}]", value) for key, value in table.items() if isinstance(value, Mapping)]
+    sections += [("[[runs]]", one) for one in table.get("runs", [])]
+    for title, values in sections:
+        sweep.text += f"{title}\n" if title else ""
+        sweep.text += "".join(f"{path} = {_json(value)}\n" for path, value in _leaves(values))
+    return sweep
+
+
 def _sweep(path: pathlib.Path, text: str, table: dict[str, Any]) -> Sweep:
     sweep = Sweep(path, text)
     for section in ("set", "grid", "zip"):
@@ -178,10 +204,10 @@ def _sweep(path: pathlib.Path, text: str, table: dict[str, Any]) -> Sweep:
         isinstance(listed, list) and listed and all(isinstance(one, dict) for one in listed)
     ):
         raise RunError("runs: must be sections, [[runs]]")
-    sweep.set = _settings(table.pop("set", {}))
+    sweep.set = settings_of_table(table.pop("set", {}))
     sweep.grid = _axes(table.pop("grid"), "grid") if "grid" in table else {}
     sweep.zip = _axes(table.pop("zip"), "zip") if "zip" in table else {}
-    sweep.runs = [_settings(one) for one in listed or []]
+    sweep.runs = [settings_of_table(one) for one in listed or []]
     if "neutral" in table:
         raise RunError("neutral: is not possible in a sweep; run a cell's settings with --replicates and --neutral")
     for key, value in table.items():

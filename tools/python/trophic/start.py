@@ -4,49 +4,58 @@ from __future__ import annotations
 
 import os
 import pathlib
-from collections.abc import Callable, Sequence
+import sys
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from .errors import ProgramError
+from .plan import cells_of, make_plan, read_sweep, settings_of_table, sweep_of
 from .programs import Page, call, find_program
-from .runs import Analysis, Run, Runs, read_run, read_runs
+from .progress import is_watched
+from .runs import Analysis, Run, Runs, read_run, read_runs, read_study
+from .sweeps.grid import PLAN
 
-__all__ = ["Page", "ProgramError", "analyze", "find_program", "run", "show"]
+__all__ = ["Page", "ProgramError", "analyze", "find_program", "run", "show", "sweep"]
 
 
 def run(
-    experiment: str | os.PathLike = "paper",
+    table: str | None = "paper",
     *,
     out: str | os.PathLike,
     backend: str | None = None,
-    rules: str | None = None,
-    set: dict | None = None,
     duration: float | None = None,
-    robots: int | None = None,
     seed: int | None = None,
+    params: Mapping[str, Any] | None = None,
+    robots: int | None = None,
     replicates: int | None = None,
     shadow: bool = False,
     neutral: bool = False,
     one_sided: bool = False,
     jobs: int | None = None,
     threads: int | None = None,
-    options: list[str] | None = None,
+    program: str | os.PathLike | None = None,
+    options: Sequence[str] = (),
+    resume: bool = False,
+    progress: bool | None = None,
 ) -> Run | Runs:
-    """Runs an experiment, writes it to the new folder `out` and reads it: a Run or, with `replicates`, Runs.
+    """Runs an ecology, writes it to the new folder `out` and reads it: a Run or, with `replicates`, Runs.
 
-    `experiment` is a rule table of trophic-predator-prey (paper, released) or the path of any experiment program, whose table `rules`
-    names. `set` maps paths of parameters to values, {"rules.mutation.sd": 0.1}. `options` are further arguments of the program. Raises
-    ProgramError with the program's message if it refuses or fails, and before it starts if `out` exists.
+    `table` is a rule table that trophic ships (paper, released, pond, ...) or one of `program`, the path or name of an experiment program; None is
+    its first. `backend`: kinematic, torus, mujoco or ode (default: the table's). `duration`: simulated seconds. `params` maps paths of parameters to
+    values in the units of `--print-config`, flat or nested: {"rules.mutation.sd": 0.1} or {"rules": {"mutation": {"sd": 0.1}}}. `robots`: number of
+    bodies. `shadow`, `neutral` and `one_sided` also run these nulls. `jobs`: replicates in parallel; `threads`: of the physics. `options` are further
+    arguments of the program. `progress` shows how far it is (default: on a terminal and in a notebook), by tqdm if it is installed.
+
+    A program does it, whose remarks go to standard error. Raises ProgramError with the program's message if it refuses or fails, and before it starts
+    if `out` exists. An interrupt stops it after a tick, with a checkpoint; `resume` continues that.
     """
-    is_path = os.sep in str(experiment) or pathlib.Path(experiment).is_file()
-    program = str(pathlib.Path(experiment).resolve()) if is_path else find_program("trophic-predator-prey")
-    arguments: list = []
+    arguments: list[Any] = []
     named = {
-        "--rules": rules if is_path else str(experiment),
+        "--rules": table,
         "--backend": backend,
         "--duration": duration,
-        "--robots": robots,
         "--seed": seed,
+        "--robots": robots,
         "--replicates": replicates,
         "--jobs": jobs,
         "--threads": threads,
@@ -54,18 +63,56 @@ def run(
     for option, value in named.items():
         if value is not None:
             arguments += [option, value]
-    for path, value in (set or {}).items():
+    for path, value in settings_of_table(params or {}).items():
         arguments += ["--set", f"{path}={str(value).lower() if isinstance(value, bool) else value}"]
-    if shadow:
-        arguments.append("--shadow")
-    if neutral:
-        arguments.append("--neutral")
-    if one_sided:
-        arguments.append("--one-sided")
-    if pathlib.Path(out).exists():
+    arguments += [
+        option
+        for option, is_on in (
+            ("--shadow", shadow),
+            ("--neutral", neutral),
+            ("--one-sided", one_sided),
+            ("--resume", resume),
+        )
+        if is_on
+    ]
+    if pathlib.Path(out).exists() and not resume:
         raise ProgramError(f"out={out}: exists already; files are never overwritten")
-    call(program, [*arguments, *(options or []), "--out", out], f"{program} into {out}")
+    _make(_program(program, table), [*arguments, *options, "--out", out], str(out), progress)
     return read_run(out) if replicates is None else read_runs(out)
+
+
+def sweep(
+    of: str | os.PathLike | Mapping[str, Any],
+    *,
+    out: str | os.PathLike,
+    program: str | os.PathLike | None = None,
+    jobs: int | None = None,
+    progress: bool | None = None,
+) -> dict[str, Runs]:
+    """Makes the runs of a sweep in the folder `out`, or those that it lacks, and reads them: Runs by the name of the cell.
+
+    `of` is a sweep file (docs/how-to/a-sweep.md) or a dictionary with its keys: {"rule_table": "paper", "replicates": 10, "grid":
+    {"rules.mutation.sd": [0.05, 0.2]}}. `program`, `jobs` and `progress` as in `run`; the program is chosen by the first table. `analyze_sweep(out)` compares the cells.
+    Raises RunError for a wrong sweep, before any run, and for a folder with another plan; ProgramError if the program fails.
+    """
+    asked = sweep_of(of) if isinstance(of, Mapping) else read_sweep(of)
+    makes = _program(program, next((str(cell["rule_table"]) for cell in cells_of(asked) if "rule_table" in cell), None))
+    make_plan(asked, makes, pathlib.Path(out))
+    _make(makes, ["--plan", pathlib.Path(out) / PLAN, *(["--jobs", jobs] if jobs else [])], str(out), progress)
+    return read_study(out)
+
+
+def _program(named: str | os.PathLike | None, table: str | None) -> str:
+    """The program of that name or path or, without one, the shipped one that has the table."""
+    if named is None:
+        return find_program("trophic-predator-prey" if table in (None, "paper", "released") else "trophic-worlds")
+    is_path = os.sep in str(named) or pathlib.Path(named).is_file()
+    return str(pathlib.Path(named).resolve()) if is_path else find_program(str(named))
+
+
+def _make(program: str, arguments: list, what: str, progress: bool | None) -> None:
+    remarks = call(program, arguments, what, progress=is_watched(progress))
+    print(remarks, end="", file=sys.stderr)
 
 
 def analyze(
@@ -116,6 +163,6 @@ def _path(of: Any) -> str | os.PathLike:
     return getattr(of, "path", of)
 
 
-def show(run: Run, out: str | os.PathLike | None = None) -> Page:
-    """Makes a page of a recorded run, in `out` or in a temporary file."""
-    return run.show(out)
+def show(run: Run | str | os.PathLike, out: str | os.PathLike | None = None) -> Page:
+    """Makes a page of a recorded run or of one in a folder, in `out` or in a temporary file. A notebook displays it; `open()` opens a browser."""
+    return (run if isinstance(run, Run) else read_run(run)).show(out)

@@ -5,12 +5,13 @@
     figures.use("ieee")
     figures.velocity(trophic.analyze("runs/paper"))
 
-Each figure takes an Analysis, the folder of one, or a set of one (sets_of). `set` names one of two sets that were compared, `run` is the number of
+`numbers` and `energy` take a Run. Each other figure takes an Analysis, the folder of one, or a set of one (sets_of). `set` names one of two sets that were compared, `run` is the number of
 the run whose phylogeny, paths and catch are drawn. Needs matplotlib, pandas and scipy (Debian: python3-matplotlib, python3-pandas,
 python3-scipy)."""
 import functools
 
 from . import paper, pictures
+from .run import energy, numbers  # noqa: F401
 from .paper import Data, data_of, sets_of  # noqa: F401
 from .style import Missing, save_all, use  # noqa: F401
 

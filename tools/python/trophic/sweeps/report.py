@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import html
 import math
 import os
 import pathlib
@@ -65,6 +66,9 @@ class SweepAnalysis:
     asked: pandas.DataFrame
     """as runs_for_difference returns it; empty if no difference was asked for"""
     remarks: list[str]
+
+    def _repr_html_(self) -> str:
+        return f"<pre>{html.escape(text_of(self))}</pre>"
 
     def findings(self) -> list[tuple[Finding, Any]]:
         """The significant differences in words, each fact once: of its plainest metric the cell that differs most, with that row of `differences`."""
