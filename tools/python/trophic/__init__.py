@@ -27,6 +27,8 @@ _MODULES = {
     "Environment": "environment",
     "OneAgent": "environment",
     "VectorEnv": "ecologies",
+    "Meeting": "meetings",
+    "meet": "meetings",
     "show": "start",
     "run": "start",
     "sweep": "start",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-import pathlib
+import sys
 from collections.abc import Callable, Sequence
 from typing import Any, Union
 
@@ -26,9 +26,6 @@ def ecology_of(
     """The `Ecology` of a rule table of trophic's module, or of another module of trophic_add_python_module. All robots decide together. Raises
     ValueError with field, value and bound."""
     if module is None:
-        models = pathlib.Path(__file__).resolve().parents[2] / "models"
-        if models.is_dir():
-            os.environ.setdefault("TROPHIC_MODELS", str(models))
         import trophic_ecologies as module
     description = {
         "rule_table": rule_table,
@@ -100,8 +97,8 @@ class VectorEnv:
             )
             for world in range(worlds)
         ]
-        of = __import__(type(self.ecologies[0]).__module__)
-        self._together = of.Worlds(
+        compiled = sys.modules[type(self.ecologies[0]).__module__]
+        self._together = compiled.Worlds(
             self.ecologies, min(worlds, threads or len(os.sched_getaffinity(0)))
         )
 
