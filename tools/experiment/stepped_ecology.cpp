@@ -100,7 +100,7 @@ void SteppedEcology::reset(std::optional<std::uint64_t> seed, const std::filesys
   if (seed) described_.experiment->seed() = *seed;
   auto run = std::make_unique<Run>(Run{.simulation = described_.simulation()});
   if (folder.empty()) {
-    run->steps = std::make_unique<SteppedRun>(*run->simulation, until_s_, run->events, run->decided);
+    run->steps = std::make_unique<SteppedRun>(*run->simulation, until_s_, run->events);
   } else {
     checkpoint::RunState state;
     if (!resume) io::check_new_folder(folder);
@@ -137,6 +137,13 @@ void SteppedEcology::decide(std::span<const double> outputs) {
   const auto before = std::ssize(own.events.all);
   own.steps->decide(outputs);
   own.events.all.erase(own.events.all.begin(), own.events.all.begin() + before);
+}
+void SteppedEcology::check(std::span<const double> outputs) const {
+  run().steps->check(outputs);
+}
+bool SteppedEcology::run_until(double until_s) {
+  while ((waits() || sense()) && (simulation().time_s() < until_s || until_s >= until_s_)) decide(own_outputs());
+  return waits();
 }
 std::span<const double> SteppedEcology::own_outputs() {
   return run().steps->own_outputs();

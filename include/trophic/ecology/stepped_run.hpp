@@ -54,6 +54,11 @@ class SteppedRun {
     return steps_.own_outputs();
   }
 
+  /// Throws as `decide` does, and changes nothing.
+  void check(std::span<const double> outputs) const {
+    check_waits("check");
+    steps_.check(outputs);
+  }
   /// Lets the robots that wait do what these outputs stand for, `perceived().outputs_each` numbers for each. Throws
   /// std::logic_error if none waits, and std::invalid_argument for other numbers than these or one that is not a decision: the
   /// robots then still wait.

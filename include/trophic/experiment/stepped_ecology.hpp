@@ -44,9 +44,13 @@ class SteppedEcology {
 
   /// As SteppedRun's. All throw std::logic_error before reset.
   [[nodiscard]] bool sense();
+  void check(std::span<const double> outputs) const;
   void decide(std::span<const double> outputs);
   [[nodiscard]] std::span<const double> own_outputs();
   [[nodiscard]] const Perceived& perceived() const;
+  /// Lets the brains of the genomes decide until the clock is at `until_s` or later and robots wait; from the time of its end on,
+  /// to the end of the run. Returns whether robots wait.
+  [[nodiscard]] bool run_until(double until_s);
 
   [[nodiscard]] bool waits() const;
   [[nodiscard]] const Simulation& simulation() const;

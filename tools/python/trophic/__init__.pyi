@@ -8,8 +8,10 @@ from . import (
     runs as runs,
     start as start,
 )
-from .environment import Environment as Environment, env as env
+from .ecologies import VectorEnv as VectorEnv
+from .environment import Environment as Environment, OneAgent as OneAgent, env as env
 from .errors import ProgramError as ProgramError, RunError as RunError
+from .meetings import Meeting as Meeting, meet as meet
 from .metrics.own import metric as metric
 from .programs import Page as Page
 from .recording import Recording as Recording, RecordingError as RecordingError, read_replay as read_replay

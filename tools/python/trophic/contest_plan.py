@@ -224,7 +224,7 @@ def add_matches(
                 )
 
 
-def _table_of(run: PooledRun) -> str:
+def table_of(run: PooledRun) -> str:
     """Teams of a shadow or of a one-sided world meet in the arena of the table that it is the null of."""
     table = run.manifest["rule_table"]
     return re.sub(r" with heredity = (nothing_inherited|\w+, nothing_inherited for .*)$", "", table)
@@ -233,7 +233,7 @@ def _table_of(run: PooledRun) -> str:
 def _kind_of(run: PooledRun) -> str:
     """The table, and whether the runs were only screened."""
     is_screened = run.manifest["params"].get("backend", {}).get("stepping") == "screening"
-    return _table_of(run) + (" with backend.stepping = screening" if is_screened else "")
+    return table_of(run) + (" with backend.stepping = screening" if is_screened else "")
 
 
 def _whole_runs(paths: Sequence[pathlib.Path], how: Measuring) -> tuple[list[PooledRun], list[str]]:
@@ -242,6 +242,22 @@ def _whole_runs(paths: Sequence[pathlib.Path], how: Measuring) -> tuple[list[Poo
     for run in runs:
         verify(run.path)
     return runs, remarks
+
+
+def plan_for(first: PooledRun, duration_s: float, reach_m: float, planned: Planned) -> dict:
+    """The plan that a program plays, of contests by the table and parameters of a run."""
+    return {
+        "format": "trophic contests",
+        "version": 1,
+        "rule_table": table_of(first),
+        "engine": first.manifest["backend"].split()[0],
+        "fingerprint": first.fingerprint,
+        "params": first.manifest["params"],
+        "duration_s": duration_s,
+        "reach_m": reach_m,
+        "teams": planned.teams,
+        "matches": planned.matches,
+    }
 
 
 def plan_of(request: dict) -> tuple[dict, list[dict[str, Any]], list[str]]:
@@ -286,18 +302,7 @@ def plan_of(request: dict) -> tuple[dict, list[dict[str, Any]], list[str]]:
     for is_shadow, of in ((False, runs), (True, shadow)):
         if of:
             add_matches(planned, of, size, is_shadow, panel)
-    plan = {
-        "format": "trophic contests",
-        "version": 1,
-        "rule_table": _table_of(first),
-        "engine": first.manifest["backend"].split()[0],
-        "fingerprint": first.fingerprint,
-        "params": first.manifest["params"],
-        "duration_s": request["duration"],
-        "reach_m": request["reach"],
-        "teams": planned.teams,
-        "matches": planned.matches,
-    }
+    plan = plan_for(first, request["duration"], request["reach"], planned)
     if request["backend"] and request["backend"] != plan["engine"]:
         plan |= {
             "engine": request["backend"],
