@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // MuJoCo's own ways of stepping many robots against the backend's, from one state of the same world: one model of all, with its
 // islands and threads; its batch of one small model a robot; and the backend's. Prints microseconds of a step, of the wall and of
-// the processor, the least of some rounds that are interleaved, and how far from one model each way is at the end.
+// the processor, the least of some rounds that are interleaved, and how far each way is from one model after ten times as many
+// steps.
 #include <mujoco/mujoco.h>
 #include <sys/resource.h>
 #if mjVERSION_HEADER >= 3017000
@@ -27,7 +28,7 @@ namespace {
 using trophic::backend::Mujoco;
 namespace engine = trophic::backend::mujoco;
 
-/// Spiders on a lattice, in an arena with as much room for each as 300 have in the paper's, or in a crowd.
+/// Spiders on a lattice, in an arena with as much room for each as 300 have in the paper's, or in a crowd between walls.
 struct Scene {
   trophic::RobotModel spider = trophic::load_robot("spider");
   trophic::Arena arena = trophic::load_arena("walled_square");
@@ -37,6 +38,7 @@ struct Scene {
     constexpr double crowded_m = 0.45;  // between neighbours: 1.1 diameters of a spider's sphere
     const double side = std::ceil(std::sqrt(static_cast<double>(robots)));
     arena.half_side_m = std::max(arena.half_side_m, 0.5 * (19.0 / 18.0 * side + 1.0));
+    if (is_crowd) arena.half_side_m = 0.5 * crowded_m * side + 0.1;
     arena.extent_m = 2.0 * arena.half_side_m;
     starts = trophic::test::lattice(spider, robots, is_crowd ? crowded_m : (2.0 * arena.half_side_m - 1.0) / side);
     for (trophic::Pose& start : starts) start.position_m.z() += 0.1;
@@ -59,7 +61,7 @@ struct Way {
   virtual ~Way() = default;
   virtual void start() = 0;
   virtual void step(int count) = 0;
-  /// x and y of all robots.
+  /// x, y and z of all robots.
   [[nodiscard]] virtual std::vector<double> places_m() const = 0;
 };
 
@@ -75,7 +77,7 @@ class Backend final : public Way {
     std::vector<double> places;
     for (std::size_t robot = 0; robot < backend_.robots(); ++robot) {
       const Eigen::Vector3d at_m = backend_.pose(robot).position_m;
-      places.insert(places.end(), {at_m.x(), at_m.y()});
+      places.insert(places.end(), {at_m.x(), at_m.y(), at_m.z()});
     }
     return places;
   }
@@ -108,7 +110,7 @@ class OneWorld final : public Way {
     std::vector<double> places;
     const auto stride = static_cast<std::size_t>(model_->nq) / robots_;
     for (std::size_t robot = 0; robot < robots_; ++robot) {
-      places.insert(places.end(), {data_->qpos[robot * stride], data_->qpos[robot * stride + 1]});
+      places.insert(places.end(), data_->qpos + robot * stride, data_->qpos + robot * stride + 3);
     }
     return places;
   }
@@ -134,12 +136,17 @@ class OneWorld final : public Way {
 };
 
 #if mjVERSION_HEADER >= 3017000
-/// MuJoCo's batch with the backend's model of one robot. The robots do not know each other.
+/// MuJoCo's batch with the backend's model of one robot, which knows neither the others nor the walls.
 class Batch final : public Way {
  public:
   Batch(const Scene& scene, const Mujoco::State& state, int threads)
       : robots_{scene.starts.size()},
-        one_{scene.spider, scene.arena, {}, {.collisions = engine::Collisions::pairs, .servos = engine::Servos::combined}, 1, 1},
+        one_{scene.spider,
+             scene.arena,
+             {},
+             {.walls = false, .collisions = engine::Collisions::pairs, .servos = engine::Servos::combined},
+             1,
+             1},
         state_{state} {
     mjBatchConfig config;
     mjb_defaultConfig(&config);
@@ -172,7 +179,7 @@ class Batch final : public Way {
     std::vector<double> places;
     for (std::size_t robot = 0; robot < robots_; ++robot) {
       const mjtNum* const at_m = row(mjSTATE_QPOS, robot);
-      places.insert(places.end(), {at_m[0], at_m[1]});
+      places.insert(places.end(), at_m, at_m + 3);
     }
     return places;
   }
@@ -226,7 +233,7 @@ void compare(std::size_t robots, bool is_crowd) {
   const trophic::test::TemporaryFolder folder;
   const Scene scene{robots, is_crowd};
   Mujoco walking{scene.spider, scene.arena, scene.starts, {}, {.stepping = Stepping::fast}};
-  for (int tick = 0; tick < 60; ++tick) {
+  for (int tick = 0; tick < 300; ++tick) {
     aim(walking, tick / 60.0);
     walking.advance_to((tick + 1) / 60.0);
   }
@@ -252,9 +259,12 @@ void compare(std::size_t robots, bool is_crowd) {
   for (int round = 0; round < 5; ++round) {
     for (NamedWay& one : ways) measure(one.best, count, *one.way);
   }
-  const std::vector<double> expected_m = ways.front().way->places_m();
+  std::vector<double> expected_m;
   for (NamedWay& one : ways) {
+    one.way->start();
+    one.way->step(10 * count);
     const std::vector<double> places_m = one.way->places_m();
+    if (expected_m.empty()) expected_m = places_m;
     for (std::size_t i = 0; i < places_m.size(); ++i)
       one.best.off_m = std::max(one.best.off_m, std::abs(places_m[i] - expected_m[i]));
     std::printf("%6zu  %-6s  %-38s  %9.1f  %9.1f  %8.1e\n", robots, is_crowd ? "crowd" : "apart", one.name, one.best.wall_us,

@@ -119,7 +119,11 @@ class MjcfWriter {
     set(option, "tolerance", 1e-15);
     set(option, "iterations", 100.0);
     if (!solves_sparse) set(option, "jacobian", "dense");
-    if (finds_several_contacts) set(option.append_child("flag"), "multiccd", "disable");
+    if (turned_off != 0) {
+      auto flag = option.append_child("flag");
+      set(flag, "nativeccd", "disable");
+      set(flag, "multiccd", "disable");
+    }
     if (has_collision_option && scene_.collisions == Collisions::pairs) set(option, "collision", "predefined");
   }
 

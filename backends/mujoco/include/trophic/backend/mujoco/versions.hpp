@@ -38,27 +38,30 @@ inline constexpr std::size_t most_box_contacts = replaces_box_test ? 8 : mjMAXCO
 /// of one rotation vector.
 inline constexpr bool corrects_turns = mjVERSION_HEADER >= 4000000;
 
-/// Whether two convex geoms have several contacts unless the flag `multiccd` is off.
-inline constexpr bool finds_several_contacts = mjVERSION_HEADER >= 3008000;
-
 /// Whether the Newton solver works with a sparse Jacobian: 4.0.0 factorizes some of its matrices wrongly (MuJoCo's issue 3767).
 inline constexpr bool solves_sparse = mjVERSION_HEADER != 4000000;
 
-/// The flags that the backend sets in all models.
+/// The features that the backend turns off in all models, so that boxes meet height fields as in MuJoCo 2.2: by libccd's search,
+/// in one point for each prism.
 #if mjVERSION_HEADER >= 3008000
-inline constexpr int plain_disabled = mjDSBL_MULTICCD;
+inline constexpr int turned_off = mjDSBL_NATIVECCD | mjDSBL_MULTICCD;
+#elif mjVERSION_HEADER >= 330
+inline constexpr int turned_off = mjDSBL_NATIVECCD;
 #else
-inline constexpr int plain_disabled = 0;
+inline constexpr int turned_off = 0;
 #endif
 
 /// What a function in MuJoCo's table of collisions reads and writes: from 3.9 on not a whole contact.
-#if mjVERSION_HEADER >= 3009000
-using CollisionData = mjData;
-using FoundContact = mjPreContact;
-#else
-using CollisionData = const mjData;
-using FoundContact = mjContact;
-#endif
+template <class Function>
+struct Collision;
+template <class Data_, class Contact_>
+struct Collision<int (*)(const mjModel*, Data_*, Contact_*, int, int, mjtNum)> {
+  using Data = Data_;
+  using Contact = Contact_;
+};
+using CollisionData = Collision<mjfCollision>::Data;
+using FoundContact = Collision<mjfCollision>::Contact;
+
 template <class Contact>
 [[nodiscard]] auto normal_of(Contact& contact) {
   if constexpr (requires { contact.normal; }) {
