@@ -374,7 +374,8 @@ def read_analysis(path: str | os.PathLike) -> Analysis:
 
 def verify(path: str | os.PathLike, loaded: Sequence[str] = ()) -> None:
     """Compares a run's manifest, tables, recording and checkpoint with their checksums. Raises RunError, naming the file, for the first one that
-    differs from what the run wrote. A killed run has no checksums of tables. `loaded`: tables that were compared when they were read."""
+    differs from what the run wrote. A killed run has no checksums of tables. `loaded`: tables that were compared when they were read.
+    """
     run = read_run(path)
     try:
         for name, expected in run.manifest.get("tables", {}).items():

@@ -34,9 +34,7 @@ def locks(agents: Agents, reach_m: float = REACH_M, ticks: int = TICKS) -> Locks
     for apart in itertools.count(1):  # places in the order of x: once the next but N is too far, all beyond it are
         one = one[: numpy.searchsorted(one, len(along) - apart)]
         offset_m = x_m[one + apart] - x_m[one]
-        one, offset_m = (
-            of[(its_at[one + apart] == its_at[one]) & (offset_m <= reach_m)] for of in (one, offset_m)
-        )
+        one, offset_m = (of[(its_at[one + apart] == its_at[one]) & (offset_m <= reach_m)] for of in (one, offset_m))
         if not len(one):
             break
         other = one + apart

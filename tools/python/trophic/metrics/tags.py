@@ -71,11 +71,7 @@ def tag_symmetry(agents: Agents, a: str, b: str, group: str = "inherited", plus_
     counts, place = _distinct(in_a, in_b, plus_of[0] + plus_of[1])
     pairs, place_of_pair = _distinct(*counts[:2])
     coins = numpy.array([bernoulli_symmetry(int(few), int(many)) for few, many in zip(*pairs)])[place_of_pair]
-    of = {
-        "observed": observed,
-        "permuted_tags": permuted_symmetry(*counts)[place],
-        "bernoulli_tags": coins[place],
-    }
+    of = {"observed": observed, "permuted_tags": permuted_symmetry(*counts)[place], "bernoulli_tags": coins[place]}
     return {name: means(agents.window[there], values) for name, values in of.items()}
 
 
