@@ -39,17 +39,21 @@ class Moment {
     return perception::adversary(body, now_, std::bind_front(&Moment::sees, this), horizon);
   }
 
-  /// The choice of a robot with this sighting. `common`: the values of sensors that are the same for all robots.
+  /// The choice of a robot as far as it perceives. `common`: the values of sensors that are the same for all robots.
   template <class Common>
-  [[nodiscard]] Choice<Rules> choice(BodyIndex body, const std::optional<Sighting>& sighting, const Common& common,
-                                     WithoutTarget without_target) const {
-    Choice<Rules> choice{.sighting = sighting, .decision = std::nullopt};
+  [[nodiscard]] Choice<Rules> perception(BodyIndex body, const Common& common, WithoutTarget without_target) const {
+    Choice<Rules> choice{.sighting = sighting(body), .decision = std::nullopt};
     if (!choice.sighting && without_target == WithoutTarget::keeps_decision) return choice;
     const auto rng_of = [&](std::size_t sensor) { return Rng{seed_, Stream::sensors, population_[body].id, tick(), sensor}; };
     choice.inputs = rules_.sensors.sense(population_.states().sensors[body], body, choice.sighting, now_, common, rng_of);
+    return choice;
+  }
+
+  /// Adds the brain's decision.
+  void decide(BodyIndex body, Choice<Rules>& choice, WithoutTarget without_target) const {
+    if (!choice.sighting && without_target == WithoutTarget::keeps_decision) return;
     const std::size_t size = Population<Rules>::Sensors::size_of(population_[body].species);
     choice.decision = population_.decide(body, std::span{choice.inputs}.first(size), choice.outputs);
-    return choice;
   }
 
  private:

@@ -25,12 +25,12 @@ class Decisions {
     const bool in_turn = params_.decision_order == DecisionOrder::in_turn;
     for (std::size_t i = 0; i < choices_.size() && !in_turn; ++i) {
       const BodyIndex body = now.tree == nullptr ? i : now.tree->by_place(i);  // neighbours perceive the same robots
-      if (population_[body].lives()) choices_[body].sighting = moment.sighting(body);
+      if (population_[body].lives()) choices_[body] = moment.perception(body, common, params_.without_target);
     }
     for (BodyIndex body = 0; body < choices_.size(); ++body) {
       if (!population_[body].lives()) continue;
-      const auto sighting = in_turn ? moment.sighting(body) : choices_[body].sighting;
-      choices_[body] = moment.choice(body, sighting, common, params_.without_target);
+      if (in_turn) choices_[body] = moment.perception(body, common, params_.without_target);
+      moment.decide(body, choices_[body], params_.without_target);
       if (in_turn) act(audience, body, choices_[body], now);
     }
     for (BodyIndex body = 0; body < choices_.size() && !in_turn; ++body) act(audience, body, choices_[body], now);
