@@ -10,6 +10,7 @@
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/mujoco.hpp>
+#include <trophic/backend/torus.hpp>
 #include <trophic/control/brain/feed_forward_brain.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
@@ -19,6 +20,7 @@
 #include <trophic/rules/with.hpp>
 #include <trophic/run/checkpoint/resume.hpp>
 #include <trophic/worlds/pond.hpp>
+#include <trophic/worlds/wolf_sheep.hpp>
 
 namespace {
 
@@ -215,6 +217,31 @@ void pond(benchmark::State& state) {
   state.counters["living_%"] = 100.0 * living / robots;
 }
 
+/// Ticks of wolves, sheep and grass with the numbers of PPHPC's first parameter set, on so many patches in a row, without files.
+/// tests/bench/wolf_sheep.py has the same world in Python and in Mesa.
+void wolf_sheep(benchmark::State& state) {
+  constexpr std::int64_t warm_up = 100;
+  constexpr std::int64_t ticks = 20;
+  Experiment<worlds::WolfSheep> numbers;
+  const auto side = static_cast<std::size_t>(state.range(0));
+  const std::size_t parts = side * side / 100;
+  numbers.ecology.robots = 60 * parts;
+  numbers.rules.community.predators = 2 * parts;
+  numbers.rules.recruitment.get<0>().spare_bodies = 54 * parts;
+  numbers.rules.resource.patches_in_a_row = side;
+  numbers.rules.resource.delay_ticks = 10;
+  Habitat habitat = load_habitat(numbers.ecology);
+  habitat.arena.half_side_m = 0.5 * static_cast<double>(side);
+  Ecology<worlds::WolfSheep> ecology{numbers, backend::Torus::Params{}, std::move(habitat)};
+  WarmUp warm{warm_up};
+  for (auto _ : state) {
+    ecology.run_until(static_cast<double>(warm_up + ticks) * numbers.ecology.tick_s, warm);
+    state.SetIterationTime(warm.elapsed_s() / static_cast<double>(ticks));
+  }
+  state.counters["living"] = static_cast<double>(ecology.view().count(0) + ecology.view().count(1));
+  state.counters["4000_ticks_s"] = 4000.0 * warm.elapsed_s() / static_cast<double>(ticks);
+}
+
 constexpr std::size_t living = 1000;
 
 struct Reaper {
@@ -271,6 +298,13 @@ BENCHMARK(pond)
     ->ArgName("robots")
     ->RangeMultiplier(10)
     ->Range(100, 100'000)
+    ->Iterations(1)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(wolf_sheep)
+    ->ArgName("side")
+    ->RangeMultiplier(2)
+    ->Range(100, 1600)
     ->Iterations(1)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);
