@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // How a tick of a large ecology grows with the number of robots, and what share of it each part takes: perception and brains,
-// catches, births, hunger, logs, and the bodies, on the kinematic backend and on MuJoCo.
+// catches, births, hunger, logs, and the bodies, on the kinematic backend and on MuJoCo. How a tick of a living world grows.
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 
@@ -10,11 +10,17 @@
 #include <support/temporary_folder.hpp>
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/mujoco.hpp>
+#include <trophic/backend/torus.hpp>
+#include <trophic/control/brain/feed_forward_brain.hpp>
 #include <trophic/ecology/ecology.hpp>
 #include <trophic/habitat/load/habitat.hpp>
 #include <trophic/io/run_folder.hpp>
+#include <trophic/perception/sensors/rays.hpp>
 #include <trophic/rules/paper.hpp>
 #include <trophic/rules/with.hpp>
+#include <trophic/run/checkpoint/resume.hpp>
+#include <trophic/worlds/pond.hpp>
+#include <trophic/worlds/wolf_sheep.hpp>
 
 namespace {
 
@@ -172,6 +178,70 @@ void mujoco(benchmark::State& state) {
   tick<backend::Mujoco>(state, ticks, ticks);
 }
 
+using Eyes = perception::sensors::Rays<8, perception::sensors::Sees::victims, perception::sensors::Sees::hunters>;
+using PondWithEyes = with_brain<with_sensors<worlds::Pond, perception::sensors::List<Eyes>>, control::brain::FeedForwardBrain>;
+
+/// Ticks of the pond with eyes of rays, with all tables of a run's folder, no recording, and a checkpoint at the end. Room and
+/// food grow with the number of bodies, of which 40 % have an individual at the start. The time reported is the processor's for
+/// one tick; the peak of memory includes the checkpoint.
+void pond(benchmark::State& state) {
+  constexpr std::int64_t warm_up = 30;
+  constexpr std::int64_t ticks = 10;
+  Experiment<PondWithEyes> numbers;
+  numbers.ecology.robots = static_cast<std::size_t>(state.range(0));
+  const double times = static_cast<double>(numbers.ecology.robots) / 150.0;
+  numbers.rules.community.predators = static_cast<std::size_t>(12.0 * times);
+  numbers.rules.recruitment.spare_bodies = static_cast<std::size_t>(90.0 * times);
+  numbers.rules.resource.cells_in_a_row = static_cast<std::size_t>(20.0 * std::sqrt(times));
+  Habitat habitat = load_habitat(numbers.ecology);
+  habitat.arena.half_side_m *= std::sqrt(times);
+
+  ::malloc_trim(0);
+  test::forget_peak();
+  const double before_bytes = test::peak_bytes();
+  Ecology<PondWithEyes> ecology{numbers, backend::Kinematic::Params{}, std::move(habitat)};
+  const trophic::test::TemporaryFolder folder;
+  io::RunFolder files{folder.path() / "run", {}, {.replay_hz = 0.0, .agents_every_ticks = 1}};
+  WarmUp warm{warm_up};
+  double living = 0.0;
+  for (auto _ : state) {
+    ecology.run_until(static_cast<double>(warm_up + ticks) * numbers.ecology.tick_s, files, warm);
+    state.SetIterationTime(warm.elapsed_s() / static_cast<double>(ticks));
+    living = static_cast<double>(ecology.view().count(0) + ecology.view().count(1));
+  }
+  checkpoint::run_with_checkpoints(ecology, ecology.time_s(), folder.path() / "run", {}, {}, files);
+  const auto robots = static_cast<double>(numbers.ecology.robots);
+  state.counters["us/robot"] = warm.elapsed_s() * 1e6 / static_cast<double>(ticks) / robots;
+  state.counters["us/living"] = warm.elapsed_s() * 1e6 / static_cast<double>(ticks) / living;
+  state.counters["peak_bytes/robot"] = (test::peak_bytes() - before_bytes) / robots;
+  state.counters["living_%"] = 100.0 * living / robots;
+}
+
+/// Ticks of wolves, sheep and grass with the numbers of PPHPC's first parameter set, on so many patches in a row, without files.
+/// tests/bench/wolf_sheep.py has the same world in Python and in Mesa.
+void wolf_sheep(benchmark::State& state) {
+  constexpr std::int64_t warm_up = 100;
+  constexpr std::int64_t ticks = 20;
+  Experiment<worlds::WolfSheep> numbers;
+  const auto side = static_cast<std::size_t>(state.range(0));
+  const std::size_t parts = side * side / 100;
+  numbers.ecology.robots = 60 * parts;
+  numbers.rules.community.predators = 2 * parts;
+  numbers.rules.recruitment.get<0>().spare_bodies = 54 * parts;
+  numbers.rules.resource.patches_in_a_row = side;
+  numbers.rules.resource.delay_ticks = 10;
+  Habitat habitat = load_habitat(numbers.ecology);
+  habitat.arena.half_side_m = 0.5 * static_cast<double>(side);
+  Ecology<worlds::WolfSheep> ecology{numbers, backend::Torus::Params{}, std::move(habitat)};
+  WarmUp warm{warm_up};
+  for (auto _ : state) {
+    ecology.run_until(static_cast<double>(warm_up + ticks) * numbers.ecology.tick_s, warm);
+    state.SetIterationTime(warm.elapsed_s() / static_cast<double>(ticks));
+  }
+  state.counters["living"] = static_cast<double>(ecology.view().count(0) + ecology.view().count(1));
+  state.counters["4000_ticks_s"] = 4000.0 * warm.elapsed_s() / static_cast<double>(ticks);
+}
+
 constexpr std::size_t living = 1000;
 
 struct Reaper {
@@ -224,6 +294,20 @@ void turnover(benchmark::State& state) {
 }  // namespace
 
 BENCHMARK(turnover)->ArgName("deaths/s")->Arg(0)->Arg(300)->Iterations(1)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(pond)
+    ->ArgName("robots")
+    ->RangeMultiplier(10)
+    ->Range(100, 100'000)
+    ->Iterations(1)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(wolf_sheep)
+    ->ArgName("side")
+    ->RangeMultiplier(2)
+    ->Range(100, 1600)
+    ->Iterations(1)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(kinematic)
     ->ArgNames({"robots", "agents_every"})
     ->ArgsProduct({{1000, 10'000, 100'000}, {1, 10}})

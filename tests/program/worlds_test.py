@@ -312,6 +312,23 @@ class Worlds(InFolder):
         self.assertGreater(len(rescued.query("cause == 'sacrificed'")), 0)
         self.assertLess(*(len(one.query("event == 'birth' and species == 'prey'")) for one in (escaping, free)))
 
+    def sizes_of_agents(self, said, folder):
+        """The size of agents.csv that a run estimates, the largest that it could have, and the true one, MB."""
+        words = re.search(r"^writes  agents.csv, about ([\d.]+) MB(?: .*, at most ([\d.]+) MB)?", said, re.M)
+        return float(words[1]), float(words[2] or 0), (folder / "agents.csv").stat().st_size / 1e6
+
+    def test_a_run_estimates_the_size_of_agents_csv_within_a_factor_of_one_and_a_half(self):
+        for rules, backend, duration, more in (
+            ("pond", "kinematic", 2000, ()),
+            ("pond", "kinematic", 2000, ("--agents-every", 6)),
+            ("food_chain", "kinematic", 500, ()),
+            ("wolf_sheep", "torus", 500, ()),
+            ("lotka_volterra", "torus", 300, ()),
+        ):
+            folder, made = self.run_world(rules, backend, "--duration", duration, "--replay-hz", 0, *more)
+            about, most, size = self.sizes_of_agents(made.stdout, folder)
+            self.assertTrue(about / 1.5 < size < min(1.5 * about, most), (rules, size, made.stdout))
+
     def test_activity_protects_and_lets_breed_in_the_pond_until_parameters_say_otherwise(self):
         def run(rules, *settings):
             words = [word for setting in settings for word in ("--set", f"rules.{setting}")]
@@ -319,9 +336,8 @@ class Worlds(InFolder):
             folder = self.folder / str(self.number)
             options = ("--duration", 1000, "--replay-hz", 0, "--out", folder, *words)
             said = self.run_ok(WORLDS, "--rules", rules, "--backend", "kinematic", *options).stdout
-            most = int(re.search(r"^writes  agents.csv, up to about (\d+) MB in an hour", said, re.M)[1])
-            grown = (folder / "agents.csv").stat().st_size / 1e6 * 3600 / 1000
-            self.assertTrue(most / 10 < grown < most, (grown, said))
+            _, most, size = self.sizes_of_agents(said, folder)
+            self.assertLess(size, most)
             return [pandas.read_csv(folder / f"{table}.csv").query("tick > 0") for table in ("events", "agents")]
 
         def parents_active(events):

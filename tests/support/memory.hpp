@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <fstream>
+#include <string>
 #if defined(__GLIBC__)
 #include <malloc.h>
 #endif
@@ -18,6 +19,19 @@ inline double resident_bytes() {
   double resident_pages = 0.0;
   file >> total_pages >> resident_pages;
   return resident_pages * static_cast<double>(::sysconf(_SC_PAGESIZE));
+}
+
+/// The most bytes of memory that the process held since `forget_peak`, or since its start.
+inline double peak_bytes() {
+  std::ifstream file{"/proc/self/status"};
+  for (std::string word; file >> word;) {
+    double kilobytes = 0.0;
+    if (word == "VmHWM:" && file >> kilobytes) return 1024.0 * kilobytes;
+  }
+  return 0.0;
+}
+inline void forget_peak() {
+  std::ofstream{"/proc/self/clear_refs"} << 5;
 }
 
 /// Bytes that were asked of glibc and not given back, whether or not they were ever touched; 0 with another library.

@@ -82,6 +82,7 @@ class Points {
   /// Throws std::invalid_argument for no robots, and for a pose outside the square.
   void start_at(std::span<const Pose> starts) {
     if (starts.empty()) throw std::invalid_argument{"robots = 0: must be >= 1"};
+    state_.bodies.reserve(starts.size());
     for (std::size_t i = 0; i < starts.size(); ++i) state_.bodies.push_back(body_at(i, starts[i]));
   }
 

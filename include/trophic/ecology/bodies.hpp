@@ -99,6 +99,7 @@ class Bodies final : public BodyReading {
   /// tick.
   void set_down(BodyIndex body, const GroundPose& place) {
     poses_[body] = place;
+    set_down_.push_back(body);
     population_.leave_tree();
     if (bodies_differ) return embody(body, population_.individuals().size());
     backend_->place(body, standing_poses(std::array{place}, robot(body), habitat_.arena).front());
@@ -109,7 +110,10 @@ class Bodies final : public BodyReading {
     }
   }
   /// Lets searches use a tree again.
-  void stand() { population_.stand_at(poses_); }
+  void stand() {
+    if (!set_down_.empty()) population_.stand_at(poses_);
+    set_down_.clear();
+  }
 
   /// Returns a place for a birth at which no circles of robots overlap: on rings around `parent`, or anywhere without a parent.
   /// Empty if none was found.
@@ -194,10 +198,13 @@ class Bodies final : public BodyReading {
   /// Whether all individuals are at least this far away, and obstacles at least half as far.
   [[nodiscard]] bool is_free(const GroundPose& place, double distance_m) const {
     if (!is_clear(habitat_.arena, place, 0.5 * distance_m)) return false;
-    for (BodyIndex body = 0; body < poses_.size(); ++body) {
-      if (population_[body].lives() && space().distance_m(place, poses_[body]) < distance_m) return false;
-    }
-    return true;
+    bool is_free = true;
+    const auto keep_clear_of = [&](BodyIndex body) {
+      if (population_[body].lives() && space().distance_m(place, poses_[body]) < distance_m) is_free = false;
+    };
+    population_.last_tree().for_each_near(place, distance_m, keep_clear_of, space());
+    for (const BodyIndex body : set_down_) keep_clear_of(body);
+    return is_free;
   }
 
   /// The state of all motion.
@@ -254,8 +261,9 @@ class Bodies final : public BodyReading {
     return nearest;
   }
 
-  /// Moves the bodies through a whole tick, then passes observers the frames that they want; a backend's steps do not depend on
-  /// pauses. If an observer cancels the tick, the bodies return to their previous state, and the result is false.
+  /// Moves the bodies through a whole tick, and passes observers the frames that they want: at the end of the tick if it may be
+  /// cancelled or diverge. A backend's steps do not depend on pauses. If an observer cancels the tick, the bodies return to their
+  /// previous state, and the result is false.
   [[nodiscard]] bool advance(observe::Audience& audience, const View& view) {
     if (paces_differ) locomotion_.set_paces(paces(view));
     std::vector<double> target_angles_rad;
@@ -270,7 +278,11 @@ class Bodies final : public BodyReading {
         return false;
       }
       step = next;
-      if (audience.wants_frame(times_, step)) frames.push_back(poses_after(step));
+      if (!audience.wants_frame(times_, step)) continue;
+      frames.push_back(poses_after(step));
+      if (backend_->has_joints()) continue;
+      show(audience, frames.back(), view.time_s);
+      frames.clear();
     }
     for (const Poses& frame : frames) show(audience, frame, view.time_s);
     return true;
@@ -329,6 +341,7 @@ class Bodies final : public BodyReading {
   Locomotion locomotion_;
   observe::FrameTimes times_;
   std::vector<GroundPose> poses_before_;
+  std::vector<BodyIndex> set_down_;  ///< since the last tree
 };
 
 }  // namespace trophic

@@ -32,6 +32,7 @@ class Census {
     if (!poses_.empty()) tree_.mark(body, poses_[body], individuals_[body]);
   }
 
+  void reserve(std::size_t bodies) { individuals_.reserve(bodies); }
   /// Adds a body with an individual or a spare one.
   void add(Individual one) {
     if (one.lives()) count(one, individuals_.size());
@@ -61,6 +62,8 @@ class Census {
   void leave_tree() { poses_ = {}; }
   /// The tree that finds the closest bodies; null before `stand_at`.
   [[nodiscard]] const SearchTree* tree() const { return poses_.empty() ? nullptr : &tree_; }
+  /// The tree of the last `stand_at`, which has the old places of bodies that have moved since.
+  [[nodiscard]] const SearchTree& last_tree() const { return tree_; }
 
   /// Recounts after the individuals were read from an archive.
   void count_all() {

@@ -40,10 +40,11 @@ class Moment {
     return perception::adversary(body, now_, std::bind_front(&Moment::sees, this), horizon);
   }
 
-  /// Sets whether the brain of a robot with this sighting decides, and its inputs. `common`: the values of sensors that are the
-  /// same for all robots. Throws RuleError for an input that is not finite.
+  /// Sets a robot's sighting, whether its brain decides, and its inputs. `common`: the values of sensors that are the same for
+  /// all robots. Throws RuleError for an input that is not finite.
   template <class Common>
   void perceive(BodyIndex body, const Common& common, WithoutTarget without_target, Choice<Rules>& choice) const {
+    choice.sighting = sighting(body);
     choice.is_asked = choice.sighting || without_target == WithoutTarget::decides;
     if (!choice.is_asked) return;
     const auto rng_of = [&](std::size_t sensor) { return Rng{seed_, Stream::sensors, population_[body].id, tick(), sensor}; };

@@ -33,24 +33,22 @@ class Decisions {
   /// made before the first tag changes. Returns false after the last.
   [[nodiscard]] bool sense(const View& now) {
     const Moment<Rules> moment{rules_, population_, seed_, now};
+    const auto perceive = [&](BodyIndex body) { moment.perceive(body, *common_, params_.without_target, choices_[body]); };
     asked_.clear();
     first_ = next_;
     if (params_.decision_order == DecisionOrder::in_turn) {
       while (first_ < choices_.size() && !population_[first_].lives()) ++first_;
       next_ = std::min(first_ + 1, choices_.size());
-      if (first_ < next_) choices_[first_].sighting = moment.sighting(first_);
+      if (first_ < next_) perceive(first_);
     } else {
       next_ = choices_.size();
       for (std::size_t i = first_; i < next_; ++i) {
         const BodyIndex body = now.tree == nullptr ? i : now.tree->by_place(i);  // neighbours perceive the same robots
-        if (population_[body].lives()) choices_[body].sighting = moment.sighting(body);
+        if (population_[body].lives()) perceive(body);
       }
     }
-    for (BodyIndex body = first_; body < next_; ++body) {
-      if (!population_[body].lives()) continue;
-      moment.perceive(body, *common_, params_.without_target, choices_[body]);
-      if (choices_[body].is_asked) asked_.push_back(body);
-    }
+    for (BodyIndex body = first_; body < next_; ++body)
+      if (population_[body].lives() && choices_[body].is_asked) asked_.push_back(body);
     return first_ < next_;
   }
 

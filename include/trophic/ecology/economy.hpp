@@ -36,8 +36,9 @@ class Food {
     Rng rng{seed_, Stream::resource, 1, static_cast<std::uint64_t>(view.tick)};
     change("grow", [&] { rules_.resource.grow(field_, view, rng); });
   }
-  void take_death(const Vacancy& death, double left_J, const View& view) {
-    change("on_death", [&] { energy::ask::on_death(rules_.resource, field_, death, left_J, view); });
+  void take_death([[maybe_unused]] const Vacancy& death, [[maybe_unused]] double left_J, [[maybe_unused]] const View& view) {
+    if constexpr (energy::detail::TakesDeaths<PolicyIn<Rules, RuleSlot::resource>>)  // else it would only visit every cell
+      change("on_death", [&] { energy::ask::on_death(rules_.resource, field_, death, left_J, view); });
   }
 
   /// Lets an individual take `bite_J(there_J)` of the food at its position. Returns the amount.

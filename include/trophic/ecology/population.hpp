@@ -43,6 +43,7 @@ class Population {
     check_tags(tags_);
     for (const Species species : founders)
       if (species != no_species) check_index("community", "species", species, web.size());
+    census_.reserve(founders.size());
     for (const Species species : founders) found(species);
     for (BodyIndex body = 0; body < census_.bodies(); ++body) acts_.rest(body);
   }
@@ -83,6 +84,7 @@ class Population {
   void stand_at(std::span<const GroundPose> poses) { census_.stand_at(poses); }
   void leave_tree() { census_.leave_tree(); }
   [[nodiscard]] const SearchTree* tree() const { return census_.tree(); }
+  [[nodiscard]] const SearchTree& last_tree() const { return census_.last_tree(); }
 
   /// Gives the founders these genomes, body by body, and makes all active. Throws as Genomes::enlist does.
   void enlist(std::span<const Contestant> lineup) {

@@ -56,12 +56,18 @@ class SearchTree {
   }
 
   [[nodiscard]] BodyIndex by_place(std::size_t i) const { return standing_[i].body; }  ///< all bodies, cell by cell
-  /// Calls `visit(body)` for every body within `radius_m` of a point and for some that are farther away; on a torus for some
-  /// twice.
+  /// Calls `visit(body)` for every body within `radius_m` of a point and for some that are hardly farther away; on a torus for
+  /// some twice. Bodies without an individual since the construction are left out.
   template <class Visit>
   void for_each_near(const GroundPose& point, double radius_m, Visit&& visit, const Space& space = {}) const {
     if (levels_.empty()) return;
-    space.for_each_image(point, [&](const GroundPose& at) { grid_.for_each_near(at.x_m, at.y_m, radius_m, visit); });
+    space.for_each_image(point, [&](const GroundPose& at) {
+      grid_.for_each_cell_near(at.x_m, at.y_m, radius_m, [&](std::ptrdiff_t column, std::ptrdiff_t row) {
+        for (const Standing& one : grid_.in_cell(std::span{standing_}, column, row)) {
+          if (one.marks != 0 && grid_.may_be_within(at, one.pose, radius_m)) visit(one.body);
+        }
+      });
+    });
   }
 
  private:

@@ -71,16 +71,29 @@ class SpatialGrid {
     return std::max(off_m(from.x_m - low_x_m_, column), off_m(from.y_m - low_y_m_, row)) < half_m - distance_m - rounding_m_;
   }
 
-  /// Calls `visit(body)` once for every body within `radius_m` of a point, and for some that are farther away.
+  /// Returns false only if two places are farther apart than `distance_m`.
+  [[nodiscard]] bool may_be_within(const GroundPose& a, const GroundPose& b, double distance_m) const {
+    const double dx = a.x_m - b.x_m;
+    const double dy = a.y_m - b.y_m;
+    const double reach_m = distance_m + rounding_m_;
+    return dx * dx + dy * dy <= reach_m * reach_m;
+  }
+
+  /// Calls `visit(column, row)` once for every cell with a body within `radius_m` of a point, and for some others.
   template <class Visit>
-  void for_each_near(double x_m, double y_m, double radius_m, Visit&& visit) const {
+  void for_each_cell_near(double x_m, double y_m, double radius_m, const Visit& visit) const {
     const std::ptrdiff_t last_column = cell_of(x_m + radius_m - low_x_m_);
     const std::ptrdiff_t last_row = cell_of(y_m + radius_m - low_y_m_);
     for (std::ptrdiff_t row = cell_of(y_m - radius_m - low_y_m_); row <= last_row; ++row) {
-      for (std::ptrdiff_t column = cell_of(x_m - radius_m - low_x_m_); column <= last_column; ++column) {
-        for (const BodyIndex body : in_cell(bodies(), column, row)) visit(body);
-      }
+      for (std::ptrdiff_t column = cell_of(x_m - radius_m - low_x_m_); column <= last_column; ++column) visit(column, row);
     }
+  }
+  /// Calls `visit(body)` once for every body within `radius_m` of a point, and for some that are farther away.
+  template <class Visit>
+  void for_each_near(double x_m, double y_m, double radius_m, const Visit& visit) const {
+    for_each_cell_near(x_m, y_m, radius_m, [&](std::ptrdiff_t column, std::ptrdiff_t row) {
+      for (const BodyIndex body : in_cell(bodies(), column, row)) visit(body);
+    });
   }
 
  private:

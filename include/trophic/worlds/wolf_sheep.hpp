@@ -2,6 +2,7 @@
 // NetLogo's wolves, sheep and grass: points on a torus of patches.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <trophic/control/brain/turns_by_input.hpp>
 #include <trophic/energy/metabolism/fixed_gains.hpp>
@@ -12,6 +13,7 @@
 #include <trophic/reproduction/recruitment/by_chance.hpp>
 #include <trophic/rules/by_species.hpp>
 #include <trophic/rules/paper.hpp>
+#include <unordered_map>
 
 namespace trophic::worlds {
 
@@ -35,20 +37,26 @@ static_assert(initialization::Community<Community>);
 struct OnItsPatch {
   static constexpr std::string_view name = "on_its_patch";
   [[nodiscard]] std::vector<death::Capture> captures(const View& view, Rng& rng) const {
-    std::vector<std::vector<BodyIndex>> sheep(view.field->cells());
     std::vector<BodyIndex> wolves;
+    std::vector<std::pair<std::size_t, BodyIndex>> sheep;  // with their patches
     for (BodyIndex body = 0; view.tick > 0 && body < view.robots.size(); ++body) {
-      if (view.robots[body].species == 0) sheep[view.field->cell_at(view.poses[body])].push_back(body);
+      if (view.robots[body].species == 0) sheep.emplace_back(view.field->cell_at(view.poses[body]), body);
       if (view.robots[body].species == 1) wolves.push_back(body);
     }
+    std::ranges::sort(sheep);
+    std::unordered_map<std::size_t, std::size_t> eaten;  // the number of sheep that are gone from a patch
     rng.shuffle(std::span{wolves});
     std::vector<death::Capture> captures;
     for (const BodyIndex wolf : wolves) {
-      auto& here = sheep[view.field->cell_at(view.poses[wolf])];
-      if (here.empty()) continue;
-      const std::size_t one = rng.index(here.size());
-      captures.push_back({.hunter = wolf, .victim = here[one]});
-      here.erase(here.begin() + static_cast<std::ptrdiff_t>(one));
+      const std::size_t patch = view.field->cell_at(view.poses[wolf]);
+      const auto first = std::ranges::lower_bound(sheep, patch, {}, &std::pair<std::size_t, BodyIndex>::first);
+      auto last = std::ranges::upper_bound(first, sheep.end(), patch, {}, &std::pair<std::size_t, BodyIndex>::first);
+      if (const auto gone = eaten.find(patch); gone != eaten.end()) last -= static_cast<std::ptrdiff_t>(gone->second);
+      if (first == last) continue;
+      const auto one = first + static_cast<std::ptrdiff_t>(rng.index(static_cast<std::size_t>(last - first)));
+      captures.push_back({.hunter = wolf, .victim = one->second});
+      std::rotate(one, one + 1, last);  // behind those that are left
+      ++eaten[patch];
     }
     return captures;
   }

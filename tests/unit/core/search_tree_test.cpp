@@ -58,6 +58,53 @@ TEST_CASE("search tree: any bounds -> result of an exhaustive search, ties inclu
   }
 }
 
+TEST_CASE("search tree: torus with robots on its seam -> result of an exhaustive search, ties included, few visited") {
+  constexpr double period_m = 16.0;
+  std::size_t crossing = 0;
+  for (std::uint64_t seed = 0; seed < 30; ++seed) {
+    CAPTURE(seed);
+    HandPopulation robots = random_population(seed, 2 + 9 * seed);
+    Rng rng{seed, Stream::user, 3};
+    for (GroundPose& pose : robots.poses) {  // every crossing, so both edges of the square, or anywhere
+      const auto place_m = [&] { return seed % 3 == 0 ? rng.uniform(-8.0, 8.0) : static_cast<double>(rng.index(9)) * 2.0 - 8.0; };
+      pose = {.x_m = place_m(), .y_m = place_m()};
+    }
+    const SearchTree tree{robots.poses, robots.individuals};
+    View plain = robots.view();
+    View fast = with_tree(robots, tree);
+    plain.space.period_m = fast.space.period_m = period_m;
+    for (BodyIndex self = 0; self < robots.poses.size(); ++self) {
+      for (const Species wanted : {prey, predator}) {
+        const auto accepts = [&](const Individual& other) { return other.species == wanted; };
+        const auto found = fast.closest(self, accepts, {.among = marks_of(wanted)});
+        CHECK(found == plain.closest(self, accepts));
+        if (found) crossing += distance_m(robots.poses[self], robots.poses[*found]) > plain.distance_m(self, *found) ? 1 : 0;
+      }
+      for (const double radius_m : {0.0, 2.0, 5.0, 30.0})
+        CHECK(fast.within(robots.poses[self], radius_m) == plain.within(robots.poses[self], radius_m));
+    }
+  }
+  CHECK(crossing > 100);
+
+  HandPopulation many = random_population(2, 20'000, predator_prey_web(), 250.0);
+  for (Individual& one : many.individuals) one.species = prey;
+  many.individuals[7].species = predator;
+  const SearchTree tree{many.poses, many.individuals};
+  View view = with_tree(many, tree);
+  view.space.period_m = 500.0;
+  std::size_t asked = 0;
+  const auto count = [&](Species wanted) {
+    return [&asked, wanted](const Individual& other) { return ++asked, other.species == wanted; };
+  };
+  for (BodyIndex self = 0; self < 1000; ++self) view.closest(self, count(prey), {.among = marks_of(prey)});
+  CHECK(asked < 10'000);
+  asked = 0;
+  CHECK(view.closest(19'999, count(predator), {.among = marks_of(predator)}) == 7);
+  CHECK(asked < 10);
+  for (BodyIndex self = 0; self < 1000; ++self) view.for_each_near(view.poses[self], 2.0, [&](BodyIndex) { ++asked; });
+  CHECK(asked < 5000);
+}
+
 TEST_CASE("search tree: at exactly the bound -> found, beyond -> not found") {
   const HandPopulation robots{{{}, {.x_m = 3.0, .y_m = 4.0}, {.x_m = -3.0, .y_m = 4.0}}};
   const SearchTree tree{robots.poses, robots.individuals};

@@ -139,7 +139,7 @@ def _behaviour(kind: str, run: PooledRun) -> pandas.Series:
     if kind == "velocity_open":
         found = velocity.of_rows(velocity.samples(agents), is_open)
         return pandas.Series(found.velocity_m_s, index=agents.id[found.row]).groupby(level=0).mean()
-    before = agents.find(agents.at - 1, agents.id)
+    before = agents.before
     rows = numpy.flatnonzero((before >= 0) & is_open & is_open[before])
     moved_m = numpy.hypot(agents.x_m[rows] - agents.x_m[before[rows]], agents.y_m[rows] - agents.y_m[before[rows]])
     time_s = agents.time_s[agents.at[rows]] - agents.time_s[agents.at[before[rows]]]

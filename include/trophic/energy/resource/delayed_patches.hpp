@@ -20,7 +20,7 @@ struct DelayedPatches {
     double grown = 0.5;
     static constexpr auto fields() {
       return std::tuple{
-          field("patches_in_a_row", &Params::patches_in_a_row, between(1, 1000), "number of patches along a side of the arena")
+          field("patches_in_a_row", &Params::patches_in_a_row, between(1, 2000), "number of patches along a side of the arena")
               .read_at_start(),
           field("patch_J", &Params::patch_J, at_least(0.0), "energy of a full patch"),
           field("delay_ticks", &Params::delay_ticks, at_least(1), "ticks until a bare patch is full again"),

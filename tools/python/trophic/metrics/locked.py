@@ -3,6 +3,7 @@
 metrics are also given without them: NAME_not_locked."""
 from __future__ import annotations
 
+import itertools
 from typing import NamedTuple
 
 import numpy
@@ -26,20 +27,20 @@ class Locks(NamedTuple):
 
 
 def locks(agents: Agents, reach_m: float = REACH_M, ticks: int = TICKS) -> Locks:
-    """Finds the pairs by a tree of the positions of each tick. Bodies count: a birth in one does not end a lock."""
-    from scipy.spatial import cKDTree
-
-    place_m = numpy.column_stack((agents.x_m, agents.y_m))
-    ends = numpy.searchsorted(agents.at, numpy.arange(len(agents.ticks) + 1))
-    near = numpy.concatenate(
-        [
-            numpy.empty((0, 2), int),
-            *(
-                first + cKDTree(place_m[first:last]).query_pairs(reach_m, output_type="ndarray")
-                for first, last in zip(ends, ends[1:])
-            ),
-        ]
-    )
+    """Finds the pairs along x at each tick. Bodies count: a birth in one does not end a lock."""
+    along = numpy.lexsort((agents.x_m, agents.at))
+    its_at, x_m, y_m = agents.at[along], agents.x_m[along], agents.y_m[along]
+    pairs, one = [numpy.empty((0, 2), int)], numpy.arange(len(along))
+    for apart in itertools.count(1):  # places in the order of x: once the next but N is too far, all beyond it are
+        one = one[: numpy.searchsorted(one, len(along) - apart)]
+        offset_m = x_m[one + apart] - x_m[one]
+        one, offset_m = (of[(its_at[one + apart] == its_at[one]) & (offset_m <= reach_m)] for of in (one, offset_m))
+        if not len(one):
+            break
+        other = one + apart
+        is_near = offset_m**2 + (y_m[other] - y_m[one]) ** 2 <= reach_m**2
+        pairs.append(along[numpy.column_stack((one, other))[is_near]])
+    near = numpy.concatenate(pairs)
     at, (low, high) = agents.at[near[:, 0]], numpy.sort(agents.body[near]).T
     order = numpy.lexsort((at, high, low))
     near, at, low, high = near[order], at[order], low[order], high[order]

@@ -40,7 +40,7 @@ def curves(agents: Agents, species: str, floor: Floor, window_s: float = WINDOW_
     before; it includes turns. open_speed: with both rows more than 1 m from any wall; upright_speed: and upright in both. overturned and
     wall_contact: the share of those of whom it is known."""
     own, is_open = agents.of(species), to_wall_m(agents, floor) > REACH_M
-    before = agents.find(agents.at - 1, agents.id)
+    before = agents.before
     time_s = agents.time_s[agents.at]
     with numpy.errstate(divide="ignore", invalid="ignore"):
         speed = numpy.hypot(agents.x_m - agents.x_m[before], agents.y_m - agents.y_m[before]) / (

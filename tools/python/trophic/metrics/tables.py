@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import pathlib
 from collections.abc import Sequence
 from typing import NamedTuple
 
-import numpy
+import numpy  # of arrays, places (numpy.flatnonzero) or compress choose elements several times as fast as a mask
 import pandas
 
 from ..errors import RunError
@@ -54,10 +55,12 @@ def means(window: numpy.ndarray, values: numpy.ndarray, window_s: float = WINDOW
     """Means of values by their windows, as window_of returns them; nan is left out."""
     if not window_s > 0:
         raise ValueError(f"window_s = {window_s:g}: must be > 0")
-    known = ~numpy.isnan(values)
     windows = int(window.max()) + 1 if len(window) else 0
-    count = numpy.bincount(window[known], minlength=windows)
-    total = numpy.bincount(window[known], values[known], minlength=windows)
+    if not (known := ~numpy.isnan(values)).all():
+        places = numpy.flatnonzero(known)
+        window, values = window[places], values[places]
+    count = numpy.bincount(window, minlength=windows)
+    total = numpy.bincount(window, values, minlength=windows)
     points = ratio(total, count)
     return Means(mean_of(values), mean_of(points), numpy.arange(1, windows + 1) * window_s, points)
 
@@ -69,7 +72,7 @@ def ratio(total: numpy.ndarray, count: numpy.ndarray) -> numpy.ndarray:
 
 def mean_of(values: numpy.ndarray) -> float:
     """The mean of the values that are not nan; nan without any."""
-    known = values[~numpy.isnan(values)]
+    known = values.compress(~numpy.isnan(values))
     return float(known.mean()) if len(known) else float("nan")
 
 
@@ -112,8 +115,14 @@ class Agents:
         self.time_s = frame.time_s.to_numpy(float)[starts]
         self.window = window_of(self.time_s)
         self.at = numpy.repeat(numpy.arange(len(starts)), numpy.diff(starts, append=len(frame)))
-        self._ids = _Places(self.at, self.id)
-        self._bodies = _Places(self.at, self.body)
+        self._starts = starts
+        self._after: dict[int, numpy.ndarray] = {}
+        self._width = int(self.body.max()) + 1 if len(frame) else 1
+        keys = self.at * self._width + self.body
+        self._order = None if (numpy.diff(keys) > 0).all() else numpy.argsort(keys, kind="stable")
+        self._keys = keys if self._order is None else keys[self._order]
+        self._body_of = numpy.full(int(self.id.max()) + 1 if len(frame) else 1, -1)
+        self._body_of[self.id] = self.body
 
     def of(self, species: str | None = None, group: str = "all") -> numpy.ndarray:
         """The rows of a species, or of all, that belong to a group at that tick: one of GROUPS or APART."""
@@ -130,19 +139,52 @@ class Agents:
 
     def count(self, rows: numpy.ndarray, weights: numpy.ndarray | None = None) -> numpy.ndarray:
         """The number, or the sum of the weights, of these rows at each tick."""
-        return numpy.bincount(self.at[rows], None if weights is None else weights[rows], minlength=len(self.ticks))
+        if weights is None:
+            return numpy.add.reduceat(rows, self._starts, dtype=int) if len(rows) else numpy.zeros(0, int)
+        places = numpy.flatnonzero(rows)
+        return numpy.bincount(self.at[places], weights[places], minlength=len(self.ticks))
 
     def mean(self, rows: numpy.ndarray, values: numpy.ndarray) -> numpy.ndarray:
         """The mean of the values of these rows at each tick; nan at a tick without any."""
         return ratio(self.count(rows, values), self.count(rows))
 
     def find(self, tick_at: numpy.ndarray, ids: numpy.ndarray) -> numpy.ndarray:
-        """The rows of individuals at ticks, which are places in `ticks`; -1 where there is none, and for nan."""
-        return self._ids.find(tick_at, ids)
+        """The rows of individuals at ticks, which are places in `ticks`; -1 where there is none, and for nan. An individual keeps its body."""
+        known = (ids >= 0) & (ids < len(self._body_of))  # false for nan
+        ids = numpy.where(known, ids, 0).astype(int)
+        rows = self.find_body(tick_at, numpy.where(known, self._body_of[ids], -1))
+        return numpy.where((rows >= 0) & (self.id[rows] == ids), rows, -1) if len(self.id) else rows
+
+    @functools.cached_property
+    def before(self) -> numpy.ndarray:
+        """For each row that of its individual at the tick before."""
+        return self.find(self.at - 1, self.id)
+
+    @functools.cached_property
+    def adversary(self) -> numpy.ndarray:
+        """For each row that of its adversary."""
+        return self.find(self.at, self.adversary_id)
+
+    def after(self, ticks: int) -> numpy.ndarray:
+        """For each row that of its individual that many ticks later."""
+        if ticks not in self._after:
+            self._after[ticks] = self.find(self.later(ticks)[self.at], self.id)
+        return self._after[ticks]
 
     def find_body(self, tick_at: numpy.ndarray, bodies: numpy.ndarray) -> numpy.ndarray:
         """The rows of bodies at ticks, as find."""
-        return self._bodies.find(tick_at, bodies)
+        known = numpy.flatnonzero((tick_at >= 0) & (bodies >= 0) & (bodies < self._width))  # without nan
+        at, of = tick_at[known], bodies[known].astype(int)
+        key = at * self._width + of
+        last = len(self._keys) - 1
+        # Where every body has a row, it is that of its number.
+        place = numpy.minimum(self._starts[at] + of, last)
+        if len(other := numpy.flatnonzero(self._keys[place] != key)):
+            place[other] = numpy.minimum(numpy.searchsorted(self._keys, key[other]), last)
+        there = self._keys[place] == key
+        rows = numpy.full(len(tick_at), -1)
+        rows[known[there]] = place[there] if self._order is None else self._order[place[there]]
+        return rows
 
     def later(self, ticks: int) -> numpy.ndarray:
         """For each tick the place of the tick that many ticks later; -1 where the run has none."""
@@ -150,26 +192,6 @@ class Agents:
         there = place < len(self.ticks)
         there[there] = self.ticks[place[there]] == (self.ticks + ticks)[there]
         return numpy.where(there, place, -1)
-
-
-class _Places:
-    """Finds rows by tick and number."""
-
-    def __init__(self, at: numpy.ndarray, numbers: numpy.ndarray):
-        self._width = int(numbers.max()) + 1 if len(numbers) else 1
-        keys = at * self._width + numbers
-        self._order = None if (numpy.diff(keys) > 0).all() else numpy.argsort(keys, kind="stable")
-        self._keys = keys if self._order is None else keys[self._order]
-
-    def find(self, at: numpy.ndarray, numbers: numpy.ndarray) -> numpy.ndarray:
-        known = (at >= 0) & (numbers >= 0) & (numbers < self._width)  # false for nan
-        key = numpy.where(known, at * self._width + numpy.nan_to_num(numbers), -1).astype(int)
-        place = numpy.searchsorted(self._keys, key)
-        there = known & (place < len(self._keys))
-        there[there] = self._keys[place[there]] == key[there]
-        rows = numpy.full(len(key), -1)
-        rows[there] = place[there] if self._order is None else self._order[place[there]]
-        return rows
 
 
 @dataclasses.dataclass

@@ -18,9 +18,10 @@ TICKS = 6
 
 
 class Samples(NamedTuple):
-    """The row of agents at which each stretch begins, the place of the tick at which it ends, and its velocity in m/s."""
+    """The row of agents at which each stretch begins, its window, the place of the tick at which it ends, and its velocity in m/s."""
 
     row: numpy.ndarray
+    window: numpy.ndarray
     end: numpy.ndarray
     velocity_m_s: numpy.ndarray
 
@@ -28,14 +29,14 @@ class Samples(NamedTuple):
 def samples(agents: Agents, ticks: int = TICKS) -> Samples:
     """Every stretch of every robot that has an adversary at its start, one from each tick. The adversary may die meanwhile; if the robot
     dies, there is no sample."""
-    return _towards(agents, agents.find(agents.at, agents.adversary_id), ticks)
+    return _towards(agents, agents.adversary, ticks)
 
 
 def stored_samples(agents: Agents, ticks: int = TICKS) -> Samples:
     """As samples, with the adversary that the authors' log stores: for each body the body that it last perceived as closest, kept across
     births and while it perceives none. The published velocities come from such a log. Needs the rows of every tick.
     """
-    seen = agents.find(agents.at, agents.adversary_id)
+    seen = agents.adversary
     body = numpy.where(seen >= 0, agents.body[seen] if len(seen) else 0, numpy.nan)
     stored = pandas.Series(body).groupby(agents.body).ffill().to_numpy()
     return _towards(agents, agents.find_body(agents.at, stored), ticks)
@@ -50,18 +51,17 @@ def at_marks(of: Samples, agents: Agents, every_s: float = 200.0, ticks: int = T
     mark = numpy.floor(agents.time_s[ends] / every_s)
     first = numpy.flatnonzero(numpy.diff(mark, prepend=0.0))  # the first end from each mark on
     chosen = numpy.isin(of.end, ends[first])
-    return Samples(of.row[chosen], of.end[chosen], of.velocity_m_s[chosen])
+    return _chosen(of, chosen)
 
 
 def velocity(of: Samples, agents: Agents, species: str, group: str) -> Means:
     """The velocity of a group; `mean_of_points` is the straight line in the paper's figure."""
-    chosen = agents.of(species, group)[of.row]
-    return means(agents.window[agents.at[of.row[chosen]]], of.velocity_m_s[chosen])
+    return _mean(of, agents.of(species, group))
 
 
 def of_rows(of: Samples, rows: numpy.ndarray) -> Samples:
     """The samples that begin at these rows."""
-    return Samples(*(part[rows[of.row]] for part in of))
+    return _chosen(of, rows[of.row])
 
 
 def measure(
@@ -90,16 +90,27 @@ def measure(
         "velocity_open": of_rows(walks, is_open),
         "velocity_upright": of_rows(walks, is_open & is_upright),
     }
+    members = {(species, group): agents.of(species, group) for species in web.species for group in GROUPS + APART}
     for metric, of in kinds.items():
         for species in web.species:
             for group in GROUPS + APART * (metric == "velocity" and not is_constant):
-                found = velocity(of, agents, species, group)
+                found = _mean(of, members[species, group])
                 results.add_means(metric, species, group, "m/s", found, found.mean_of_points, (("zero", "paper", 0.0),))
 
 
+def _chosen(of: Samples, chosen: numpy.ndarray) -> Samples:
+    places = numpy.flatnonzero(chosen)
+    return Samples(*(part[places] for part in of))
+
+
+def _mean(of: Samples, rows: numpy.ndarray) -> Means:
+    """Of the samples that begin at these rows."""
+    chosen = numpy.flatnonzero(rows[of.row])
+    return means(of.window[chosen], of.velocity_m_s[chosen])
+
+
 def _towards(agents: Agents, adversary: numpy.ndarray, ticks: int) -> Samples:
-    end = agents.later(ticks)[agents.at]
-    to = agents.find(end, agents.id)
+    end, to = agents.later(ticks)[agents.at], agents.after(ticks)
     row = numpy.flatnonzero((adversary >= 0) & (to >= 0))
     to, adversary = to[row], adversary[row]
 
@@ -107,4 +118,4 @@ def _towards(agents: Agents, adversary: numpy.ndarray, ticks: int) -> Samples:
         return numpy.hypot(agents.x_m[adversary] - agents.x_m[place], agents.y_m[adversary] - agents.y_m[place])
 
     duration_s = agents.time_s[agents.at[to]] - agents.time_s[agents.at[row]]
-    return Samples(row, end[row], (distance(row) - distance(to)) / duration_s)
+    return Samples(row, agents.window[agents.at[row]], end[row], (distance(row) - distance(to)) / duration_s)

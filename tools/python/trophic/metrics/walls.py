@@ -40,9 +40,7 @@ class Floor:
 def wall_sticking(agents: Agents, species: str, group: str, floor: Floor, reach_m: float = REACH_M) -> Means:
     """At each tick, members of the group within reach of a wall or an obstacle (or, in an arena without walls, of where its slopes begin, and
     beyond) over all its members; ticks without a member are left out."""
-    return means(
-        agents.window, agents.mean(agents.of(species, group), (to_wall_m(agents, floor) <= reach_m).astype(float))
-    )
+    return _share(agents, species, group, (to_wall_m(agents, floor) <= reach_m).astype(float))
 
 
 def to_wall_m(agents: Agents, floor: Floor) -> numpy.ndarray:
@@ -64,10 +62,10 @@ def measure(
 ) -> None:
     """`suffix`: of the metrics' names. Unless numbers are constant, the inactive are a group of their own."""
     uniform = (("uniform_density", "reference", share_of_floor(floor)),)
-    shares = {}
+    shares, is_near = {}, (to_wall_m(agents, floor) <= REACH_M).astype(float)
     for species in web.species:
         for group in GROUPS + ("inactive",) * (not is_constant):
-            share = wall_sticking(agents, species, group, floor)
+            share = _share(agents, species, group, is_near)
             shares[species, group] = share.mean
             results.add_means(f"wall_sticking{suffix}", species, group, "1", share, baselines=uniform)
     for hunter, victim in web.links:
@@ -76,3 +74,7 @@ def measure(
             results.add(
                 f"wall_sticking_gap{suffix}", f"{victim}-{hunter}", group, "1", gap, (("zero", "reference", 0.0),)
             )
+
+
+def _share(agents: Agents, species: str, group: str, is_near: numpy.ndarray) -> Means:
+    return means(agents.window, agents.mean(agents.of(species, group), is_near))

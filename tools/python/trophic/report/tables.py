@@ -83,7 +83,7 @@ def summary(
         "sets": [_set(of, frame) for of, frame in zip(sets, frames)],
     }
     if compared is not None:
-        content["differences"] = [_difference(rows) for _, rows in compared.groupby(METRIC, sort=False)]
+        content["differences"] = [_difference(rows) for rows in _by_metric(compared)]
     return without_nan(content)
 
 
@@ -128,7 +128,7 @@ def _set(of: MeasuredSet, frame: pandas.DataFrame) -> dict[str, Any]:
             for name in {SHADOW: 0, NEUTRAL: 0, **of.nulls}
         },
         "controls": controls.sentences(of, judge.metrics_of(frame)),
-        "metrics": [_metric(rows) for _, rows in frame.groupby(METRIC, sort=False)],
+        "metrics": [_metric(rows) for rows in _by_metric(frame)],
         "answers": [_answer(one) for one in published.answers(of, frame)],
         "claims": _claims(of) if published.applies_to(of) else [],
         **({"living": sentences} if (sentences := judge.living_sentences(of)) else {}),
@@ -164,8 +164,16 @@ def _test(row: Any) -> dict[str, Any]:
     }
 
 
-def _metric(rows: pandas.DataFrame) -> dict[str, Any]:
-    first = next(rows.itertuples(index=False))
+def _by_metric(frame: pandas.DataFrame) -> list[list[Any]]:
+    """The rows of each metric, as tuples, whose type takes longer to make than all of its rows."""
+    of: dict[tuple, list[Any]] = {}
+    for row in frame.itertuples(index=False):
+        of.setdefault(tuple(getattr(row, name) for name in METRIC), []).append(row)
+    return list(of.values())
+
+
+def _metric(rows: Sequence[Any]) -> dict[str, Any]:
+    first = rows[0]
     baselines = [
         {
             "name": row.null,
@@ -178,7 +186,7 @@ def _metric(rows: pandas.DataFrame) -> dict[str, Any]:
             **_test(row),
             "conclusion": row.conclusion if row.role == "null" else None,
         }
-        for row in rows.itertuples(index=False)
+        for row in rows
         if row.null
     ]
     return {
@@ -194,8 +202,8 @@ def _metric(rows: pandas.DataFrame) -> dict[str, Any]:
     }
 
 
-def _difference(rows: pandas.DataFrame) -> dict[str, Any]:
-    parts = {row.compared: row for row in rows.itertuples(index=False)}
+def _difference(rows: Sequence[Any]) -> dict[str, Any]:
+    parts = {row.compared: row for row in rows}
     raw = parts["raw"]
     nothing = {
         "value": None,
