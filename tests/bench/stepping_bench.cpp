@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// bench_stepping DESCRIPTION [stepped]: processor time of a tick of the run that a JSON description names, without files: by
-// run_until, or stepped from outside by the outputs of its own brains. For stepping.py, which compares Python.
+// bench_stepping DESCRIPTION [stepped | constant]: processor time of a tick of the run that a JSON description names, without
+// files: by run_until, or stepped from outside by the outputs of its own brains or by 1. For stepping.py, which compares Python.
 #include <cstdio>
 #include <ctime>
 #include <string_view>
 #include <tools/tables/shipped_tables.hpp>
 #include <trophic/experiment/stepped_ecology.hpp>
+#include <vector>
 
 namespace {
 
@@ -22,11 +23,19 @@ int main(int argc, char** argv) {
   const trophic::Json description = trophic::Json::parse(argv[1]);
   double began_s = 0.0;
   std::int64_t ticks = 0;
-  if (argc > 2 && std::string_view{argv[2]} == "stepped") {
+  if (argc > 2) {
     trophic::SteppedEcology ecology{description, offer};
     ecology.reset();
     began_s = processor_s();
-    static_cast<void>(ecology.run_until(ecology.until_s()));
+    if (std::string_view{argv[2]} == "constant") {
+      std::vector<double> outputs;
+      while (ecology.sense()) {
+        outputs.assign(ecology.perceived().bodies.size() * ecology.perceived().outputs_each, 1.0);
+        ecology.decide(outputs);
+      }
+    } else {
+      static_cast<void>(ecology.run_until(ecology.until_s()));
+    }
     ticks = ecology.simulation().tick();
   } else {
     const auto run = trophic::described_run(description, offer);

@@ -16,23 +16,13 @@ Rewards = Union[dict[str, float], Callable[[list[Event]], dict[int, float]], Non
 
 
 def ecology_of(
-    rule_table: str,
-    *,
-    backend: str = "kinematic",
-    seed: int = 1,
-    parameters: dict | None = None,
-    module: Any = None,
+    rule_table: str, *, backend: str = "kinematic", seed: int = 1, parameters: dict | None = None, module: Any = None
 ) -> Any:
     """The `Ecology` of a rule table of trophic's module, or of another module of trophic_add_python_module. All robots decide together. Raises
     ValueError with field, value and bound."""
     if module is None:
         import trophic_ecologies as module
-    description = {
-        "rule_table": rule_table,
-        "engine": backend,
-        "ecology.decision_order": "together",
-        "seed": seed,
-    }
+    description = {"rule_table": rule_table, "engine": backend, "ecology.decision_order": "together", "seed": seed}
     return module.Ecology({**description, **(parameters or {})})
 
 
@@ -88,19 +78,11 @@ class VectorEnv:
             raise ValueError(f"threads = {threads}: must be >= 1")
         self.seed = seed
         self.ecologies = [
-            ecology_of(
-                rule_table,
-                backend=backend,
-                seed=seed + world,
-                parameters=parameters,
-                module=module,
-            )
+            ecology_of(rule_table, backend=backend, seed=seed + world, parameters=parameters, module=module)
             for world in range(worlds)
         ]
         compiled = sys.modules[type(self.ecologies[0]).__module__]
-        self._together = compiled.Worlds(
-            self.ecologies, min(worlds, threads or len(os.sched_getaffinity(0)))
-        )
+        self._together = compiled.Worlds(self.ecologies, min(worlds, threads or len(os.sched_getaffinity(0))))
 
     def reset(self, seed: int | None = None, start_s: float = 0.0) -> numpy.ndarray:
         """Begins all worlds anew; the table's own brains decide until `start_s`. Returns the inputs of the robots that wait."""
@@ -139,15 +121,11 @@ class VectorEnv:
     @property
     def worlds(self) -> numpy.ndarray:
         """Their worlds, as indices of `ecologies`."""
-        return numpy.repeat(
-            numpy.arange(len(self.ecologies)), [len(one.ids) for one in self.ecologies]
-        )
+        return numpy.repeat(numpy.arange(len(self.ecologies)), [len(one.ids) for one in self.ecologies])
 
     def own_outputs(self) -> numpy.ndarray:
         """The outputs of the table's own brains for the robots that wait."""
-        return numpy.concatenate(
-            [one.own_outputs() for one in self.ecologies if one.waits]
-        )
+        return numpy.concatenate([one.own_outputs() for one in self.ecologies if one.waits])
 
     def events(self) -> list[list[Event]]:
         """The events of each world since its last decisions."""

@@ -15,25 +15,15 @@ try:
     from gymnasium.spaces import Box
     from pettingzoo import ParallelEnv
 except ImportError as error:
-    raise ImportError(
-        f"trophic.env needs PettingZoo and Gymnasium: pip install pettingzoo ({error})"
-    ) from None
+    raise ImportError(f"trophic.env needs PettingZoo and Gymnasium: pip install pettingzoo ({error})") from None
 
-_COLOURS = (
-    (31, 119, 180),
-    (214, 39, 40),
-    (44, 160, 44),
-    (148, 103, 189),
-    (255, 127, 14),
-)
+_COLOURS = ((31, 119, 180), (214, 39, 40), (44, 160, 44), (148, 103, 189), (255, 127, 14))
 
 
 class _Infos(dict):
     """The infos of agents, which are made when the first is read: most learners read none."""
 
-    def __init__(
-        self, agents: list[str], parents: list[tuple[int, ...]], people: numpy.ndarray
-    ):
+    def __init__(self, agents: list[str], parents: list[tuple[int, ...]], people: numpy.ndarray):
         super().__init__(dict.fromkeys(agents))
         self._of = agents, parents, people
 
@@ -41,13 +31,8 @@ class _Infos(dict):
         if self._of is None:
             return
         (agents, parents, people), self._of = self._of, None
-        columns = (
-            people[name].tolist()
-            for name in ("energy_J", "age_s", "x_m", "y_m", "waits")
-        )
-        for agent, born_of, energy_J, age_s, x_m, y_m, asked in zip(
-            agents, parents, *columns
-        ):
+        columns = (people[name].tolist() for name in ("energy_J", "age_s", "x_m", "y_m", "waits"))
+        for agent, born_of, energy_J, age_s, x_m, y_m, asked in zip(agents, parents, *columns):
             self[agent] = {
                 "energy_J": energy_J,
                 "age_s": age_s,
@@ -56,9 +41,7 @@ class _Infos(dict):
                 "asked": asked,
             }
 
-    def __iter__(
-        self,
-    ):  # with an iterator of its own dict(infos) does not copy what has not been made
+    def __iter__(self):  # with an iterator of its own dict(infos) does not copy what has not been made
         return super().__iter__()
 
     def __reduce__(self):
@@ -106,11 +89,7 @@ class Environment(ParallelEnv):
     end with the inherited numbers of the individual, which mutate and are selected whoever decides.
     """
 
-    metadata = {
-        "name": "trophic",
-        "render_modes": ["rgb_array"],
-        "is_parallelizable": True,
-    }
+    metadata = {"name": "trophic", "render_modes": ["rgb_array"], "is_parallelizable": True}
 
     def __init__(
         self,
@@ -128,9 +107,7 @@ class Environment(ParallelEnv):
     ):
         if render_mode not in (None, "rgb_array"):
             raise ValueError(f"render_mode = {render_mode}: must be rgb_array or None")
-        self.ecology = ecology_of(
-            rule_table, backend=backend, seed=seed, parameters=parameters, module=module
-        )
+        self.ecology = ecology_of(rule_table, backend=backend, seed=seed, parameters=parameters, module=module)
         self.render_mode = render_mode
         self._rewards = rewards_of(rewards)
         self._seed, self._start_s, self._genes = seed, start_s, genes
@@ -139,38 +116,25 @@ class Environment(ParallelEnv):
         self.channels = self.ecology.spaces
         self._species_names = self.ecology.species_names
         if species is not None and species not in self._species_names:
-            raise ValueError(
-                f"species = {species}: must be one of {', '.join(self._species_names)}"
-            )
+            raise ValueError(f"species = {species}: must be one of {', '.join(self._species_names)}")
         self._only = None if species is None else self._species_names.index(species)
         inherited = {len(genome) for genome in self.ecology.genomes()} if genes else {0}
         if len(inherited) > 1:
-            raise ValueError(
-                "genes = True: genomes have different sizes: must have one"
-            )
+            raise ValueError("genes = True: genomes have different sizes: must have one")
         self._inherited = inherited.pop()
         sizes = [len(self.channels["inputs"][name]) for name in self._species_names]
         self._is_uneven = len(set(sizes)) > 1
-        self._columns = [
-            numpy.r_[0:size, max(sizes) : max(sizes) + self._inherited]
-            for size in sizes
-        ]
+        self._columns = [numpy.r_[0:size, max(sizes) : max(sizes) + self._inherited] for size in sizes]
         self._observation_spaces = {
-            name: self._box(self.channels["inputs"][name], self._inherited)
-            for name in self._species_names
+            name: self._box(self.channels["inputs"][name], self._inherited) for name in self._species_names
         }
-        self._action_spaces = {
-            name: self._box(self.channels["outputs"]) for name in self._species_names
-        }
+        self._action_spaces = {name: self._box(self.channels["outputs"]) for name in self._species_names}
         self._forget()
 
     @staticmethod
     def _box(channels: list[tuple], unbounded: int = 0) -> Box:
         low, high = (
-            numpy.array(
-                [channel[place] for channel in channels] + [end] * unbounded,
-                dtype=numpy.float64,
-            )
+            numpy.array([channel[place] for channel in channels] + [end] * unbounded, dtype=numpy.float64)
             for place, end in ((2, -numpy.inf), (3, numpy.inf))
         )
         return Box(low, high, dtype=numpy.float64)
@@ -204,16 +168,10 @@ class Environment(ParallelEnv):
         self._look()
         now = self._living
         observations, infos = self._observe(), self._infos()
-        terminated, truncated = dict.fromkeys(now, False), dict.fromkeys(
-            now, self._is_over
-        )
+        terminated, truncated = dict.fromkeys(now, False), dict.fromkeys(now, self._is_over)
         rewards = dict.fromkeys(now, 0.0)
         if self._names is not names:
-            causes = {
-                event[3]: event[6]
-                for event in self.ecology.events()
-                if event[2] == "death"
-            }
+            causes = {event[3]: event[6] for event in self.ecology.events() if event[2] == "death"}
             for gone in names.keys() - self._names.keys():
                 agent = names[gone]
                 observations[agent] = last[agent]
@@ -231,14 +189,7 @@ class Environment(ParallelEnv):
         if self._is_old:
             self._look()
         outputs = self.ecology.own_outputs()
-        return dict(
-            zip(
-                self._asked,
-                outputs
-                if self._only is None
-                else outputs[self.ecology.species == self._only],
-            )
-        )
+        return dict(zip(self._asked, outputs if self._only is None else outputs[self.ecology.species == self._only]))
 
     def step_batch(self, outputs: Any) -> numpy.ndarray:
         """A step without dictionaries: `outputs` has a row for each robot that waits, of all species (`ecology.ids`, `ecology.species`). Returns
@@ -258,28 +209,16 @@ class Environment(ParallelEnv):
         radius_m = 5.0 * pixel_m
         around = numpy.arange(-11, 12)
         for one in self.ecology.individuals():
-            column, row = int((one["x_m"] + half_m) / pixel_m), int(
-                (half_m - one["y_m"]) / pixel_m
-            )
+            column, row = int((one["x_m"] + half_m) / pixel_m), int((half_m - one["y_m"]) / pixel_m)
             columns, rows = numpy.meshgrid(around + column, around + row)
             dx_m = (columns + 0.5) * pixel_m - half_m - one["x_m"]
             dy_m = half_m - (rows + 0.5) * pixel_m - one["y_m"]
             cosine, sine = numpy.cos(one["heading_rad"]), numpy.sin(one["heading_rad"])
             along_m, across_m = dx_m * cosine + dy_m * sine, dy_m * cosine - dx_m * sine
-            is_head = (
-                (along_m >= 0.0)
-                & (along_m <= 2.0 * radius_m)
-                & (numpy.abs(across_m) <= 0.3 * radius_m)
-            )
-            is_drawn = (
-                ((dx_m**2 + dy_m**2 <= radius_m**2) | is_head)
-                & (columns >= 0)
-                & (rows >= 0)
-            )
+            is_head = (along_m >= 0.0) & (along_m <= 2.0 * radius_m) & (numpy.abs(across_m) <= 0.3 * radius_m)
+            is_drawn = ((dx_m**2 + dy_m**2 <= radius_m**2) | is_head) & (columns >= 0) & (rows >= 0)
             is_drawn &= (columns < side) & (rows < side)
-            picture[rows[is_drawn], columns[is_drawn]] = _COLOURS[
-                one["species"] % len(_COLOURS)
-            ]
+            picture[rows[is_drawn], columns[is_drawn]] = _COLOURS[one["species"] % len(_COLOURS)]
         return picture
 
     def close(self) -> None:
@@ -309,29 +248,19 @@ class Environment(ParallelEnv):
             self._ids, self._waits = ids, b""
             self._names = {
                 individual: known.get(individual) or f"{species[of]}_{individual}"
-                for individual, of in zip(
-                    people["id"].tolist(), people["species"].tolist()
-                )
+                for individual, of in zip(people["id"].tolist(), people["species"].tolist())
             }
             self._living = list(self._names.values())
             last = self._last
             self._last = {
-                agent: last[agent]
-                if agent in last
-                else numpy.zeros(self.observation_space(agent).shape)
+                agent: last[agent] if agent in last else numpy.zeros(self.observation_space(agent).shape)
                 for agent in self._living
             }
             parents = self.ecology.parents()
-            self._parents = (
-                parents
-                if self._only is None
-                else list(itertools.compress(parents, mine.tolist()))
-            )
+            self._parents = parents if self._only is None else list(itertools.compress(parents, mine.tolist()))
         if (waits := people["waits"].tobytes()) != self._waits:
             self._waits = waits
-            self._asked = list(
-                itertools.compress(self._living, people["waits"].tolist())
-            )
+            self._asked = list(itertools.compress(self._living, people["waits"].tolist()))
         self._people = people
         self._agents = [] if self._is_over else self._living.copy()
 
@@ -355,9 +284,7 @@ class Environment(ParallelEnv):
             size = len(self.channels["outputs"])
             for agent, row in zip(self._asked, rows):
                 if (shape := numpy.shape(row)) != (size,):
-                    raise ValueError(
-                        f"actions: {agent}: shape {shape}: must be ({size},)"
-                    ) from None
+                    raise ValueError(f"actions: {agent}: shape {shape}: must be ({size},)") from None
             raise
 
     def _observe(self) -> dict[str, numpy.ndarray]:
@@ -366,14 +293,9 @@ class Environment(ParallelEnv):
         if self._genes and len(rows):
             rows = numpy.hstack([rows, numpy.stack(self.ecology.genomes())])
         if self._only is not None:
-            rows = rows[self.ecology.species == self._only][
-                :, self._columns[self._only]
-            ]
+            rows = rows[self.ecology.species == self._only][:, self._columns[self._only]]
         elif self._is_uneven:
-            rows = [
-                row[self._columns[species]]
-                for row, species in zip(rows, self.ecology.species.tolist())
-            ]
+            rows = [row[self._columns[species]] for row, species in zip(rows, self.ecology.species.tolist())]
         self._last.update(zip(self._asked, rows))
         return self._last.copy()
 
@@ -393,9 +315,7 @@ class OneAgent(gymnasium.Env):
 
     metadata = {"render_modes": ["rgb_array"], "render_fps": 10}
 
-    def __init__(
-        self, rule_table: str = "paper", species: str = "prey", **options: Any
-    ):
+    def __init__(self, rule_table: str = "paper", species: str = "prey", **options: Any):
         self._all = Environment(rule_table, species=species, **options)
         self.ecology, self.render_mode = self._all.ecology, self._all.render_mode
         self.observation_space = self._all._observation_spaces[species]
@@ -408,36 +328,24 @@ class OneAgent(gymnasium.Env):
         observations, infos = self._all.reset(seed=start)
         candidates = [agent for agent, info in infos.items() if info["asked"]]
         if not candidates:
-            raise RuntimeError(
-                f"seed = {start}: no individual of the species is asked at {self.ecology.time_s:g} s"
-            )
+            raise RuntimeError(f"seed = {start}: no individual of the species is asked at {self.ecology.time_s:g} s")
         self.agent = candidates[int(self.np_random.integers(len(candidates)))]
         return observations[self.agent], infos[self.agent]
 
     def step(self, action: numpy.ndarray):
         if not self.agent:
-            raise ValueError(
-                "step: the individual does not live: must be called after reset"
-            )
+            raise ValueError("step: the individual does not live: must be called after reset")
         agent, total = self.agent, 0.0
         is_asked = False
         while not is_asked:
             actions = {**self._all.own_actions(), agent: action}
-            observations, rewards, terminated, truncated, infos = self._all.step(
-                actions
-            )
+            observations, rewards, terminated, truncated, infos = self._all.step(actions)
             total += rewards[agent]
             is_over = terminated[agent] or truncated[agent]
             is_asked = is_over or infos[agent]["asked"]
         if is_over:
             self.agent = ""
-        return (
-            observations[agent],
-            total,
-            terminated[agent],
-            truncated[agent],
-            infos[agent],
-        )
+        return (observations[agent], total, terminated[agent], truncated[agent], infos[agent])
 
     def render(self) -> numpy.ndarray | None:
         return self._all.render()

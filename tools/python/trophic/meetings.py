@@ -83,8 +83,8 @@ def meet(
     """Lets teams of a species meet the last living opponents of each run, in the contests of `trophic contest` (docs/how-to/contests.md).
 
     `runs`: Runs or their folder, of one rule table with one link between hunters and victims. `brains` maps a name to weights of the table's brain,
-    an array that all members of a team have, or a list of arrays of which team k takes the k-th; None stands for the last living of the species in
-    the next run, which have never met these opponents. All brains meet the same opponents at the same places. `teams` meet those of a run, of
+    an array that all members of all teams have, or a list of arrays, which the teams of all runs take in turn, one each: give as many as there are teams,
+    so that intervals over runs hold for such brains and not for a few of them. None stands for the last living of the species in the next run, which have never met these opponents. All brains meet the same opponents at the same places. `teams` meet those of a run, of
     `team_size` robots each (default: half of the table's). `program` plays (default: the shipped one that has the table). Raises RunError.
     """
     paths = [pathlib.Path(getattr(runs, "path", runs))]
@@ -115,7 +115,7 @@ def meet(
         own = drawn((replicate + 1) % len(pooled), species, team)
         if of is None:
             return own
-        weights = of if isinstance(of, numpy.ndarray) else of[team % len(of)]
+        weights = of if isinstance(of, numpy.ndarray) else of[(replicate * teams + team) % len(of)]
         if len(own[0][0]) != len(weights):
             raise RunError(f"brains: {len(weights)} weights: must be {len(own[0][0])}, those of the table's brain")
         return [[[float(one) for one in weights], *own[0][1:]] for _ in range(size)]
