@@ -153,8 +153,7 @@ def main():
                 best_s[name] = min(best_s.get(name, 1e9), measure())
             except ImportError as error:
                 best_s[name] = None
-                missing = f"{name}: left out: {error}"
-                print(missing, file=sys.stderr)
+                print(f"{name}: left out: {error}", file=sys.stderr)
         for name in [name for name, seconds in best_s.items() if seconds is None]:
             WAYS.pop(name, None)
     loop_s = best_s["C++, run_until"]
