@@ -10,8 +10,7 @@ function(trophic_existing_includes target)
   set_target_properties(${target} PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${folders}")
 endfunction()
 
-# trophic_mujoco_release(FOLDER VERSION): mujoco::mujoco from an unpacked release of MuJoCo, which has no CMake package, from the folder of its Python
-# wheel, or from Debian's package in /usr.
+# trophic_mujoco_release(FOLDER VERSION): mujoco::mujoco from an unpacked release of MuJoCo, which has no CMake package, or from Debian's package in /usr.
 function(trophic_mujoco_release folder version)
   if(NOT TARGET mujoco::mujoco)
     find_library(trophic_mujoco_library NAMES mujoco PATHS ${folder}/lib ${folder}/lib/${CMAKE_LIBRARY_ARCHITECTURE} NO_DEFAULT_PATH NO_CACHE)
