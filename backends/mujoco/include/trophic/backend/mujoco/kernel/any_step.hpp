@@ -30,7 +30,7 @@ TROPHIC_LANES_INLINE void forward(Batch& batch) {
   for (std::size_t t = 0; t < batch.pack_count; ++t) {
     Pack& pack = *batch.packs[t];
     move_links(pack.model, pack.current(), pack.work);
-    place_centres(pack.model, pack.work);
+    for (LinkWork& link : pack.work.links) link.has_centres = false;
     pack.work.doubtful = Mask{};
   }
   find_link_contacts(batch);

@@ -60,6 +60,15 @@ struct BoxOf {
 struct NearBoxes {
   std::array<BoxOf, 2> of;
   Point3 apart_m;
+  double moved_m;  ///< sum of the `moved_m` of their links
+  double* gap_m;   ///< their number in RobotGaps; none for boxes of one robot
+};
+
+/// What is known of the distances between two robots: two links, or two boxes, cannot touch while the sum of the `moved_m` of
+/// their links is below their number here.
+struct RobotGaps {
+  std::vector<double> links;  ///< empty at first
+  std::vector<double> boxes;
 };
 
 /// One contact of two links, of one robot or of two.
@@ -167,6 +176,7 @@ struct Batch {
   std::vector<std::unique_ptr<Pack>> packs;
   std::size_t pack_count = 0;                        ///< packs in use; the others only keep their memory
   std::vector<std::array<LaneIndex, 2>> neighbours;  ///< robots that may touch, the earlier one of each pair first
+  std::vector<RobotGaps> gaps;                       ///< of each of them
   std::vector<LaneIndex> order;                      ///< all robots; a robot's motion depends on this order, not on its lane
   std::vector<NearBoxes> near_boxes;
   std::vector<LinkContact> link_contacts;
@@ -188,6 +198,7 @@ struct Batch {
   void clear() {
     pack_count = 0;
     neighbours.clear();
+    for (RobotGaps& known : gaps) known.links.clear();
     order.clear();
   }
 

@@ -74,6 +74,7 @@ struct LinkNumbers {
   Numbers<Kind, 6> inertia_kgm2;     ///< about the centre of mass: xx, yy, zz, xy, xz, yz
   Numbers<Kind, 3> sphere_centre_m;  ///< centre of a sphere that contains all boxes
   Number<Kind> sphere_radius_m;
+  Number<Kind> reach_m;                ///< no box of the link or of a link further out is farther from its anchor
   Number<Kind> inverse_weight_per_kg;  ///< `own_inverse_weight_per_kg` and that of the ground
 };
 /// A link in the kernel's own frame: origin in the hinge's anchor, third axis along the hinge. The root keeps its frame.

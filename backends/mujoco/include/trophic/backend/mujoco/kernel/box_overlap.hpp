@@ -2,6 +2,7 @@
 // Contacts of two overlapping boxes, bitwise equal to MuJoCo's.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -50,6 +51,7 @@ class BoxOverlap {
   std::array<double, most> depths_m;  ///< signed distances, negative where the boxes overlap; half of them if `on_face`
   Point3 normal;                      ///< from the first box to the second, of about unit length
   bool on_face = false;               ///< a face of one box meets the other
+  double gap_m = 0.0;                 ///< if they are `separated`, their distance along the axis that showed it
 
   /// `apart_m` is added to the second box's centre.
   TROPHIC_LANES_INLINE BoxOverlap(const PlacedBox& first, const PlacedBox& second, const Point3& apart_m)
@@ -76,7 +78,10 @@ class BoxOverlap {
     const Four over_a = Four{a_.half_m[0], a_.half_m[1], a_.half_m[2]} - abs(b_from_a) + reach_b;
     const Four over_b = Four{b_.half_m[0], b_.half_m[1], b_.half_m[2]} - abs(a_from_b) + reach_a;
     const Four least_face = select(over_a < over_b, over_a, over_b);
-    if ((four_bits(least_face < least_m) & 7u) != 0) return true;
+    if ((four_bits(least_face < least_m) & 7u) != 0) {
+      gap_m = -std::min(std::min(least_face[0], least_face[1]), least_face[2]);
+      return true;
+    }
     for (std::size_t i = 0; i < 3; ++i) {
       least_ += a_.half_m[i] * 3 + b_.half_m[i] * 3;
       b_from_a_[i] = b_from_a[i];
@@ -127,7 +132,10 @@ class BoxOverlap {
       const Four over = a_.half_m[u] * abs(tu) + a_.half_m[v] * abs(tv) +
                         size_low * __builtin_shufflevector(cosines, cosines, 2, 2, 1, 3) / length +
                         size_high * __builtin_shufflevector(cosines, cosines, 1, 0, 0, 3) / length - abs(between);
-      if ((four_bits(known & (over < least_m)) & 7u) != 0) return true;
+      if (const unsigned apart = four_bits(known & (over < least_m)) & 7u; apart != 0) {
+        for (std::size_t j = 0; j < 3; ++j) gap_m = (apart >> j & 1u) != 0 ? std::max(gap_m, -over[j]) : gap_m;
+        return true;
+      }
       for (std::size_t j = 0; j < 3; ++j) {
         if (known[j] == 0 || !(over[j] < least_ * (1 - rounding))) continue;
         std::tie(least_, axis_, inwards_) = std::tuple{over[j], 6 + 3 * i + j, between[j] < 0.0};

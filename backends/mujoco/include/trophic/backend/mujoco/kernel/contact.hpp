@@ -86,7 +86,7 @@ TROPHIC_LANES_INLINE std::size_t collide(const LaneModel& model, const LaneLink&
     const Real reach_m = abs(rise[0]) + abs(rise[1]) + abs(rise[2]);
     if (lane_bits(centre_m < reach_m + doubtful_m) == 0) continue;
 
-    const Vec3 centre = work.box_centres[b];
+    const Vec3 centre = box_centre(pose, box);
     Vec3 half[3];
     for (std::size_t k = 0; k < 3; ++k) {
       const Real* axis = box.axes + 3 * k;

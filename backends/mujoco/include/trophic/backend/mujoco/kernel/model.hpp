@@ -31,6 +31,7 @@ class ModelReader {
     if (mujoco::asks_whole_box_depth(m_)) kernel_.box_depth = mujoco::BoxDepth::whole;
     read_law();
     for (int body = 1; body < m_.nbody; ++body) read_link(body);
+    read_reaches();
     for (std::size_t b = 1; b < kernel_.links.size(); ++b) {
       for (std::size_t a = 0; a < b; ++a) {
         const bool boxes = kernel_.links[a].boxes > 0 && kernel_.links[b].boxes > 0;
@@ -211,6 +212,18 @@ class ModelReader {
     for (int g = m_.body_geomadr[body]; g < m_.body_geomadr[body] + m_.body_geomnum[body]; ++g) read_box(g, frame);
     enclose_boxes(own);
     kernel_.links.push_back(own);
+  }
+
+  /// From the leaves inwards, as a link comes after its parent.
+  void read_reaches() {
+    const auto length_m = [](const std::array<double, 3>& a) { return Vector(a[0], a[1], a[2]).norm(); };
+    for (std::size_t i = kernel_.links.size(); i-- > 0;) {
+      KernelLink& link = kernel_.links[i];
+      link.reach_m = std::max(link.reach_m, length_m(link.sphere_centre_m) + link.sphere_radius_m);
+      if (i == 0) continue;
+      KernelLink& parent = kernel_.links[link.parent];
+      parent.reach_m = std::max(parent.reach_m, length_m(link.offset_m) + link.reach_m);
+    }
   }
 
   void read_hinge(int joint) {

@@ -168,11 +168,7 @@ TROPHIC_LANES_INLINE void remember_rows(Workspace& work, unsigned lanes) {
   Mask changed{};
   for (int step = 0; step < largest_steps; ++step) {
     if (step >= full_steps) accept_trial(model, work);
-    if (step == 0 || step >= full_steps) {
-      solve_active(model, work);
-    } else {
-      solve_changed(model, work, lanes);
-    }
+    solve_active(model, work, lanes, step == 0 || step >= full_steps);
     changed = evaluate_trial(model, work);
     if ((lane_bits(changed) & lanes) == 0) break;
     if (step >= full_steps) search_line(model, work, changed);

@@ -214,16 +214,11 @@ TROPHIC_LANES_INLINE void gather_active(const LaneModel& model, Workspace& work)
   for_each_contact(model, work, AddContact{model.shape().friction});
 }
 
-/// The minimum of the quadratic of the active rows.
-TROPHIC_LANES_INLINE void solve_active(const LaneModel& model, Workspace& work) {
-  gather_active(model, work);
-  solve_tree(model, work);
-}
-
-/// Like `solve_active`, if the last solution differs only by rows that `evaluate_trial` changed in `lanes`: links without such
-/// rows in them or further out are unchanged.
-TROPHIC_LANES_INLINE void solve_changed(const LaneModel& model, Workspace& work, unsigned lanes) {
-  for (LinkWork& link : work.links) link.is_stale = (lane_bits(link.changed) & lanes) != 0;
+/// The minimum of the quadratic of the active rows. Unless `all`, the last solution differs only by rows that `evaluate_trial`
+/// changed in `lanes`: links without such rows in them or further out are unchanged. One code for both, because the processor's
+/// cache of instructions does not hold two.
+TROPHIC_LANES_INLINE void solve_active(const LaneModel& model, Workspace& work, unsigned lanes, bool all) {
+  for (LinkWork& link : work.links) link.is_stale = all || (lane_bits(link.changed) & lanes) != 0;
   for (std::size_t i = model.links.size() - 1; i > 0; --i) {
     if (work.links[i].is_stale) work.links[model.links[i].parent].is_stale = true;
   }

@@ -64,6 +64,7 @@ struct LinkWork {
   Mat3 rotation;         ///< directions of the link's axes
   Vec3 anchor;           ///< anchor of its hinge
   Vec3 sphere_centre;    ///< centre of the sphere that contains its boxes
+  bool has_centres;      ///< whether those of its boxes are computed in this stage
   Spatial axis;          ///< S: motion of the link per unit of joint velocity
   RigidInertia inertia;  ///< I
   Spatial velocity;      ///< V
@@ -80,6 +81,11 @@ struct LinkWork {
   Mask changed;          ///< lanes in which the active rows of its contacts or its hinge changed
   bool is_stale;         ///< whether its articulated inertia must be recomputed
 };
+
+/// The centre of a box of a link, from the origin of the root.
+[[nodiscard]] TROPHIC_LANES_INLINE Vec3 box_centre(const LinkWork& link, const LaneBox& box) {
+  return link.anchor + rotate(link.rotation, box.centre_m);
+}
 
 /// One hinge during a step.
 struct HingeWork {
@@ -140,9 +146,15 @@ struct Workspace {
   /// Bits of the rows active when a corner of a box last touched a plane, by plane, box, corner and lane.
   std::vector<std::uint8_t> active_rows;
   bool rows_known = false;               ///< whether these robots took a step since `forget_rows`
+  bool motion_known = false;             ///< whether there is a `counted_position`
   std::vector<PlacedBox> placed_boxes;   ///< lane by lane, from the origin of each robot's root
   std::vector<std::uint8_t> box_placed;  ///< whether it is computed in this stage
-  std::vector<Vec3> box_centres;         ///< for all robots, relative to the origins of their roots
+  std::vector<Vec3> box_centres;         ///< for all robots, relative to the origins of their roots, of links that have them
+  /// For each link, a bound of how far any of its points has moved in all since `forget_rows`, and the part due to its own joint;
+  /// and the last position counted.
+  LaneArray moved_m;
+  LaneArray swung_m;
+  LaneArray counted_position;
   std::vector<FieldContact> field_contacts;
   std::vector<IslandLink> island_links;
   Mask doubtful{};  ///< lanes in which rounding decides about contact
@@ -161,6 +173,9 @@ struct Workspace {
     box_placed.resize(placed_boxes.size());
     box_centres.resize(boxes);
     island_links.resize(links.size());
+    moved_m.resize(links.size());
+    swung_m.resize(links.size());
+    counted_position.resize(model.hinges.size() + 7);
     stage.fit(model);
     sum.fit(model);
   }
@@ -168,7 +183,7 @@ struct Workspace {
   /// Must be called when the robots in the lanes change.
   void forget_rows() {
     std::ranges::fill(active_rows, all_rows);
-    rows_known = false;
+    rows_known = motion_known = false;
   }
 };
 
