@@ -303,8 +303,11 @@ BENCHMARK(pond)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK(wolf_sheep)
     ->ArgName("side")
-    ->RangeMultiplier(2)
-    ->Range(100, 1600)
+    ->Arg(100)
+    ->Arg(200)
+    ->Arg(400)
+    ->Arg(800)
+    ->Arg(1600)
     ->Iterations(1)
     ->UseManualTime()
     ->Unit(benchmark::kMillisecond);

@@ -325,9 +325,9 @@ class Worlds(InFolder):
             ("wolf_sheep", "torus", 500, ()),
             ("lotka_volterra", "torus", 300, ()),
         ):
-            folder, made = self.run_world(rules, backend, "--duration", duration, "--replay-hz", 0, *more)
-            about, most, size = self.sizes_of_agents(made.stdout, folder)
-            self.assertTrue(about / 1.5 < size < min(1.5 * about, most), (rules, size, made.stdout))
+            folder, made = self.run_world(rules, backend, "--duration", duration, *more)
+            about, most, size = self.sizes_of_agents(made, folder)
+            self.assertTrue(about / 1.5 < size < min(1.5 * about, most), (rules, size, made))
 
     def test_activity_protects_and_lets_breed_in_the_pond_until_parameters_say_otherwise(self):
         def run(rules, *settings):

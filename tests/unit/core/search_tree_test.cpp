@@ -78,7 +78,7 @@ TEST_CASE("search tree: torus with robots on its seam -> result of an exhaustive
         const auto accepts = [&](const Individual& other) { return other.species == wanted; };
         const auto found = fast.closest(self, accepts, {.among = marks_of(wanted)});
         CHECK(found == plain.closest(self, accepts));
-        if (found) crossing += distance_m(robots.poses[self], robots.poses[*found]) > plain.distance_m(self, *found) ? 1 : 0;
+        if (found && distance_m(robots.poses[self], robots.poses[*found]) > plain.distance_m(self, *found)) ++crossing;
       }
       for (const double radius_m : {0.0, 2.0, 5.0, 30.0})
         CHECK(fast.within(robots.poses[self], radius_m) == plain.within(robots.poses[self], radius_m));
@@ -96,7 +96,7 @@ TEST_CASE("search tree: torus with robots on its seam -> result of an exhaustive
   const auto count = [&](Species wanted) {
     return [&asked, wanted](const Individual& other) { return ++asked, other.species == wanted; };
   };
-  for (BodyIndex self = 0; self < 1000; ++self) view.closest(self, count(prey), {.among = marks_of(prey)});
+  for (BodyIndex self = 0; self < 1000; ++self) CHECK(view.closest(self, count(prey), {.among = marks_of(prey)}));
   CHECK(asked < 10'000);
   asked = 0;
   CHECK(view.closest(19'999, count(predator), {.among = marks_of(predator)}) == 7);
