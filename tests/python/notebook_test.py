@@ -58,7 +58,7 @@ class Notebook(unittest.TestCase):
     def execute(self, programs):
         with tempfile.TemporaryDirectory() as folder:
             environment = {
-                "PYTHONPATH": os.pathsep.join([str(ROOT / "tools/python"), *MODULE]),
+                "PYTHONPATH": os.pathsep.join([*MODULE, str(ROOT / "tools/python")]),
                 "TROPHIC_BIN": str(programs),
                 "PATH": "/usr/bin:/bin",
             }
