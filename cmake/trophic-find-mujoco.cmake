@@ -10,16 +10,16 @@ function(trophic_existing_includes target)
   set_target_properties(${target} PROPERTIES INTERFACE_INCLUDE_DIRECTORIES "${folders}")
 endfunction()
 
-# trophic_mujoco_release(FOLDER VERSION): mujoco::mujoco from an unpacked release of MuJoCo, which has no CMake package, from the folder of its Python
-# wheel, or from Debian's package in /usr.
+# trophic_mujoco_release(FOLDER VERSION): mujoco::mujoco from an unpacked release of MuJoCo, which has no CMake package, or from Debian's package in /usr.
 function(trophic_mujoco_release folder version)
   if(NOT TARGET mujoco::mujoco)
     find_library(trophic_mujoco_library NAMES mujoco PATHS ${folder}/lib ${folder}/lib/${CMAKE_LIBRARY_ARCHITECTURE} NO_DEFAULT_PATH NO_CACHE)
     if(NOT trophic_mujoco_library)
-      file(GLOB trophic_mujoco_library ${folder}/libmujoco.so.*)
+      # The folder `mujoco` of a wheel: libmujoco.so.3.5.0 beside include.
+      file(GLOB trophic_mujoco_library ${folder}/libmujoco.so.* ${folder}/libmujoco.*.dylib)
     endif()
     if(NOT trophic_mujoco_library)
-      message(FATAL_ERROR "trophic: mujoco_ROOT=${folder}: there is no libmujoco in its folder lib")
+      message(FATAL_ERROR "trophic: mujoco_ROOT=${folder}: there is no libmujoco in it or its folder lib")
     endif()
     add_library(mujoco::mujoco SHARED IMPORTED)
     set_target_properties(mujoco::mujoco PROPERTIES IMPORTED_LOCATION ${trophic_mujoco_library}
@@ -39,7 +39,7 @@ function(trophic_mujoco_release folder version)
 endfunction()
 
 # trophic_find_mujoco(): mujoco::mujoco for the folder that asks, with mujoco_FOUND, or mujoco_REFUSED and why. -Dmujoco_ROOT names a
-# prefix with MuJoCo's CMake package, an unpacked release (include/mujoco/mujoco.h, lib/libmujoco.so) or the folder of the Python package mujoco.
+# prefix with MuJoCo's CMake package or an unpacked release (include/mujoco/mujoco.h, lib/libmujoco.so).
 macro(trophic_find_mujoco)
   if(NOT DEFINED mujoco_ROOT AND DEFINED ENV{mujoco_ROOT})
     set(mujoco_ROOT $ENV{mujoco_ROOT})
