@@ -60,8 +60,7 @@ class Recipes(unittest.TestCase):
         boost = re.search(r"trophic_find\(Boost \S+ ([\d.]+)", CMAKE)[1]
         eigen = re.search(r"trophic_find\(Eigen3 \S+ FROM ([\d.]+) BELOW (\d+)", CMAKE)
         mujoco = re.search(
-            r'trophic_find_version\(mujoco ([\d.]+) ""\)',
-            (ROOT / "cmake/trophic-find-mujoco.cmake").read_text(),
+            r'trophic_find_version\(mujoco ([\d.]+) ""\)', (ROOT / "cmake/trophic-find-mujoco.cmake").read_text()
         )
         spack = dict(re.fullmatch(r"([^@]+)@?(.*)", text).groups() for text in spack_calls("depends_on"))
         conda = dict(re.fullmatch(r"(\S+) ?(.*)", text).groups() for text in self.conda["requirements"]["host"])
