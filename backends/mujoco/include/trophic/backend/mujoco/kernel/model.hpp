@@ -54,8 +54,7 @@ class ModelReader {
     const mjOption& o = m_.opt;
     const bool solver = o.solver == mjSOL_NEWTON && o.cone == mjCONE_PYRAMIDAL && o.impratio == 1.0 && o.noslip_iterations == 0;
     const bool still_air = o.density == 0.0 && o.viscosity == 0.0 && o.gravity[0] == 0.0 && o.gravity[1] == 0.0;
-    const bool flags =
-        (o.disableflags & ~mujoco::turned_off) == 0 && (o.enableflags & (mjENBL_OVERRIDE | mjENBL_FWDINV)) == 0;
+    const bool flags = (o.disableflags & ~mujoco::turned_off) == 0 && (o.enableflags & (mjENBL_OVERRIDE | mjENBL_FWDINV)) == 0;
     const bool extras = m_.ntendon == 0 && m_.neq == 0 && m_.na == 0 && m_.nmocap == 0 && m_.nexclude == 0;
     return solver && still_air && flags && extras && (o.integrator == mjINT_EULER || o.integrator == mjINT_RK4);
   }
