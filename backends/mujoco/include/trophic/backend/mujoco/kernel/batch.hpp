@@ -211,6 +211,7 @@ struct Batch {
     pack.state.fit(model);
     pack.work.fit(model);
     pack.work.forget_rows();
+    pack.work.motion_known = false;
     pack.lanes = 0;
     if (model.field && !field_collider) field_collider.emplace(*model.field);
     return pack;

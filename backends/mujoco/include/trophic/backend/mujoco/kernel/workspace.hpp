@@ -150,8 +150,8 @@ struct Workspace {
   std::vector<PlacedBox> placed_boxes;   ///< lane by lane, from the origin of each robot's root
   std::vector<std::uint8_t> box_placed;  ///< whether it is computed in this stage
   std::vector<Vec3> box_centres;         ///< for all robots, relative to the origins of their roots, of links that have them
-  /// For each link, a bound of how far any of its points has moved in all since `forget_rows`, and the part due to its own joint;
-  /// and the last position counted.
+  /// For each link, a bound of how far any of its points has moved in all since its pack was filled, and the part due to its own
+  /// joint; and the last position counted.
   LaneArray moved_m;
   LaneArray swung_m;
   LaneArray counted_position;
@@ -184,7 +184,7 @@ struct Workspace {
   /// Must be called when the robots in the lanes change.
   void forget_rows() {
     std::ranges::fill(active_rows, all_rows);
-    rows_known = motion_known = false;
+    rows_known = false;
   }
 };
 
