@@ -11,12 +11,11 @@
 
 using namespace trophic;
 using backend::Mujoco;
-using Stepping = Mujoco::Stepping;
 
 namespace {
 
 /// How far robots of 24 gaits walk in 20 s, m.
-std::vector<double> displacements_m(double timestep_s, Stepping stepping) {
+std::vector<double> displacements_m(double timestep_s, Mujoco::Stepping stepping) {
   Arena wide = test::square;
   wide.half_side_m = wide.extent_m = 50.0;
   const std::vector<Pose> starts = test::lattice(test::spider, 24, 10.0);
@@ -28,7 +27,7 @@ std::vector<double> displacements_m(double timestep_s, Stepping stepping) {
 }
 
 template <class Rules = rules::Paper>
-observe::RunDescription description(Stepping stepping, double timestep_s) {
+observe::RunDescription description(Mujoco::Stepping stepping, double timestep_s) {
   Experiment<Rules> experiment;
   experiment.physics.timestep_s = timestep_s;
   return Ecology<Rules>{experiment, Mujoco::Params{.stepping = stepping}}.describe(1.0);
@@ -37,8 +36,8 @@ observe::RunDescription description(Stepping stepping, double timestep_s) {
 }  // namespace
 
 TEST_CASE("screening: 24 gaits -> median error of the displacement below 5 %, and of all of it") {
-  const std::vector<double> exact_m = displacements_m(0.0003, Stepping::fast);
-  const std::vector<double> far_m = displacements_m(Mujoco::screening_timestep_s, Stepping::screening);
+  const std::vector<double> exact_m = displacements_m(0.0003, Mujoco::Stepping::fast);
+  const std::vector<double> far_m = displacements_m(Mujoco::screening_timestep_s, Mujoco::Stepping::screening);
   std::vector<double> errors;
   for (std::size_t i = 0; i < far_m.size(); ++i) errors.push_back(std::abs(far_m[i] / exact_m[i] - 1.0));
   std::ranges::sort(errors);
@@ -50,10 +49,10 @@ TEST_CASE("screening: 24 gaits -> median error of the displacement below 5 %, an
 }
 
 TEST_CASE("screening: run -> its timestep and a remark are in the description, and no mode has its fingerprint") {
-  const observe::RunDescription run = description(Stepping::screening, 0.0012);
-  CHECK(run.fingerprint == description(Stepping::screening, 0.002).fingerprint);
-  CHECK(run.fingerprint != description(Stepping::fast, 0.0012).fingerprint);
-  CHECK(run.fingerprint != description(Stepping::fast, 0.002).fingerprint);
+  const observe::RunDescription run = description(Mujoco::Stepping::screening, 0.0012);
+  CHECK(run.fingerprint == description(Mujoco::Stepping::screening, 0.002).fingerprint);
+  CHECK(run.fingerprint != description(Mujoco::Stepping::fast, 0.0012).fingerprint);
+  CHECK(run.fingerprint != description(Mujoco::Stepping::fast, 0.002).fingerprint);
   CHECK(observe::short_name(run) == "paper (backend.stepping screening)");
   CHECK(run.remarks.at(0).starts_with(
       "backend.stepping = screening: uses single precision and steps of 0.002 s, but the table has 0.0012 s; "));
@@ -61,10 +60,10 @@ TEST_CASE("screening: run -> its timestep and a remark are in the description, a
 }
 
 TEST_CASE("screening: another timestep or integrator -> refused") {
-  CHECK_THROWS_WITH(displacements_m(0.0012, Stepping::screening),
+  CHECK_THROWS_WITH(displacements_m(0.0012, Mujoco::Stepping::screening),
                     "physics.timestep_s = 0.0012 with backend.stepping = screening: must be 0.002");
-  CHECK_THROWS_WITH(description(Stepping::screening, 0.001),
+  CHECK_THROWS_WITH(description(Mujoco::Stepping::screening, 0.001),
                     "physics.timestep_s = 0.001 with backend.stepping = screening: must be 0.002");
-  CHECK_THROWS_WITH(description<rules::Released>(Stepping::screening, 0.012),
+  CHECK_THROWS_WITH(description<rules::Released>(Mujoco::Stepping::screening, 0.012),
                     "physics.integrator = rk4 with backend.stepping = screening: must be semi_implicit_euler");
 }
