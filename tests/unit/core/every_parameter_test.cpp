@@ -329,11 +329,10 @@ TEST_CASE("effects: tables of the shipped programs -> each has its case here") {
   const std::filesystem::path root = std::filesystem::path{TROPHIC_MODEL_DIR}.parent_path();
   const std::string cases = read_whole_file(root / "tests/unit/core/every_parameter_test.cpp");
   std::size_t tables = 0;
-  for (const char* program : {"predator_prey", "worlds"}) {
-    const std::string text = read_whole_file(root / "examples" / (std::string{program} + ".cpp"));
-    std::smatch offer;
-    REQUIRE(std::regex_search(text, offer, std::regex{R"(experiment<([\w:,\s]+)>)"}));
-    const std::string names = offer[1];
+  const std::string text = read_whole_file(root / "tools/tables/shipped_tables.cpp");
+  const std::regex offer{R"(rule_tables<([\w:,\s]+)>)"};
+  for (std::sregex_iterator some{text.begin(), text.end(), offer}; some != std::sregex_iterator{}; ++some) {
+    const std::string names = (*some)[1];
     const std::regex name{R"(\w+(?=\s*(?:,|$)))"};
     for (std::sregex_iterator one{names.begin(), names.end(), name}; one != std::sregex_iterator{}; ++one, ++tables)
       CHECK_MESSAGE(std::regex_search(cases, std::regex{"check_every_parameter<\\w+::" + one->str() + ">"}), one->str());
