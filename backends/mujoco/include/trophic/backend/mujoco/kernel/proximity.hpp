@@ -48,6 +48,14 @@ TROPHIC_LANES_INLINE void place_centres(const LaneModel& model, std::size_t i, W
   return placed;
 }
 
+/// The Euclidean distance between two positions in coordinates `first` to `end`.
+[[nodiscard]] TROPHIC_LANES_INLINE Real change_of(std::size_t first, std::size_t end, const LaneArray& now,
+                                                  const LaneArray& last) {
+  Real square{};
+  for (std::size_t i = first; i < end; ++i) square += (now[i] - last[i]) * (now[i] - last[i]);
+  return sqrt(square);
+}
+
 /// Counts how far links have moved. If the root's origin moves by d and its unit quaternion by q, points at distance r move by
 /// d + 2 r |q| at most; a hinge that turns by an angle moves what is at distance r from its anchor by r times the angle at most.
 TROPHIC_LANES_INLINE void count_motion(const LaneModel& model, const LaneState& state, Workspace& work) {
@@ -59,12 +67,7 @@ TROPHIC_LANES_INLINE void count_motion(const LaneModel& model, const LaneState& 
     work.motion_known = true;
     return;
   }
-  const auto change = [&](std::size_t first, std::size_t end) {
-    Real square{};
-    for (std::size_t i = first; i < end; ++i) square += (now[i] - last[i]) * (now[i] - last[i]);
-    return sqrt(square);
-  };
-  work.moved_m[0] += change(0, 3) + model.links[0].reach_m * change(3, 7) * 2.0;
+  work.moved_m[0] += change_of(0, 3, now, last) + model.links[0].reach_m * change_of(3, 7, now, last) * 2.0;
   for (std::size_t i = 1; i < model.links.size(); ++i) {
     work.swung_m[i] += abs(now[6 + i] - last[6 + i]) * model.links[i].reach_m;
     work.moved_m[i] = work.moved_m[model.links[i].parent] + work.swung_m[i];
