@@ -200,11 +200,11 @@ def test_who_lives_follows_from_births_and_deaths():
                 assert cause != ""
                 alive.remove(individual)
                 deaths += 1
-        everybody = ecology.individuals()
-        assert set(everybody["id"].tolist()) == alive
+        living = ecology.individuals()
+        assert set(living["id"].tolist()) == alive
         assert set(ecology.ids.tolist()) <= alive
-        assert (everybody["energy_J"] > 0.0).any()
-        assert (numpy.abs(everybody["x_m"]) <= ecology.half_side_m).all()
+        assert (living["energy_J"] > 0.0).any()
+        assert (numpy.abs(living["x_m"]) <= ecology.half_side_m).all()
         ecology.decide(ecology.own_outputs())
     assert births > 30 and deaths > 0
 

@@ -86,7 +86,7 @@ class Environment(ParallelEnv):
     not, its action is not used. The last info of the dead is the cause. `possible_agents` does not exist: who will be born is not known.
 
     `species`: only its individuals are agents; all others decide by their own brains. `start_s`: all do until then. `genes`: observations
-    end with the inherited numbers of the individual, which mutate and are selected whoever decides.
+    end with the inherited numbers of the individual. Mutation and selection act on these under any decider.
     """
 
     metadata = {"name": "trophic", "render_modes": ["rgb_array"], "is_parallelizable": True}
@@ -226,7 +226,7 @@ class Environment(ParallelEnv):
         self._forget()
 
     def _forget(self) -> None:
-        """Nobody lives."""
+        """Notes that there are no agents."""
         self._is_old = self._is_over = False
         self._agents: list[str] = []
         self._living: list[str] = []

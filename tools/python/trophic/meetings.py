@@ -15,7 +15,7 @@ import pandas
 from . import contest_plan, pool
 from .errors import RunError
 from .metrics import Measuring
-from .programs import find_program
+from .programs import program_of_table
 from .runs import verify
 from .statistics import Difference, adjust_together, contrast, difference_of, estimate
 from .words import columns, p_text
@@ -83,9 +83,10 @@ def meet(
     """Lets teams of a species meet the last living opponents of each run, in the contests of `trophic contest` (docs/how-to/contests.md).
 
     `runs`: Runs or their folder, of one rule table with one link between hunters and victims. `brains` maps a name to weights of the table's brain,
-    an array that all members of all teams have, or a list of arrays, which the teams of all runs take in turn, one each: give as many as there are teams,
-    so that intervals over runs hold for such brains and not for a few of them. None stands for the last living of the species in the next run, which have never met these opponents. All brains meet the same opponents at the same places. `teams` meet those of a run, of
-    `team_size` robots each (default: half of the table's). `program` plays (default: the shipped one that has the table). Raises RunError.
+    an array that all members of all teams have, or a list of arrays, which the teams of all runs take in turn, one each: give as many as there are
+    teams, so that intervals over runs hold for such brains and not for a few of them. None stands for the last living of the species in the next
+    run, which have never met these opponents. All brains meet the same opponents at the same places. `teams` meet those of a run, of `team_size`
+    robots each (default: half of the table's). `program` plays (default: the shipped one that has the table). Raises RunError.
     """
     paths = [pathlib.Path(getattr(runs, "path", runs))]
     pooled, _ = pool.pooled_runs(paths, Measuring())
@@ -132,8 +133,7 @@ def meet(
                 planned.matches.append([*pair, contest_plan.places(seed, replicate, team)])
                 planned.rows.append({"run": str(pooled[replicate].path), "brains": name})
     plan = contest_plan.plan_for(first, duration_s, reach_m, planned)
-    table = contest_plan.table_of(first)
-    named = program or find_program("trophic-predator-prey" if table in ("paper", "released") else "trophic-worlds")
+    named = program or program_of_table(contest_plan.table_of(first))
     with tempfile.TemporaryDirectory() as folder:
         outcomes = contest_plan.play(plan, str(named), jobs or os.cpu_count() or 1, pathlib.Path(folder))
     rows = pandas.DataFrame([{**row, "contact_s": outcome[0]} for row, outcome in zip(planned.rows, outcomes)])

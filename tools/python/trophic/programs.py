@@ -38,6 +38,11 @@ def find_program(name: str) -> str:
     raise ProgramError(f"{name}: is not on the PATH; install trophic, or set TROPHIC_BIN to its folder of programs")
 
 
+def program_of_table(table: str | None) -> str:
+    """The path of the shipped program that has this rule table; None is the first table of all."""
+    return find_program("trophic-predator-prey" if table in (None, "paper", "released") else "trophic-worlds")
+
+
 def script() -> NoReturn:
     """Becomes the program of the name under which pip installed this script."""
     name = pathlib.Path(sys.argv[0]).name
