@@ -27,7 +27,7 @@ from . import contests, pool
 from .errors import RunError, remark
 from .metrics import Measuring
 from .pool import MOST_TIME_S, PooledRun
-from .programs import chosen_program
+from .programs import program_named
 from .runs import verify
 from .sweeps.runs import is_sweep
 from .words import number_text
@@ -445,7 +445,7 @@ def run(request: dict) -> int:
     plan, rows, remarks = plan_of(request)
     for what in remarks:
         remark(request["who"], what)
-    program = chosen_program(request)
+    program = program_named(request["experiment"])
     out = request["out"]
     try:
         with result_folder(out, keeps=PLAYED, name="contests") as folder:

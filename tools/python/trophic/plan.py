@@ -47,7 +47,7 @@ from typing import Any
 
 import numpy
 
-from .programs import chosen_program
+from .programs import program_named
 from .errors import RunError, printable
 from .sweeps.grid import PLAN, read_plan
 from .values import one_sided_name
@@ -671,7 +671,7 @@ def run(request: dict) -> int:
     if out is None and not request["dry_run"]:
         out = os.path.join("runs", pathlib.Path(request["sweep"]).stem)
     sweep = read_sweep(request["sweep"])
-    named, program = request["experiment"], chosen_program(request)
+    named, program = request["experiment"], program_named(request["experiment"])
     if out is None:
         text = dry_run(sweep, program)
     else:

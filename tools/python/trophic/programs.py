@@ -38,6 +38,12 @@ def find_program(name: str) -> str:
     raise ProgramError(f"{name}: is not on the PATH; install trophic, or set TROPHIC_BIN to its folder of programs")
 
 
+def program_named(named: str | os.PathLike) -> str:
+    """The path of a program that is named by a path, which has a folder, or by its name alone."""
+    named = os.fspath(named)
+    return os.path.abspath(named) if os.sep in named else find_program(named)
+
+
 def program_of_table(table: str | None) -> str:
     """The path of the shipped program that has this rule table; None is the first table of all."""
     return find_program("trophic-predator-prey" if table in (None, "paper", "released") else "trophic-worlds")
@@ -62,12 +68,6 @@ def become_compiled(name: str) -> None:
         )
     sys.modules[name] = importlib.util.module_from_spec(found)
     found.loader.exec_module(sys.modules[name])
-
-
-def chosen_program(request: dict) -> str:
-    """The experiment program of a command: `experiment` is its path or its name."""
-    named = request["experiment"]
-    return str(pathlib.Path(named).absolute()) if os.sep in named else find_program(named)
 
 
 def call(program: str, arguments: list, what: str, *, progress: bool = False) -> str:

@@ -10,7 +10,7 @@ from typing import Any
 
 from .errors import ProgramError
 from .plan import cells_of, make_plan, read_sweep, settings_of_table, sweep_of
-from .programs import Page, call, find_program, program_of_table
+from .programs import Page, call, find_program, program_named, program_of_table
 from .progress import is_watched
 from .runs import Analysis, Run, Runs, read_run, read_runs, read_study
 from .sweeps.grid import PLAN
@@ -104,10 +104,7 @@ def sweep(
 
 def _program(named: str | os.PathLike | None, table: str | None) -> str:
     """The program of that name or path or, without one, the shipped one that has the table."""
-    if named is None:
-        return program_of_table(table)
-    is_path = os.sep in str(named) or pathlib.Path(named).is_file()
-    return str(pathlib.Path(named).resolve()) if is_path else find_program(str(named))
+    return program_of_table(table) if named is None else program_named(named)
 
 
 def _make(program: str, arguments: list, what: str, progress: bool | None) -> None:

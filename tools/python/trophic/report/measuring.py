@@ -2,12 +2,11 @@
 """How the runs that a command names are measured."""
 from __future__ import annotations
 
-import os
 from collections.abc import Mapping
 from typing import Any
 
 from ..metrics import Measuring, own
-from ..programs import find_program
+from ..programs import program_named
 
 
 def measuring_of(request: Mapping[str, Any]) -> Measuring:
@@ -30,5 +29,4 @@ def _program_of(request: Mapping[str, Any]) -> str | None:
     """The program that --lineages asks: a path, or one of trophic's by its name."""
     if not request.get("lineages"):
         return None
-    named = request.get("program") or "trophic-predator-prey"
-    return os.path.abspath(named) if os.sep in named else find_program(named)
+    return program_named(request.get("program") or "trophic-predator-prey")
