@@ -117,6 +117,8 @@ STUDY = {
     "inheritance": ("studies/sweeps",),
     "no-criterion-bodies": ("studies/bodies",),
     "no-criterion-gaits": ("studies/bodies",),
+    "pond-race": ("studies/red_queen",),
+    "pond-race-again": ("studies/red_queen",),
     "ranges": ("studies/readings",),
     "red-queen": ("studies/red_queen", "studies/arms_race"),
     "red-queen-mujoco": ("studies/red_queen", "studies/arms_race"),

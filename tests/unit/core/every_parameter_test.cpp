@@ -276,7 +276,7 @@ TEST_CASE("effects: each parameter of pond_race, halved or changed later -> othe
   const test::TemporaryFolder folder;
   ShortRuns runs = pond(folder);
   runs.crowd.insert({{"rules.resource.cells_in_a_row", 20.0}, {"rules.metabolism.predator.efficiency", 0.3}});
-  runs.others.insert({{"rules.traits.walking_pace.least", 0.95}, {"rules.traits.walking_pace.most", 1.05}});
+  runs.others.insert({{"rules.traits.walking_pace.least", 0.7}, {"rules.traits.walking_pace.most", 1.3}});
   check_every_parameter<worlds::PondRace>(runs);
 }
 
