@@ -166,12 +166,15 @@ def measured_trait(options, world):
         played = make_contests(options, world, "panel", thirds, options.teams)
         rows, courses = [], []
         for run in trophic.read_runs(str(options.out / world)):
-            course = traits.Course(run, options.trait)
-            courses.append(traits.series(course, world, run.path.name, 5))
+            of_traits = [traits.Course(run, trait) for trait in options.trait]
+            courses += [traits.series(course, world, run.path.name, 5) for course in of_traits]
             of_run = played[played["hunters_run"].str.endswith(f"{world}/{run.path.name}")]
             as_prey = played[played["victims_run"].str.endswith(f"{world}/{run.path.name}")]
             for side, role, of in zip(SIDES, ("victim", "hunter"), (as_prey, of_run)):
-                values = course.values(side)
+                first, *others = (course.values(side) for course in of_traits)
+                values = dict(first)
+                for trait, found in zip(options.trait[1:], others):
+                    values |= {f"{trait}_{name}": value for name, value in found.items() if name != "lived_s"}
                 for period, times in zip(
                     ("early", "middle", "third", "late"), (*zip(thirds, thirds[1:]), thirds[1::2])
                 ):
@@ -294,7 +297,10 @@ def main():
         parser.add_argument(f"--{name}", type=int, default=default)
     parser.add_argument("--contests-on", metavar="BACKEND", help="backend of the contests (default: the runs')")
     parser.add_argument(
-        "--trait", help="a heritable trait of the table; only runs in which both species last meet in contests"
+        "--trait",
+        action="append",
+        default=[],
+        help="a heritable trait of the table, the first one for the primary measures; only runs in which both species last meet in contests",
     )
     parser.add_argument("--teams", type=int, default=8, help="of a trait: teams of each run and epoch in contests")
     parser.add_argument("--panel-runs", type=int, help="runs of the panel (default: as many as replicates)")

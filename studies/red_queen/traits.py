@@ -52,12 +52,12 @@ class Course:
         self.times_s = numpy.linspace(0.0, self.end_s, POINTS)
         rules, born = run.manifest["params"]["rules"], born_of(run)
         rule, heredity = rules["traits"][trait], rules["heredity"]
-        inherits = {species: heredity[species]["inherited"] for species in run.manifest["species"]}
-        drift = dropped(born, rule, inherits, numpy.random.default_rng(int(run.manifest["seed"])))
+        self.trait, self.inherits = trait, {each: heredity[each]["inherited"] for each in run.manifest["species"]}
+        drift = dropped(born, rule, self.inherits, numpy.random.default_rng(int(run.manifest["seed"])))
         own = born[trait].to_numpy()[:, None]
         at_bound = (own >= 0.95 * rule["most"]).astype(float)
         self.own, self.drift, self.at_bound = (
-            {species: means_of(born, species, values, self.times_s) for species in inherits}
+            {species: means_of(born, species, values, self.times_s) for species in self.inherits}
             for values in (own, drift, at_bound)
         )
         self.persists = all(numpy.isfinite(of[-1, 0]) for of in self.own.values())
@@ -87,21 +87,22 @@ class Course:
 
 
 def series(course, world, run, every):
-    """Rows of the mean and of drift by time, for a figure."""
+    """Rows of the mean of the species that inherit, and of drift, at some of the times, for a figure."""
     return pandas.DataFrame(
         [
             {
                 "world": world,
                 "run": run,
                 "side": species,
+                "trait": course.trait,
                 "time_s": course.times_s[at],
                 "mean": course.own[species][at, 0],
                 "drift": course.drift[species][at].mean(),
                 "drift_lower": numpy.quantile(course.drift[species][at], 0.025),
                 "drift_upper": numpy.quantile(course.drift[species][at], 0.975),
             }
-            for species in course.own
+            for species, inherits in course.inherits.items()
             for at in range(0, len(course.times_s), every)
-            if numpy.isfinite(course.own[species][at, 0])
+            if inherits and numpy.isfinite(course.own[species][at, 0])
         ]
     )
