@@ -722,14 +722,15 @@ PACE = {
     "trait_slope": "rise of pace in the last third, per 1000 s",
     "trait_common": "pace near 8000 s, all runs",
     "trait_last_both": "pace at the last time with both, all runs",
+    "sight_m_trait_end": "sight at the end, m",
+    "sight_m_trait_slope": "rise of sight in the last third, m per 1000 s",
     "at_bound": "share within 5 % of the bound",
-    "lived_s": "time with both species, s",
     "progress_early": "progress to 8000 s, s",
-    "progress_middle": "progress from 8000 to 16,000 s, s",
     "progress_third": "progress in the last third, s",
     "progress_late": "progress from 8000 s on, s",
 }
-SETS = {"pond_race": "first", "pond_race_again": "fresh"}
+RACE = {"pond_race": "first", "pond_race_again": "fresh"}
+OTHER_RACES = {"pond_race_small_steps": "sd 0.03", "pond_sight": "sight, square costs"}
 SIDES = {"prey": "prey", "predator": "predators"}
 
 
@@ -740,10 +741,10 @@ def race_sets(data, file):
     ]
 
 
-def paces(data, primary):
+def paces(data, primary, sets=RACE):
     """Differences of a side between the world in which both inherit and that in which it alone does; * after Holm's correction for the primary ones."""
     lines = []
-    for words, row in race_sets(data, ""):
+    for words, row in race_sets(data, "", sets):
         if (row["family"] == "primary") != primary or row["measure"] not in PACE:
             continue
         lines.append(
@@ -763,7 +764,7 @@ def paces(data, primary):
     return table([*head, *(["p (Holm)"] if primary else []), "found in 80 %", "runs: both, alone"], lines)
 
 
-def going_on(data):
+def going_on(data, sets=RACE):
     """Whether pace and contests still move in the last third where both inherit; * after Holm's correction."""
     lines = [
         [
@@ -776,16 +777,16 @@ def going_on(data):
             row["detectable"] and f"{float(row['detectable']):.2g}",
             row["runs"],
         ]
-        for words, row in race_sets(data, "_goes_on")
+        for words, row in race_sets(data, "_goes_on", sets)
     ]
     lines.sort(key=lambda line: (list(PACE.values()).index(line[0]), list(SIDES.values()).index(line[1])))
     return table(["measure", "side", "seeds", "both inherit", "over", "p (Holm)", "found in 80 %", "runs"], lines)
 
 
-def lasting(data):
+def lasting(data, sets=RACE):
     """How many runs of each world keep both species to the end."""
     lines = {}
-    for words, row in race_sets(data, "_values"):
+    for words, row in race_sets(data, "_values", sets):
         if row["measure"] == "lived_s" and row["side"] == "prey":
             lines.setdefault((words, row["world"]), []).append(float(row["value"]))
     worlds = {"both": "both inherit", "prey": "prey alone", "predator": "predators alone", "none": "none"}
@@ -1183,7 +1184,10 @@ def tables(data, choices):
         "paces driven": lambda: paces(data, True),
         "paces described": lambda: paces(data, False),
         "paces go on": lambda: going_on(data),
-        "paces last": lambda: lasting(data),
+        "paces last": lambda: lasting(data, RACE | OTHER_RACES),
+        "paces other driven": lambda: paces(data, True, OTHER_RACES),
+        "paces other described": lambda: paces(data, False, OTHER_RACES),
+        "paces other go on": lambda: going_on(data, OTHER_RACES),
     }
     made |= {
         "worlds": lambda: worlds(data("no_criterion")),
