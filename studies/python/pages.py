@@ -734,10 +734,10 @@ OTHER_RACES = {"pond_race_small_steps": "sd 0.03", "pond_sight": "sight, square 
 SIDES = {"prey": "prey", "predator": "predators"}
 
 
-def race_sets(data, file):
-    """The rows of the first runs of the race and, once they are made, of those on fresh seeds."""
+def race_sets(data, file, sets):
+    """The rows of sets of runs that are made, with their names in words."""
     return [
-        (words, row) for name, words in SETS.items() if f"{name}{file}" in data.origins for row in data(name + file)
+        (words, row) for name, words in sets.items() if f"{name}{file}" in data.origins for row in data(name + file)
     ]
 
 
