@@ -73,7 +73,7 @@ inline constexpr auto with_budgets_of_the_race = [](auto& params) {
 };
 
 /// Rules: like PondRace, but sight is inherited too, and the power of walking and seeing grows with the square of pace and sight.
-/// A predator gets 0.25 of the energy of its prey, as one that sees no farther than 15 m finds fewer.   /// Source: not in the
+/// A predator gets 0.25 of the energy of its prey, as one that sees no farther than 15 m finds fewer.   Source: not in the
 /// literature as such.
 using PondSight = named<with_params<with_metabolism<with_visibility<with_traits<worlds::PondRace, PaceAndSight>, InheritedSight>,
                                                     rules::by_species<SquareCosts>>,
