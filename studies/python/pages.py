@@ -725,6 +725,7 @@ PACE = {
     "sight_m_trait_end": "sight at the end, m",
     "sight_m_trait_slope": "rise of sight in the last third, m per 1000 s",
     "at_bound": "share within 5 % of the bound",
+    "number": "number in the last third",
     "progress_early": "progress to 8000 s, s",
     "progress_third": "progress in the last third, s",
     "progress_late": "progress from 8000 s on, s",

@@ -174,7 +174,9 @@ def measured_trait(options, world):
                 first, *others = (course.values(side) for course in of_traits)
                 values = dict(first)
                 for trait, found in zip(options.trait[1:], others):
-                    values |= {f"{trait}_{name}": value for name, value in found.items() if name != "lived_s"}
+                    values |= {
+                        f"{trait}_{name}": value for name, value in found.items() if name not in ("lived_s", "number")
+                    }
                 for period, times in zip(
                     ("early", "middle", "third", "late"), (*zip(thirds, thirds[1:]), thirds[1::2])
                 ):
