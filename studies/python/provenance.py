@@ -117,6 +117,8 @@ STUDY = {
     "inheritance": ("studies/sweeps",),
     "no-criterion-bodies": ("studies/bodies",),
     "no-criterion-gaits": ("studies/bodies",),
+    "race-with-bodies-gaits": ("studies/bodies",),
+    "race-with-bodies-walks": ("studies/race_with_bodies",),
     "ranges": ("studies/readings",),
     "red-queen": ("studies/red_queen", "studies/arms_race"),
     "red-queen-mujoco": ("studies/red_queen", "studies/arms_race"),
