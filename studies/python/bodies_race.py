@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: MIT
 """The race with bodies: walks of single robots at different paces, and pace, or the gait's frequency, that is inherited in the pond on MuJoCo."""
-import math
+import itertools
+import tomllib
+from collections.abc import Callable
+from typing import NamedTuple
 
 import designs
+import installed
 import numpy
 import pandas
 import ponds
@@ -117,8 +121,6 @@ SETTINGS = [
     "rules.metabolism.predator.efficiency=0.3",
 ]
 """The numbers of `pond`: pond_race is larger, and its predators get less from their prey."""
-BASE_HZ = 0.42516927
-"""The highest frequency of the spider's gait."""
 TESTED = tuple((species, kind) for kind in ("end", "late_change") for species in SPECIES)
 
 
@@ -126,65 +128,101 @@ def switches(world):
     return [f"rules.heredity.{species}.inherited={str(on).lower()}" for species, on in zip(SPECIES, WORLDS[world])]
 
 
-def pace_of(run):
-    """The pace that each individual inherited, by id."""
-    return pandas.read_csv(run / "genomes.csv", usecols=["id", "walking_pace"]).set_index("id")["walking_pace"]
+NULLS = 200
+"""How often the genomes of a run are dealt anew."""
 
 
-def frequency(weights, neighbours):
-    """The highest frequency of a pattern generator, as a multiple of the shipped gait's: of its weights w_i and then those of each pair of
-    `neighbours` (control/gait/inherited_cpg.hpp)."""
-    hinges = len(weights) - len(neighbours)
-    matrix = numpy.zeros((2 * hinges, 2 * hinges))
-    for i in range(hinges):
-        matrix[i, hinges + i] = weights[i]
-        matrix[hinges + i, i] = -weights[i]
-    for (i, j), weight in zip(neighbours, weights[hinges:]):
-        matrix[i, j], matrix[j, i] = weight, -weight
-    return float(numpy.abs(numpy.linalg.eigvals(matrix).imag).max()) / (2.0 * math.pi * BASE_HZ)
+class Trait(NamedTuple):
+    """An inherited trait of individuals: its name, the genes of a run by id, shape (individuals, genes), and the rule by which they are drawn and
+    mutate, which are normal deviates within bounds. `of` makes values of genes, shape (..., genes)."""
+
+    name: str
+    genes: Callable
+    of: Callable
+    first: numpy.ndarray
+    first_sd: float
+    sd: float
+    bounds: tuple
+
+    def values(self, run):
+        """The trait of each individual, as a column, by id."""
+        genes = self.genes(run)
+        return pandas.DataFrame(self.of(genes.to_numpy())[:, None], index=genes.index)
+
+    def neutral(self, run, nulls=NULLS):
+        """The same if genomes do not decide who is born, dies and is a parent: each run's births with independent genomes, `nulls` times. The neutral
+        null of `--neutral` is one of these, and costs as much as a run."""
+        lives = pandas.read_csv(run / "phylogeny.csv", usecols=["id", "ancestor_id", "origin"]).sort_values("id")
+        draws, found = numpy.random.default_rng(int(lives["id"].max())), {}
+        for id, parent, origin in lives[["id", "ancestor_id", "origin"]].itertuples(index=False):
+            parents = found[int(parent)] if origin == "inherited" else self.first
+            sd = self.sd if origin == "inherited" else self.first_sd
+            found[id] = numpy.clip(parents + draws.normal(0.0, sd, (nulls, len(self.first))), *self.bounds)
+        return pandas.DataFrame([self.of(found[id]) for id in lives["id"]], index=lives["id"])
 
 
-def frequency_of(run):
-    """The same of each individual of a run of spiders, whose four hinges are all neighbours."""
-    genes = pandas.read_csv(run / "genes.csv")
-    genes = genes[genes["part"] == "gait"].sort_values(["id", "index"])
-    pairs = [(i, j) for i in range(4) for j in range(i + 1, 4)]
-    return genes.groupby("id")["value"].agg(lambda weights: frequency(weights.to_numpy(), pairs))
+def paces(run):
+    return pandas.read_csv(run / "genomes.csv", usecols=["id", "walking_pace"]).set_index("id")
 
 
-def means_of(run, trait, from_s, until_s):
-    """The mean trait of the living of each species over a time."""
+def gaits(run):
+    """The ten weights of each individual's pattern generator, in the order of control/gait/inherited_cpg.hpp."""
+    genes = pandas.read_csv(run / "genes.csv").query("part == 'gait'")
+    return genes.pivot(index="id", columns="index", values="value")
+
+
+def generator(weights):
+    """The matrix of a pattern generator of four hinges, shape (..., 8, 8): w_i of each hinge, then c_ij of each pair."""
+    matrix = numpy.zeros((*weights.shape[:-1], 8, 8))
+    for i in range(4):
+        matrix[..., i, 4 + i], matrix[..., 4 + i, i] = weights[..., i], -weights[..., i]
+    for place, (i, j) in enumerate(itertools.combinations(range(4), 2)):
+        matrix[..., i, j], matrix[..., j, i] = weights[..., 4 + place], -weights[..., 4 + place]
+    return matrix
+
+
+def frequency(weights):
+    """The highest frequency of a pattern generator, as a multiple of that of the shipped gait."""
+    highest = numpy.abs(
+        numpy.linalg.eigvals(generator(numpy.stack([weights, numpy.broadcast_to(SHIPPED, weights.shape)]))).imag
+    ).max(axis=-1)
+    return highest[0] / highest[1]
+
+
+GAIT = tomllib.loads((installed.models() / "gaits/spider_published.toml").read_text())
+SHIPPED = numpy.array([*GAIT["internal"], *(pair["weight"] for pair in GAIT["coupling"])])
+PACE = Trait("pace", paces, lambda genes: genes[..., 0], numpy.ones(1), 0.1, 0.1, (0.2, 10.0))
+FREQUENCY = Trait("frequency", gaits, frequency, SHIPPED, 0.05, 0.05, (-10.0, 10.0))
+
+
+def means_of(run, values, from_s, until_s):
+    """The mean of each column of values, by id, of the living of each species over a time."""
     lives = pandas.read_csv(run / "phylogeny.csv", usecols=["id", "species", "origin_time", "destruction_time"])
-    ends = lives["destruction_time"].fillna(math.inf).clip(upper=until_s)
-    weights = (ends - lives["origin_time"].clip(lower=from_s)).clip(lower=0.0)
-    values = lives["id"].map(trait)
+    ends = lives["destruction_time"].clip(upper=until_s)
+    weights = (ends - lives["origin_time"].clip(lower=from_s)).clip(lower=0.0).to_numpy()
     found = {}
     for species in SPECIES:
-        of = lives["species"] == species
-        found[species] = float((weights * values)[of].sum() / weights[of].sum())
+        of = (lives["species"] == species).to_numpy() * weights
+        found[species] = of @ values.loc[lives["id"]].to_numpy() / of.sum()
     return found
 
 
-def values_of(world, folder, name, trait_of, end_s):
+def values_of(world, folder, trait, end_s):
     """The values of each run of a world and of its neutral null: whether both species live to the end and, if they do, the mean trait of the living
     in the last sixth, and how much more that is than in the fourth sixth."""
     rows = []
-    for null, runs in selection.read_sets([folder], None, metrics.Measuring())[0].items():
-        of_null = "" if null == "runs" else null
-        for run in runs:
-            lives, number = ponds.lives_of(run.path), ponds.number_of(run)
-            if not of_null:
-                rows += [ponds.row_of(world, number, of_null, key, value) for key, value in lives.items()]
-            if lives["persists", "all", "all"] == 0.0:
-                continue
-            trait = trait_of(run.path)
-            middle, end = (
-                means_of(run.path, trait, end_s * first / 6.0, end_s * (first + 1) / 6.0) for first in (3, 5)
-            )
-            for species in SPECIES:
+    for run in selection.read_sets([folder], None, metrics.Measuring())[0]["runs"]:
+        lives, number = ponds.lives_of(run.path), ponds.number_of(run)
+        rows += [ponds.row_of(world, number, "", key, value) for key, value in lives.items()]
+        if lives["persists", "all", "all"] == 0.0 or world == "none":
+            continue
+        for null, values in (("", trait.values(run.path)), ("neutral", trait.neutral(run.path))):
+            middle, end = (means_of(run.path, values, end_s * part / 6.0, end_s * (part + 1) / 6.0) for part in (3, 5))
+            for species in (species for species, on in zip(SPECIES, WORLDS[world]) if on):
                 of = {"end": end[species], "late_change": end[species] - middle[species]}
                 rows += [
-                    ponds.row_of(world, number, of_null, (name, species, kind), value) for kind, value in of.items()
+                    ponds.row_of(world, number, null, (trait.name, species, kind), value.mean())
+                    for kind, value in of.items()
                 ]
     return rows
 
