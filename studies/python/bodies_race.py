@@ -14,16 +14,18 @@ from trophic import metrics, selection, statistics
 
 # Walks of single robots
 
-SERVO = (5.0, 0.05)
+SERVO, GRAVITY = (5.0, 0.05), 9.81
 VARIANTS = {
-    "as shipped": (1.0, SERVO),
-    "friction 0.3": (0.3, SERVO),
-    "friction 3": (3.0, SERVO),
-    "servo of a quarter": (1.0, (1.25, 0.025)),
-    "servo of a sixteenth": (1.0, (0.3125, 0.0125)),
-    "servo of four times": (1.0, (20.0, 0.1)),
+    "as shipped": (1.0, SERVO, GRAVITY),
+    "friction 0.3": (0.3, SERVO, GRAVITY),
+    "friction 3": (3.0, SERVO, GRAVITY),
+    "servo of a sixteenth": (1.0, (0.3125, 0.0125), GRAVITY),
+    "servo of a quarter": (1.0, (1.25, 0.025), GRAVITY),
+    "servo of four times": (1.0, (20.0, 0.1), GRAVITY),
+    "half the gravity": (1.0, SERVO, GRAVITY / 2.0),
+    "twice the gravity": (1.0, SERVO, GRAVITY * 2.0),
 }
-"""The spider's sliding friction, which the floor has too, and the gains of its servos by position, N m/rad, and velocity, N m s/rad."""
+"""The spider's sliding friction, which the floor has too, the gains of its servos by position, N m/rad, and velocity, N m s/rad, and gravity, m/s^2."""
 MEASURED = ("error_rad", "swing", "slip_m_s", "airborne", "overturned")
 
 
@@ -85,9 +87,9 @@ def draw_walks(rows, path):
     import matplotlib.pyplot as plt
 
     fig, axes = plt.subplots(2, 2, figsize=(10, 5.6), layout="constrained", sharex=True, sharey="row")
-    colors = ("black", "#e66101", "#5e3c99", "#1b7837", "#999999", "#2166ac")
+    colors = ("black", "#e66101", "#b35806", "#7fbf7b", "#5aae61", "#1b7837", "#67a9cf", "#2166ac")
     for column, steering in zip(axes.T, ("straight", "steered")):
-        for (variant, color), marker in zip(zip(VARIANTS, colors), "os^DPv"):
+        for (variant, color), marker in zip(zip(VARIANTS, colors), "os^DPv<>"):
             of = of_walks(rows, variant, steering)
             paces, speeds, lower, upper, overturned = (
                 numpy.array([float(row[name] or "nan") for row in of])

@@ -2,8 +2,8 @@
 // trophic-walks ROBOT...: how robots walk on MuJoCo at paces from 0.2 to 10, as CSV on standard output.
 //
 // A row is one walk of 180 s, of which the first 10 are left out. Each robot walks with its own gait, alone on an endless floor
-// with its own friction, under the physics of the table paper: straight ahead, and steered by the two outputs of a cognitive
-// brain.
+// with its own friction, under the physics of the table paper and this gravity, m/s^2: straight ahead, and steered by the two
+// outputs of a cognitive brain.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -120,7 +120,7 @@ class Walk {
 
 /// The walks of a robot from all places. They begin up to 1 mm above the floor, as contacts make walking chaotic.
 [[nodiscard]] std::vector<Walk> walks_of(const RobotModel& robot, double pace, std::span<const double> turns_rad,
-                                         double duration_s) {
+                                         double duration_s, const Physics& physics) {
   const Arena floor{
       .name = "endless_floor", .half_side_m = 1000.0, .extent_m = 2000.0, .friction = robot.friction, .height_field = {}};
   std::vector<Pose> starts;
@@ -129,7 +129,7 @@ class Walk {
     starts.push_back({.position_m = {100.0 * number - 450.0, 0.0, robot.rest_height_m + 0.001 * number / places},
                       .orientation = Eigen::Quaterniond::Identity()});
   }
-  backend::Mujoco engine{robot, floor, starts, Physics{}, {}};
+  backend::Mujoco engine{robot, floor, starts, physics, {}};
   std::vector<std::vector<double>> targets_rad(places);
   Bodies bodies{robot, engine, targets_rad};
   locomotion::Locomotion locomotion{
@@ -146,11 +146,11 @@ class Walk {
   return walks;
 }
 
-void print(const RobotModel& robot, double pace, bool is_steered, double duration_s) {
+void print(const RobotModel& robot, double pace, bool is_steered, double duration_s, const Physics& physics) {
   std::array<double, places> turns_rad{};
   for (std::size_t place = 0; place < places && is_steered; ++place)
     turns_rad[place] = place % 2 == 0 ? brain_angle_rad : -brain_angle_rad;
-  const std::vector<Walk> walks = walks_of(robot, pace, turns_rad, duration_s);
+  const std::vector<Walk> walks = walks_of(robot, pace, turns_rad, duration_s, physics);
   for (std::size_t place = 0; place < places; ++place) {
     const Walk& walk = walks[place];
     std::cout << robot.name << ',' << pace << ',' << turns_rad[place] << ',' << place << ',' << walk.speed_m_s() << ','
@@ -159,22 +159,27 @@ void print(const RobotModel& robot, double pace, bool is_steered, double duratio
   }
 }
 
+[[nodiscard]] double number_of(const std::string& name, std::string_view text, double least, double most) {
+  double number = 0.0;
+  const auto [end, failed] = std::from_chars(text.begin(), text.end(), number);
+  if (failed == std::errc{} && end == text.end() && number >= least && number <= most) return number;
+  throw std::invalid_argument{name + " = " + std::string{text} + ": must be >= " + number_text(least) +
+                              " and <= " + number_text(most)};
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    if (argc < 3) throw std::invalid_argument{"usage: trophic-walks SECONDS ROBOT..."};
-    const std::string_view seconds{argv[1]};
-    double duration_s = 0.0;
-    const auto [end, failed] = std::from_chars(seconds.begin(), seconds.end(), duration_s);
-    if (failed != std::errc{} || end != seconds.end() || !(duration_s >= 10.0 && duration_s <= 1e5))
-      throw std::invalid_argument{"SECONDS = " + std::string{seconds} + ": must be >= 10 and <= 100000"};
+    if (argc < 4) throw std::invalid_argument{"usage: trophic-walks SECONDS GRAVITY ROBOT..."};
+    const double duration_s = number_of("SECONDS", argv[1], 10.0, 1e5);
+    const Physics physics{.gravity_m_s2 = number_of("GRAVITY", argv[2], 0.1, 1000.0)};
     std::vector<RobotModel> robots;
-    for (int i = 2; i < argc; ++i) robots.push_back(load_robot(argv[i]));
+    for (int i = 3; i < argc; ++i) robots.push_back(load_robot(argv[i]));
     std::cout << "robot,pace,target_angle_rad,place,speed_m_s,error_rad,swing,slip_m_s,airborne,overturned,engine,revision\n";
     for (const RobotModel& robot : robots)
       for (const bool is_steered : {false, true})
-        for (const double pace : paces) print(robot, pace, is_steered, duration_s);
+        for (const double pace : paces) print(robot, pace, is_steered, duration_s, physics);
   } catch (const std::exception& error) {
     std::cerr << "trophic-walks: " << error.what() << "\n";
     return 1;

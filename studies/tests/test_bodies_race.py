@@ -66,13 +66,14 @@ def test_the_ceiling_is_below_the_first_pace_at_which_a_walk_turns_over(tmp_path
 
 def test_the_program_measures_walks_and_refuses_bad_input(folder):
     for words, error in (
-        (("9", "spider"), "SECONDS = 9: must be >= 10"),
-        (("10",), "usage"),
-        (("10", "no_robot"), "no_robot"),
+        (("9", "9.81", "spider"), "SECONDS = 9: must be >= 10"),
+        (("10", "0", "spider"), "GRAVITY = 0: must be >= 0.1"),
+        (("10", "9.81"), "usage"),
+        (("10", "9.81", "no_robot"), "no_robot"),
     ):
         done = folder.call("trophic-walks", *words)
         assert done.returncode == 1 and error in done.stderr
-    (pathlib.Path(folder.path) / "walks.csv").write_text(folder.run("trophic-walks", "10", "spider").stdout)
+    (pathlib.Path(folder.path) / "walks.csv").write_text(folder.run("trophic-walks", "10", "9.81", "spider").stdout)
     rows = {(row["steering"], row["pace"]): row for row in bodies_race.walk_rows("", folder.path / "walks.csv")}
     assert len(rows) == 32 and rows["straight", "1"]["walks"] == 10
     speed = {key: float(row["speed_m_s"]) for key, row in rows.items()}
