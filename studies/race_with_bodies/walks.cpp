@@ -27,6 +27,7 @@ using namespace trophic;
 constexpr std::array paces{0.2, 0.5, 0.75, 1.0, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0, 3.5, 4.0, 5.0, 6.0, 8.0, 10.0};
 constexpr std::size_t places = 10;
 constexpr double control_hz = 60.0;
+constexpr std::size_t gentle_steps = 120;  ///< in which targets grow from 0, as their jump at the start can turn a robot over
 constexpr std::size_t first_step = 600;    ///< of the control steps that are measured
 constexpr std::size_t window_steps = 300;  ///< in which the speed along the mean heading is measured
 constexpr double contact_m = 0.002;        ///< a corner lower than this touches the floor
@@ -37,13 +38,14 @@ struct Bodies {
   const RobotModel& robot;
   backend::Mujoco& engine;
   std::vector<std::vector<double>>& targets_rad;
+  double share = 0.0;  ///< of the gait's targets
   void set_joint_targets(std::size_t place, std::span<const double> targets) {
-    targets_rad[place].assign(targets.begin(), targets.end());
+    targets_rad[place].resize(targets.size());
     for (std::size_t hinge = 0; hinge < targets.size(); ++hinge) {
       const double limit = robot.hinges[hinge].servo.target_limit_rad;
-      targets_rad[place][hinge] = std::clamp(targets[hinge], -limit, limit);
+      targets_rad[place][hinge] = share * std::clamp(targets[hinge], -limit, limit);
     }
-    engine.set_joint_targets(place, targets);
+    engine.set_joint_targets(place, targets_rad[place]);
   }
   void advance_to(double time_s) { engine.advance_to(time_s); }
 };
@@ -138,6 +140,7 @@ class Walk {
   std::vector<Walk> walks(places);
   const std::size_t last_step = first_step + static_cast<std::size_t>(std::llround(duration_s * control_hz));
   for (std::size_t step = 1; step <= last_step; ++step) {
+    bodies.share = std::min(1.0, static_cast<double>(step) / gentle_steps);
     locomotion.advance(bodies, 1, turns_rad);
     if (step < first_step) continue;
     for (std::size_t place = 0; place < places; ++place)
