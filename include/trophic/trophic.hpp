@@ -18,6 +18,7 @@
 #include <trophic/control/gait/learnt.hpp>
 #include <trophic/control/gait/named_gait.hpp>
 #include <trophic/control/pace/constant_pace.hpp>
+#include <trophic/control/pace/inherited_pace.hpp>
 #include <trophic/control/steering/bending_steering.hpp>
 #include <trophic/control/steering/no_steering.hpp>
 #include <trophic/death/activation/founders_start_active.hpp>
