@@ -10,6 +10,7 @@ import installed
 import numpy
 import pandas
 import ponds
+import traits
 from trophic import metrics, selection, statistics
 
 # Walks of single robots
@@ -130,19 +131,14 @@ def switches(world):
     return [f"rules.heredity.{species}.inherited={str(on).lower()}" for species, on in zip(SPECIES, WORLDS[world])]
 
 
-NULLS = 200
-"""How often the genomes of a run are dealt anew."""
-
-
 class Trait(NamedTuple):
-    """An inherited trait of individuals: its name, the genes of a run by id, shape (individuals, genes), and the rule by which they are drawn and
-    mutate, which are normal deviates within bounds. `of` makes values of genes, shape (..., genes)."""
+    """An inherited trait of individuals: its name, the genes of a run by id, shape (individuals, genes), and the values that it makes of genes, shape
+    (..., genes). Each gene begins at `first` and mutates by normal deviates within bounds, at the first birth too."""
 
     name: str
     genes: Callable
     of: Callable
     first: numpy.ndarray
-    first_sd: float
     sd: float
     bounds: tuple
 
@@ -151,16 +147,15 @@ class Trait(NamedTuple):
         genes = self.genes(run)
         return pandas.DataFrame(self.of(genes.to_numpy())[:, None], index=genes.index)
 
-    def neutral(self, run, nulls=NULLS):
-        """The same if genomes do not decide who is born, dies and is a parent: each run's births with independent genomes, `nulls` times. The neutral
-        null of `--neutral` is one of these, and costs as much as a run."""
-        lives = pandas.read_csv(run / "phylogeny.csv", usecols=["id", "ancestor_id", "origin"]).sort_values("id")
-        draws, found = numpy.random.default_rng(int(lives["id"].max())), {}
-        for id, parent, origin in lives[["id", "ancestor_id", "origin"]].itertuples(index=False):
-            parents = found[int(parent)] if origin == "inherited" else self.first
-            sd = self.sd if origin == "inherited" else self.first_sd
-            found[id] = numpy.clip(parents + draws.normal(0.0, sd, (nulls, len(self.first))), *self.bounds)
-        return pandas.DataFrame([self.of(found[id]) for id in lives["id"]], index=lives["id"])
+    def drift(self, run, inherits, draws=traits.DRAWS):
+        """The same if nothing selects, as traits.dropped has it: a column a draw. `inherits`: by species."""
+        born = pandas.read_csv(run / "phylogeny.csv", usecols=["id", "ancestor_id", "species"])
+        born = born.sort_values("id", ignore_index=True)
+        rule, generator = {"sd": self.sd, **dict(zip(("least", "most"), self.bounds))}, numpy.random.default_rng(
+            len(born)
+        )
+        genes = [traits.dropped(born, rule | {"first": first}, inherits, generator, draws) for first in self.first]
+        return pandas.DataFrame(self.of(numpy.stack(genes, axis=-1)), index=born["id"])
 
 
 def paces(run):
@@ -193,8 +188,8 @@ def frequency(weights):
 
 GAIT = tomllib.loads((installed.models() / "gaits/spider_published.toml").read_text())
 SHIPPED = numpy.array([*GAIT["internal"], *(pair["weight"] for pair in GAIT["coupling"])])
-PACE = Trait("pace", paces, lambda genes: genes[..., 0], numpy.ones(1), 0.1, 0.1, (0.2, 10.0))
-FREQUENCY = Trait("frequency", gaits, frequency, SHIPPED, 0.05, 0.05, (-10.0, 10.0))
+PACE = Trait("pace", paces, lambda genes: genes[..., 0], numpy.ones(1), 0.1, (0.2, 10.0))
+FREQUENCY = Trait("frequency", gaits, frequency, SHIPPED, 0.05, (-10.0, 10.0))
 
 
 def means_of(run, values, from_s, until_s):
@@ -218,7 +213,10 @@ def values_of(world, folder, trait, end_s):
         rows += [ponds.row_of(world, number, "", key, value) for key, value in lives.items()]
         if lives["persists", "all", "all"] == 0.0 or world == "none":
             continue
-        for null, values in (("", trait.values(run.path)), ("neutral", trait.neutral(run.path))):
+        for null, values in (
+            ("", trait.values(run.path)),
+            ("neutral", trait.drift(run.path, dict(zip(SPECIES, WORLDS[world])))),
+        ):
             middle, end = (means_of(run.path, values, end_s * part / 6.0, end_s * (part + 1) / 6.0) for part in (3, 5))
             for species in (species for species, on in zip(SPECIES, WORLDS[world]) if on):
                 of = {"end": end[species], "late_change": end[species] - middle[species]}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The race with bodies: walks of single robots, and the null of an inherited trait."""
+"""The race with bodies: walks of single robots, and drift of an inherited trait."""
 import pathlib
 
 import bodies_race
@@ -17,30 +17,28 @@ def test_the_frequency_of_a_gait_is_a_multiple_of_the_shipped_one():
 
 
 def written(folder, births):
-    """A run of prey of 60 s: ids with their parents (none: -1) and times of birth and death."""
-    rows = [
-        f"{id},{'none' if parent < 0 else parent},{born},{died},prey,{'random' if parent < 0 else 'inherited'}"
-        for id, (parent, born, died) in enumerate(births)
-    ]
-    head = "id,ancestor_id,origin_time,destruction_time,species,origin"
-    (folder / "phylogeny.csv").write_text("\n".join([head, *rows]) + "\n")
+    """A run of prey of 60 s: ids with their parents (their own id: none) and times of birth and death."""
+    rows = [f"{id},{parent},{born},{died},prey" for id, (parent, born, died) in enumerate(births)]
+    (folder / "phylogeny.csv").write_text(
+        "\n".join(["id,ancestor_id,origin_time,destruction_time,species", *rows]) + "\n"
+    )
     return folder
 
 
-def test_the_null_repeats_births_with_mutations_of_its_own(tmp_path):
-    run = written(tmp_path, [(-1, 0, 10), (0, 5, 30), (1, 20, 60), (-1, 0, 60)])
-    null = bodies_race.PACE.neutral(run, nulls=4000)
-    assert null.mean(axis=1).to_numpy() == pytest.approx(numpy.ones(4), abs=0.02)
-    # a mutation of sd 0.1 at each birth, founders' own included
-    assert null.std(axis=1).to_numpy() == pytest.approx(0.1 * numpy.sqrt([1, 2, 3, 1]), rel=0.05)
-    assert numpy.corrcoef(null.loc[1], null.loc[2])[0, 1] == pytest.approx(numpy.sqrt(2 / 3), abs=0.05)
-    assert abs(numpy.corrcoef(null.loc[2], null.loc[3])[0, 1]) < 0.06
-    bounded = bodies_race.PACE._replace(bounds=(0.95, 1.05)).neutral(run)
-    assert (bounded.min().min(), bounded.max().max()) == (0.95, 1.05)
+def test_drift_of_each_gene_is_independent_and_makes_the_trait(tmp_path):
+    run = written(tmp_path, [(0, 0, 10), (0, 5, 30), (1, 20, 60), (3, 0, 60)])
+    pace = bodies_race.PACE.drift(run, {"prey": True}, draws=4000)
+    assert pace.mean(axis=1).to_numpy() == pytest.approx(numpy.ones(4), abs=0.02)
+    assert pace.std(axis=1).to_numpy() == pytest.approx(0.1 * numpy.sqrt([1, 2, 3, 1]), rel=0.05)
+    # a trait of ten genes: their squares add up
+    squares = bodies_race.FREQUENCY._replace(of=lambda genes: ((genes - bodies_race.SHIPPED) ** 2).sum(axis=-1))
+    found = squares.drift(run, {"prey": True}, draws=4000).mean(axis=1).to_numpy()
+    assert found == pytest.approx(10 * 0.05**2 * numpy.array([1, 2, 3, 1]), rel=0.05)
+    assert bodies_race.FREQUENCY.drift(run, {"prey": False}).mean(axis=1).to_numpy() == pytest.approx(1.0, abs=0.01)
 
 
 def test_a_mean_weights_individuals_by_their_time(tmp_path):
-    run = written(tmp_path, [(-1, 0, 10), (0, 5, 30), (1, 20, "inf")])
+    run = written(tmp_path, [(0, 0, 10), (0, 5, 30), (1, 20, "inf")])
     values = pandas.DataFrame({0: [1.0, 2.0, 5.0]})
     assert bodies_race.means_of(run, values, 0.0, 60.0)["prey"] == pytest.approx((10 * 1 + 25 * 2 + 40 * 5) / 75)
     assert bodies_race.means_of(run, values, 25.0, 35.0)["prey"] == pytest.approx((5 * 2 + 10 * 5) / 15)
