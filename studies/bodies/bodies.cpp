@@ -6,6 +6,6 @@
 
 int main(int argc, char** argv) {
   using namespace trophic::bodies_study;
-  return trophic::experiment<EvolvingBodies, EvolvingBodiesBySurvival, EvolvingPond, EvolvingBrains, EvolvingBrainsBySurvival>(
-      argc, argv);
+  return trophic::experiment<EvolvingBodies, EvolvingBodiesBySurvival, EvolvingPond, GaitsRace, EvolvingBrains,
+                             EvolvingBrainsBySurvival>(argc, argv);
 }

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <trophic/control/brain/growing_brain.hpp>
+#include <trophic/control/gait/inherited_cpg.hpp>
 #include <trophic/control/gait/inherited_cppn.hpp>
 #include <trophic/initialization/embodiment/stands_up.hpp>
 #include <trophic/reproduction/body_plan/inherited_modules.hpp>
 #include <trophic/reproduction/genome_source/always_inherited.hpp>
+#include <trophic/reproduction/heredity/switched.hpp>
 #include <trophic/reproduction/parent/any_survivor.hpp>
 #include <trophic/reproduction/parent/killer.hpp>
 #include <trophic/reproduction/parent/nearest_active_victim.hpp>
@@ -68,6 +70,22 @@ using EvolvingBodies = named<with_params<Bodies<Lineages>, turnover>, "evolving_
 using EvolvingBodiesBySurvival = named<with_params<Bodies<LineagesBySurvival>, turnover>, "evolving_bodies_by_survival">;
 /// Energy decides who lives and, among the active, who has offspring.
 using EvolvingPond = named<Bodies<worlds::Pond>, "evolving_pond">;
+
+/// Gaits walk faster if their weights grow, up to ten times the first ones.
+inline constexpr auto with_room_to_grow = [](auto& params) {
+  const auto widen = [](auto& gait) {
+    gait.sd = 0.05;
+    gait.limit = 10.0;
+  };
+  widen(params.gait.template get<0>());
+  widen(params.gait.template get<1>());
+};
+/// The pond in which both species inherit the weights of their gait, or one does against another that inherits nothing.
+using GaitsRace =
+    named<with_params<with_gait<with_heredity<worlds::Pond, by_species<reproduction::heredity::Switched<worlds::Pond::Heredity>>>,
+                                by_species<control::gait::InheritedCpg>>,
+                      with_room_to_grow>,
+          "gaits_race">;
 using EvolvingBrains = named<Brains<Lineages>, "evolving_brains">;
 using EvolvingBrainsBySurvival = named<Brains<LineagesBySurvival>, "evolving_brains_by_survival">;
 

@@ -5,6 +5,7 @@ import re
 import sys
 
 import answers
+import bodies_race
 import designs
 import ponds
 import provenance
@@ -1141,6 +1142,95 @@ def draw_atlas(rows, path):
     fig.savefig(path, dpi=150)
 
 
+def walked(row):
+    """A speed with its interval, cm/s."""
+    return signed(row, ("speed_m_s", "lower", "upper"), 100.0, "")
+
+
+def walks(rows):
+    """How the spider as shipped walks at each pace."""
+    of = [bodies_race.of_walks(rows, "as shipped", steering) for steering in ("straight", "steered")]
+    lines = []
+    for straight, steered in zip(*of):
+        line = [straight["pace"]]
+        for row in (straight, steered):
+            line += [walked(row), f"{row['upright_walks']} of {row['walks']}"]
+        error, swing, airborne = (float(steered[name]) for name in ("error_rad", "swing", "airborne"))
+        lines.append(
+            [*line, f"{error:.3f}", f"{swing:.3f}", f"{100.0 * float(steered['slip_m_s']):.1f}", f"{airborne:.2f}"]
+        )
+    head = ["pace", "straight, cm/s", "upright walks", "steered, cm/s", "upright walks"]
+    return table([*head, "tracking error, rad", "swing", "slip, cm/s", "airborne"], lines)
+
+
+def walk_ceilings(rows):
+    """The ceiling of each variant and steering, and where it lies."""
+    lines = []
+    for variant in bodies_race.VARIANTS:
+        for steering in ("straight", "steered"):
+            of = bodies_race.of_walks(rows, variant, steering)
+            at_one = next(row for row in of if row["pace"] == "1")
+            best, beyond = bodies_race.ceiling(of)
+            times = float(best["speed_m_s"]) / float(at_one["speed_m_s"])
+            lines.append(
+                [
+                    variant,
+                    steering,
+                    walked(at_one),
+                    walked(best),
+                    best["pace"],
+                    f"{times:.1f}",
+                    f"{float(best['error_rad']):.3f}",
+                    f"{float(best['swing']):.3f}",
+                    f"{100.0 * float(best['slip_m_s']):.1f}",
+                    f"{float(best['airborne']):.2f}",
+                    f"{beyond['upright_walks']} of {beyond['walks']} at {beyond['pace']}" if beyond else "",
+                ]
+            )
+    head = ["spider", "steering", "at pace 1, cm/s", "ceiling, cm/s", "at pace", "times pace 1", "tracking error, rad"]
+    return table([*head, "swing", "slip, cm/s", "airborne", "upright walks beyond"], lines)
+
+
+def raced_with_bodies(data, name):
+    """The family of tests of the race with bodies, and persistence; a sentence if no run is complete."""
+    if not (data.folder / f"{name}.csv").exists():
+        return "No run of this design is complete.\n"
+    rows = data(name)
+    words = {"end": "at the end", "late_change": "late change"}
+    lines = []
+    for row in rows:
+        if row["metric"] == "persists":
+            continue
+        lines.append(
+            [
+                {"both": "both inherit", "prey": "prey alone", "predator": "predators alone"}.get(
+                    row["set"], row["set"]
+                ),
+                {"predator": "predators"}.get(row["species"], row["species"]),
+                words[row["group"]],
+                row["mean"] and f"{float(row['mean']):.3g}",
+                row["null_mean"] and f"{float(row['null_mean']):.3g}",
+                signed(row, ("difference", "difference_lower", "difference_upper")) + star(row["p_holm"]),
+                p_text(row["p_holm"]),
+                row["detectable"] and f"{float(row['detectable']):.2g}",
+                row["runs"] + (f" and {row['null_runs']}" if row["null"] == "alone" else ""),
+            ]
+        )
+    persists = [[row["set"], share(row), row["runs"]] for row in rows if row["metric"] == "persists"]
+    head = [
+        "world",
+        "of",
+        "when",
+        "mean",
+        "null, or alone",
+        "difference",
+        "p (Holm)",
+        "found in 80 %",
+        "runs that persist",
+    ]
+    return table(head, lines) + "\n" + table(["who inherits", "both persist", "runs"], persists)
+
+
 def open_choices(choices):
     """The list of open choices."""
     lines = [
@@ -1200,6 +1290,12 @@ def tables(data, choices):
     }
     made["living mujoco"] = lambda: living([row for row in data("no_criterion_mujoco") if row["metric"] == "velocity"])
     made["living evolving"] = lambda: evolving_ponds(data)
+    made |= {
+        "walks": lambda: walks(data("race_with_bodies_walks")),
+        "walks ceilings": lambda: walk_ceilings(data("race_with_bodies_walks")),
+        "race with bodies": lambda: raced_with_bodies(data, "race_with_bodies"),
+        "race with bodies gaits": lambda: raced_with_bodies(data, "race_with_bodies_gaits"),
+    }
     for name in ("arms_race", "ranges", "room", "mujoco", "mujoco_brains"):
         made[f"race {name}"] = lambda name=name: race(data(f"race_{name}"))
     for backend in ("kinematic", "mujoco"):

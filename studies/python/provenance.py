@@ -121,6 +121,8 @@ STUDY = {
     "pond-race-again": ("studies/red_queen",),
     "pond-race-small-steps": ("studies/red_queen",),
     "pond-sight": ("studies/red_queen", "studies/race"),
+    "race-with-bodies-gaits": ("studies/bodies",),
+    "race-with-bodies-walks": ("studies/race_with_bodies",),
     "ranges": ("studies/readings",),
     "red-queen": ("studies/red_queen", "studies/arms_race"),
     "red-queen-mujoco": ("studies/red_queen", "studies/arms_race"),

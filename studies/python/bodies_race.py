@@ -1,0 +1,284 @@
+# SPDX-License-Identifier: MIT
+"""The race with bodies: walks of single robots at different paces, and pace, or the gait's frequency, that is inherited in the pond on MuJoCo."""
+import itertools
+import tomllib
+from collections.abc import Callable
+from typing import NamedTuple
+
+import designs
+import installed
+import numpy
+import pandas
+import ponds
+import traits
+from trophic import metrics, selection, statistics
+
+# Walks of single robots
+
+SERVO, GRAVITY = (5.0, 0.05), 9.81
+VARIANTS = {
+    "as shipped": (1.0, SERVO, GRAVITY),
+    "friction 0.3": (0.3, SERVO, GRAVITY),
+    "friction 3": (3.0, SERVO, GRAVITY),
+    "servo of a sixteenth": (1.0, (0.3125, 0.0125), GRAVITY),
+    "servo of a quarter": (1.0, (1.25, 0.025), GRAVITY),
+    "servo of four times": (1.0, (20.0, 0.1), GRAVITY),
+    "half the gravity": (1.0, SERVO, GRAVITY / 2.0),
+    "twice the gravity": (1.0, SERVO, GRAVITY * 2.0),
+}
+"""The spider's sliding friction, which the floor has too, the gains of its servos by position, N m/rad, and velocity, N m s/rad, and gravity, m/s^2."""
+MEASURED = ("error_rad", "swing", "slip_m_s", "airborne", "overturned")
+
+
+def walk_rows(variant, table):
+    """A row for each steering and pace of a table of trophic-walks: the mean speed of its walks with its interval, means of the other measures, and
+    how many walks are upright throughout."""
+    walks = pandas.read_csv(table)
+    walks["steering"] = numpy.where(walks["target_angle_rad"] == 0.0, "straight", "steered")
+    rows = []
+    for (steering, pace), of in walks.groupby(["steering", "pace"], sort=False):
+        speed = statistics.estimate(of["speed_m_s"])
+        rows.append(
+            {
+                "variant": variant,
+                "steering": steering,
+                "pace": f"{pace:g}",
+                "walks": len(of),
+                "upright_walks": int((of["overturned"] == 0.0).sum()),
+                "speed_m_s": designs.number(speed.mean),
+                **dict(zip(("lower", "upper"), map(designs.number, speed.interval or (None, None)))),
+                **{name: designs.number(of[name].mean()) for name in MEASURED},
+            }
+        )
+    return rows
+
+
+def walk_facts(table):
+    """The origin of each walk of a table of trophic-walks, as provenance.facts has that of a run."""
+    return [
+        {
+            "revision": row["revision"],
+            "engine": row["engine"],
+            "table": "spider",
+            "seed": "none",
+            "master": None,
+            "null": "",
+        }
+        for row in designs.read(table)
+    ]
+
+
+def of_walks(rows, variant, steering):
+    return [row for row in rows if (row["variant"], row["steering"]) == (variant, steering)]
+
+
+def ceiling(rows):
+    """Of the rows of a variant and steering: the fastest of the paces up to which every walk is upright throughout, and the first pace beyond."""
+    upright, beyond = [], None
+    for row in sorted(rows, key=lambda row: float(row["pace"])):
+        if row["upright_walks"] != row["walks"]:
+            beyond = row
+            break
+        upright.append(row)
+    return max(upright, key=lambda row: float(row["speed_m_s"]), default=None), beyond
+
+
+def draw_walks(rows, path):
+    """Speed, and the share of the time upside down, against pace."""
+    import matplotlib.pyplot as plt
+
+    fig, axes = plt.subplots(2, 2, figsize=(10, 5.6), layout="constrained", sharex=True, sharey="row")
+    colors = ("black", "#e66101", "#b35806", "#7fbf7b", "#5aae61", "#1b7837", "#67a9cf", "#2166ac")
+    for column, steering in zip(axes.T, ("straight", "steered")):
+        for (variant, color), marker in zip(zip(VARIANTS, colors), "os^DPv<>"):
+            of = of_walks(rows, variant, steering)
+            paces, speeds, lower, upper, overturned = (
+                numpy.array([float(row[name] or "nan") for row in of])
+                for name in ("pace", "speed_m_s", "lower", "upper", "overturned")
+            )
+            bars = 100.0 * numpy.array([speeds - lower, upper - speeds])
+            style = {"color": color, "marker": marker, "ms": 3.5, "lw": 1.0, "label": variant}
+            column[0].errorbar(paces, 100.0 * speeds, yerr=bars, capsize=2, **style)
+            column[1].plot(paces, overturned, **style)
+        column[0].axhline(0.0, color="grey", lw=0.8)
+        column[0].set_title({"straight": "straight ahead", "steered": "steered by ±0.7 rad"}[steering], fontsize=10)
+        column[1].set(xlabel="pace [fraction of the gait's frequency]", xscale="log")
+        column[1].set_xticks([0.2, 0.5, 1, 2, 4, 10], ["0.2", "0.5", "1", "2", "4", "10"])
+    axes[0, 0].set_ylabel("speed along the heading [cm/s]")
+    axes[1, 0].set_ylabel("share of the time upside down")
+    axes[0, 0].legend(fontsize=8)
+    fig.supxlabel("means of 10 walks of 180 s; bars: 95 % intervals", fontsize=8)
+    fig.savefig(path, dpi=150)
+
+
+# Worlds
+
+WORLDS = {"both": (True, True), "prey": (True, False), "predator": (False, True), "none": (False, False)}
+"""Whether prey and predators inherit."""
+SPECIES = ("prey", "predator")
+SETTINGS = [
+    "ecology.robots=150",
+    "rules.community.predators=12",
+    "rules.recruitment.spare_bodies=90",
+    "rules.resource.cells_in_a_row=20",
+    "rules.metabolism.predator.efficiency=0.3",
+]
+"""The numbers of `pond`: pond_race is larger, and its predators get less from their prey."""
+TESTED = tuple((species, kind) for kind in ("end", "late_change") for species in SPECIES)
+
+
+def switches(world):
+    return [f"rules.heredity.{species}.inherited={str(on).lower()}" for species, on in zip(SPECIES, WORLDS[world])]
+
+
+class Trait(NamedTuple):
+    """An inherited trait of individuals: its name, the genes of a run by id, shape (individuals, genes), and the values that it makes of genes, shape
+    (..., genes). Each gene begins at `first` and mutates by normal deviates within bounds, at the first birth too."""
+
+    name: str
+    genes: Callable
+    of: Callable
+    first: numpy.ndarray
+    sd: float
+    bounds: tuple
+
+    def values(self, run):
+        """The trait of each individual, as a column, by id."""
+        genes = self.genes(run)
+        return pandas.DataFrame(self.of(genes.to_numpy())[:, None], index=genes.index)
+
+    def drift(self, run, inherits, draws=traits.DRAWS):
+        """The same if nothing selects, as traits.dropped has it: a column a draw. `inherits`: by species."""
+        born = pandas.read_csv(run / "phylogeny.csv", usecols=["id", "ancestor_id", "species"])
+        born = born.sort_values("id", ignore_index=True)
+        rule, generator = {"sd": self.sd, **dict(zip(("least", "most"), self.bounds))}, numpy.random.default_rng(
+            len(born)
+        )
+        genes = [traits.dropped(born, rule | {"first": first}, inherits, generator, draws) for first in self.first]
+        return pandas.DataFrame(self.of(numpy.stack(genes, axis=-1)), index=born["id"])
+
+
+def paces(run):
+    return pandas.read_csv(run / "genomes.csv", usecols=["id", "walking_pace"]).set_index("id")
+
+
+def gaits(run):
+    """The ten weights of each individual's pattern generator, in the order of control/gait/inherited_cpg.hpp."""
+    genes = pandas.read_csv(run / "genes.csv").query("part == 'gait'")
+    return genes.pivot(index="id", columns="index", values="value")
+
+
+def generator(weights):
+    """The matrix of a pattern generator of four hinges, shape (..., 8, 8): w_i of each hinge, then c_ij of each pair."""
+    matrix = numpy.zeros((*weights.shape[:-1], 8, 8))
+    for i in range(4):
+        matrix[..., i, 4 + i], matrix[..., 4 + i, i] = weights[..., i], -weights[..., i]
+    for place, (i, j) in enumerate(itertools.combinations(range(4), 2)):
+        matrix[..., i, j], matrix[..., j, i] = weights[..., 4 + place], -weights[..., 4 + place]
+    return matrix
+
+
+def frequency(weights):
+    """The highest frequency of a pattern generator, as a multiple of that of the shipped gait."""
+    highest = numpy.abs(
+        numpy.linalg.eigvals(generator(numpy.stack([weights, numpy.broadcast_to(SHIPPED, weights.shape)]))).imag
+    ).max(axis=-1)
+    return highest[0] / highest[1]
+
+
+GAIT = tomllib.loads((installed.models() / "gaits/spider_published.toml").read_text())
+SHIPPED = numpy.array([*GAIT["internal"], *(pair["weight"] for pair in GAIT["coupling"])])
+PACE = Trait("pace", paces, lambda genes: genes[..., 0], numpy.ones(1), 0.1, (0.2, 10.0))
+FREQUENCY = Trait("frequency", gaits, frequency, SHIPPED, 0.05, (-10.0, 10.0))
+
+
+def means_of(run, values, from_s, until_s):
+    """The mean of each column of values, by id, of the living of each species over a time."""
+    lives = pandas.read_csv(run / "phylogeny.csv", usecols=["id", "species", "origin_time", "destruction_time"])
+    ends = lives["destruction_time"].clip(upper=until_s)
+    weights = (ends - lives["origin_time"].clip(lower=from_s)).clip(lower=0.0).to_numpy()
+    found = {}
+    for species in SPECIES:
+        of = (lives["species"] == species).to_numpy() * weights
+        found[species] = of @ values.loc[lives["id"]].to_numpy() / of.sum()
+    return found
+
+
+def values_of(world, folder, trait, end_s):
+    """The values of each run of a world and of its neutral null: whether both species live to the end and, if they do, the mean trait of the living
+    in the last sixth, and how much more that is than in the fourth sixth."""
+    rows = []
+    for run in selection.read_sets([folder], None, metrics.Measuring())[0]["runs"]:
+        lives, number = ponds.lives_of(run.path), ponds.number_of(run)
+        rows += [ponds.row_of(world, number, "", key, value) for key, value in lives.items()]
+        if lives["persists", "all", "all"] == 0.0 or world == "none":
+            continue
+        for null, values in (
+            ("", trait.values(run.path)),
+            ("neutral", trait.drift(run.path, dict(zip(SPECIES, WORLDS[world])))),
+        ):
+            middle, end = (means_of(run.path, values, end_s * part / 6.0, end_s * (part + 1) / 6.0) for part in (3, 5))
+            for species in (species for species, on in zip(SPECIES, WORLDS[world]) if on):
+                of = {"end": end[species], "late_change": end[species] - middle[species]}
+                rows += [
+                    ponds.row_of(world, number, null, (trait.name, species, kind), value.mean())
+                    for kind, value in of.items()
+                ]
+    return rows
+
+
+def results(rows, name):
+    """One family (Holm): a trait over its neutral null where both inherit, at the end and its late change, and at the end less than where this side
+    alone inherits. Then what is described."""
+    values, tested = ponds.Values(rows), []
+    for species, kind in TESTED:
+        tested.append(ponds.over(values, "both", (name, species, kind), "primary", "neutral"))
+    for species in SPECIES:
+        both, alone = (values(world, (name, species, "end")) for world in ("both", species))
+        of = ponds.difference((1.0, both), (-1.0, alone))
+        tested.append(ponds.result("both less alone", (name, species, "end"), "primary", both, "alone", alone, of))
+    worlds = [world for world in WORLDS if len(values(world, ("persists", "all", "all")))]
+    described = [
+        ponds.result(world, ("persists", "all", "all"), "described", values(world, ("persists", "all", "all")))
+        for world in worlds
+    ]
+    described += [
+        ponds.over(values, world, (name, species, "end"), "described", "neutral")
+        for world in worlds
+        for species, on in zip(SPECIES, WORLDS[world])
+        if on and world != "both"
+    ]
+    for row, (world, other) in zip(tested, [("both", "neutral")] * 4 + [("both", None)] * 2):
+        key = (name, row["species"], row["group"])
+        against = values(world, key, other) if other else values(row["species"], key)
+        of = statistics.contrast((1.0, values(world, key)), (-1.0, against))
+        row["detectable"] = designs.number(of and statistics.detectable_difference(of, 0.05 / len(tested)))
+    for row in described:
+        row["detectable"] = ""
+    return [*ponds.with_tests(tested), *ponds.with_tests(described, are_tested=False)]
+
+
+def speeds_of(folder, width=0.25):
+    """Of the individuals of the runs below this folder: how far apart two of their rows are, by time, cm/s, and by their pace. Rows near walls and
+    others count."""
+    found = []
+    for table in sorted(folder.glob("*/replicate-*/agents.csv")):
+        agents = pandas.read_csv(table, usecols=["time_s", "id", "species", "x_m", "y_m", "walking_pace"])
+        agents = agents.sort_values(["id", "time_s"])
+        before = agents.groupby("id")[["time_s", "x_m", "y_m"]].shift()
+        took_s = agents["time_s"] - before["time_s"]
+        speed = numpy.hypot(agents["x_m"] - before["x_m"], agents["y_m"] - before["y_m"]) / took_s
+        of = {"species": agents["species"], "pace": agents["walking_pace"], "speed": speed}
+        found.append(pandas.DataFrame(of).dropna())
+    every = pandas.concat(found)
+    every["from"] = numpy.floor(every["pace"] / width) * width
+    return [
+        {
+            "species": species,
+            "pace_from": f"{low:g}",
+            "pace_to": f"{low + width:g}",
+            "rows": len(of),
+            "speed_cm_s": designs.number(100.0 * of["speed"].mean()),
+        }
+        for (species, low), of in every.groupby(["species", "from"])
+    ]

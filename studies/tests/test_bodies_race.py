@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: MIT
+"""The race with bodies: walks of single robots, and drift of an inherited trait."""
+import pathlib
+
+import bodies_race
+import numpy
+import pandas
+import pytest
+
+
+def test_the_frequency_of_a_gait_is_a_multiple_of_the_shipped_one():
+    assert bodies_race.frequency(bodies_race.SHIPPED) == pytest.approx(1.0)
+    assert bodies_race.frequency(2.5 * bodies_race.SHIPPED) == pytest.approx(2.5)
+    apart = numpy.array([0.5, -1.0, 2.0, 0.1, 0, 0, 0, 0, 0, 0])  # oscillators without links: the fastest is 2 rad/s
+    shipped = numpy.abs(numpy.linalg.eigvals(bodies_race.generator(bodies_race.SHIPPED)).imag).max()
+    assert bodies_race.frequency(numpy.stack([apart, bodies_race.SHIPPED])) == pytest.approx([2.0 / shipped, 1.0])
+
+
+def written(folder, births):
+    """A run of prey of 60 s: ids with their parents (their own id: none) and times of birth and death."""
+    rows = [f"{id},{parent},{born},{died},prey" for id, (parent, born, died) in enumerate(births)]
+    (folder / "phylogeny.csv").write_text(
+        "\n".join(["id,ancestor_id,origin_time,destruction_time,species", *rows]) + "\n"
+    )
+    return folder
+
+
+def test_drift_of_each_gene_is_independent_and_makes_the_trait(tmp_path):
+    run = written(tmp_path, [(0, 0, 10), (0, 5, 30), (1, 20, 60), (3, 0, 60)])
+    pace = bodies_race.PACE.drift(run, {"prey": True}, draws=4000)
+    assert pace.mean(axis=1).to_numpy() == pytest.approx(numpy.ones(4), abs=0.02)
+    assert pace.std(axis=1).to_numpy() == pytest.approx(0.1 * numpy.sqrt([1, 2, 3, 1]), rel=0.05)
+    # a trait of ten genes: their squares add up
+    squares = bodies_race.FREQUENCY._replace(of=lambda genes: ((genes - bodies_race.SHIPPED) ** 2).sum(axis=-1))
+    found = squares.drift(run, {"prey": True}, draws=4000).mean(axis=1).to_numpy()
+    assert found == pytest.approx(10 * 0.05**2 * numpy.array([1, 2, 3, 1]), rel=0.05)
+    assert bodies_race.FREQUENCY.drift(run, {"prey": False}).mean(axis=1).to_numpy() == pytest.approx(1.0, abs=0.01)
+
+
+def test_a_mean_weights_individuals_by_their_time(tmp_path):
+    run = written(tmp_path, [(0, 0, 10), (0, 5, 30), (1, 20, "inf")])
+    values = pandas.DataFrame({0: [1.0, 2.0, 5.0]})
+    assert bodies_race.means_of(run, values, 0.0, 60.0)["prey"] == pytest.approx((10 * 1 + 25 * 2 + 40 * 5) / 75)
+    assert bodies_race.means_of(run, values, 25.0, 35.0)["prey"] == pytest.approx((5 * 2 + 10 * 5) / 15)
+
+
+def walks(pace, speeds, overturned):
+    return [
+        f"spider,{pace},0,{place},{speed},0.03,0.99,0.05,0.1,{share},MuJoCo 2.2.2,abc"
+        for place, (speed, share) in enumerate(zip(speeds, overturned))
+    ]
+
+
+def test_the_ceiling_is_below_the_first_pace_at_which_a_walk_turns_over(tmp_path):
+    head = "robot,pace,target_angle_rad,place,speed_m_s,error_rad,swing,slip_m_s,airborne,overturned,engine,revision"
+    rows = [*walks(1, (0.04, 0.06), (0, 0)), *walks(2, (0.11, 0.09), (0, 0)), *walks(3, (0.2, 0.3), (0, 0.5))]
+    (tmp_path / "walks.csv").write_text("\n".join([head, *rows, *walks(4, (0.4, 0.4), (0, 0))]) + "\n")
+    rows = bodies_race.walk_rows("as shipped", tmp_path / "walks.csv")
+    best, beyond = bodies_race.ceiling(rows)
+    assert (best["pace"], best["speed_m_s"], beyond["pace"], beyond["upright_walks"]) == ("2", "0.1", "3", 1)
+    assert bodies_race.ceiling(rows[2:3]) == (None, rows[2])
+    assert len(bodies_race.walk_facts(tmp_path / "walks.csv")) == 8
+
+
+def test_the_program_measures_walks_and_refuses_bad_input(folder):
+    for words, error in (
+        (("9", "9.81", "spider"), "SECONDS = 9: must be >= 10"),
+        (("10", "0", "spider"), "GRAVITY = 0: must be >= 0.1"),
+        (("10", "9.81"), "usage"),
+        (("10", "9.81", "no_robot"), "no_robot"),
+    ):
+        done = folder.call("trophic-walks", *words)
+        assert done.returncode == 1 and error in done.stderr
+    (pathlib.Path(folder.path) / "walks.csv").write_text(folder.run("trophic-walks", "10", "9.81", "spider").stdout)
+    rows = {(row["steering"], row["pace"]): row for row in bodies_race.walk_rows("", folder.path / "walks.csv")}
+    assert len(rows) == 32 and rows["straight", "1"]["walks"] == 10
+    speed = {key: float(row["speed_m_s"]) for key, row in rows.items()}
+    assert speed["straight", "1"] == pytest.approx(0.049, rel=0.1)
+    assert speed["steered", "1"] == pytest.approx(0.0429, rel=0.1)  # the robot file's own measure
+    assert speed["straight", "2"] == pytest.approx(2.0 * speed["straight", "1"], rel=0.2)
+    assert rows["straight", "2"]["upright_walks"] == 10 and rows["straight", "10"]["upright_walks"] < 10
