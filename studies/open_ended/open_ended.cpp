@@ -4,4 +4,6 @@
 
 #include "tables.hpp"
 
-int main(int argc, char** argv) { return trophic::experiment<trophic::open_ended::GrowingRace>(argc, argv); }
+int main(int argc, char** argv) {
+  return trophic::experiment<trophic::open_ended::GrowingRace>(argc, argv);
+}

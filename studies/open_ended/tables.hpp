@@ -15,17 +15,19 @@ using Senses = perception::sensors::List<perception::sensors::SideOfAdversary, p
                                          perception::sensors::TagRatioOfAll, perception::sensors::FoodGradient,
                                          perception::sensors::OwnEnergy, perception::sensors::OwnSpeed>;
 
-/// Brains start without hidden neurons, and grow and shrink equally often, so that growth within a run can be seen.
-inline constexpr auto growing_from_nothing = [](auto& params) {
+/// Brains start without hidden neurons and change often, so that they can grow within a run. A neuron that goes takes its links
+/// along, so links are added more often than removed.
+inline constexpr auto from_no_neurons = [](auto& params) {
   params.brain.hidden = 0;
-  params.brain.add_link = params.brain.remove_link = 0.3;
-  params.brain.split_link = params.brain.remove_neuron = 0.1;
+  params.brain.add_link = 0.5;
+  params.brain.remove_link = 0.3;
+  params.brain.split_link = params.brain.remove_neuron = 0.2;
 };
 
 /// Rules: like PondRace, with these senses and GrowingBrain. The limits of brain and body are `rules.brain.most_hidden` and
 /// `rules.traits.walking_pace.most`.   Source: not in the literature as such; limits and space after [channon2019].
 using GrowingRace =
-    named<with_params<with_brain<with_sensors<worlds::PondRace, Senses>, control::brain::GrowingBrain>, growing_from_nothing>,
+    named<with_params<with_brain<with_sensors<worlds::PondRace, Senses>, control::brain::GrowingBrain>, from_no_neurons>,
           "growing_race">;
 
 }  // namespace trophic::open_ended
