@@ -29,9 +29,12 @@ SIGNS = dict(zip(CELLS, (1.0, -1.0, -1.0, 1.0)))
 """Of the interaction: what both do together beyond what each does alone."""
 SPECIES = ("prey", "predator")
 TESTED = ("links", "most_links", "new_types")
-DESCRIBED = ("hidden", "pace")
-STEP_S = 500.0
-"""Between two times at which the living are measured."""
+STRUCTURE = ("links", "most_links", "hidden", "pace")
+PAIRS = [(metric, species) for metric in TESTED for species in SPECIES]
+MUST_GROW = ("links", "most_links")
+"""Measures that also must grow in the run itself, as the null may fall."""
+STEPS = 60
+"""Times of a run at which the living are measured, besides its start."""
 MOST_INPUTS = 12
 """Of a species, by which types of genomes are compared."""
 OUTPUTS = 2
@@ -53,13 +56,13 @@ def links_in_use(genes, inputs, outputs=OUTPUTS):
 
 
 class Lives:
-    """Who lived in a run at multiples of STEP_S, with genomes."""
+    """Who lived in a run at its times, with genomes."""
 
     def __init__(self, run):
         table = pandas.read_csv(
             run.path / "phylogeny.csv", usecols=["id", "ancestor_id", "origin_time", "destruction_time", "species"]
         ).sort_values("id")
-        self.times_s = STEP_S * numpy.arange(int(run.reached_s / STEP_S) + 1)
+        self.times_s = run.reached_s / STEPS * numpy.arange(STEPS + 1)
         self.born_s, self.died_s = table["origin_time"].to_numpy(float), table["destruction_time"].to_numpy(float)
         self.species, self.ids = table["species"].to_numpy(str), table["id"].to_numpy()
         of_id = dict(zip(self.ids.tolist(), self.born_s.tolist()))
@@ -101,14 +104,12 @@ class Lives:
 def structure(lives, inputs):
     """{(metric, species): values at the times of a run}, nan without a living member."""
     of = numpy.array([links_in_use(genes, inputs) for genes in lives.genes], float).reshape(-1, 2)
-    found = {(name, side): [] for name in ("links", "most_links", "hidden", "pace") for side in SPECIES}
+    found = {(name, side): [] for name in STRUCTURE for side in SPECIES}
     for side in SPECIES:
         for time_s in lives.times_s:
             at = lives.living(time_s, side)
-            links, hidden, pace = (
-                (of[at, 0], of[at, 1], lives.pace[at]) if len(at) else (numpy.array([numpy.nan]),) * 3
-            )
-            for name, value in zip(("links", "most_links", "hidden", "pace"), (links.mean(), links.max(), hidden.mean(), pace.mean())):
+            links, hidden, pace = (of[at, 0], of[at, 1], lives.pace[at]) if len(at) else (numpy.array([numpy.nan]),) * 3
+            for name, value in zip(STRUCTURE, (links.mean(), links.max(), hidden.mean(), pace.mean())):
                 found[name, side].append(value)
     return {key: numpy.array(values) for key, values in found.items()}
 
@@ -122,7 +123,8 @@ def new_types(present, null):
 
 def measured(cell, folder, program, met):
     """Curves of the runs in a folder in which both species live to the end, and of their neutral nulls, and values of all runs: whether they persist,
-    until when, and the mean age of parents in the last third. `met`: the folder of a run with senses.csv, whose inputs make types."""
+    until when, and the mean age of parents in the last third. `met`: the folder of a run with senses.csv, whose inputs make types.
+    """
     inputs = drift.met_inputs(selection.read_sets([met], None, metrics.Measuring())[0]["runs"], MOST_INPUTS)
     sets = selection.read_sets([folder], None, metrics.Measuring())[0]
     curves, values, presence = [], [], []
@@ -134,15 +136,25 @@ def measured(cell, folder, program, met):
             continue
         both = [Lives(each) for each in (run, neutral)]
         species = [run.web.species.index(one) for lives in both for one in lives.species[lives.seen]]
-        types = drift.signatures(str(program), run, inputs, species, [genes for lives in both for genes in lives.genes])[:, 0]
+        types = drift.signatures(
+            str(program), run, inputs, species, [genes for lives in both for genes in lives.genes]
+        )[:, 0]
         of_types = numpy.split(types, [len(both[0].seen)])
         for null, lives, its in zip(("", "neutral"), both, of_types):
             found = structure(lives, len(inputs[0][0]))
             curves += [(cell, number, null, *key, lives.times_s, points) for key, points in found.items()]
-        presence.append((number, both[0].times_s, [[lives.presence(its, side) for side in SPECIES] for lives, its in zip(both, of_types)]))
+        presence.append(
+            (
+                number,
+                both[0].times_s,
+                [[lives.presence(its, side) for side in SPECIES] for lives, its in zip(both, of_types)],
+            )
+        )
         for side in SPECIES:
             late = (both[0].species == side) & (both[0].born_s > run.reached_s * 2.0 / 3.0)
-            values.append(ponds.row_of(cell, number, "", ("generation_s", side, "last"), numpy.nanmean(both[0].ages_s[late])))
+            values.append(
+                ponds.row_of(cell, number, "", ("generation_s", side, "last"), numpy.nanmean(both[0].ages_s[late]))
+            )
     for place, (number, times_s, (own, null)) in enumerate(presence):
         other = presence[(place + 1) % len(presence)][2][1]  # the null of the next run, as a null has none of its own
         for name, its, against in (("", own, null), ("neutral", null, other)):
@@ -151,17 +163,8 @@ def measured(cell, folder, program, met):
     return curves, values
 
 
-def rows_of(curves, every=4):
-    """The rows of curves, at every fourth time."""
-    return [
-        {**dict(zip(("set", "run", "null", "metric", "species"), key)), "time_s": f"{time_s:g}", "value": f"{value:.6g}"}
-        for *key, times_s, points in curves
-        for time_s, value in zip(times_s[::every], points[::every])
-    ]
-
-
 def ends_of(curves):
-    """The values of single runs: the level in the last third, and the slope there, per 1000 s."""
+    """Rows of values of single runs: the level in the last third, and the slope there, per 1000 s."""
     rows = []
     for cell, number, null, metric, species, times_s, points in curves:
         late = (times_s > times_s[-1] * 2.0 / 3.0) & ~numpy.isnan(points)
@@ -170,3 +173,81 @@ def ends_of(curves):
             for group, value in (("level", points[late].mean()), ("slope", slope)):
                 rows.append(ponds.row_of(cell, number, null, (metric, species, group), value))
     return rows
+
+
+def means_of(curves, every=4):
+    """Rows of the mean curves over the runs of a cell, at every fourth time."""
+    found = {}
+    for cell, _, null, metric, species, times_s, points in curves:
+        found.setdefault((cell, null, metric, species), []).append((times_s, points))
+    return [
+        {**dict(zip(("set", "null", "metric", "species"), key)), "time_s": f"{time_s:g}", "value": f"{value:.5g}"}
+        for key, of in found.items()
+        for time_s, value in list(zip(of[0][0], numpy.nanmean([points for _, points in of], axis=0)))[::every]
+    ]
+
+
+def over_null(values, cell, key):
+    """The values of a cell's runs less those of their neutral nulls, run by run."""
+    return values(cell, key) - values(cell, key, "neutral")
+
+
+def grows(values, cell, pairs=PAIRS):
+    """Slopes in the last third, over the neutral null: one family. With p of growth, and the upper bounds a generation."""
+    rows = []
+    for metric, species in pairs:
+        key = (metric, species, "slope")
+        ours, less = values(cell, key), over_null(values, cell, key)
+        of, own = (statistics.contrast((1.0, each)) for each in (less, ours))
+        row = ponds.result(cell, key, "slope", ours, "neutral", values(cell, key, "neutral"), difference(less, of))
+        if of and metric in MUST_GROW:  # both must be above 0
+            row["of"].p = max(row["of"].p, statistics.p_value(own) if own.value > 0.0 else 1.0)
+        if of and of.value <= 0.0:
+            row["of"].p = 1.0
+        generation_s = statistics.mean_of(values(cell, ("generation_s", species, "last")))
+        row["generation_s"] = designs.number(generation_s)
+        row["smallest"] = designs.number(of and statistics.detectable_difference(of, 0.05 / len(pairs)))
+        rows.append(row)
+    return ponds.with_tests(rows)
+
+
+def interacts(values, group):
+    """What space and limits do together beyond what each does alone, over the neutral null: one family, or described."""
+    rows = []
+    for metric, species in PAIRS:
+        key = (metric, species, group)
+        of = statistics.contrast(*((sign, over_null(values, cell, key)) for cell, sign in SIGNS.items()))
+        row = ponds.result("interaction", key, f"interaction of {group}s", of=difference([], of))
+        row["generation_s"], row["smallest"] = "", designs.number(of and statistics.detectable_difference(of, 0.05 / 6))
+        rows.append(row)
+    return ponds.with_tests(rows, group == "level")
+
+
+def difference(values, of):
+    scatter = statistics.scatter_of(values) if len(values) else None
+    return statistics.difference_of(of.value if of else None, of, scatter)
+
+
+def described(values):
+    """Levels and slopes in each cell over the null, and the shares of runs in which both species live to the end."""
+    rows = []
+    for cell in CELLS:
+        persists = values(cell, ("persists", "all", "all"))
+        rows.append(ponds.result(cell, ("persists", "all", "all"), "described", persists))
+        for metric in ("links", "most_links", "new_types", "hidden", "pace"):
+            for species in SPECIES:
+                for group in ("level", "slope"):
+                    key = (metric, species, group)
+                    less = over_null(values, cell, key)
+                    of = difference(less, statistics.contrast((1.0, less)))
+                    rows.append(
+                        ponds.result(
+                            cell, key, "described", values(cell, key), "neutral", values(cell, key, "neutral"), of
+                        )
+                    )
+    return [row | {"generation_s": "", "smallest": ""} for row in ponds.with_tests(rows, False)]
+
+
+def results(rows):
+    values = ponds.Values(rows)
+    return [*grows(values, BOTH), *interacts(values, "level"), *interacts(values, "slope"), *described(values)]

@@ -117,6 +117,7 @@ STUDY = {
     "inheritance": ("studies/sweeps",),
     "no-criterion-bodies": ("studies/bodies",),
     "no-criterion-gaits": ("studies/bodies",),
+    "open-ended": ("studies/open_ended",),
     "ranges": ("studies/readings",),
     "red-queen": ("studies/red_queen", "studies/arms_race"),
     "red-queen-mujoco": ("studies/red_queen", "studies/arms_race"),
