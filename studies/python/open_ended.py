@@ -232,7 +232,8 @@ def described(values):
     """Levels and slopes in each cell over the null, and the shares of runs in which both species live to the end."""
     rows = []
     for cell in CELLS:
-        persists = values(cell, ("persists", "all", "all"))
+        if not len(persists := values(cell, ("persists", "all", "all"))):
+            continue
         rows.append(ponds.result(cell, ("persists", "all", "all"), "described", persists))
         for metric in ("links", "most_links", "new_types", "hidden", "pace"):
             for species in SPECIES:
