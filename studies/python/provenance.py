@@ -118,6 +118,8 @@ STUDY = {
     "no-criterion-bodies": ("studies/bodies",),
     "no-criterion-gaits": ("studies/bodies",),
     "open-ended": ("studies/open_ended",),
+    "pond-race": ("studies/red_queen",),
+    "pond-race-again": ("studies/red_queen",),
     "ranges": ("studies/readings",),
     "red-queen": ("studies/red_queen", "studies/arms_race"),
     "red-queen-mujoco": ("studies/red_queen", "studies/arms_race"),

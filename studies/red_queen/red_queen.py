@@ -5,10 +5,13 @@ those of earlier times meet a panel, and writes what a species does more where t
 
     red_queen.py --program build/my_program --rules my_table --trophic build/trophic --out runs/queen
 
-The table has `by_species<Switched<...>>` as its Heredity and a brain that change.py reads. A stopped command continues. studies/results/red-queen.md defines measures and families."""
+The table has `by_species<Switched<...>>` as its Heredity and a brain that change.py reads, or a heritable trait that --trait names, whose measures are
+those of traits.py. A stopped command continues. studies/results/red-queen.md and pond-race.md define measures and families."""
 import argparse
 import itertools
+import math
 import pathlib
+import shutil
 import subprocess
 import sys
 
@@ -17,10 +20,11 @@ import pandas
 
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path += [str(HERE), str(HERE.parent / "python")]
-import change
 import installed
 
 installed.make_importable()
+import change
+import traits
 import trophic
 from trophic import contests, selection, statistics
 from trophic.metrics import Measuring
@@ -56,17 +60,38 @@ def make_runs(options, name, inherited, seed, count, *more):
         "--duration",
         options.duration,
         "--agents-every",
-        6,
+        1000 if options.trait else 6,
         "--replay-hz",
         0,
         "--jobs",
         options.jobs,
         *switches,
+        *(word for assignment in options.set for word in ("--set", assignment)),
         *more,
         "--out",
         out,
         *(["--resume"] if out.exists() else []),
     )
+
+
+def living_runs(options, world):
+    """The folders of the runs of a world in which every species lives to the end."""
+    return [
+        run.path
+        for run in trophic.read_runs(str(options.out / world))
+        if traits.living(run)["species"].nunique() == len(run.manifest["species"])
+    ]
+
+
+def living_panel(options):
+    """A folder with the runs of the panel in which every species lives to the end."""
+    panel, living = options.out / "panel", options.out / "panel_living"
+    living.mkdir(exist_ok=True)
+    shutil.copy(panel / "replicates.json", living)
+    for path in living_runs(options, "panel"):
+        if not (living / path.name).exists():
+            (living / path.name).symlink_to(path.resolve())
+    return living
 
 
 def make_contests(options, world, panel, epochs, teams):
@@ -77,9 +102,9 @@ def make_contests(options, world, panel, epochs, teams):
         call(
             options.trophic,
             "contest",
-            options.out / world,
+            *(living_runs(options, world) if options.trait else [options.out / world]),
             "--panel",
-            options.out / panel,
+            living_panel(options) if options.trait else options.out / panel,
             "--program",
             options.program,
             "--backend",
@@ -131,33 +156,50 @@ def measured(options, world):
     return found
 
 
-PRIMARY = ("gene_change", "turn_change", "progress_late")
+def measured_trait(options, world):
+    """The values of each run of a world, by (measure, species), in a frame that is kept, and the trait by time. The tables that are large are deleted."""
+    kept, by_time = (options.out / f"{name}/{world}.csv" for name in ("values", "series"))
+    if not kept.exists():
+        make_runs(options, world, WORLDS[world], options.seed, options.replicates)
+        end_s = options.duration
+        thirds = [0, end_s / 3, end_s * 2 / 3, end_s]
+        played = make_contests(options, world, "panel", thirds, options.teams)
+        rows, courses = [], []
+        for run in trophic.read_runs(str(options.out / world)):
+            course = traits.Course(run, options.trait)
+            courses.append(traits.series(course, world, run.path.name, 5))
+            of_run = played[played["hunters_run"].str.endswith(f"{world}/{run.path.name}")]
+            as_prey = played[played["victims_run"].str.endswith(f"{world}/{run.path.name}")]
+            for side, role, of in zip(SIDES, ("victim", "hunter"), (as_prey, of_run)):
+                values = course.values(side)
+                for period, times in zip(
+                    ("early", "middle", "third", "late"), (*zip(thirds, thirds[1:]), thirds[1::2])
+                ):
+                    found = contests.progress_of_runs(of, role, contests.epochs_of(played), *times) if len(of) else ()
+                    values[f"progress_{period}"] = float(found[0]) if len(found) else math.nan
+                rows += [(world, run.path.name, side, measure, value) for measure, value in values.items()]
+        for path, frame in (
+            (by_time, pandas.concat(courses)),
+            (kept, pandas.DataFrame(rows, columns=["world", "run", "side", "measure", "value"])),
+        ):
+            path.parent.mkdir(exist_ok=True)
+            frame.to_csv(path, index=False, float_format="%.5g", lineterminator="\n")
+        for path in (options.out / world).glob("replicate-*/field.csv"):
+            path.unlink()
+    frame = pandas.read_csv(kept)
+    return {
+        key: of["value"].to_numpy()[~of["value"].isna().to_numpy()]
+        for key, of in frame.groupby(["measure", "side"], sort=False)
+    }
 
 
-def differences(values):
-    """A row for each measure and side: the world in which both inherit less that in which this side alone does. The primary measures of both sides
-    are one family, the others another (Holm)."""
-    rows, families = [], {True: [], False: []}
-    for measure, side in values["both"]:
-        both, alone = values["both"][measure, side], values[side][measure, side]
-        of = statistics.contrast((1.0, both), (-1.0, alone))
-        tested = statistics.difference_of(both.mean() - alone.mean(), of)
-        families[measure in PRIMARY].append(tested)
-        rows.append(
-            (
-                {
-                    "measure": measure,
-                    "side": side,
-                    "family": "primary" if measure in PRIMARY else "other",
-                    "runs": len(both),
-                    **{world: values[world][measure, side].mean() for world in WORLDS},
-                    "detectable": statistics.detectable_difference(of, 0.05 / 6) if of else None,
-                },
-                tested,
-            )
-        )
-    for family in families.values():
-        statistics.adjust_together(family)
+PRIMARY = ("gene_change", "turn_change", "trait_end", "progress_late")
+
+
+def tested(rows):
+    """The rows with the differences `of`, their intervals and p, which are corrected in each family (Holm)."""
+    for family in {row["family"] for row, _ in rows}:
+        statistics.adjust_together([of for row, of in rows if row["family"] == family])
     return pandas.DataFrame(
         [
             {
@@ -171,6 +213,53 @@ def differences(values):
             for row, of in rows
         ]
     )
+
+
+def differences(values):
+    """A row for each measure and side: the world in which both inherit less that in which this side alone does. The primary measures of both sides
+    are one family, the others another (Holm)."""
+    rows, primary = [], sum(measure in PRIMARY for measure, _ in values["both"])
+    for measure, side in values["both"]:
+        both, alone = values["both"][measure, side], values[side][measure, side]
+        of = statistics.contrast((1.0, both), (-1.0, alone))
+        rows.append(
+            (
+                {
+                    "measure": measure,
+                    "side": side,
+                    "family": "primary" if measure in PRIMARY else "other",
+                    "runs": len(both),
+                    "alone_runs": len(alone),
+                    **{world: values[world][measure, side].mean() for world in WORLDS},
+                    "detectable": statistics.detectable_difference(of, 0.05 / primary) if of else None,
+                },
+                statistics.difference_of(both.mean() - alone.mean(), of),
+            )
+        )
+    return tested(rows)
+
+
+def goes_on(values):
+    """Whether the trait of either side still moves in the last third where both inherit, over drift, and whether contests are still won, over the
+    world in which neither inherits: one family."""
+    rows = []
+    for measure, world in (("trait_slope", ""), ("progress_third", "none")):
+        for side in SIDES:
+            both, other = values["both"][measure, side], values[world][measure, side] if world else None
+            terms = [(1.0, both), *([(-1.0, other)] if world else [])]
+            of = statistics.contrast(*terms)
+            row = {
+                "measure": measure,
+                "side": side,
+                "family": "goes on",
+                "runs": len(both),
+                "both": both.mean(),
+                "over": world or "drift",
+                "of_other": other.mean() if world else 0.0,
+                "detectable": statistics.detectable_difference(of, 0.05 / 4) if of else None,
+            }
+            rows.append((row, statistics.difference_of(of.value if of else None, of)))
+    return tested(rows)
 
 
 def meetings(options):
@@ -204,15 +293,26 @@ def main():
     for name, default in (("replicates", 30), ("duration", 6000), ("seed", 1), ("jobs", 1), ("team-size", 15)):
         parser.add_argument(f"--{name}", type=int, default=default)
     parser.add_argument("--contests-on", metavar="BACKEND", help="backend of the contests (default: the runs')")
+    parser.add_argument(
+        "--trait", help="a heritable trait of the table; only runs in which both species last meet in contests"
+    )
+    parser.add_argument("--teams", type=int, default=8, help="of a trait: teams of each run and epoch in contests")
+    parser.add_argument("--panel-runs", type=int, help="runs of the panel (default: as many as replicates)")
+    parser.add_argument("--set", action="append", default=[], metavar="PATH=VALUE", help="a parameter of all runs")
     options = parser.parse_args()
     options.out.mkdir(parents=True, exist_ok=True)
-    for world, inherited in WORLDS.items():
-        make_runs(options, world, inherited, options.seed, options.replicates, "--neutral")
-    make_runs(options, "panel", (True, True), options.seed + 1000, options.replicates)
-    for name, frame in (
-        ("red_queen", differences({world: measured(options, world) for world in WORLDS})),
-        ("meetings", meetings(options)),
-    ):
+    make_runs(options, "panel", (True, True), options.seed + 1000, options.panel_runs or options.replicates)
+    if options.trait:
+        values = {world: measured_trait(options, world) for world in WORLDS}
+        found = [("red_queen", differences(values)), ("goes_on", goes_on(values))]
+    else:
+        for world, inherited in WORLDS.items():
+            make_runs(options, world, inherited, options.seed, options.replicates, "--neutral")
+        found = [
+            ("red_queen", differences({world: measured(options, world) for world in WORLDS})),
+            ("meetings", meetings(options)),
+        ]
+    for name, frame in found:
         frame.to_csv(options.out / f"{name}.csv", index=False, float_format="%.6g", lineterminator="\n")
         print(frame.to_string(index=False, float_format="{:.3g}".format))
 

@@ -125,7 +125,7 @@ TEST_CASE_TEMPLATE_DEFINE("pace", Policy, trophic_pace_suite) {
     for (BodyIndex body = 0; body < robots.individuals.size(); ++body) answers.add(made.pace(body, robots.view()));
   };
   const auto policy = conformance::defaulted<Policy>();
-  conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+  conformance::on_populations<Policy>([&](const test::HandPopulation& robots, std::uint64_t seed) {
     for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
       CHECK(policy.pace(body, robots.view()) >= 0.0);
       CHECK(std::isfinite(policy.pace(body, robots.view())));

@@ -24,6 +24,7 @@
 #include <trophic/control/gait/named_gait.hpp>
 #include <trophic/control/gait/robots_gait.hpp>
 #include <trophic/control/pace/constant_pace.hpp>
+#include <trophic/control/pace/inherited_pace.hpp>
 #include <trophic/control/steering/bending_steering.hpp>
 #include <trophic/control/steering/no_steering.hpp>
 #include <trophic/death/activation/always_active.hpp>
@@ -154,7 +155,8 @@ TEST_CASE("brain: Outside -> the numbers of its genome, no outputs of its own") 
 }
 TEST_CASE_TEMPLATE_INVOKE(trophic_act_suite, control::acts::Turn, control::acts::Tag, control::acts::Effort, control::acts::Eat,
                           control::acts::Mate, control::acts::Signal<0>);
-TEST_CASE_TEMPLATE_INVOKE(trophic_pace_suite, control::pace::SamePace, control::pace::ConstantPace);
+TEST_CASE_TEMPLATE_INVOKE(trophic_pace_suite, control::pace::SamePace, control::pace::ConstantPace,
+                          control::pace::InheritedPace<>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_steering_suite, control::steering::TargetedSteering, control::steering::BendingSteering,
                           control::steering::NoSteering);
 

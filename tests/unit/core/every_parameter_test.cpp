@@ -15,6 +15,7 @@
 #include <trophic/support/whole_file.hpp>
 #include <trophic/worlds/food_chain.hpp>
 #include <trophic/worlds/lotka_volterra.hpp>
+#include <trophic/worlds/pond_race.hpp>
 #include <trophic/worlds/ponds.hpp>
 #include <trophic/worlds/wolf_sheep.hpp>
 
@@ -271,6 +272,14 @@ TEST_CASE("effects: each parameter of pond_with_conditions, halved or changed la
   check_every_parameter<worlds::PondWithConditions>(runs);
 }
 
+TEST_CASE("effects: each parameter of pond_race, halved or changed later -> other bytes, or a remark or refusal") {
+  const test::TemporaryFolder folder;
+  ShortRuns runs = pond(folder);
+  runs.crowd.insert({{"rules.resource.cells_in_a_row", 20.0}, {"rules.metabolism.predator.efficiency", 0.3}});
+  runs.others.insert({{"rules.traits.walking_pace.least", 0.7}, {"rules.traits.walking_pace.most", 1.3}});
+  check_every_parameter<worlds::PondRace>(runs);
+}
+
 TEST_CASE("effects: each parameter of food_chain, halved or changed later -> other bytes, or a remark or refusal") {
   const test::TemporaryFolder folder;
   ShortRuns runs = pond(folder);
@@ -337,5 +346,5 @@ TEST_CASE("effects: tables of the shipped programs -> each has its case here") {
     for (std::sregex_iterator one{names.begin(), names.end(), name}; one != std::sregex_iterator{}; ++one, ++tables)
       CHECK_MESSAGE(std::regex_search(cases, std::regex{"check_every_parameter<\\w+::" + one->str() + ">"}), one->str());
   }
-  CHECK(tables == 9);
+  CHECK(tables == 10);
 }
