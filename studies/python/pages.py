@@ -7,6 +7,7 @@ import sys
 import answers
 import bodies_race
 import designs
+import open_ended
 import ponds
 import provenance
 
@@ -1003,6 +1004,83 @@ def draw_worlds(rows, runs, end_s, path):
     fig.savefig(path, dpi=150)
 
 
+def growth(rows):
+    """Slopes at the end in the cell with space and limits, over the neutral null, and their upper bounds."""
+    lines = []
+    for row in (row for row in rows if row["family"] == "slope"):
+        bound = row["difference_upper"] and row["generation_s"]
+        per_generation = f"{float(row['difference_upper']) * float(row['generation_s']) / 1000.0:+.2f}" if bound else ""
+        lines.append(
+            [
+                row["metric"],
+                row["species"],
+                signed(row, ("mean", "lower", "upper")),
+                row["null_mean"] and f"{float(row['null_mean']):+.3g}",
+                family(row) if row["together_lower"] else "",
+                p_text(row["p_holm"]),
+                row["difference_upper"] and f"{float(row['difference_upper']):+.2f}",
+                per_generation,
+                row["smallest"] and f"{float(row['smallest']):.2f}",
+                row["runs"],
+            ]
+        )
+    head = ["measure", "species", "slope per 1000 s", "null", "over the null", "p (Holm)", "at most per 1000 s"]
+    return table([*head, "at most per generation", "found in 80 % of studies", "runs"], lines)
+
+
+def two_by_two(rows, group):
+    """Levels or slopes over the neutral null in the four cells, and their interaction."""
+    of = {
+        (row["set"], row["metric"], row["species"], row["group"]): row for row in rows if row["family"] == "described"
+    }
+    both = {(row["metric"], row["species"]): row for row in rows if row["family"] == f"interaction of {group}s"}
+    lines = []
+    for metric, species in [
+        *open_ended.PAIRS,
+        *((name, side) for name in ("hidden", "pace") for side in open_ended.SPECIES),
+    ]:
+        cells = [of[cell, metric, species, group] for cell in open_ended.CELLS]
+        lines.append(
+            [metric, species, *(signed(row, ("difference", "difference_lower", "difference_upper")) for row in cells)]
+        )
+        row = both.get((metric, species))
+        lines[-1] += [family(row), p_text(row["p_holm"])] if row and row["difference"] else ["", ""]
+    return table(["measure", "species", *open_ended.CELLS, "interaction", "p (Holm)"], lines)
+
+
+def persisting_cells(rows):
+    """The share of runs in which both species live to the end, by cell."""
+    of = [row for row in rows if row["metric"] == "persists"]
+    return table(["cell", "both persist", "runs"], [[row["set"], share(row), row["runs"]] for row in of])
+
+
+def draw_two_by_two(rows, path):
+    """Mean curves of the four cells and of their neutral nulls."""
+    import matplotlib.pyplot as plt
+
+    curves = {}
+    for row in rows:
+        key = (row["metric"], row["species"], row["set"], row["null"])
+        curves.setdefault(key, []).append((float(row["time_s"]) / 1000.0, float(row["value"])))
+    fig, axes = plt.subplots(2, 4, figsize=(12, 5), layout="constrained", sharex=True)
+    colors = dict(zip(open_ended.CELLS, ("#b2abd2", "#5e3c99", "#fdb863", "#e66101")))
+    named = {"links": "links in use", "most_links": "greatest links in use", "new_types": "new types", "pace": "pace"}
+    for line, species in zip(axes, open_ended.SPECIES):
+        for ax, (metric, words) in zip(line, named.items()):
+            for cell, color in colors.items():
+                for null, style in (("", "-"), ("neutral", ":")):
+                    points = curves.get((metric, species, cell, null))
+                    label = cell if not null else None
+                    if points:
+                        ax.plot(*zip(*points), color=color, ls=style, lw=1.6, label=label)
+            ax.set(title=f"{words}, {species}" if species == "prey" else f"{words}, predators", ylim=(0, None))
+            if species == "predator":
+                ax.set_xlabel("time [1000 s]")
+    axes[0][0].legend(fontsize=7, loc="lower left")
+    fig.savefig(path, dpi=130)
+    plt.close(fig)
+
+
 def selected(rows, of="pond"):
     """Price's terms over the neutral null. With generations they are cm/s a generation, otherwise in the trait's unit."""
     keys, lines = ("runs_mean", "neutral_mean", "difference", "difference_lower", "difference_upper"), []
@@ -1285,6 +1363,10 @@ def tables(data, choices):
         "worlds contrasts": lambda: world_contrasts(data("no_criterion")),
         "worlds activity": lambda: world_activity(data("no_criterion")),
         "worlds selection": lambda: world_selection(data("no_criterion_selection")),
+        "open ended": lambda: growth(data("open_ended")),
+        "open ended levels": lambda: two_by_two(data("open_ended"), "level"),
+        "open ended slopes": lambda: two_by_two(data("open_ended"), "slope"),
+        "open ended persistence": lambda: persisting_cells(data("open_ended")),
         "living": lambda: living([row for row in data("no_criterion_settings") if row["metric"] != "velocity"]),
         "living settings": lambda: settings(data("no_criterion_settings")),
     }

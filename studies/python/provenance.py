@@ -117,6 +117,7 @@ STUDY = {
     "inheritance": ("studies/sweeps",),
     "no-criterion-bodies": ("studies/bodies",),
     "no-criterion-gaits": ("studies/bodies",),
+    "open-ended": ("studies/open_ended",),
     "pond-race": ("studies/red_queen",),
     "pond-race-again": ("studies/red_queen",),
     "pond-race-small-steps": ("studies/red_queen",),

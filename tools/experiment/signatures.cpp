@@ -69,9 +69,11 @@ int print_signatures(const std::filesystem::path& file, const Offer& offer) {
     const auto sizes = json.at("sizes").get<std::vector<std::size_t>>();
     std::string text;
     std::vector<double> weights;
+    auto size = sizes.begin();
     for (const Json& one : json.at("species")) {
       const auto species = one.get<Species>();
-      weights.resize(sizes.at(species));
+      if (size == sizes.end()) throw std::invalid_argument{"--signatures " + file.string() + ": has fewer sizes than genomes"};
+      weights.resize(*size++);
       if (!in.read(reinterpret_cast<char*>(weights.data()), static_cast<std::streamsize>(sizeof(double) * weights.size()))) {
         throw std::invalid_argument{"--signatures " + file.string() + ": has fewer weights than genomes"};
       }

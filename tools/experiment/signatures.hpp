@@ -45,7 +45,7 @@ class Signatures {
 /// Prints a line for each genome in a file: its type and its complexity by the brain of the rule table that the file names.
 ///
 /// The file is a line of JSON, {"rule_table", "engine", "fingerprint", "params": of the runs, "inputs": of each species,
-/// "sizes": the weights of a genome of each species, "species": of each genome}, and the genomes' weights as doubles.
+/// "species" and "sizes": the species and the number of weights of each genome}, and the genomes' weights as doubles.
 /// Throws std::invalid_argument, a sentence, if the offer has not that rule table as it was, or if its brain does not take them.
 [[nodiscard]] int print_signatures(const std::filesystem::path& file, const Offer& offer);
 

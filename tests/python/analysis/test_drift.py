@@ -178,8 +178,8 @@ PROGRAM = """#!{python}
 import json, struct, sys
 with open(sys.argv[2], "rb") as file:
     head = json.loads(file.readline())
-    for species in head["species"]:
-        print(int(struct.unpack(f"<{{head['sizes'][species]}}d", file.read(8 * head["sizes"][species]))[0] > 2), 3 + species)
+    for species, size in zip(head["species"], head["sizes"]):
+        print(int(struct.unpack(f"<{{size}}d", file.read(8 * size))[0] > 2), 3 + species)
 assert head["fingerprint"] == "aa" and len(head["inputs"]) == 2
 """
 
@@ -194,6 +194,8 @@ def test_a_program_says_of_which_types_the_genomes_are(tmp_path):
     of = read_descent(run)
     (types, complexity), (again, _) = drift.ask(str(program), run, drift.met_inputs([run]), [of, of])
     assert types.tolist() == again.tolist() == [0, 0, 1] and complexity.tolist() == [3, 4, 3]
+    grown = [numpy.array([3.0]), numpy.array([1.0, 3.0, 3.0])]
+    assert drift.signatures(str(program), run, drift.met_inputs([run]), [0, 1], grown).tolist() == [[1, 3], [0, 4]]
     values = pool.read_set([tmp_path / "run"], how=Measuring(lineages=str(program))).values[0].values
     depth = values[(values.metric == "descent_greatest_depth") & (values.species == "prey")]
     assert depth.value.tolist() == [1, 1] and not values.duplicated([*METRIC, "baseline"]).any()

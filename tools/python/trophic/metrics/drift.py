@@ -9,7 +9,7 @@ import os
 import re
 import subprocess
 import tempfile
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from typing import TYPE_CHECKING
 
 import numpy
@@ -252,10 +252,21 @@ def _different(rows: numpy.ndarray) -> numpy.ndarray:
 def ask(
     program: str, first: PooledRun, inputs: Sequence, descents: Sequence[Descent] = ()
 ) -> list[tuple[numpy.ndarray, numpy.ndarray]]:
-    """The types and the complexity of the genomes of these individuals, by the brain of the rule table that made the run `first`. Genomes of one
-    type decide alike on all inputs. Raises RunError with the program's sentence if it has not this table, or if its brain does not take them.
-    """
-    species = first.web.species
+    """The types and the complexity of the genomes of these individuals, as `signatures`."""
+    species = [first.web.species.index(name) for of in descents for name in of.species]
+    genomes = (row[: of.sizes[name]] for of in descents for name, row in zip(of.species, of.weights))
+    found = signatures(program, first, inputs, species, genomes)
+    ends = numpy.cumsum([len(of.ids) for of in descents])[:-1]
+    return [(part[:, 0], part[:, 1]) for part in numpy.split(found, ends)] if descents else []
+
+
+def signatures(
+    program: str, first: PooledRun, inputs: Sequence, species: Sequence[int], genomes: Iterable[numpy.ndarray]
+) -> numpy.ndarray:
+    """The type and the complexity of each genome, by the brain of the rule table that made the run `first`. Genomes of one type decide alike on all
+    inputs of their species. They may differ in size. Raises RunError with the program's sentence if it has not this table, or if its brain does not
+    take them. Shape (genomes, 2)."""
+    genomes = list(genomes)
     manifest = first.manifest
     head = {
         "rule_table": manifest["rule_table"],
@@ -263,25 +274,20 @@ def ask(
         "fingerprint": manifest["fingerprint"],
         "params": manifest["params"],
         "inputs": inputs,
-        "species": [species.index(name) for of in descents for name in of.species],
-        "sizes": [descents[0].sizes.get(name, 0) if descents else 0 for name in species],
+        "species": list(species),
+        "sizes": [len(genome) for genome in genomes],
     }
     with tempfile.TemporaryDirectory(prefix="trophic-") as folder:
         path = os.path.join(folder, "genomes")
         with open(path, "wb") as file:
             file.write(json.dumps(head).encode() + b"\n")
-            for of in descents:
-                file.writelines(
-                    row[: of.sizes[name]].tobytes() for name, row in zip(of.species, of.weights.astype("<f8"))
-                )
+            file.writelines(numpy.asarray(genome, "<f8").tobytes() for genome in genomes)
         done = subprocess.run(
             [program, "--signatures", path], capture_output=True, encoding="utf-8", errors="surrogateescape"
         )
     if done.returncode != 0:
         raise RunError(done.stderr.strip() or f"{program} --signatures: exit code {done.returncode}")
-    found = numpy.array(done.stdout.split(), dtype=int).reshape(-1, 2)
-    ends = numpy.cumsum([len(of.ids) for of in descents])[:-1]
-    return [(part[:, 0], part[:, 1]) for part in numpy.split(found, ends)] if descents else []
+    return numpy.array(done.stdout.split(), dtype=int).reshape(-1, 2)
 
 
 def forest_of(of: Descent, types: numpy.ndarray, complexity: numpy.ndarray) -> Forest:
