@@ -14,17 +14,36 @@ namespace trophic::conformance {
 /// Seeds of the populations and streams that each suite goes through.
 inline constexpr std::array<std::uint64_t, 8> seeds{1, 2, 3, 4, 5, 6, 7, 8};
 
-/// Runs `check` on crowded and on spread populations of two and of three species, and on an empty one.
-template <class Check>
+/// The same robots with the traits that a policy names in ReadsTraits, if any, drawn for each as for an individual without a
+/// parent.
+template <class Policy>
+[[nodiscard]] test::HandPopulation with_traits_of(test::HandPopulation robots) {
+  if constexpr (requires { typename Policy::ReadsTraits; }) {
+    using Traits = typename Policy::ReadsTraits;
+    robots.traits.assign(Traits::trait_names.begin(), Traits::trait_names.end());
+    for (Individual& one : robots.individuals) {
+      Rng rng{one.id, Stream::user, 3};
+      auto genome = std::make_shared<Genome>(*one.genome);
+      genome->traits = Traits{}.draw(rng);
+      one.genome = std::move(genome);
+    }
+  }
+  return robots;
+}
+
+/// Runs `check` on crowded and on spread populations of two and of three species, and on an empty one. They have the
+/// traits of `Policy`.
+template <class Policy = void, class Check>
 void on_populations(Check&& check) {
+  const auto with_traits = [](test::HandPopulation robots) { return with_traits_of<Policy>(std::move(robots)); };
   for (const std::uint64_t seed : seeds) {
     CAPTURE(seed);
-    check(test::random_population(seed, 30), seed);
-    check(test::random_population(seed, 30, test::predator_prey_web(), 2.0), seed);
-    check(test::random_population(seed, 30, test::chain_web(), 3.0), seed);
-    check(test::random_population(seed, seed, test::chain_web()), seed);
+    check(with_traits(test::random_population(seed, 30)), seed);
+    check(with_traits(test::random_population(seed, 30, test::predator_prey_web(), 2.0)), seed);
+    check(with_traits(test::random_population(seed, 30, test::chain_web(), 3.0)), seed);
+    check(with_traits(test::random_population(seed, seed, test::chain_web())), seed);
   }
-  check(test::HandPopulation{{}}, std::uint64_t{1});
+  check(with_traits(test::HandPopulation{{}}), std::uint64_t{1});
 }
 
 /// The same robots after a quarter turn of the world; exact, so that no distance changes.
@@ -297,7 +316,7 @@ template <class Policy, class Ask>
 void check_params_used_on_populations(Ask&& ask) {
   check_params_used<Policy>([&](const Policy& made) {
     Answers answers;
-    on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+    on_populations<Policy>([&](const test::HandPopulation& robots, std::uint64_t seed) {
       add_states(answers, made, robots);
       ask(answers, made, robots, seed);
     });

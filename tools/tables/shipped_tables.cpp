@@ -7,13 +7,15 @@
 #include <trophic/worlds/food_chain.hpp>
 #include <trophic/worlds/lotka_volterra.hpp>
 #include <trophic/worlds/ponds.hpp>
+#include <trophic/worlds/two_foods.hpp>
 #include <trophic/worlds/wolf_sheep.hpp>
 
 namespace trophic::command {
 
 std::vector<std::pair<std::string, MakeExperiment>> world_tables() {
   using namespace worlds;
-  return rule_tables<Pond, PondWithRefuges, PondWithConditions, FoodChain, WolfSheep, RosenzweigMacArthur, LotkaVolterra>();
+  return rule_tables<Pond, PondWithRefuges, PondWithConditions, TwoFoods, FoodChain, WolfSheep, RosenzweigMacArthur,
+                     LotkaVolterra>();
 }
 
 std::vector<std::pair<std::string, MakeExperiment>> shipped_tables() {
