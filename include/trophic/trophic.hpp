@@ -30,9 +30,10 @@
 #include <trophic/ecology/simulations_of.hpp>
 #include <trophic/ecology/stepped_run.hpp>
 #include <trophic/energy/metabolism/fixed_gains.hpp>
-#include <trophic/energy/metabolism/grazing_and_hunting.hpp>
+#include <trophic/energy/metabolism/grazing_by_diet.hpp>
 #include <trophic/energy/order/by_turns.hpp>
 #include <trophic/energy/resource/delayed_patches.hpp>
+#include <trophic/energy/resource/foods.hpp>
 #include <trophic/energy/resource/logistic_field.hpp>
 #include <trophic/initialization/community/food_chain.hpp>
 #include <trophic/initialization/embodiment/stands_up.hpp>
@@ -67,7 +68,6 @@
 #include <trophic/reproduction/recruitment/at_energy.hpp>
 #include <trophic/reproduction/recruitment/by_chance.hpp>
 #include <trophic/reproduction/recruitment/by_mating.hpp>
-#include <trophic/reproduction/traits/list.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/reproduction/viability/survives_trial.hpp>
 #include <trophic/reproduction/viability/within_mass.hpp>

@@ -12,19 +12,20 @@ TEST_CASE_TEMPLATE_DEFINE("metabolism", Policy, trophic_metabolism_suite) {
   static_assert(energy::Metabolism<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
-  const auto all_of = [](conformance::Answers& answers, const Policy& made, const test::HandPopulation& robots,
-                         std::uint64_t seed) {
+  const auto all_of = [](conformance::Answers& answers, const Policy& made, test::HandPopulation robots, std::uint64_t seed) {
+    robots.foods.assign(3, ResourceField{robots.arena, 1});
     for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
       if (!robots.individuals[body].lives()) continue;
       Rng rng{seed, Stream::user, body};
       answers.add(made.first_J(robots.individuals[body], rng));
       answers.add(made.upkeep_J(body, 0.01 * static_cast<double>(body), robots.view()));
-      answers.add(made.bite_J(body, 50.0, robots.view()));
+      for (std::size_t food = 0; food < 3; ++food) answers.add(made.bite_J(body, food, 50.0, robots.view()));
       answers.add(made.meal_J(body, 0, robots.view()));
       answers.add(made.starves(body, robots.view()));
     }
   };
-  conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
+  conformance::on_populations<Policy>([&](test::HandPopulation robots, std::uint64_t seed) {
+    robots.foods.assign(3, ResourceField{robots.arena, 1});
     for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {
       const double first_J =
           conformance::asked_twice(seed, [&](Rng& rng) { return policy.first_J(robots.individuals[body], rng); });
@@ -35,15 +36,17 @@ TEST_CASE_TEMPLATE_DEFINE("metabolism", Policy, trophic_metabolism_suite) {
         CHECK(std::isfinite(policy.upkeep_J(body, walked_m, robots.view())));
       }
       for (const double there_J : {0.0, 0.01, 1000.0}) {
-        CHECK(policy.bite_J(body, there_J, robots.view()) >= 0.0);
-        CHECK(policy.bite_J(body, there_J, robots.view()) <= there_J);
+        for (std::size_t food = 0; food < robots.foods.size(); ++food) {
+          CHECK(policy.bite_J(body, food, there_J, robots.view()) >= 0.0);
+          CHECK(policy.bite_J(body, food, there_J, robots.view()) <= there_J);
+        }
       }
       const BodyIndex victim = robots.individuals.size() - 1 - body;
       CHECK(policy.meal_J(body, victim, robots.view()) >= 0.0);
       CHECK(policy.meal_J(body, victim, robots.view()) <= std::max(robots.individuals[victim].energy_J, 0.0));
     }
     conformance::check_each_robot(robots, seed, [&](const test::HandPopulation& any, BodyIndex body) {
-      return std::tuple{policy.upkeep_J(body, 0.1, any.view()), policy.bite_J(body, 5.0, any.view()),
+      return std::tuple{policy.upkeep_J(body, 0.1, any.view()), policy.bite_J(body, 1, 5.0, any.view()),
                         policy.starves(body, any.view())};
     });
   });
@@ -65,24 +68,26 @@ TEST_CASE_TEMPLATE_DEFINE("resource", Policy, trophic_resource_suite) {
   using namespace trophic;
   static_assert(energy::Resource<Policy>);
   conformance::check_policy<Policy>();
-  // The field of a policy after some ticks, with bites in between.
+  // The fields of a policy after some ticks, with bites in between.
   const auto grown = [](const Policy& policy, test::HandPopulation robots, std::uint64_t seed) {
     Rng rng{seed, Stream::user};
-    ResourceField field = policy.start(robots.arena, rng);
+    std::vector<ResourceField> foods = energy::ask::start(policy, robots.arena, rng);
+    CHECK(foods.size() == std::max<std::size_t>(energy::food_names<Policy>.size(), 1));
     std::vector<double> numbers;
     for (int tick = 1; tick <= 40; ++tick) {
-      policy.grow(field, robots.at_tick(tick).view(), rng);
-      for (std::size_t cell = 0; cell < field.cells(); cell += 7) {
-        const double bite_J = tick == 1 ? field.food_J(cell) : 0.5 * field.food_J(cell);
-        field.food_J(cell) -= bite_J;
-        if constexpr (requires { policy.on_bite(field, cell, bite_J, BodyIndex{0}, robots.view()); }) {
-          if (bite_J > 0.0) policy.on_bite(field, cell, bite_J, BodyIndex{0}, robots.view());
+      energy::ask::grow(policy, foods, robots.at_tick(tick).view(), rng);
+      for (std::size_t food = 0; food < foods.size(); ++food) {
+        ResourceField& field = foods[food];
+        for (std::size_t cell = food; cell < field.cells(); cell += 7) {
+          const double bite_J = tick == 1 ? field.food_J(cell) : 0.5 * field.food_J(cell);
+          field.food_J(cell) -= bite_J;
+          if (bite_J > 0.0) energy::ask::on_bite(policy, foods, food, cell, bite_J, BodyIndex{0}, robots.view());
         }
-      }
-      for (std::size_t cell = 0; cell < field.cells(); ++cell) {
-        REQUIRE(field.food_J(cell) >= 0.0);
-        REQUIRE(std::isfinite(field.food_J(cell)));
-        if (cell % 5 == 0) numbers.push_back(field.food_J(cell));
+        for (std::size_t cell = 0; cell < field.cells(); ++cell) {
+          REQUIRE(field.food_J(cell) >= 0.0);
+          REQUIRE(std::isfinite(field.food_J(cell)));
+          if (cell % 5 == 0) numbers.push_back(field.food_J(cell));
+        }
       }
     }
     return numbers;

@@ -104,7 +104,7 @@ auto in_world(const test::HandPopulation& robots, const Ask& ask) {
   for (const Individual& one : robots.individuals) calls.push_back(one.tag > 0 ? 0.8 : 0.3);
   View view = robots.view();
   view.robot_radius_m = 0.3;
-  view.field = &field;
+  view.foods = {&field, 1};
   view.acts = {.acts = {&call, 1}, .values = calls};
   return ask(view);
 }

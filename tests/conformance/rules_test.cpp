@@ -44,10 +44,12 @@
 #include <trophic/death/starvation/no_starvation.hpp>
 #include <trophic/energy/metabolism/fixed_gains.hpp>
 #include <trophic/energy/metabolism/grazing_and_hunting.hpp>
+#include <trophic/energy/metabolism/grazing_by_diet.hpp>
 #include <trophic/energy/metabolism/no_metabolism.hpp>
 #include <trophic/energy/order/by_turns.hpp>
 #include <trophic/energy/order/together.hpp>
 #include <trophic/energy/resource/delayed_patches.hpp>
+#include <trophic/energy/resource/foods.hpp>
 #include <trophic/energy/resource/logistic_field.hpp>
 #include <trophic/energy/resource/no_resource.hpp>
 #include <trophic/initialization/community/food_chain.hpp>
@@ -100,6 +102,9 @@
 using namespace trophic;
 
 namespace {
+
+using GrassAndPatches = energy::resource::Foods<energy::resource::Food<"grass", energy::resource::LogisticField>,
+                                                energy::resource::Food<"patches", energy::resource::DelayedPatches>>;
 
 struct Sight {
   static constexpr std::string_view name = "sight_m";
@@ -187,9 +192,9 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_viability_suite, reproduction::viability::Alwa
                           reproduction::viability::ModuleLimits,
                           reproduction::viability::SurvivesTrial<reproduction::viability::ModuleLimits>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_metabolism_suite, energy::metabolism::GrazingAndHunting, energy::metabolism::FixedGains,
-                          energy::metabolism::NoMetabolism);
+                          energy::metabolism::NoMetabolism, energy::metabolism::GrazingByDiet<>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_resource_suite, energy::resource::LogisticField, energy::resource::DelayedPatches,
-                          energy::resource::NoResource);
+                          energy::resource::NoResource, GrassAndPatches);
 TEST_CASE_TEMPLATE_INVOKE(trophic_order_suite, energy::order::ByTurns, energy::order::Together);
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_heredity_suite, reproduction::heredity::Crossover, reproduction::heredity::CrossoverByNeuron,

@@ -119,9 +119,10 @@ brains grow.)");
 stock_J is the previous row's plus outside_J, field_J, victims_J and received_J, less upkeep_J, eaten_J, given_J and lost_J.)");
   text += section<io::ResourceRow>(
       "resource.csv",
-      R"(The resource at every tick. Written only with a rule Resource. stock_J is the previous row's plus grown_J less taken_J.)");
+      R"(Each food of the resource at every tick. Written only with a rule Resource. stock_J is the food's previous row's plus
+grown_J, less taken_J and destroyed_J.)");
   text += section<io::FieldRow>("field.csv",
-                                "Every cell of the resource at every tenth tick, or hundredth if there are more than 10,000. "
+                                "Every cell of each food at every tenth tick, or hundredth if there are more than 10,000. "
                                 "Written only with a rule Resource.");
   text += section<gait_evolution::TaxonRow>("phylogeny.csv of a gait's evolution",
                                             "Every candidate in the ALife data standard, time in generations.");

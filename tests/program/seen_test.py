@@ -176,7 +176,8 @@ class Seen(InFolderWithSets):
         self.assertEqual(len(tick["id"]), 150)
         energy = [float(row["stock_J"]) for row in self.energy if row["time_s"] == "40"]
         numpy.testing.assert_allclose(tick["stock"], energy, atol=1e-4)
-        self.assertTrue(len(tick["food"]) == GRASS and 0.5 * TOP < max(tick["food"]) <= TOP)
+        self.assertEqual(list(tick["foods"]), ["food"])
+        self.assertTrue(len(tick["foods"]["food"]) == GRASS and 0.5 * TOP < max(tick["foods"]["food"]) <= TOP)
 
     def test_births_at_the_start_are_shown_filmed_and_exported(self):
         """A rule that gives bodies to predators at time 0. A killed run is compared with its recording row by row."""

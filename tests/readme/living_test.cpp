@@ -5,6 +5,7 @@
 #include <a-living-world/01_part.cpp>
 #include <a-living-world/02_part.cpp>
 #include <a-living-world/03_part.cpp>
+#include <a-living-world/04_part.cpp>
 #include <map>
 #include <regex>
 #include <sstream>
@@ -62,7 +63,7 @@ template <class Rules>
 }  // namespace
 
 TEST_CASE_TEMPLATE("rules of the how-to: run killed three times -> the same bytes, a ledger that closes", Rules, ManuredPond,
-                   MatingPond, SeeingPond) {
+                   Orchard, MatingPond, SeeingPond) {
   const TemporaryFolder folder;
   const auto experiment = short_run<Rules>();
   const io::OutputOptions output{.replay_hz = 0.0, .states = true};

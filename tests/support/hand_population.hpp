@@ -63,7 +63,14 @@ class HandPopulation {
 
   /// As rules see it. Refers to this object.
   [[nodiscard]] View view() const {
-    return {.time_s = time_s, .tick = tick, .web = web, .arena = arena, .robots = individuals, .poses = poses, .traits = traits};
+    return {.time_s = time_s,
+            .tick = tick,
+            .web = web,
+            .arena = arena,
+            .robots = individuals,
+            .poses = poses,
+            .foods = foods,
+            .traits = traits};
   }
 
   /// Perception unless a test sets another: active individuals of its own tag. Refers to this object.
@@ -87,6 +94,7 @@ class HandPopulation {
   Arena arena{};
   std::vector<Individual> individuals;
   std::vector<GroundPose> poses;
+  std::vector<ResourceField> foods = {};
   std::vector<std::string_view> traits = {};  ///< names; a test gives genomes theirs
   std::int64_t tick = 0;
   double time_s = 0.0;

@@ -62,12 +62,12 @@ struct LegendEntry {
   std::string text;
 };
 
-/// A square of the floor, whose colour is its food: from 0 to 1, the most.
+/// A square of the floor, whose colour is its foods: each from 0 to 1, the most.
 struct FoodTile {
   double x_m = 0.0;  ///< of its centre
   double y_m = 0.0;
   double half_side_m = 0.0;
-  float food = 0.0F;
+  std::vector<float> foods = {};
 };
 
 /// Numbers over time, which goes from 0 to 1 in the stretch that is shown.

@@ -221,8 +221,8 @@ class Renderer::Scene {
   void add_arena(const Eigen::Vector3d& eye_m, std::span<const FoodTile> food) {
     const double half = arena_.half_side_m;
     if (food.empty()) add(mjGEOM_BOX, {half, half, 0.01}, {0, 0, -0.0105}, Eigen::Matrix3d::Identity(), floor_colour, 1.0F);
-    for (const auto& [x, y, side, share] : food) {
-      const Colour colour = mixed(floor_colour, food_colour, share);
+    for (const auto& [x, y, side, shares] : food) {
+      const Colour colour = floor_with(floor_colour, shares);
       add(mjGEOM_BOX, {side, side, 0.01}, {x, y, -0.0105}, Eigen::Matrix3d::Identity(), colour, 1.0F);
     }
     const double step = half > 40 ? 10 : half > 15 ? 2 : 1;

@@ -141,8 +141,10 @@ Json robots_of(const TickSight& sight, const RunFacts& facts) {
             {"angle", column_of(sight.rows, [&](const io::AgentRow& row) { return rounded(row.target_angle_rad); })},
             {"adversary", column_of(sight.rows, [](const io::AgentRow& row) { return or_null(row.adversary); })},
             {"hunger", column_of(sight.rows, [](const io::AgentRow& row) { return or_null(row.hunger_ticks); })}};
-  for (const auto& [name, values_J] : {std::pair{"energy", &sight.energy_J}, {"stock", &sight.stock_J}, {"food", &sight.food_J}})
+  for (const auto& [name, values_J] : {std::pair{"energy", &sight.energy_J}, {"stock", &sight.stock_J}})
     if (!values_J->empty()) tick[name] = column_of(*values_J, rounded);
+  if (!sight.foods_J.empty()) tick["foods"] = Json::object();
+  for (const auto& [name, cells_J] : sight.foods_J) tick["foods"][name] = column_of(cells_J, rounded);
   const std::vector<std::string> acts =
       facts.description.outputs.empty() ? std::vector<std::string>{"turn", "tag"} : facts.description.outputs;
   tick["outputs"] = Json::object();  // a null that becomes one crashes without memory

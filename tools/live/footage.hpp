@@ -45,8 +45,8 @@ struct TickSight {
   std::vector<bool> are_spare;                 ///< bodies without an individual
   std::vector<double> energy_J;                ///< of each body's individual; empty in a world without energy
   std::vector<double> stock_J;                 ///< of each species; empty in a world without energy
-  std::vector<double> food_J;                  ///< in each cell of the floor; empty without a resource
-  std::vector<std::vector<double>> outputs;    ///< of each body's brain; empty if it was not evaluated
+  std::vector<std::pair<std::string, std::vector<double>>> foods_J;  ///< of each food: its name, and in each cell of the floor
+  std::vector<std::vector<double>> outputs;                          ///< of each body's brain; empty if it was not evaluated
   std::vector<Moment> frames;
   SetDown set_down;      ///< empty if all robots have one body
   bool is_last = false;  ///< of the run

@@ -126,8 +126,10 @@ void Sight::on_tick(const View& view) {
       sight_->energy_J.push_back(one.lives() ? one.energy_J : 0.0);
       if (one.lives()) sight_->stock_J[one.species] += one.energy_J;
     }
-    for (std::size_t cell = 0; view.field != nullptr && cell < view.field->cells(); ++cell) {
-      sight_->food_J.push_back(view.field->food_J(cell));
+    for (std::size_t food = 0; food < view.foods.size(); ++food) {
+      const std::span<const double> cells_J = view.foods[food].food_J();
+      sight_->foods_J.emplace_back(view.food_names.empty() ? "food" : view.food_names[food],
+                                   std::vector<double>{cells_J.begin(), cells_J.end()});
     }
   }
   server_.show(std::exchange(sight_, std::make_shared<TickSight>()), facts_);

@@ -8,13 +8,14 @@
 #include <trophic/worlds/lotka_volterra.hpp>
 #include <trophic/worlds/pond_race.hpp>
 #include <trophic/worlds/ponds.hpp>
+#include <trophic/worlds/two_foods.hpp>
 #include <trophic/worlds/wolf_sheep.hpp>
 
 namespace trophic::command {
 
 std::vector<std::pair<std::string, MakeExperiment>> world_tables() {
   using namespace worlds;
-  return rule_tables<Pond, PondWithRefuges, PondWithConditions, PondRace, FoodChain, WolfSheep, RosenzweigMacArthur,
+  return rule_tables<Pond, PondWithRefuges, PondWithConditions, PondRace, TwoFoods, FoodChain, WolfSheep, RosenzweigMacArthur,
                      LotkaVolterra>();
 }
 

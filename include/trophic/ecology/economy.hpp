@@ -17,79 +17,104 @@ inline constexpr bool has_energy = !is_neutral<Rules, RuleSlot::metabolism>;
 template <class Rules>
 inline constexpr bool has_field = !is_neutral<Rules, RuleSlot::resource>;
 
-/// The field of food under the rule Resource of a table.
+/// The fields of food under the rule Resource of a table.
 template <class Rules, bool = has_field<Rules>>
-class Food {
+class FoodSupply {
  public:
+  static constexpr std::span<const std::string_view> names = energy::food_names<PolicyIn<Rules, RuleSlot::resource>>;
+
   /// All arguments must outlive it.
-  Food(const Policies<Rules>& rules, std::uint64_t seed, const Habitat* habitat) : rules_{rules}, seed_{seed} {
+  FoodSupply(const Policies<Rules>& rules, std::uint64_t seed, const Habitat* habitat) : rules_{rules}, seed_{seed} {
     if (habitat == nullptr) throw std::invalid_argument{"a rule Resource: needs an arena"};
     Rng rng{seed_, Stream::resource};
-    field_ = rules_.resource.start(habitat->arena, rng);
-    check_field("start");
+    fields_ = energy::ask::start(rules_.resource, habitat->arena, rng);
+    if (fields_.size() != std::max<std::size_t>(names.size(), 1))
+      throw RuleError{"resource", "start: " + std::to_string(fields_.size()) + " fields: must be " +
+                                      std::to_string(names.size()) + ", one per food"};
+    flows_.resize(fields_.size());
+    for (std::size_t food = 0; food < fields_.size(); ++food) check_field("start", food);
   }
 
-  [[nodiscard]] const ResourceField* field() const { return &field_; }
-  [[nodiscard]] const ResourceFlow& flow() const { return flow_; }
-  void open_ledger() { flow_ = {}; }
+  [[nodiscard]] std::span<const ResourceField> fields() const { return fields_; }
+  [[nodiscard]] std::span<const ResourceFlow> flows() const { return flows_; }  ///< one per food
+  void open_ledger() { std::ranges::fill(flows_, ResourceFlow{}); }
   void grow(const View& view) {
     Rng rng{seed_, Stream::resource, 1, static_cast<std::uint64_t>(view.tick)};
-    change("grow", [&] { rules_.resource.grow(field_, view, rng); });
+    change("grow", [&] { energy::ask::grow(rules_.resource, fields_, view, rng); });
   }
   void take_death([[maybe_unused]] const Vacancy& death, [[maybe_unused]] double left_J, [[maybe_unused]] const View& view) {
     if constexpr (energy::detail::TakesDeaths<PolicyIn<Rules, RuleSlot::resource>>)  // else it would only visit every cell
-      change("on_death", [&] { energy::ask::on_death(rules_.resource, field_, death, left_J, view); });
+      change("on_death", [&] { energy::ask::on_death(rules_.resource, fields_, death, left_J, view); });
   }
 
-  /// Lets an individual take `bite_J(there_J)` of the food at its position. Returns the amount.
+  /// Lets an individual take `bite_J(there_J)` of a food at its position. Returns the amount.
   template <class Bite>
-  double bite(BodyIndex body, const View& view, const Bite& bite_J) {
-    const std::size_t cell = field_.cell_at(view.poses[body]);
-    double& there_J = field_.food_J(cell);
+  double bite(std::size_t food, BodyIndex body, const View& view, const Bite& bite_J) {
+    const std::size_t cell = fields_[food].cell_at(view.poses[body]);
+    double& there_J = fields_[food].food_J(cell);
     const double taken_J = bite_J(there_J);
     if (taken_J == 0.0) return 0.0;
     there_J -= taken_J;
-    flow_.taken_J += taken_J;
+    flows_[food].taken_J += taken_J;
     const double before_J = there_J;
-    energy::ask::on_bite(rules_.resource, field_, cell, taken_J, body, view);
-    check_cell("on_bite", cell);
-    flow_.grown_J += there_J - before_J;
+    energy::ask::on_bite(rules_.resource, fields_, food, cell, taken_J, body, view);
+    check_cell("on_bite", food, cell);
+    note(food, there_J - before_J);
     return taken_J;
   }
 
-  void persist(Archive& archive) { archive(field_, flow_); }
+  void persist(Archive& archive) {
+    const std::size_t foods = fields_.size();
+    std::size_t saved = foods;
+    archive(saved);
+    Archive::require(saved == foods, "a resource of a different number of foods");
+    for (std::size_t food = 0; food < foods; ++food) archive(fields_[food], flows_[food]);
+  }
 
  private:
-  void check_field(const char* what) const {
-    for (std::size_t cell = 0; cell < field_.cells(); ++cell) check_cell(what, cell);
+  void check_field(const char* what, std::size_t food) const {
+    for (std::size_t cell = 0; cell < fields_[food].cells(); ++cell) check_cell(what, food, cell);
   }
-  void check_cell(const char* what, std::size_t cell) const {
-    const double there_J = field_.food_J(cell);
+  void check_cell(const char* what, std::size_t food, std::size_t cell) const {
+    const double there_J = fields_[food].food_J(cell);
     if (there_J >= 0.0 && std::isfinite(there_J)) return;
-    throw RuleError{"resource", std::string{what} + ": " + number_text(there_J) + " J in cell " + std::to_string(cell) +
+    const std::string of = names.empty() ? "" : " of " + std::string{names[food]};
+    throw RuleError{"resource", std::string{what} + ": " + number_text(there_J) + " J" + of + " in cell " + std::to_string(cell) +
                                     ": must be >= 0 and finite"};
+  }
+  void note(std::size_t food, double change_J) {
+    flows_[food].grown_J += std::max(change_J, 0.0);
+    flows_[food].destroyed_J += std::max(-change_J, 0.0);
   }
   template <class Change>
   void change(const char* what, const Change& change) {
-    const double before_J = field_.total_J();
+    before_J_.clear();
+    for (const ResourceField& field : fields_) before_J_.insert(before_J_.end(), field.food_J().begin(), field.food_J().end());
     change();
-    check_field(what);
-    flow_.grown_J += field_.total_J() - before_J;
+    auto before_J = before_J_.begin();
+    for (std::size_t food = 0; food < fields_.size(); ++food) {
+      check_field(what, food);
+      if (static_cast<std::size_t>(before_J_.end() - before_J) < fields_[food].cells())
+        throw RuleError{"resource", std::string{what} + ": must keep the number of cells"};
+      for (const double now_J : fields_[food].food_J()) note(food, now_J - *before_J++);
+    }
   }
 
   const Policies<Rules>& rules_;
   std::uint64_t seed_;
-  ResourceField field_;
-  ResourceFlow flow_;
+  std::vector<ResourceField> fields_;
+  std::vector<ResourceFlow> flows_;
+  std::vector<double> before_J_;  ///< of all cells, while a rule changes them
 };
 
-/// In a table without that rule there is no field.
+/// In a table without that rule there is no food.
 template <class Rules>
-class Food<Rules, false> {
+class FoodSupply<Rules, false> {
  public:
-  Food(const Policies<Rules>&, std::uint64_t, const Habitat*) {}
-  [[nodiscard]] const ResourceField* field() const { return nullptr; }
-  [[nodiscard]] ResourceFlow flow() const { return {}; }
+  static constexpr std::span<const std::string_view> names{};
+  FoodSupply(const Policies<Rules>&, std::uint64_t, const Habitat*) {}
+  [[nodiscard]] std::span<const ResourceField> fields() const { return {}; }
+  [[nodiscard]] std::span<const ResourceFlow> flows() const { return {}; }
   void open_ledger() {}
   void grow(const View&) {}
   void take_death(const Vacancy&, double, const View&) {}
@@ -105,7 +130,7 @@ class Economy {
   Economy(const Policies<Rules>& rules, std::uint64_t seed, std::size_t species, const Habitat* habitat)
       : rules_{rules}, seed_{seed}, food_{rules, seed, habitat}, flows_(species) {}
 
-  [[nodiscard]] const Food<Rules>& food() const { return food_; }
+  [[nodiscard]] const FoodSupply<Rules>& food() const { return food_; }
   [[nodiscard]] std::span<const EnergyFlow> flows() const { return flows_; }  ///< one per species
 
   /// The initial energy of an individual that no parent endows.
@@ -154,7 +179,7 @@ class Economy {
   }
   void grow(const View& view) { food_.grow(view); }
 
-  /// The acting individuals bite, in random order.
+  /// The acting individuals bite each food in turn, in random order of individuals.
   template <class Acting>
   void bite(std::span<Individual> robots, const View& view, const Acting& acting) {
     if constexpr (has_field<Rules>) {
@@ -166,13 +191,15 @@ class Economy {
       rng.shuffle(std::span{order});
       for (const BodyIndex body : order) {
         Individual& self = robots[body];
-        const double taken_J = food_.bite(body, view, [&](double there_J) {
-          const double bite_J = rule_of(self).bite_J(body, there_J, view);
-          check("bite_J", bite_J, 0.0, there_J);
-          return bite_J;
-        });
-        self.energy_J += taken_J;
-        flows_[self.species].field_J += taken_J;
+        for (std::size_t food = 0; food < food_.fields().size(); ++food) {
+          const double taken_J = food_.bite(food, body, view, [&](double there_J) {
+            const double bite_J = rule_of(self).bite_J(body, food, there_J, view);
+            check("bite_J", bite_J, 0.0, there_J);
+            return bite_J;
+          });
+          self.energy_J += taken_J;
+          flows_[self.species].field_J += taken_J;
+        }
       }
     }
   }
@@ -223,7 +250,7 @@ class Economy {
 
   const Policies<Rules>& rules_;
   std::uint64_t seed_;
-  Food<Rules> food_;
+  FoodSupply<Rules> food_;
   std::vector<EnergyFlow> flows_;
 };
 
@@ -232,7 +259,7 @@ template <class Rules>
 class Economy<Rules, false> {
  public:
   Economy(const Policies<Rules>& rules, std::uint64_t seed, std::size_t, const Habitat* habitat) : food_{rules, seed, habitat} {}
-  [[nodiscard]] const Food<Rules>& food() const { return food_; }
+  [[nodiscard]] const FoodSupply<Rules>& food() const { return food_; }
   [[nodiscard]] std::span<const EnergyFlow> flows() const { return {}; }
   void endow_from_outside(Individual&) {}
   void endow(Individual&, double energy_J, std::span<Individual>, std::span<const BodyIndex>) {
@@ -247,7 +274,7 @@ class Economy<Rules, false> {
   void persist(Archive& archive) { archive(food_); }
 
  private:
-  Food<Rules> food_;
+  FoodSupply<Rules> food_;
 };
 
 }  // namespace trophic

@@ -53,13 +53,24 @@ void add_idle_births(const Policies<Rules>& rules, const Outset& outset, std::ve
   for (Species species = 0; species < outset.web.size(); ++species) {
     const auto& births = for_species(rules.recruitment, species);
     const auto& metabolism = for_species(rules.metabolism, species);
-    if constexpr (requires { births.params.birth_J > metabolism.params.capacity_J; }) {
-      if (births.params.birth_J > metabolism.params.capacity_J)
+    if constexpr (requires { births.params.birth_J > metabolism.capacity_J(); }) {
+      if (births.params.birth_J > metabolism.capacity_J())
         remarks.push_back("rules.recruitment: no " + outset.web.name(species) +
                           " is ever born: birth_J = " + number_text(births.params.birth_J) +
-                          " is above rules.metabolism's capacity_J = " + number_text(metabolism.params.capacity_J));
+                          " is above rules.metabolism's capacity_J = " + number_text(metabolism.capacity_J()));
     }
   }
+}
+
+/// Diets differ only between foods.
+template <class Rules>
+[[nodiscard]] std::string idle_diets() {
+  using Metabolism = AnswersForSpecies<PolicyIn<Rules, RuleSlot::metabolism>>;
+  if constexpr (requires { typename Metabolism::ReadsDiets; }) {
+    if (energy::food_names<PolicyIn<Rules, RuleSlot::resource>>.size() < 2)
+      return "rules.metabolism: diets have no effect: the table has one food or none (energy::resource::Foods)";
+  }
+  return {};
 }
 
 }  // namespace detail
@@ -79,6 +90,7 @@ template <class Rules>
 #undef TROPHIC_ASK_IDLE
   if (std::string said = detail::idle_captures<Rules>(rules, outset); !said.empty()) remarks.push_back(std::move(said));
   detail::add_idle_births<Rules>(rules, outset, remarks);
+  if (std::string said = detail::idle_diets<Rules>(); !said.empty()) remarks.push_back(std::move(said));
   return remarks;
 }
 

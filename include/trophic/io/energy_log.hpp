@@ -7,6 +7,18 @@
 
 namespace trophic::io {
 
+namespace detail {
+
+inline constexpr std::string_view food_help = "the food, in a table with several (resource::Foods)";
+inline constexpr Written if_named{.if_any = true};
+
+/// The name of a food in a row.
+[[nodiscard]] inline std::optional<std::string_view> food_name(const View& view, std::size_t food) {
+  return view.food_names.empty() ? std::nullopt : std::optional{view.food_names[food]};
+}
+
+}  // namespace detail
+
 /// energy.csv: one row per species and tick, after that tick's rules. stock_J is the previous row's plus the other columns, minus
 /// those from upkeep_J on.
 struct EnergyRow {
@@ -42,33 +54,39 @@ struct EnergyRow {
   }
 };
 
-/// resource.csv: one row per tick. stock_J is the previous row's plus grown_J minus taken_J.
+/// resource.csv: one row per food and tick. stock_J is the food's previous row's plus grown_J minus taken_J and destroyed_J.
 struct ResourceRow {
   double time_s = 0.0;
   std::int64_t tick = 0;
+  std::optional<std::string_view> food = {};
   double grown_J = 0.0;
   double taken_J = 0.0;
+  double destroyed_J = 0.0;
   double stock_J = 0.0;
 
   static constexpr auto columns() {
-    return std::tuple{
-        column("time_s", &ResourceRow::time_s, "s", "time by the ecology's clock", seconds),
-        column("tick", &ResourceRow::tick, "", "index of the decision step; 0 at the start"),
-        column("grown_J", &ResourceRow::grown_J, "J", "grown by the rule Resource; negative if the resource decays"),
-        column("taken_J", &ResourceRow::taken_J, "J", "taken by individuals"),
-        column("stock_J", &ResourceRow::stock_J, "J", "energy of all cells")};
+    return std::tuple{column("time_s", &ResourceRow::time_s, "s", "time by the ecology's clock", seconds),
+                      column("tick", &ResourceRow::tick, "", "index of the decision step; 0 at the start"),
+                      column("food", &ResourceRow::food, "", detail::food_help, detail::if_named),
+                      column("grown_J", &ResourceRow::grown_J, "J", "grown by the rule Resource"),
+                      column("taken_J", &ResourceRow::taken_J, "J", "eaten by individuals"),
+                      column("destroyed_J", &ResourceRow::destroyed_J, "J",
+                             "destroyed by the rule Resource, such as the rest of a bitten patch"),
+                      column("stock_J", &ResourceRow::stock_J, "J", "energy of all cells")};
   }
 };
 
-/// field.csv: one row per cell of the resource at every hundredth tick.
+/// field.csv: one row per cell of each food at every tenth tick.
 struct FieldRow {
   double time_s = 0.0;
+  std::optional<std::string_view> food = {};
   double x_m = 0.0;
   double y_m = 0.0;
   double food_J = 0.0;
 
   static constexpr auto columns() {
     return std::tuple{column("time_s", &FieldRow::time_s, "s", "time by the ecology's clock", seconds),
+                      column("food", &FieldRow::food, "", detail::food_help, detail::if_named),
                       column("x_m", &FieldRow::x_m, "m", "centre of the cell", micro),
                       column("y_m", &FieldRow::y_m, "m", "centre of the cell", micro),
                       column("food_J", &FieldRow::food_J, "J", "energy in the cell")};
@@ -107,33 +125,53 @@ class EnergyLog : public CsvFile<EnergyRow> {
   }
 };
 
-/// Writes a ResourceRow per tick.
+/// Writes a ResourceRow per food and tick.
 class ResourceLog : public CsvFile<ResourceRow> {
  public:
-  using CsvFile::CsvFile;
   static constexpr std::string_view file_name = "resource.csv";
 
+  explicit ResourceLog(const std::filesystem::path& path, Opening opening = Opening::created)
+      : CsvFile{path, std::nullopt, opening} {}
+
   void on_tick(const View& view) {
-    write({.time_s = view.time_s,
-           .tick = view.tick,
-           .grown_J = view.resource.grown_J,
-           .taken_J = view.resource.taken_J,
-           .stock_J = view.field->total_J()});
+    begin({.food = detail::food_name(view, 0)});
+    for (std::size_t food = 0; food < view.foods.size(); ++food) {
+      const ResourceFlow& flow = view.resource[food];
+      write({.time_s = view.time_s,
+             .tick = view.tick,
+             .food = detail::food_name(view, food),
+             .grown_J = flow.grown_J,
+             .taken_J = flow.taken_J,
+             .destroyed_J = flow.destroyed_J,
+             .stock_J = view.foods[food].total_J()});
+    }
     flush();
   }
 };
 
-/// Writes a FieldRow per cell at every tenth tick, or every hundredth for a field of more than 10,000 cells.
+/// Writes a FieldRow per cell of each food at every tenth tick, or every hundredth for foods of more than 10,000 cells in all.
 class FieldLog : public CsvFile<FieldRow> {
  public:
-  using CsvFile::CsvFile;
   static constexpr std::string_view file_name = "field.csv";
 
+  explicit FieldLog(const std::filesystem::path& path, Opening opening = Opening::created)
+      : CsvFile{path, std::nullopt, opening} {}
+
   void on_tick(const View& view) {
-    if (view.tick % (view.field->cells() > 10'000 ? 100 : 10) != 0) return;
-    for (std::size_t cell = 0; cell < view.field->cells(); ++cell) {
-      const GroundPose at = view.field->centre(cell);
-      write({.time_s = view.time_s, .x_m = at.x_m, .y_m = at.y_m, .food_J = view.field->food_J(cell)});
+    begin({.food = detail::food_name(view, 0)});
+    std::size_t cells = 0;
+    for (const ResourceField& food : view.foods) cells += food.cells();
+    if (view.tick % (cells > 10'000 ? 100 : 10) != 0) return;
+    for (std::size_t food = 0; food < view.foods.size(); ++food) {
+      const ResourceField& field = view.foods[food];
+      for (std::size_t cell = 0; cell < field.cells(); ++cell) {
+        const GroundPose at = field.centre(cell);
+        write({.time_s = view.time_s,
+               .food = detail::food_name(view, food),
+               .x_m = at.x_m,
+               .y_m = at.y_m,
+               .food_J = field.food_J(cell)});
+      }
     }
     flush();
   }

@@ -27,11 +27,12 @@ struct EnergyFlow {
   }
 };
 
-/// The energy of the resource since the last tick, J. Its stock changes by grown_J - taken_J.
+/// The energy of a food of the resource since the last tick, J. Its stock changes by grown_J - taken_J - destroyed_J.
 struct ResourceFlow {
-  double grown_J = 0.0;  ///< grown by the rule Resource: growth, decay, and additions by its hooks
-  double taken_J = 0.0;  ///< taken by individuals
-  static constexpr auto saved() { return std::tuple{&ResourceFlow::grown_J, &ResourceFlow::taken_J}; }
+  double grown_J = 0.0;      ///< grown by the rule Resource and its hooks
+  double taken_J = 0.0;      ///< taken by individuals
+  double destroyed_J = 0.0;  ///< destroyed by the rule Resource and its hooks, such as the rest of a bitten patch, or by decay
+  static constexpr auto saved() { return std::tuple{&ResourceFlow::grown_J, &ResourceFlow::taken_J, &ResourceFlow::destroyed_J}; }
 };
 
 }  // namespace trophic

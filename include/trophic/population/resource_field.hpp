@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The resource of the world: energy on a square grid over the floor.
+// A food of the world: energy on a square grid over the floor.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <trophic/habitat/arena.hpp>
 #include <trophic/params/archive.hpp>
 #include <trophic/support/units.hpp>
@@ -40,6 +41,7 @@ class ResourceField {
 
   [[nodiscard]] double& food_J(std::size_t cell) { return food_J_.at(cell); }
   [[nodiscard]] double food_J(std::size_t cell) const { return food_J_.at(cell); }
+  [[nodiscard]] std::span<const double> food_J() const { return food_J_; }
   [[nodiscard]] double& layer(std::size_t number, std::size_t cell) { return layers_.at(number).at(cell); }
   [[nodiscard]] double layer(std::size_t number, std::size_t cell) const { return layers_.at(number).at(cell); }
   [[nodiscard]] std::size_t layers() const { return layers_.size(); }

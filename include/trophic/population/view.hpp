@@ -29,16 +29,17 @@ struct View {
   const Arena& arena;
   std::span<const Individual> robots;
   std::span<const GroundPose> poses;
-  const SearchTree* tree = nullptr;            ///< tree over the poses; without one, searches visit every robot
-  std::span<const std::size_t> members = {};   ///< number per species; if empty, they are counted
-  std::uint64_t refused_bodies = 0;            ///< number of body mutations refused by the rules so far
-  std::span<const Phenotype> phenotypes = {};  ///< one per body; empty if all have the habitat's robot and gait
-  const ResourceField* field = nullptr;        ///< the resource; null in a table without a rule Resource
-  std::span<const EnergyFlow> energy = {};     ///< one per species, since the last tick; empty without a rule Metabolism
-  ResourceFlow resource = {};                  ///< since the last tick
-  std::uint64_t refused_births = 0;            ///< number of births so far without a free body or free space
-  const BodyReading* bodies = nullptr;         ///< readings from an engine with joints (population/body_reading.hpp); else null
-  ActValues acts = {};                         ///< values of acts at the last decisions
+  const SearchTree* tree = nullptr;                   ///< tree over the poses; without one, searches visit every robot
+  std::span<const std::size_t> members = {};          ///< number per species; if empty, they are counted
+  std::uint64_t refused_bodies = 0;                   ///< number of body mutations refused by the rules so far
+  std::span<const Phenotype> phenotypes = {};         ///< one per body; empty if all have the habitat's robot and gait
+  std::span<const ResourceField> foods = {};          ///< the resource, a field for each food; empty without a rule Resource
+  std::span<const std::string_view> food_names = {};  ///< of foods in a table with several; empty for the only one
+  std::span<const EnergyFlow> energy = {};            ///< one per species, since the last tick; empty without a rule Metabolism
+  std::span<const ResourceFlow> resource = {};        ///< one per food, since the last tick
+  std::uint64_t refused_births = 0;                   ///< number of births so far without a free body or free space
+  const BodyReading* bodies = nullptr;  ///< readings from an engine with joints (population/body_reading.hpp); else null
+  ActValues acts = {};                  ///< values of acts at the last decisions
   std::span<const std::string_view> traits = {};  ///< names of the heritable traits of the rule Traits
   bool is_over = false;                           ///< whether the run ends now by EcologyParams::ends_when
   Space space = {};                               ///< whether distances cross the edges of the arena

@@ -40,7 +40,7 @@ struct OnItsPatch {
     std::vector<BodyIndex> wolves;
     std::vector<std::pair<std::size_t, BodyIndex>> sheep;  // with their patches
     for (BodyIndex body = 0; view.tick > 0 && body < view.robots.size(); ++body) {
-      if (view.robots[body].species == 0) sheep.emplace_back(view.field->cell_at(view.poses[body]), body);
+      if (view.robots[body].species == 0) sheep.emplace_back(view.foods.front().cell_at(view.poses[body]), body);
       if (view.robots[body].species == 1) wolves.push_back(body);
     }
     std::ranges::sort(sheep);
@@ -48,7 +48,7 @@ struct OnItsPatch {
     rng.shuffle(std::span{wolves});
     std::vector<death::Capture> captures;
     for (const BodyIndex wolf : wolves) {
-      const std::size_t patch = view.field->cell_at(view.poses[wolf]);
+      const std::size_t patch = view.foods.front().cell_at(view.poses[wolf]);
       const auto first = std::ranges::lower_bound(sheep, patch, {}, &std::pair<std::size_t, BodyIndex>::first);
       auto last = std::ranges::upper_bound(first, sheep.end(), patch, {}, &std::pair<std::size_t, BodyIndex>::first);
       if (const auto gone = eaten.find(patch); gone != eaten.end()) last -= static_cast<std::ptrdiff_t>(gone->second);

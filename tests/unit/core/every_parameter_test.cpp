@@ -17,6 +17,7 @@
 #include <trophic/worlds/lotka_volterra.hpp>
 #include <trophic/worlds/pond_race.hpp>
 #include <trophic/worlds/ponds.hpp>
+#include <trophic/worlds/two_foods.hpp>
 #include <trophic/worlds/wolf_sheep.hpp>
 
 namespace {
@@ -59,7 +60,7 @@ struct Rows {
       const GroundPose& at = view.poses[body];
       add(one.id, one.tag, one.active ? 1 : 0, at.x_m, at.y_m, one.target_angle_rad, one.energy_J, one.adversary_distance_m);
     }
-    if (view.field != nullptr) add(view.field->total_J());
+    for (const ResourceField& food : view.foods) add(food.total_J());
     text = hash_text(text);
   }
 };
@@ -281,6 +282,17 @@ TEST_CASE("effects: each parameter of pond_race, halved or changed later -> othe
                      {"rules.traits.walking_pace.most", 1.1}});
   runs.others.insert({{"rules.traits.walking_pace.least", 0.8}, {"rules.traits.walking_pace.most", 1.2}});
   check_every_parameter<worlds::PondRace>(runs);
+}
+
+TEST_CASE("effects: each parameter of two_foods, halved or changed later -> other bytes, or a remark or refusal") {
+  const test::TemporaryFolder folder;
+  ShortRuns runs = pond(folder);
+  for (const std::string number : {"prey.capacity_J", "predator.first_J", "predator.capacity_J"}) {
+    auto moved = runs.crowd.extract("rules.metabolism." + number);
+    moved.key().insert(moved.key().rfind('.') + 1, "energy.");
+    runs.crowd.insert(std::move(moved));
+  }
+  check_every_parameter<worlds::TwoFoods>(runs);
 }
 
 TEST_CASE("effects: each parameter of food_chain, halved or changed later -> other bytes, or a remark or refusal") {

@@ -39,12 +39,12 @@ struct Exact {
   static constexpr std::size_t size = 2;
   [[nodiscard]] std::array<double, size> sense(BodyIndex self, const std::optional<Sighting>&, const View& view, Rng&) const {
     const GroundPose& from = view.poses[self];
-    const double half_m = 0.5 * view.field->cell_m();
+    const double half_m = 0.5 * view.foods.front().cell_m();
     double nearest_m = range_m;
     std::array<double, size> values{};
-    for (std::size_t cell = 0; cell < view.field->cells(); ++cell) {
-      if (view.field->food_J(cell) < 0.5) continue;
-      const auto [x_m, y_m] = view.space.way_m(from, view.field->centre(cell));
+    for (std::size_t cell = 0; cell < view.foods.front().cells(); ++cell) {
+      if (view.foods.front().food_J(cell) < 0.5) continue;
+      const auto [x_m, y_m] = view.space.way_m(from, view.foods.front().centre(cell));
       const double near_x_m = std::clamp(0.0, x_m - half_m, x_m + half_m);
       const double near_y_m = std::clamp(0.0, y_m - half_m, y_m + half_m);
       const double d_m = std::hypot(near_x_m, near_y_m);
@@ -75,7 +75,7 @@ struct Forager {
 };
 
 struct Eaten {
-  void on_tick(const View& view) { eaten_J += view.resource.taken_J; }
+  void on_tick(const View& view) { eaten_J += view.resource.front().taken_J; }
   double eaten_J = 0.0;
 };
 

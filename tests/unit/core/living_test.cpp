@@ -10,7 +10,7 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/torus.hpp>
 #include <trophic/rules/with_ageing_victims.hpp>
-#include <trophic/worlds/pond.hpp>
+#include <trophic/worlds/two_foods.hpp>
 #include <unit/checkpoint/resumed.hpp>
 
 using namespace trophic;
@@ -93,7 +93,7 @@ struct Shells {
 /// Bites more than there is.
 struct Greedy : energy::metabolism::GrazingAndHunting {
   static constexpr std::string_view name = "greedy";
-  [[nodiscard]] double bite_J(BodyIndex, double there_J, const View&) const { return there_J + 1.0; }
+  [[nodiscard]] double bite_J(BodyIndex, std::size_t, double there_J, const View&) const { return there_J + 1.0; }
 };
 
 /// Robots that cannot come and go.
@@ -134,8 +134,8 @@ template <class Rules>
 
 }  // namespace
 
-TEST_CASE_TEMPLATE("living: ledger of energy -> closes for each species and the resource at every tick", Rules, Pond, ColdPond,
-                   PaperWithEnergy) {
+TEST_CASE_TEMPLATE("living: ledger of energy -> closes for each species and food at every tick", Rules, Pond, ColdPond,
+                   PaperWithEnergy, worlds::TwoFoods) {
   Ecology<Rules> ecology{short_pond<Rules>(), backend::Kinematic::Params{}};
   EnergyAuditor auditor;
   ecology.run_until(1000.0, auditor);
@@ -219,7 +219,7 @@ TEST_CASE("living: deaths in a table without a rule Metabolism -> the resource h
   observe::Tally tally;
   ecology.run_until(1000.0, tally);
   REQUIRE(tally.deaths() > 10);
-  CHECK(ecology.view().field->total_J() == doctest::Approx(static_cast<double>(tally.deaths())));
+  CHECK(ecology.view().foods.front().total_J() == doctest::Approx(static_cast<double>(tally.deaths())));
 }
 
 TEST_CASE("living: energy that a rule takes from nowhere -> error that names value and bound") {

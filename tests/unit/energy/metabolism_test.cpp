@@ -37,11 +37,11 @@ TEST_CASE("grazing and hunting: upkeep by hand -> at rest for a tick of 2 s, and
 }
 
 TEST_CASE("grazing and hunting: bites -> at most the mouth, what is there and what has room, for grazers only") {
-  CHECK(rule.bite_J(0, 10.0, pair(10.0, 10.0).view()) == doctest::Approx(3.0));
-  CHECK(rule.bite_J(0, 1.0, pair(10.0, 10.0).view()) == doctest::Approx(1.0));
-  CHECK(rule.bite_J(0, 10.0, pair(98.0, 10.0).view()) == doctest::Approx(2.0));
-  CHECK(rule.bite_J(0, 10.0, pair(120.0, 10.0).view()) == 0.0);
-  CHECK(rule.bite_J(1, 10.0, pair(10.0, 10.0).view()) == 0.0);
+  CHECK(rule.bite_J(0, 0, 10.0, pair(10.0, 10.0).view()) == doctest::Approx(3.0));
+  CHECK(rule.bite_J(0, 0, 1.0, pair(10.0, 10.0).view()) == doctest::Approx(1.0));
+  CHECK(rule.bite_J(0, 0, 10.0, pair(98.0, 10.0).view()) == doctest::Approx(2.0));
+  CHECK(rule.bite_J(0, 0, 10.0, pair(120.0, 10.0).view()) == 0.0);
+  CHECK(rule.bite_J(1, 0, 10.0, pair(10.0, 10.0).view()) == 0.0);
 }
 
 TEST_CASE("grazing and hunting: act Eat in the table -> only those bite that chose to") {
@@ -50,8 +50,8 @@ TEST_CASE("grazing and hunting: act Eat in the table -> only those bite that cho
   const std::vector<double> chosen{0.0, 1.0};
   View view = robots.view();
   view.acts = {.acts = {&eat, 1}, .values = chosen};
-  CHECK(rule.bite_J(0, 10.0, view) == 0.0);
-  CHECK(rule.bite_J(1, 10.0, view) == doctest::Approx(3.0));
+  CHECK(rule.bite_J(0, 0, 10.0, view) == 0.0);
+  CHECK(rule.bite_J(1, 0, 10.0, view) == doctest::Approx(3.0));
 }
 
 TEST_CASE("grazing and hunting: a meal -> a share of what the victim has, at most what has room") {
@@ -86,9 +86,9 @@ TEST_CASE("fixed gains: by hand -> a price for each tick, a bite for grazers, a 
   const energy::metabolism::FixedGains fixed{{.gain_J = 4.0, .tick_J = 1.5}};
   const HandPopulation robots = pair(-0.1, 0.0);
   CHECK(fixed.upkeep_J(0, 9.0, robots.view()) == 1.5);
-  CHECK(fixed.bite_J(0, 9.0, robots.view()) == 4.0);
-  CHECK(fixed.bite_J(0, 3.0, robots.view()) == 3.0);
-  CHECK(fixed.bite_J(1, 9.0, robots.view()) == 0.0);
+  CHECK(fixed.bite_J(0, 0, 9.0, robots.view()) == 4.0);
+  CHECK(fixed.bite_J(0, 0, 3.0, robots.view()) == 3.0);
+  CHECK(fixed.bite_J(1, 0, 9.0, robots.view()) == 0.0);
   CHECK(fixed.meal_J(1, 0, robots.view()) == 0.0);
   CHECK(fixed.bonus_J(1, 0, robots.view()) == 4.0);
   CHECK(fixed.starves(0, robots.view()));
@@ -105,7 +105,7 @@ TEST_CASE("no metabolism: individuals have, spend and need no energy") {
   Rng rng{1, Stream::user};
   CHECK(none.first_J(robots.individuals[0], rng) == 0.0);
   CHECK(none.upkeep_J(0, 9.0, robots.view()) == 0.0);
-  CHECK(none.bite_J(0, 9.0, robots.view()) == 0.0);
+  CHECK(none.bite_J(0, 0, 9.0, robots.view()) == 0.0);
   CHECK(none.meal_J(1, 0, robots.view()) == 0.0);
   CHECK_FALSE(none.starves(0, robots.view()));
 }

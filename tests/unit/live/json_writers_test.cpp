@@ -32,7 +32,8 @@ TEST_CASE("JSON: one allocation of a writer fails, each in turn -> the program e
   live::TickSight sight;
   sight.rows = {{.body = 0}, {.body = 1}};
   sight.are_spare = {false, true};
-  sight.stock_J = sight.food_J = {0.5, 1.0};
+  sight.stock_J = {0.5, 1.0};
+  sight.foods_J = {{"grass", {0.5, 1.0}}, {"fruit", {2.0}}};
   sight.outputs = {{0.25, -1.0}};
   const std::tuple<const char*, std::function<std::string()>> writers[] = {
       {R"("zones":[{"name":"burrow")", [&] { return json_text(io::recording::json_of(arena)); }},

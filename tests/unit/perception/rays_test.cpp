@@ -120,7 +120,7 @@ TEST_CASE("rays: food -> the first cell with enough, unless a body hides it, aro
   field.food_J(field.cell_at(-9.5, 9.5)) = 1.0;
   robots.poses[0].y_m = 0.5;
   View view = seen(robots);
-  view.field = &field;
+  view.foods = {&field, 1};
   const Rays<1, Sees::food> ahead{{.range_m = 4.0, .field_rad = 0.1, .food_J = 0.5}};
   CHECK(sensed(ahead, view)[0] == Approx(0.5));
   CHECK(sensed(Rays<1, Sees::food>{{.range_m = 4.0, .field_rad = 0.1, .food_J = 2.0}}, view)[0] == 0.0);
@@ -132,7 +132,7 @@ TEST_CASE("rays: food -> the first cell with enough, unless a body hides it, aro
                    .arena = robots.arena,
                    .robots = robots.individuals,
                    .poses = robots.poses,
-                   .field = &field,
+                   .foods = {&field, 1},
                    .space = {.period_m = 20.0}};
   CHECK(sensed(ahead, round)[0] == Approx(1.0 - 0.25 / 4.0));
 }

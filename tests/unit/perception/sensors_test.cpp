@@ -217,7 +217,7 @@ TEST_CASE("food gradient: four cells around -> shares ahead and to the right, 0 
   View view = robots.view();
   const perception::sensors::FoodGradient nose{{.reach_m = 1.0}};
   CHECK(values_of(nose, view) == std::array{0.0, 0.0});
-  view.field = &field;
+  view.foods = {&field, 1};
   CHECK(values_of(nose, view) == std::array{0.0, 0.0});
   field.food_J(field.cell_at(0.5, 1.5)) = 3.0;   // ahead
   field.food_J(field.cell_at(0.5, -0.5)) = 1.0;  // behind

@@ -150,7 +150,8 @@ std::vector<film::LegendEntry> Footage::legend(double time_s, const Sights& sigh
   if (fills({"capture"})) legend.push_back({Mark::catch_, film::catch_colour, "caught"});
   if (fills({"starvation", "metabolism", "senescence", "minimum_predators"})) legend.push_back({Mark::death, ink, "other death"});
   if (sights.reach_m) legend.push_back({Mark::reach, ink, "reach of " + number_text(*sights.reach_m) + " m"});
-  if (!food_.at(time_s).empty()) legend.push_back({Mark::food, food_colour, "food"});
+  for (std::size_t food = 0; food < food_.names().size(); ++food)
+    legend.push_back({Mark::food, food_colour(food), food_.names()[food]});
   std::set<std::string> zones;
   for (const Zone& zone : head().arena.zones) zones.insert(zone.name);
   for (const std::string& name : zones) legend.push_back({Mark::zone, film::zone_colour, name});

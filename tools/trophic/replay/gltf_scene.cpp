@@ -68,7 +68,7 @@ void GltfScene::add_arena(const Arena& arena) {
   }
 }
 
-/// A plate in each cell, whose area follows the food in it.
+/// A plate in each cell for each food, side by side, whose area follows the food in it.
 void GltfScene::add_food(std::size_t parent) {
   constexpr std::size_t moments = 64;
   std::vector<float> times_s;
@@ -78,18 +78,24 @@ void GltfScene::add_food(std::size_t parent) {
     food.push_back(food_.at(recording_.time_s(frame)));
   }
   if (food.front().empty()) return;
-  const std::size_t plate = file_.add_box("food", file_.add_material("food", food_colour));
   const std::size_t times = file_.add_times(times_s);
-  for (std::size_t tile = 0; tile < food.front().size(); ++tile) {
-    std::vector<float> scales;
-    for (const auto& tiles : food) {
-      const auto half_m = static_cast<float>(tiles[tile].half_side_m * std::sqrt(std::max(tiles[tile].food, 1e-4F)));
-      scales.insert(scales.end(), {half_m, half_m, 0.01F});
+  const std::size_t count = food_.names().size();
+  for (std::size_t kind = 0; kind < count; ++kind) {
+    const std::string& name = food_.names()[kind];
+    const std::size_t plate = file_.add_box(name, file_.add_material(name, food_colour(kind)));
+    const double part = 1.0 / static_cast<double>(count);
+    const double aside = part * static_cast<double>(2 * kind + 1) - 1.0;  // of half a cell
+    for (std::size_t tile = 0; tile < food.front().size(); ++tile) {
+      std::vector<float> scales;
+      for (const auto& tiles : food) {
+        const auto half_m = static_cast<float>(tiles[tile].half_side_m * std::sqrt(std::max(tiles[tile].foods[kind], 1e-4F)));
+        scales.insert(scales.end(), {static_cast<float>(part) * half_m, half_m, 0.01F});
+      }
+      const film::FoodTile& at = food.front()[tile];
+      const std::size_t node = file_.add_shape(parent, plate, {at.x_m + aside * at.half_side_m, at.y_m, -0.008},
+                                               Eigen::Quaterniond::Identity(), {scales[0], scales[1], scales[2]});
+      if (times_s.size() > 1) file_.move(node, "scale", times, scales);
     }
-    const film::FoodTile& at = food.front()[tile];
-    const std::size_t node = file_.add_shape(parent, plate, {at.x_m, at.y_m, -0.008}, Eigen::Quaterniond::Identity(),
-                                             {scales[0], scales[1], scales[2]});
-    if (times_s.size() > 1) file_.move(node, "scale", times, scales);
   }
 }
 

@@ -62,12 +62,30 @@ RecordedFood::RecordedFood(const RecordedRun& run) : half_side_m_{run.recording.
   const std::filesystem::path path = run.folder / "field.csv";
   if (!std::filesystem::exists(path)) return;
   analysis::CsvReader cells{path, {"time_s", "food_J"}};
+  const bool has_names = cells.has("food");
+  if (has_names) cells.want("food");
   while (cells.next()) {
     const auto time_s = cells.get<double>(0);
     if (moments_.empty() || time_s > moments_.back().first) moments_.push_back({time_s, {}});
-    most_ = std::max(most_, moments_.back().second.emplace_back(cells.get<float>(1)));
+    const std::size_t food = place_of(has_names ? cells.text(2) : "food");
+    auto& all = moments_.back().second;
+    all.resize(std::max(all.size(), food + 1));
+    most_[food] = std::max(most_[food], all[food].emplace_back(cells.get<float>(1)));
   }
-  if (!moments_.empty() && moments_.back().second.size() < moments_.front().second.size()) moments_.pop_back();  // killed
+  const auto as_first = [&](const auto& moment) {
+    return std::ranges::equal(moment.second, moments_.front().second, {}, &Cells::size, &Cells::size);
+  };
+  if (!moments_.empty() && !as_first(moments_.back())) moments_.pop_back();  // killed
+  for (const auto& moment : moments_)
+    if (!as_first(moment)) throw std::runtime_error{path.string() + ": must have the same cells of each food at every moment"};
+}
+
+std::size_t RecordedFood::place_of(std::string_view name) {
+  const auto found = std::ranges::find(names_, name);
+  if (found != names_.end()) return static_cast<std::size_t>(found - names_.begin());
+  names_.emplace_back(name);
+  most_.push_back(1e-30F);
+  return names_.size() - 1;
 }
 
 std::vector<film::FoodTile> RecordedFood::at(double time_s) const {
@@ -77,15 +95,20 @@ std::vector<film::FoodTile> RecordedFood::at(double time_s) const {
   const auto& to = next == moments_.end() ? from : *next;
   const double gap_s = to.first - from.first;
   const auto part = static_cast<float>(gap_s > 0.0 ? (time_s - from.first) / gap_s : 0.0);
-  const auto side = static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(from.second.size()))));
-  const std::size_t row = std::min<std::size_t>(side, 100);
+  const auto side_of = [](const Cells& cells) {
+    return static_cast<std::size_t>(std::lround(std::sqrt(static_cast<double>(cells.size()))));
+  };
+  const std::size_t row = std::min<std::size_t>(side_of(*std::ranges::max_element(from.second, {}, &Cells::size)), 100);
   const double half_m = half_side_m_ / static_cast<double>(row);
   const auto middle_m = [&](std::size_t at) { return static_cast<double>(2 * at + 1) * half_m - half_side_m_; };
   std::vector<film::FoodTile> tiles;
   for (std::size_t tile = 0; tile < row * row; ++tile) {
-    const std::size_t cell = tile / row * side / row * side + tile % row * side / row;
-    const float food_J = std::lerp(from.second[cell], to.second[cell], part);
-    tiles.push_back({middle_m(tile % row), middle_m(tile / row), half_m, food_J / most_});
+    tiles.push_back({middle_m(tile % row), middle_m(tile / row), half_m});
+    for (std::size_t food = 0; food < names_.size(); ++food) {
+      const std::size_t side = side_of(from.second[food]);
+      const std::size_t cell = tile / row * side / row * side + tile % row * side / row;
+      tiles.back().foods.push_back(std::lerp(from.second[food][cell], to.second[food][cell], part) / most_[food]);
+    }
   }
   return tiles;
 }

@@ -31,7 +31,7 @@ class RecordedAgents {
   std::vector<std::size_t> begins_;  ///< of each tick in the rows; then their number
 };
 
-/// The food on the floor, as parts of the most that a cell has in the run.
+/// The foods on the floor, as parts of the most that a cell has in the run.
 class RecordedFood {
  public:
   /// Throws std::runtime_error for a field.csv that cannot be read.
@@ -39,11 +39,18 @@ class RecordedFood {
 
   /// Interpolated, in at most a hundred tiles in a row; none in a run without a resource.
   [[nodiscard]] std::vector<film::FoodTile> at(double time_s) const;
+  /// The names of the foods; "food" for the only one of a table that names none.
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
 
  private:
+  using Cells = std::vector<float>;  ///< J in each cell, row by row from the least x and y
+
+  [[nodiscard]] std::size_t place_of(std::string_view name);
+
   double half_side_m_;
-  float most_ = 1e-30F;
-  std::vector<std::pair<double, std::vector<float>>> moments_;  ///< J in each cell, row by row from the least x and y
+  std::vector<std::string> names_;
+  std::vector<float> most_;                                     ///< of each food
+  std::vector<std::pair<double, std::vector<Cells>>> moments_;  ///< the cells of each food
 };
 
 }  // namespace trophic::command::replay

@@ -216,7 +216,7 @@ export class App {
     this.hasGrown = false;
     this.timebar.show(this.run, this.firstTime, this.lastTime);
     this.side.grow(this.run, this.firstTime, this.lastTime);
-    if (this.run.food) this.showLegend();
+    if (this.run.foods.length > 0) this.showLegend();
     // Half of the time is for the world.
     this.grownAt = performance.now() + (performance.now() - now);
   }

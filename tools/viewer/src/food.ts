@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The food in the cells of the floor over time, and its colour: the lightness changes evenly from the floor's to that of the most.
+// The foods in the cells of the floor over time, and the floor's colour: each food filters its light, the more the more there is.
 import { Color } from "three";
 import { firstAfter } from "./moments";
 import { theme } from "./theme";
@@ -9,6 +9,8 @@ export class Food {
   private readonly moments: { time: number; cells: ArrayLike<number> }[] = [];
   /** The most that a cell had, J. */
   most = 0;
+
+  constructor(readonly name: string) {}
 
   add(time: number, cells: ArrayLike<number>): void {
     this.moments.push({ time, cells });
@@ -20,17 +22,34 @@ export class Food {
     return Math.round(Math.sqrt(this.moments[0].cells.length));
   }
 
-  /** Writes the colours of all cells at a moment as red, green, blue and opacity. */
-  paint(pixels: Uint8Array, time: number): void {
+  /** The food of a cell at a moment, as a part of the most. */
+  at(time: number): (cell: number) => number {
     const next = firstAfter(this.moments, time);
     const a = this.moments[Math.max(0, next - 1)];
     const b = this.moments[next] ?? a;
     const part = b.time > a.time ? Math.max(0, (time - a.time) / (b.time - a.time)) : 0;
-    const [bare, rich] = [theme().floor, theme().food].map((colour) => new Color(colour).convertLinearToSRGB().toArray());
-    for (let cell = 0; cell < a.cells.length; ++cell) {
-      const share = this.most > 0 ? (a.cells[cell] + part * (b.cells[cell] - a.cells[cell])) / this.most : 0;
-      for (let i = 0; i < 3; ++i) pixels[4 * cell + i] = 255 * (bare[i] + share * (rich[i] - bare[i]));
-      pixels[4 * cell + 3] = 255;
+    return (cell) => (this.most > 0 ? (a.cells[cell] + part * (b.cells[cell] - a.cells[cell])) / this.most : 0);
+  }
+}
+
+/** The colour of a floor with the most of a food, by its place among the foods. */
+export function foodColour(place: number): string {
+  const colours = theme().foods;
+  return colours[place % colours.length];
+}
+
+/** Writes the floor's colours at a moment, `side` x `side` of red, green, blue and opacity. */
+export function paintFoods(foods: Food[], side: number, pixels: Uint8Array, time: number): void {
+  const [bare, ...rich] = [theme().floor, ...foods.map((_, place) => foodColour(place))].map((colour) => new Color(colour).convertLinearToSRGB().toArray());
+  const shares = foods.map((food) => food.at(time));
+  const sides = foods.map((food) => food.side);
+  for (let pixel = 0; pixel < side * side; ++pixel) {
+    const [x, y] = [pixel % side, Math.floor(pixel / side)];
+    const here = shares.map((share, place) => share(Math.floor((y * sides[place]) / side) * sides[place] + Math.floor((x * sides[place]) / side)));
+    for (let i = 0; i < 3; ++i) {
+      const light = here.reduce((left, share, place) => left * (1 + share * (rich[place][i] / bare[i] - 1)), bare[i]);
+      pixels[4 * pixel + i] = 255 * Math.min(1, light);
     }
+    pixels[4 * pixel + 3] = 255;
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The arena: floor with a grid of metres, walls or slopes. A wall between the camera and the floor is nearly transparent.
 import { BoxGeometry, BufferAttribute, BufferGeometry, CylinderGeometry, DataTexture, DoubleSide, Group, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, PlaneGeometry, RingGeometry, SRGBColorSpace, type Vector3 } from "three";
-import type { Food } from "./food";
+import { type Food, paintFoods } from "./food";
 import type { Head } from "./recording";
 import { theme } from "./theme";
 
@@ -57,15 +57,17 @@ export class Ground {
     for (const { material } of this.walls) material.color.set(colours.wall);
   }
 
-  /** Colours the floor by its food at a moment. */
-  show(food: Food, time: number): void {
+  /** Colours the floor by its foods at a moment, with as many cells as the finest has. */
+  show(foods: Food[], time: number): void {
     if (!this.floor.map) {
-      this.floor.map = new DataTexture(new Uint8Array(4 * food.side ** 2), food.side, food.side);
+      const side = Math.max(...foods.map((food) => food.side));
+      this.floor.map = new DataTexture(new Uint8Array(4 * side ** 2), side, side);
       this.floor.map.colorSpace = SRGBColorSpace;
       this.floor.needsUpdate = true;
       this.paint();
     }
-    food.paint((this.floor.map as DataTexture).image.data as Uint8Array, time);
+    const { data, width } = (this.floor.map as DataTexture).image;
+    paintFoods(foods, width, data as Uint8Array, time);
     this.floor.map.needsUpdate = true;
   }
 

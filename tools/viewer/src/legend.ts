@@ -2,6 +2,7 @@
 // Names every colour and mark of a run's world.
 import { branchColour, catchColour, colourOf } from "./colours";
 import { make } from "./element";
+import { foodColour } from "./food";
 import type { Run } from "./run";
 import { theme } from "./theme";
 
@@ -38,6 +39,6 @@ export function legendOf(run: Run): { items: HTMLElement[]; counts: HTMLElement[
     sign("link", "perceives", colourOf(species.length > 1 ? 1 : 0)),
   );
   for (const name of new Set(run.recording.head.arena.zones?.map((zone) => zone.name))) items.push(sign("zone", name, theme().zone));
-  if (run.food) items.push(sign("food", `food, up to ${Number(run.food.most.toPrecision(3))} J a cell`, theme().food));
+  for (const [place, { name, most }] of run.foods.entries()) items.push(sign("food", `${name}, up to ${Number(most.toPrecision(3))} J a cell`, foodColour(place)));
   return { items, counts };
 }

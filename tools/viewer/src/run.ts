@@ -49,9 +49,9 @@ export interface LiveTick {
   energy?: number[];
   /** Outputs of brains, by act; null if a brain was not evaluated. */
   outputs?: Record<string, (number | null)[]>;
-  /** In a world with energy: of each species, and in each cell of the floor, J. */
+  /** In a world with energy: of each species, and of each food in each cell of the floor, J. */
   stock?: number[];
-  food?: number[];
+  foods?: Record<string, number[]>;
 }
 
 /** time, kind, id, body, species, cause, other, x, y, parents as an ancestor list, origin; of a catch its scene. */
@@ -242,7 +242,7 @@ export class Run {
   readonly events: Event[] = [];
   /** In a world with energy. */
   energy: Curves | null = null;
-  food: Food | null = null;
+  readonly foods: Food[] = [];
   /** x, y of every body at every tick of the agents; NaN until the recording has been read, but for newborns. */
   track: Float32Array;
   tracked = false;
@@ -276,7 +276,7 @@ export class Run {
       this.joinTrack(body, before);
     }
     if (tick.stock) this.addEnergy(tick.time_s, tick.stock);
-    if (tick.food) (this.food ??= new Food()).add(tick.time_s, tick.food);
+    for (const [name, cells] of Object.entries(tick.foods ?? {})) this.addFood(name, tick.time_s, cells);
   }
 
   /** Fills the ticks from number `from` on that a fast run left out, up to the last one, if the body's individual is the same. */
@@ -294,6 +294,23 @@ export class Run {
     this.energy ??= { time: [], bySpecies: this.index.species.map(() => []) };
     this.energy.time.push(time);
     this.energy.bySpecies.forEach((curve, species) => curve.push(bySpecies[species]));
+  }
+
+  private addFood(name: string, time: number, cells: ArrayLike<number>): void {
+    let food = this.foods.find((one) => one.name === name);
+    if (!food) this.foods.push((food = new Food(name)));
+    food.add(time, cells);
+  }
+
+  /** Adds the rows of field.csv: at each moment the cells of one food after another. */
+  private addFoods(table: Table): void {
+    const names = table.has("food") ? table.text("food") : [];
+    for (const [time, cells] of Run.moments(table, "food_J")) {
+      for (let from = 0, to = 0; from < cells.length; from = to) {
+        while (to < cells.length && names[to] === names[from]) ++to;
+        this.addFood(names[from] ?? "food", time, cells.subarray(from, to));
+      }
+    }
   }
 
   /** Rows of a table of a world with energy, moment by moment. */
@@ -502,7 +519,7 @@ export class Run {
     if (isIn("states")) run.agents.addStates(await table("states"));
     if (isIn("traits")) run.readTraits(await table("traits"));
     for (const [time, stock] of isIn("energy") ? Run.moments(await table("energy"), "stock_J") : []) run.addEnergy(time, stock);
-    for (const [time, cells] of isIn("food") ? Run.moments(await table("food"), "food_J") : []) (run.food ??= new Food()).add(time, cells);
+    if (isIn("food")) run.addFoods(await table("food"));
     return run;
   }
 }

@@ -4,7 +4,7 @@
 export interface Theme {
   background: string;
   floor: string;
-  food: string; // of the floor where it has most food
+  foods: string[]; // of the floor where it has most of a food, by its place among the foods
   grid: string;
   wall: string;
   zone: string; // the edge of a named place on the floor
@@ -17,11 +17,11 @@ export interface Theme {
 }
 
 const light: Theme = {
-  background: "#f6f8f9", floor: "#dde3e8", food: "#9cc47f", grid: "#cbd3da", wall: "#aab4be", zone: "#4a5968", shadow: "#bcc5cd", ink: "#111417", muted: "#5f6a76", faint: "#e3e8ec", change: "#8a2be2",
+  background: "#f6f8f9", floor: "#dde3e8", foods: ["#9cc47f", "#c7a1db", "#edcc6b"], grid: "#cbd3da", wall: "#aab4be", zone: "#4a5968", shadow: "#bcc5cd", ink: "#111417", muted: "#5f6a76", faint: "#e3e8ec", change: "#8a2be2",
   lanes: ["#eef1f4", "#f6f8f9"],
 };
 const dark: Theme = {
-  background: "#12171d", floor: "#2b343e", food: "#56733f", grid: "#3a4550", wall: "#5a6672", zone: "#a9b8c6", shadow: "#1c232b", ink: "#f2f5f7", muted: "#9aa6b2", faint: "#2a323b", change: "#c79bff",
+  background: "#12171d", floor: "#2b343e", foods: ["#56733f", "#6d4d86", "#8a6f2c"], grid: "#3a4550", wall: "#5a6672", zone: "#a9b8c6", shadow: "#1c232b", ink: "#f2f5f7", muted: "#9aa6b2", faint: "#2a323b", change: "#c79bff",
   lanes: ["#1e252d", "#181e25"],
 };
 

@@ -212,7 +212,7 @@ export class World {
       recording.poseInto(this.pose, look.time, body, Number.isNaN(place?.[0]) ? undefined : place);
       this.drawRobot(body, row, look);
     }
-    if (run.food) this.ground.show(run.food, look.time);
+    if (run.foods.length > 0) this.ground.show(run.foods, look.time);
     this.bodies.done();
     this.flash(look);
     this.marks.done();

@@ -5,11 +5,11 @@
 #include <trophic/population/state.hpp>
 #include <trophic/support/rng.hpp>
 
-#define TROPHIC_SENTENCE_Metabolism                                                                                              \
-  "double first_J(const Individual&, Rng&) const, double upkeep_J(BodyIndex, double walked_m, const View&) const, double "       \
-  "bite_J(BodyIndex, double there_J, const View&) const, double meal_J(BodyIndex hunter, BodyIndex victim, const View&) const, " \
-  "bool starves(BodyIndex, const View&) const; bonus_J, if there is one, must be callable as double bonus_J(BodyIndex hunter, "  \
-  "BodyIndex victim, const View&) const; see trophic/energy/metabolism/contract.hpp"
+#define TROPHIC_SENTENCE_Metabolism                                                                                            \
+  "double first_J(const Individual&, Rng&) const, double upkeep_J(BodyIndex, double walked_m, const View&) const, double "     \
+  "bite_J(BodyIndex, std::size_t food, double there_J, const View&) const, double meal_J(BodyIndex hunter, BodyIndex victim, " \
+  "const View&) const, bool starves(BodyIndex, const View&) const; bonus_J, if there is one, must be callable as double "      \
+  "bonus_J(BodyIndex hunter, BodyIndex victim, const View&) const; see trophic/energy/metabolism/contract.hpp"
 
 namespace trophic::energy {
 
@@ -29,8 +29,10 @@ concept GivesBonus = requires(const P policy, BodyIndex body, const View& view) 
 ///
 /// - `first_J(newborn, rng)`: returns the energy of a founder, or of a newborn that no parent endows
 /// - `upkeep_J(self, walked_m, view)`: returns what an individual spends in a tick in which it walked this distance, >= 0
-/// - `bite_J(self, there_J, view)`: returns what it takes of the there_J in its cell of the resource, >= 0 and at most there_J;
-///   asked once a tick, after upkeep, in random order, in a table with a rule Resource
+/// - `bite_J(self, food, there_J, view)`: returns what it takes of the there_J of `view.foods[food]` in its cell, >= 0 and at
+/// most
+///   there_J; asked once a tick for each food in order, after upkeep, individuals in random order, in a table with a rule
+///   Resource
 /// - `meal_J(hunter, victim, view)`: returns how much of its victim's energy a hunter gets, >= 0 and at most all of it; the rest
 /// is lost
 /// - optional: `bonus_J(hunter, victim, view)`: returns what a hunter gets from outside at a catch, >= 0, as in worlds without a
@@ -43,7 +45,7 @@ concept Metabolism = requires(const P policy, const Individual& newborn, BodyInd
                               Rng& rng) {
   { policy.first_J(newborn, rng) } -> std::same_as<double>;
   { policy.upkeep_J(body, number, view) } -> std::same_as<double>;
-  { policy.bite_J(body, number, view) } -> std::same_as<double>;
+  { policy.bite_J(body, std::size_t{}, number, view) } -> std::same_as<double>;
   { policy.meal_J(body, body, view) } -> std::same_as<double>;
   { policy.starves(body, view) } -> std::same_as<bool>;
   requires !detail::StateNames_bonus_J<P> || detail::GivesBonus<P>;

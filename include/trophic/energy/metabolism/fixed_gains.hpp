@@ -27,7 +27,7 @@ struct FixedGains {
 
   [[nodiscard]] double first_J(const Individual&, Rng& rng) const { return std::floor(rng.uniform(0.0, 2.0 * params.gain_J)); }
   [[nodiscard]] double upkeep_J(BodyIndex, double, const View&) const { return params.tick_J; }
-  [[nodiscard]] double bite_J(BodyIndex self, double there_J, const View& view) const {
+  [[nodiscard]] double bite_J(BodyIndex self, std::size_t, double there_J, const View& view) const {
     return view.web.hunts(view.robots[self].species) ? 0.0 : std::min(there_J, params.gain_J);
   }
   [[nodiscard]] double meal_J(BodyIndex, BodyIndex, const View&) const { return 0.0; }

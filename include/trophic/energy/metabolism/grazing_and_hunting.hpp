@@ -9,8 +9,9 @@ namespace trophic::energy::metabolism {
 
 /// Rule, for an individual with energy E in a tick of length t:
 ///   E <- E - (resting + walking * distance / t) * t
-///   E <- E + min(bite * t, there, capacity - E), for a species that hunts nothing, in a table with a Resource; in one with the
-///   act Eat only if its brain chose to eat E <- E + min(efficiency * victim's E, capacity - E) at a catch
+///   E <- E + min(bite * t, there, capacity - E) of each food, for a species that hunts nothing, in a table with a Resource; in
+///   one with the act Eat only if its brain chose to eat
+///   E <- E + min(efficiency * victim's E, capacity - E) at a catch
 /// An individual starves once E <= 0. Founders and newcomers start with `first`. The energy balance follows Polyworld
 /// [yaeger1994]. All parameters are free.   Reads: energies, the distance walked, the food web, the act Eat.   Random draws: 1
 /// for a founder if `first` has a spread.
@@ -53,7 +54,7 @@ struct GrazingAndHunting {
   [[nodiscard]] double upkeep_J(BodyIndex, double walked_m, const View& view) const {
     return params.resting_W * view.tick_s + params.walking_J_per_m * walked_m;
   }
-  [[nodiscard]] double bite_J(BodyIndex self, double there_J, const View& view) const {
+  [[nodiscard]] double bite_J(BodyIndex self, std::size_t, double there_J, const View& view) const {
     if (view.web.hunts(view.robots[self].species) || !view.act<control::acts::Eat>(self)) return 0.0;
     return std::min({params.bite_W * view.tick_s, there_J, room_J(view.robots[self])});
   }
@@ -61,6 +62,7 @@ struct GrazingAndHunting {
     return std::min(params.efficiency * std::max(view.robots[victim].energy_J, 0.0), room_J(view.robots[hunter]));
   }
   [[nodiscard]] bool starves(BodyIndex self, const View& view) const { return view.robots[self].energy_J <= 0.0; }
+  [[nodiscard]] double capacity_J() const { return params.capacity_J; }
 
  private:
   [[nodiscard]] double room_J(const Individual& self) const { return std::max(params.capacity_J - self.energy_J, 0.0); }

@@ -13,7 +13,7 @@ struct NoMetabolism {
   static constexpr std::string_view source = "paper: no such rule";
   [[nodiscard]] double first_J(const Individual&, Rng&) const { return 0.0; }
   [[nodiscard]] double upkeep_J(BodyIndex, double, const View&) const { return 0.0; }
-  [[nodiscard]] double bite_J(BodyIndex, double, const View&) const { return 0.0; }
+  [[nodiscard]] double bite_J(BodyIndex, std::size_t, double, const View&) const { return 0.0; }
   [[nodiscard]] double meal_J(BodyIndex, BodyIndex, const View&) const { return 0.0; }
   [[nodiscard]] bool starves(BodyIndex, const View&) const { return false; }
 };

@@ -6,9 +6,9 @@
 
 namespace trophic::perception::sensors {
 
-/// Rule: two values, (F front - F behind) / sum and (F right - F left) / sum, where F is the food in the cells at distance
-/// `reach` in front, behind, to the right and to the left; 0 if there is no food. The reach is a free parameter.   Reads: own
-/// pose, resource.   Random draws: 0.
+/// Rule: two values, (F front - F behind) / sum and (F right - F left) / sum, where F is the food, of all kinds, in the
+/// cells at distance `reach` in front, behind, to the right and to the left; 0 if there is no food. The reach is a free
+/// parameter.   Reads: own pose, resource.   Random draws: 0.
 struct FoodGradient {
   static constexpr std::string_view name = "food_gradient";
   static constexpr std::string_view source = "not in the paper";
@@ -25,13 +25,16 @@ struct FoodGradient {
   Params params;
 
   [[nodiscard]] std::array<double, size> sense(BodyIndex self, const std::optional<Sighting>&, const View& view, Rng&) const {
-    if (view.field == nullptr) return {};
+    if (view.foods.empty()) return {};
     const GroundPose& from = view.poses[self];
     const double x_m = params.reach_m * std::cos(from.heading_rad);
     const double y_m = params.reach_m * std::sin(from.heading_rad);
     const auto food_J = [&](double dx_m, double dy_m) {
       const auto inside_m = [&](double place_m) { return view.space.shortest(place_m); };
-      return view.field->food_J(view.field->cell_at(inside_m(from.x_m + dx_m), inside_m(from.y_m + dy_m)));
+      double sum_J = 0.0;
+      for (const ResourceField& food : view.foods)
+        sum_J += food.food_J(food.cell_at(inside_m(from.x_m + dx_m), inside_m(from.y_m + dy_m)));
+      return sum_J;
     };
     const double ahead_J = food_J(x_m, y_m);
     const double behind_J = food_J(-x_m, -y_m);

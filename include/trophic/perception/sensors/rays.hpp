@@ -11,8 +11,8 @@ enum class Sees { victims, hunters, kin, walls, food };
 
 /// Rule: `count` rays from left to right, spread over `field` about the heading. A ray ends at the first body (the circle of its
 /// robot) or wall within `range`; its value for each of the `kinds` is 1 - distance / range if the ray ends at that kind, else 0.
-/// For food, the distance is that of the first cell with at least `food` before the ray's end. Bodies and walls hide what is
-/// behind them; several things at the same distance are all visible. Tags do not matter. All parameters are free.   Reads:
+/// For food, the distance is that of the first cell with at least `food` of one kind before the ray's end. Bodies and walls hide
+/// what is behind them; several things at the same distance are all visible. Tags do not matter. All parameters are free. Reads:
 /// positions, species, arena, resource.   Random draws: 0.
 template <std::size_t count, Sees... kinds>
 struct Rays {
@@ -119,10 +119,17 @@ struct Rays {
     }
   }
 
-  /// Visits the cells that a ray crosses up to its end.
+  /// The nearest food of any kind.
   [[nodiscard]] double food_on(const Ray& ray, const GroundPose& from, const View& view) const {
-    if (!sees_food || view.field == nullptr) return 0.0;
-    const double cell_m = view.field->cell_m();
+    double nearest = 0.0;
+    for (const ResourceField& food : view.foods)
+      if (sees_food) nearest = std::max(nearest, food_on(ray, from, view, food));
+    return nearest;
+  }
+
+  /// Visits the cells that a ray crosses up to its end.
+  [[nodiscard]] double food_on(const Ray& ray, const GroundPose& from, const View& view, const ResourceField& food) const {
+    const double cell_m = food.cell_m();
     const auto next_m = [&](double at_m, double start_m, double along) {  // where it crosses the next line of the grid
       const double place = (start_m + at_m * along + view.arena.half_side_m) / cell_m;
       const double line = along > 0.0 ? std::floor(place) + 1.0 : std::ceil(place) - 1.0;
@@ -132,9 +139,9 @@ struct Rays {
       const double crossing_m = std::min(next_m(at_m, from.x_m, ray.cos), next_m(at_m, from.y_m, ray.sin));
       const double leaves_m = std::max(crossing_m, at_m + 1e-9 * cell_m);
       const double middle_m = 0.5 * (at_m + leaves_m);
-      const std::size_t cell = view.field->cell_at(view.space.shortest(from.x_m + middle_m * ray.cos),
-                                                   view.space.shortest(from.y_m + middle_m * ray.sin));
-      if (view.field->food_J(cell) >= params.food_J) return 1.0 - at_m / params.range_m;
+      const std::size_t cell =
+          food.cell_at(view.space.shortest(from.x_m + middle_m * ray.cos), view.space.shortest(from.y_m + middle_m * ray.sin));
+      if (food.food_J(cell) >= params.food_J) return 1.0 - at_m / params.range_m;
       at_m = leaves_m;
     }
     return 0.0;
