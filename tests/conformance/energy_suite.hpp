@@ -22,6 +22,7 @@ TEST_CASE_TEMPLATE_DEFINE("metabolism", Policy, trophic_metabolism_suite) {
       answers.add(made.bite_J(body, 50.0, robots.view()));
       answers.add(made.meal_J(body, 0, robots.view()));
       answers.add(made.starves(body, robots.view()));
+      answers.add(energy::ask::grant_J(made, robots.individuals[body]));
     }
   };
   conformance::on_populations([&](const test::HandPopulation& robots, std::uint64_t seed) {
@@ -83,7 +84,10 @@ TEST_CASE_TEMPLATE_DEFINE("resource", Policy, trophic_resource_suite) {
         REQUIRE(field.food_J(cell) >= 0.0);
         REQUIRE(std::isfinite(field.food_J(cell)));
         if (cell % 5 == 0) numbers.push_back(field.food_J(cell));
+        for (std::size_t layer = 0; tick == 40 && layer < field.layers(); ++layer) numbers.push_back(field.layer(layer, cell));
       }
+      numbers.push_back(field.total_J());
+      if constexpr (energy::detail::TakesBirths<Policy>) policy.on_birth(field, std::array{BodyIndex{0}}, robots.view(), rng);
     }
     return numbers;
   };

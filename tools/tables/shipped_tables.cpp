@@ -6,6 +6,7 @@
 #include <trophic/rules/released.hpp>
 #include <trophic/worlds/food_chain.hpp>
 #include <trophic/worlds/lotka_volterra.hpp>
+#include <trophic/worlds/mating_zones.hpp>
 #include <trophic/worlds/ponds.hpp>
 #include <trophic/worlds/wolf_sheep.hpp>
 
@@ -13,7 +14,8 @@ namespace trophic::command {
 
 std::vector<std::pair<std::string, MakeExperiment>> world_tables() {
   using namespace worlds;
-  return rule_tables<Pond, PondWithRefuges, PondWithConditions, FoodChain, WolfSheep, RosenzweigMacArthur, LotkaVolterra>();
+  return rule_tables<Pond, PondWithRefuges, PondWithConditions, FoodChain, WolfSheep, RosenzweigMacArthur, LotkaVolterra,
+                     MatingZones>();
 }
 
 std::vector<std::pair<std::string, MakeExperiment>> shipped_tables() {

@@ -15,6 +15,7 @@
 #include <trophic/support/whole_file.hpp>
 #include <trophic/worlds/food_chain.hpp>
 #include <trophic/worlds/lotka_volterra.hpp>
+#include <trophic/worlds/mating_zones.hpp>
 #include <trophic/worlds/ponds.hpp>
 #include <trophic/worlds/wolf_sheep.hpp>
 
@@ -325,6 +326,18 @@ TEST_CASE("effects: each parameter of lotka_volterra, halved or changed later ->
                                                 .last_tick = 40});
 }
 
+TEST_CASE("effects: each parameter of mating_zones, halved or changed later -> other bytes, or a remark or refusal") {
+  check_every_parameter<worlds::MatingZones>({.backend = backend::Torus::Params{.speed_m_s = 0.05},
+                                              .crowd = {{"ecology.robots", 90.0},
+                                                        {"ecology.control_hz", 4.0},
+                                                        {"rules.recruitment.spare_bodies", 40.0},
+                                                        {"rules.recruitment.interval_ticks", 8.0},
+                                                        {"rules.resource.food_W", 5.0}},
+                                              .others = {{"rules.newborn_tag.founder_tag", -1.0}},
+                                              .change_tick = 20,
+                                              .last_tick = 60});
+}
+
 TEST_CASE("effects: tables of the shipped programs -> each has its case here") {
   const std::filesystem::path root = std::filesystem::path{TROPHIC_MODEL_DIR}.parent_path();
   const std::string cases = read_whole_file(root / "tests/unit/core/every_parameter_test.cpp");
@@ -337,5 +350,5 @@ TEST_CASE("effects: tables of the shipped programs -> each has its case here") {
     for (std::sregex_iterator one{names.begin(), names.end(), name}; one != std::sregex_iterator{}; ++one, ++tables)
       CHECK_MESSAGE(std::regex_search(cases, std::regex{"check_every_parameter<\\w+::" + one->str() + ">"}), one->str());
   }
-  CHECK(tables == 9);
+  CHECK(tables == 10);
 }

@@ -6,9 +6,10 @@
 #include <trophic/support/rng.hpp>
 
 #define TROPHIC_SENTENCE_Resource                                                                                       \
-  "ResourceField start(const Arena&, Rng&) const and void grow(ResourceField&, const View&, Rng&) const; on_bite and "  \
-  "on_death, if there are any, must be callable as void on_bite(ResourceField&, std::size_t cell, double taken_J, "     \
-  "BodyIndex, const View&) const and void on_death(ResourceField&, const Vacancy&, double left_J, const View&) const; " \
+  "ResourceField start(const Arena&, Rng&) const and void grow(ResourceField&, const View&, Rng&) const; on_bite, "     \
+  "on_death and on_birth, if there are any, must be callable as void on_bite(ResourceField&, std::size_t cell, double " \
+  "taken_J, BodyIndex, const View&) const, void on_death(ResourceField&, const Vacancy&, double left_J, const View&) "  \
+  "const and void on_birth(ResourceField&, std::span<const BodyIndex> parents, const View&, Rng&) const; "              \
   "see trophic/energy/resource/contract.hpp"
 
 namespace trophic::energy {
@@ -17,6 +18,7 @@ namespace detail {
 
 TROPHIC_PROBE_NAME(on_bite)
 TROPHIC_PROBE_NAME(on_death)
+TROPHIC_PROBE_NAME(on_birth)
 template <class P>
 concept TakesBites = requires(const P policy, ResourceField& field, std::size_t cell, const View& view) {
   policy.on_bite(field, cell, 1.0, BodyIndex{}, view);
@@ -24,6 +26,11 @@ concept TakesBites = requires(const P policy, ResourceField& field, std::size_t 
 template <class P>
 concept TakesDeaths = requires(const P policy, ResourceField& field, const Vacancy& death, const View& view) {
   policy.on_death(field, death, 1.0, view);
+};
+template <class P>
+concept TakesBirths = requires(const P policy, ResourceField& field, std::span<const BodyIndex> parents, const View& view,
+                               Rng& rng) {
+  policy.on_birth(field, parents, view, rng);
 };
 
 }  // namespace detail
@@ -40,6 +47,8 @@ concept TakesDeaths = requires(const P policy, ResourceField& field, const Vacan
 ///   only
 /// - `void on_death(ResourceField&, const Vacancy&, double left_J, const View&) const`: an individual, which is still there, dies
 ///   with this energy, which is lost; what the hook adds to the field counts as grown
+/// - `void on_birth(ResourceField&, std::span<const BodyIndex> parents, const View&, Rng&) const`: a birth of the rule
+///   Recruitment took place; `parents` are the living ones; may change layers only
 /// After each of them no cell may hold less than 0 J or no finite number: RuleError.
 template <class P>
 concept Resource = requires(const P policy, const Arena& arena, ResourceField& field, const View& view, Rng& rng) {
@@ -47,6 +56,7 @@ concept Resource = requires(const P policy, const Arena& arena, ResourceField& f
   {policy.grow(field, view, rng)};
   requires !detail::StateNames_on_bite<P> || detail::TakesBites<P>;
   requires !detail::StateNames_on_death<P> || detail::TakesDeaths<P>;
+  requires !detail::StateNames_on_birth<P> || detail::TakesBirths<P>;
 };
 
 namespace ask {
