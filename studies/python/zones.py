@@ -36,6 +36,16 @@ ZONES = {
 """The numbers of zones, by robots and by the newborns of a pair."""
 LASTING = ("both", "both, room for 300")
 """The rules whose runs have a shadow: runs of the others are not expected to last, and are compared with nothing."""
+TRIED_RULES = [
+    ("both", 1),
+    ("as published", 1),
+    ("finite food", 1),
+    ("parents endow", 1),
+    ("both, room for 300", 2),
+    ("both", 2),
+]
+AGAIN = [("both", 1), ("both, room for 300", 2)]
+"""Rules and the newborns of a pair, in the first runs and in those that confirm."""
 TRIED = (8, 15, 25)
 """The numbers of zones at which each rule is tried."""
 LATE_S = 4000

@@ -45,6 +45,7 @@ FEW = {
     "pond": {"rules.recruitment.spare_bodies": 10, "rules.community.predators": 6},
     "pond_with_refuges": {"rules.recruitment.spare_bodies": 10, "rules.community.predators": 6},
     "pond_with_conditions": {"rules.recruitment.energy.spare_bodies": 10, "rules.community.predators": 6},
+    "mating_zones": {"rules.recruitment.spare_bodies": 10},
     "food_chain": {
         "rules.recruitment.grazer.spare_bodies": 10,
         "rules.community.hunters": 8,

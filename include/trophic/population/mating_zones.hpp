@@ -10,6 +10,7 @@ namespace trophic {
 /// A circle on the floor around the centre of a cell.
 struct MatingZone {
   std::size_t cell = 0;
+  GroundPose centre = {};
   double radius_m = 0.0;
 };
 
@@ -21,13 +22,14 @@ inline constexpr std::size_t zone_layer = 0;
   std::vector<MatingZone> zones;
   if (field == nullptr || field->layers() <= zone_layer) return zones;
   for (std::size_t cell = 0; cell < field->cells(); ++cell)
-    if (const double radius_m = field->layer(zone_layer, cell); radius_m > 0.0) zones.push_back({cell, radius_m});
+    if (const double radius_m = field->layer(zone_layer, cell); radius_m > 0.0)
+      zones.push_back({cell, field->centre(cell), radius_m});
   return zones;
 }
 
 /// Whether a position is in a zone, across the edges on a torus.
 [[nodiscard]] inline bool is_in(const MatingZone& zone, const GroundPose& at, const View& view) {
-  return view.distance_m(view.field->centre(zone.cell), at) <= zone.radius_m;
+  return view.distance_m(zone.centre, at) <= zone.radius_m;
 }
 
 /// The zone whose centre is nearest to a position; empty if there is none.
@@ -35,7 +37,7 @@ inline constexpr std::size_t zone_layer = 0;
   std::optional<MatingZone> nearest;
   double nearest_m = 0.0;
   for (const MatingZone& zone : zones_in(view.field)) {
-    const double away_m = view.distance_m(view.field->centre(zone.cell), at);
+    const double away_m = view.distance_m(zone.centre, at);
     if (nearest && away_m >= nearest_m) continue;
     nearest = zone;
     nearest_m = away_m;

@@ -71,7 +71,7 @@ struct MovingZones {
     for (int attempt = 0; attempt < 100 || field.layer(zone_layer, cell) > 0.0; ++attempt) {
       cell = rng.index(field.cells());
       const auto is_clear = [&](const MatingZone& other) {
-        return distance_m(field.centre(other.cell), field.centre(cell)) >= params.apart_m;
+        return distance_m(other.centre, field.centre(cell)) >= params.apart_m;
       };
       if (field.layer(zone_layer, cell) == 0.0 && std::ranges::all_of(others, is_clear)) break;
     }

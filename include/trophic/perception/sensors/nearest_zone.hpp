@@ -20,9 +20,8 @@ struct NearestZone {
   [[nodiscard]] std::array<double, size> sense(BodyIndex self, const std::optional<Sighting>&, const View& view, Rng&) const {
     const auto zone = nearest_zone(view.poses[self], view);
     if (!zone) return {0.0, 0.0, 1.0};
-    const GroundPose centre = view.field->centre(zone->cell);
-    const double bearing_rad = view.space.bearing_rad(view.poses[self], centre);
-    const double far = view.distance_m(view.poses[self], centre) / view.arena.half_side_m;
+    const double bearing_rad = view.space.bearing_rad(view.poses[self], zone->centre);
+    const double far = view.distance_m(view.poses[self], zone->centre) / view.arena.half_side_m;
     return {std::cos(bearing_rad), std::sin(bearing_rad), std::min(far, 1.0)};
   }
 };
