@@ -8,6 +8,7 @@ import answers
 import designs
 import ponds
 import provenance
+import zones
 
 MARKED = re.compile(r"(<!-- table: ([\w ]+) -->\n).*?(<!-- /table -->)", re.S)
 TITLES = {
@@ -1068,6 +1069,9 @@ def tables(data, choices):
         "living": lambda: living([row for row in data("no_criterion_settings") if row["metric"] != "velocity"]),
         "living settings": lambda: settings(data("no_criterion_settings")),
     }
+    made["zones critical"] = lambda: table(*zones.critical_lines(data("mating_zones_critical")))
+    for name in ("rules", "again", "mujoco"):
+        made[f"zones {name}"] = lambda name=name: table(*zones.rule_lines(data(f"mating_zones_{name}")))
     made["living mujoco"] = lambda: living([row for row in data("no_criterion_mujoco") if row["metric"] == "velocity"])
     made["living evolving"] = lambda: evolving_ponds(data)
     for name in ("arms_race", "ranges", "room", "mujoco", "mujoco_brains"):

@@ -28,11 +28,14 @@ RULES = {
 ON_TORUS = ["backend.speed_m_s=0.0429", "backend.turn_1_s=0.067", "ecology.control_hz=1"]
 """The walk of the robot `spider`, as the backend `kinematic` has it."""
 STANDING = ["backend.speed_m_s=0", *ON_TORUS[1:]]
-ZONES = {
-    "walking": {1: (3, 4, 5, 6, 8, 10, 15, 25, 40), 2: (1, 2, 3, 4, 6, 8)},
-    "standing": {1: (6, 8, 10, 12, 14, 16, 18, 20, 24), 2: (2, 3, 4, 5, 6, 8, 12)},
-    "mean field": {1: (10, 12, 14, 15, 16, 17, 18, 19, 20, 22, 24, 40), 2: (2, 3, 4, 5, 6, 7, 8, 9, 10, 12)},
-}
+ZONES = [
+    ("mean field", 1, (10, 12, 14, 15, 16, 17, 18, 19, 20, 22, 24, 40)),
+    ("walking", 1, (3, 4, 5, 6, 8, 10, 15, 25, 40)),
+    ("standing", 1, (6, 8, 10, 12, 14, 16, 18, 20, 24)),
+    ("mean field", 2, (2, 3, 4, 5, 6, 7, 8, 9, 10, 12)),
+    ("walking", 2, (1, 2, 3, 4, 6, 8)),
+    ("standing", 2, (2, 3, 4, 5, 6, 8, 12)),
+]
 """The numbers of zones, by robots and by the newborns of a pair."""
 LASTING = ("both", "both, room for 300")
 """The rules whose runs have a shadow: runs of the others are not expected to last, and are compared with nothing."""
@@ -150,7 +153,7 @@ def critical_rows(cells):
     return rows
 
 
-def lasting_without_robots(rule, offspring, zones, runs=200):
+def lasting_without_robots(rule, offspring, zones, runs=100):
     """The share of runs of the mean field that last under a rule."""
     changes = RULES[rule]
     food_J, endows = 300.0 * ("rules.resource.food_W=5" in changes), "rules.metabolism.newborn_J=0" in changes
@@ -195,6 +198,67 @@ def with_answers(rows):
         lasts = row["lasted"] >= NEEDED * row["runs"]
         row["answer"] = "yes" if lasts and progress else "lasts, no progress shown" if lasts else "no"
     return rows
+
+
+def critical_lines(rows):
+    """The head and the lines of a table of critical numbers."""
+    lines = []
+    for row in rows:
+        number = (
+            "none"
+            if row["n_c"] == ""
+            else "{:.1f} [{:.1f}, {:.1f}]".format(*(float(row[name]) for name in ("n_c", "lower", "upper")))
+        )
+        lines.append([row["robots"], row["offspring"], row["runs"], row["lasted"], number])
+    return ["robots", "newborns of a pair", "runs", "last", "n_c"], lines
+
+
+def rule_lines(rows):
+    """The head and the lines of a table of rules."""
+
+    def mean(row, name, places):
+        return "" if row[name] == "" else f"{float(row[name]):.{places}f}"
+
+    def ranged(row, name, places):
+        numbers = [row[f"{name}_{part}"] for part in ("difference", "lower", "upper")]
+        if "" in numbers:
+            return ""
+        return "{} [{}, {}]".format(*(f"{float(number):+.{places}f}" for number in numbers))
+
+    lines = []
+    for row in rows:
+        ends = " / ".join(row[outcome] for outcome in OUTCOMES)
+        p = "" if row["p_holm"] == "" else "< 0.001" if float(row["p_holm"]) < 0.001 else f"{float(row['p_holm']):.3f}"
+        lines.append(
+            [
+                row["rule"],
+                row["offspring"],
+                row["zones"],
+                ends,
+                f"{float(row['mean_field_lasted']):.2f}",
+                mean(row, "minutes", 0),
+                mean(row, "robots", 0),
+                f"{mean(row, 'turns', 3)}, {mean(row, 'turns_shadow', 3)}".strip(", "),
+                ranged(row, "turns", 3),
+                p,
+                ranged(row, "distance_m", 1),
+                row["answer"],
+            ]
+        )
+    return [
+        "rule",
+        "newborns",
+        "zones",
+        "die out / explode / last",
+        "last without robots",
+        "median minutes",
+        "robots late",
+        "turns to a zone, in the shadow",
+        "difference",
+        "p (Holm)",
+        "distance, m, over the shadow",
+        "answer",
+    ], lines
 
 
 def write(path, rows):
