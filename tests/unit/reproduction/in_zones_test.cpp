@@ -11,8 +11,8 @@ using reproduction::recruitment::InZones;
 namespace {
 
 /// A world of 25 m with zones of 2 m at x = -5 and x = 5.
-struct Scene {
-  explicit Scene(const std::vector<Robot>& list) : robots{list} {
+struct TwoZones {
+  explicit TwoZones(const std::vector<Robot>& list) : robots{list} {
     robots.arena.half_side_m = 12.5;
     field = ResourceField{robots.arena, 25, 1};
     field.layer(zone_layer, field.cell_at(-5.0, 0.0)) = field.layer(zone_layer, field.cell_at(5.0, 0.0)) = 2.0;
@@ -37,44 +37,45 @@ struct Scene {
   ResourceField field;
 };
 
-using Pairs = std::vector<std::vector<IndividualId>>;
+using ParentIds = std::vector<std::vector<IndividualId>>;
 
 }  // namespace
 
 TEST_CASE("in zones: zones that are empty or hold one -> no birth") {
-  CHECK(Scene{{}}.pairs().empty());
-  CHECK(Scene{{{.x_m = -5.0}, {.x_m = 5.0}, {.x_m = 0.0}, {.x_m = 0.1}}}.pairs().empty());
+  CHECK(TwoZones{{}}.pairs().empty());
+  CHECK(TwoZones{{{.x_m = -5.0}, {.x_m = 5.0}, {.x_m = 0.0}, {.x_m = 0.1}}}.pairs().empty());
 }
 
 TEST_CASE("in zones: a pair -> a birth, only at the last tick of an interval, and only with zones") {
-  Scene scene{{{.x_m = -5.0}, {.x_m = -5.5}}};
-  CHECK(scene.pairs() == Pairs{{0, 1}});
+  TwoZones scene{{{.x_m = -5.0}, {.x_m = -5.5}}};
+  CHECK(scene.pairs() == ParentIds{{0, 1}});
   for (const std::int64_t tick : {28, 30, 58}) {
     scene.robots.at_tick(tick);
     CHECK(scene.pairs().empty());
   }
   scene.robots.at_tick(59);
-  CHECK(scene.pairs() == Pairs{{0, 1}});
+  CHECK(scene.pairs() == ParentIds{{0, 1}});
   scene.field = ResourceField{scene.robots.arena, 25};
   CHECK(scene.pairs().empty());
 }
 
 TEST_CASE("in zones: three in one zone -> the oldest takes the nearest, the third has no mate; four make two pairs") {
-  Scene scene{{{.x_m = -5.0, .id = 7}, {.x_m = -5.5, .id = 3}, {.x_m = -4.0, .id = 5}}};
-  CHECK(scene.pairs() == Pairs{{3, 7}});
+  TwoZones scene{{{.x_m = -5.0, .id = 7}, {.x_m = -5.5, .id = 3}, {.x_m = -4.0, .id = 5}}};
+  CHECK(scene.pairs() == ParentIds{{3, 7}});
   scene.robots.individuals[1].id = 9;
-  CHECK(scene.pairs() == Pairs{{5, 7}});
-  CHECK(Scene{{{.x_m = -5.0}, {.x_m = -4.0}, {.x_m = -5.2}, {.x_m = -4.2}}}.pairs() == Pairs{{0, 2}, {1, 3}});
-  CHECK(Scene{{{.x_m = -5.0}, {.x_m = 5.0}, {.x_m = -5.2}, {.x_m = 4.2}}}.pairs() == Pairs{{0, 2}, {1, 3}});
+  CHECK(scene.pairs() == ParentIds{{5, 7}});
+  CHECK(TwoZones{{{.x_m = -5.0}, {.x_m = -4.0}, {.x_m = -5.2}, {.x_m = -4.2}}}.pairs() == ParentIds{{0, 2}, {1, 3}});
+  CHECK(TwoZones{{{.x_m = -5.0}, {.x_m = 5.0}, {.x_m = -5.2}, {.x_m = 4.2}}}.pairs() == ParentIds{{0, 2}, {1, 3}});
 }
 
 TEST_CASE("in zones: another species, and bodies without an individual -> no mates") {
-  CHECK(Scene{{{.species = prey, .x_m = -5.0}, {.species = predator, .x_m = -5.1}}}.pairs().empty());
-  CHECK(Scene{{{.species = prey, .x_m = -5.0}, {.species = no_species, .x_m = -5.1}, {.x_m = -4.0}}}.pairs() == Pairs{{0, 2}});
+  CHECK(TwoZones{{{.species = prey, .x_m = -5.0}, {.species = predator, .x_m = -5.1}}}.pairs().empty());
+  CHECK(TwoZones{{{.species = prey, .x_m = -5.0}, {.species = no_species, .x_m = -5.1}, {.x_m = -4.0}}}.pairs() ==
+        ParentIds{{0, 2}});
 }
 
 TEST_CASE("in zones: energy below the cost -> both give what the poorer one has; without any no mate") {
-  Scene scene{{{.x_m = -5.0}, {.x_m = -5.5}}};
+  TwoZones scene{{{.x_m = -5.0}, {.x_m = -5.5}}};
   CHECK(scene.births().at(0).endowment_J == 50.0);
   scene.robots.individuals[1].energy_J = 10.0;
   CHECK(scene.births().at(0).endowment_J == 20.0);
@@ -83,7 +84,7 @@ TEST_CASE("in zones: energy below the cost -> both give what the poorer one has;
 }
 
 TEST_CASE("in zones: two newborns -> each near one parent at the step, half of the energy each; without a step no place") {
-  const Scene scene{{{.x_m = -5.0}, {.x_m = -5.5}}};
+  const TwoZones scene{{{.x_m = -5.0}, {.x_m = -5.5}}};
   const auto births = scene.births({.interval_ticks = 30, .offspring = 2, .cost_J = 25.0, .step_m = 3.0});
   REQUIRE(births.size() == 2);
   for (const BodyIndex parent : {BodyIndex{0}, BodyIndex{1}}) {
