@@ -27,6 +27,10 @@ inline constexpr std::size_t zone_layer = 0;
   return zones;
 }
 
+[[nodiscard]] inline std::vector<MatingZone> zones_in(const View& view) {
+  return zones_in(view.field);
+}
+
 /// Whether a position is in a zone, across the edges on a torus.
 [[nodiscard]] inline bool is_in(const MatingZone& zone, const GroundPose& at, const View& view) {
   return view.distance_m(zone.centre, at) <= zone.radius_m;
@@ -36,7 +40,7 @@ inline constexpr std::size_t zone_layer = 0;
 [[nodiscard]] inline std::optional<MatingZone> nearest_zone(const GroundPose& at, const View& view) {
   std::optional<MatingZone> nearest;
   double nearest_m = 0.0;
-  for (const MatingZone& zone : zones_in(view.field)) {
+  for (const MatingZone& zone : zones_in(view)) {
     const double away_m = view.distance_m(zone.centre, at);
     if (nearest && away_m >= nearest_m) continue;
     nearest = zone;

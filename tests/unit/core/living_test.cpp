@@ -185,11 +185,11 @@ TEST_CASE(
       births += 1;
       CHECK(event.individual.parents.size() == 2);
       CHECK(event.individual.energy_J == doctest::Approx(100.0));
-      CHECK(zones_in(view.field).size() == 40);
+      CHECK(zones_in(view).size() == 40);
     }
     void on_tick(const View& view) {
       std::vector<std::size_t> now;
-      for (const MatingZone& zone : zones_in(view.field)) now.push_back(zone.cell);
+      for (const MatingZone& zone : zones_in(view)) now.push_back(zone.cell);
       if (view.tick > 0 && births == before) CHECK(now == cells);
       if (births > before) CHECK(now != cells);
       before = births;

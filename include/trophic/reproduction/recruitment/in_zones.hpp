@@ -47,7 +47,7 @@ struct InZones {
       if (view.robots[body].lives() && view.robots[body].energy_J > 0.0) single.push_back(body);
     }
     std::ranges::sort(single, {}, [&](BodyIndex body) { return view.robots[body].id; });
-    for (const MatingZone& zone : zones_in(view.field)) {
+    for (const MatingZone& zone : zones_in(view)) {
       std::vector<BodyIndex> inside;
       std::ranges::copy_if(single, std::back_inserter(inside), [&](BodyIndex one) { return is_in(zone, view.poses[one], view); });
       while (!inside.empty()) {
