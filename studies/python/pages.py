@@ -10,6 +10,7 @@ import designs
 import open_ended
 import ponds
 import provenance
+import zones
 
 MARKED = re.compile(r"(<!-- table: ([\w ]+) -->\n).*?(<!-- /table -->)", re.S)
 TITLES = {
@@ -1370,6 +1371,9 @@ def tables(data, choices):
         "living": lambda: living([row for row in data("no_criterion_settings") if row["metric"] != "velocity"]),
         "living settings": lambda: settings(data("no_criterion_settings")),
     }
+    made["zones critical"] = lambda: table(*zones.critical_lines(data("mating_zones_critical")))
+    for name in ("rules", "again", "mujoco"):
+        made[f"zones {name}"] = lambda name=name: table(*zones.rule_lines(data(f"mating_zones_{name}")))
     made["living mujoco"] = lambda: living([row for row in data("no_criterion_mujoco") if row["metric"] == "velocity"])
     made["living evolving"] = lambda: evolving_ponds(data)
     made |= {

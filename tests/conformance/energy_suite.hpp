@@ -22,6 +22,7 @@ TEST_CASE_TEMPLATE_DEFINE("metabolism", Policy, trophic_metabolism_suite) {
       for (std::size_t food = 0; food < 3; ++food) answers.add(made.bite_J(body, food, 50.0, robots.view()));
       answers.add(made.meal_J(body, 0, robots.view()));
       answers.add(made.starves(body, robots.view()));
+      answers.add(energy::ask::grant_J(made, robots.individuals[body]));
     }
   };
   conformance::on_populations<Policy>([&](test::HandPopulation robots, std::uint64_t seed) {
@@ -87,8 +88,11 @@ TEST_CASE_TEMPLATE_DEFINE("resource", Policy, trophic_resource_suite) {
           REQUIRE(field.food_J(cell) >= 0.0);
           REQUIRE(std::isfinite(field.food_J(cell)));
           if (cell % 5 == 0) numbers.push_back(field.food_J(cell));
+          if (tick == 40) numbers.push_back(field.zone_m(cell));
         }
+        numbers.push_back(field.total_J());
       }
+      energy::ask::on_birth(policy, foods, std::array{BodyIndex{0}}, robots.view(), rng);
     }
     return numbers;
   };

@@ -11,6 +11,7 @@
 #include <trophic/perception/sensors/contract.hpp>
 #include <trophic/perception/tag_switch/contract.hpp>
 #include <trophic/perception/visibility/contract.hpp>
+#include <trophic/population/mating_zones.hpp>
 
 TEST_CASE_TEMPLATE_DEFINE("heading", Policy, trophic_heading_suite) {
   using namespace trophic;
@@ -90,7 +91,8 @@ TEST_CASE_TEMPLATE_DEFINE("visibility", Policy, trophic_visibility_suite) {
 
 namespace trophic::conformance {
 
-/// Calls `ask(view)` with these robots in a world with food, the same after a quarter turn and in a mirror, and with calls.
+/// Calls `ask(view)` with these robots in a world with food and zones, the same after a quarter turn and in a mirror, and with
+/// calls.
 template <class Ask>
 auto in_world(const test::HandPopulation& robots, const Ask& ask) {
   ResourceField field{robots.arena, 20};
@@ -98,6 +100,7 @@ auto in_world(const test::HandPopulation& robots, const Ask& ask) {
     const double x_m = std::abs(field.centre(cell).x_m);
     const double y_m = std::abs(field.centre(cell).y_m);
     field.food_J(cell) = std::fmod(7.3 * std::max(x_m, y_m) + 1.7 * std::min(x_m, y_m), 3.0);
+    field.set_zone(cell, x_m == 4.5 && y_m == 4.5 ? 2.0 : 0.0);
   }
   const char* const call = &trophic::detail::act_key<control::acts::Signal<0>>;
   std::vector<double> calls;

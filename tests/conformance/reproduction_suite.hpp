@@ -4,6 +4,7 @@
 #pragma once
 
 #include <conformance/policy_suite.hpp>
+#include <trophic/population/mating_zones.hpp>
 #include <trophic/reproduction/genome_source/contract.hpp>
 #include <trophic/reproduction/heredity/contract.hpp>
 #include <trophic/reproduction/initial_genome/contract.hpp>
@@ -133,10 +134,14 @@ TEST_CASE_TEMPLATE_DEFINE("recruitment", Policy, trophic_recruitment_suite) {
   static_assert(reproduction::Recruitment<Policy>);
   conformance::check_policy<Policy>();
   const auto policy = conformance::defaulted<Policy>();
+  ResourceField field{Arena{}, 3};  // with a zone in the middle of the world
+  field.set_zone(4, 5.0);
   // Places turn with the world.
   const auto births_of = [&](const test::HandPopulation& robots, const AllStates<Policy>& states, std::uint64_t seed) {
     Rng rng{seed, Stream::user};
-    auto births = reproduction::ask::recruits(policy, states, robots.view(), rng);
+    View view = robots.view();
+    view.foods = {&field, 1};
+    auto births = reproduction::ask::recruits(policy, states, view, rng);
     for (auto& birth : births) birth.place.reset();
     return births;
   };
@@ -175,8 +180,10 @@ TEST_CASE_TEMPLATE_DEFINE("recruitment", Policy, trophic_recruitment_suite) {
         for (BodyIndex body = 0; body < robots.individuals.size(); body += 3) robots.individuals[body].species = no_species;
         const conformance::AnyStates<Policy> states{made, robots, seed};
         Rng rng{seed, Stream::user};
+        View view = robots.view();
+        view.foods = {&field, 1};
         answers.add(made.spare_bodies());
-        for (const auto& birth : reproduction::ask::recruits(made, states.all(), robots.view(), rng)) {
+        for (const auto& birth : reproduction::ask::recruits(made, states.all(), view, rng)) {
           answers.add(std::pair{birth.parents.empty() ? 0 : birth.parents.front().id, birth.endowment_J});
           answers.add(birth.place.value_or(GroundPose{}).x_m);
         }

@@ -42,6 +42,7 @@
 #include <trophic/death/starvation/exemption/no_exemption.hpp>
 #include <trophic/death/starvation/interval/never_due.hpp>
 #include <trophic/death/starvation/no_starvation.hpp>
+#include <trophic/energy/metabolism/falling_energy.hpp>
 #include <trophic/energy/metabolism/fixed_gains.hpp>
 #include <trophic/energy/metabolism/grazing_and_hunting.hpp>
 #include <trophic/energy/metabolism/grazing_by_diet.hpp>
@@ -51,6 +52,7 @@
 #include <trophic/energy/resource/delayed_patches.hpp>
 #include <trophic/energy/resource/foods.hpp>
 #include <trophic/energy/resource/logistic_field.hpp>
+#include <trophic/energy/resource/moving_zones.hpp>
 #include <trophic/energy/resource/no_resource.hpp>
 #include <trophic/initialization/community/food_chain.hpp>
 #include <trophic/params/named_params.hpp>
@@ -60,6 +62,7 @@
 #include <trophic/perception/sensors/food_gradient.hpp>
 #include <trophic/perception/sensors/hearing.hpp>
 #include <trophic/perception/sensors/joint_angles.hpp>
+#include <trophic/perception/sensors/nearest_zone.hpp>
 #include <trophic/perception/sensors/own_energy.hpp>
 #include <trophic/perception/sensors/own_speed.hpp>
 #include <trophic/perception/sensors/random_turn.hpp>
@@ -91,6 +94,7 @@
 #include <trophic/reproduction/recruitment/at_energy.hpp>
 #include <trophic/reproduction/recruitment/by_chance.hpp>
 #include <trophic/reproduction/recruitment/by_mating.hpp>
+#include <trophic/reproduction/recruitment/in_zones.hpp>
 #include <trophic/reproduction/recruitment/no_recruitment.hpp>
 #include <trophic/reproduction/traits/list.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
@@ -141,7 +145,7 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_sensor_suite, perception::sensors::SideOfAdver
                           perception::sensors::JointAngles<4>, perception::sensors::Tilt, perception::sensors::Touch,
                           perception::sensors::Rays<8, perception::sensors::Sees::kin, perception::sensors::Sees::victims,
                                                     perception::sensors::Sees::walls, perception::sensors::Sees::food>,
-                          perception::sensors::RandomTurn);
+                          perception::sensors::RandomTurn, perception::sensors::NearestZone);
 TEST_CASE_TEMPLATE_INVOKE(trophic_newborn_tag_suite, perception::newborn_tag::KeepsBodyTag, perception::newborn_tag::RandomTag);
 TEST_CASE_TEMPLATE_INVOKE(trophic_tag_switch_suite, perception::tag_switch::TagCoolDown, perception::tag_switch::FirstSwitchFree,
                           perception::tag_switch::TagSampling, perception::tag_switch::FreeTags);
@@ -182,7 +186,8 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_parent_species_suite, rules::Paper::Parent, ru
                           reproduction::parent::MostEscapes);
 TEST_CASE_TEMPLATE_INVOKE(trophic_recruitment_suite, reproduction::recruitment::NoRecruitment,
                           reproduction::recruitment::AfterEscapes, reproduction::recruitment::AtEnergy,
-                          reproduction::recruitment::ByMating, reproduction::recruitment::ByChance);
+                          reproduction::recruitment::ByMating, reproduction::recruitment::ByChance,
+                          reproduction::recruitment::InZones);
 TEST_CASE_TEMPLATE_INVOKE(trophic_gait_suite, control::gait::RobotsGait, control::gait::NamedGait, control::gait::InheritedCpg,
                           control::gait::InheritedCppn, control::gait::Learnt<control::gait::InheritedCpg>,
                           control::gait::Learnt<control::gait::InheritedCppn>);
@@ -192,9 +197,10 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_viability_suite, reproduction::viability::Alwa
                           reproduction::viability::ModuleLimits,
                           reproduction::viability::SurvivesTrial<reproduction::viability::ModuleLimits>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_metabolism_suite, energy::metabolism::GrazingAndHunting, energy::metabolism::FixedGains,
-                          energy::metabolism::NoMetabolism, energy::metabolism::GrazingByDiet<>);
+                          energy::metabolism::FallingEnergy, energy::metabolism::NoMetabolism,
+                          energy::metabolism::GrazingByDiet<>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_resource_suite, energy::resource::LogisticField, energy::resource::DelayedPatches,
-                          energy::resource::NoResource, GrassAndPatches);
+                          energy::resource::MovingZones, energy::resource::NoResource, GrassAndPatches);
 TEST_CASE_TEMPLATE_INVOKE(trophic_order_suite, energy::order::ByTurns, energy::order::Together);
 
 TEST_CASE_TEMPLATE_INVOKE(trophic_heredity_suite, reproduction::heredity::Crossover, reproduction::heredity::CrossoverByNeuron,

@@ -47,6 +47,7 @@ FEW = {
     "pond_with_conditions": {"rules.recruitment.energy.spare_bodies": 10, "rules.community.predators": 6},
     "pond_race": {"rules.recruitment.spare_bodies": 10, "rules.community.predators": 6},
     "two_foods": {"rules.recruitment.spare_bodies": 10, "rules.community.predators": 6},
+    "mating_zones": {"rules.recruitment.spare_bodies": 10},
     "food_chain": {
         "rules.recruitment.grazer.spare_bodies": 10,
         "rules.community.hunters": 8,

@@ -6,6 +6,7 @@
 #include <trophic/rules/released.hpp>
 #include <trophic/worlds/food_chain.hpp>
 #include <trophic/worlds/lotka_volterra.hpp>
+#include <trophic/worlds/mating_zones.hpp>
 #include <trophic/worlds/pond_race.hpp>
 #include <trophic/worlds/ponds.hpp>
 #include <trophic/worlds/two_foods.hpp>
@@ -16,7 +17,7 @@ namespace trophic::command {
 std::vector<std::pair<std::string, MakeExperiment>> world_tables() {
   using namespace worlds;
   return rule_tables<Pond, PondWithRefuges, PondWithConditions, PondRace, TwoFoods, FoodChain, WolfSheep, RosenzweigMacArthur,
-                     LotkaVolterra>();
+                     LotkaVolterra, MatingZones>();
 }
 
 std::vector<std::pair<std::string, MakeExperiment>> shipped_tables() {

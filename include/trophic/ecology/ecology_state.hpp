@@ -62,7 +62,7 @@ struct EcologyState {
             .bodies = bodies.backend().has_joints() ? &bodies : nullptr,
             .acts = population.acts().values(),
             .traits = TraitGenes<Rules>::names,
-            .is_over = ends_now(params.ecology.ends_when, population.members()),
+            .is_over = ends_now(params.ecology.ends_when, population.members(), robots.size()),
             .space = bodies.space()};
   }
 

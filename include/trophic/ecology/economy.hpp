@@ -47,6 +47,12 @@ class FoodSupply {
       change("on_death", [&] { energy::ask::on_death(rules_.resource, fields_, death, left_J, view); });
   }
 
+  void take_birth([[maybe_unused]] std::span<const BodyIndex> parents, [[maybe_unused]] const View& view,
+                  [[maybe_unused]] Rng& rng) {
+    if constexpr (energy::detail::TakesBirths<PolicyIn<Rules, RuleSlot::resource>>)
+      energy::ask::on_birth(rules_.resource, fields_, parents, view, rng);
+  }
+
   /// Lets an individual take `bite_J(there_J)` of a food at its position. Returns the amount.
   template <class Bite>
   double bite(std::size_t food, BodyIndex body, const View& view, const Bite& bite_J) {
@@ -118,6 +124,7 @@ class FoodSupply<Rules, false> {
   void open_ledger() {}
   void grow(const View&) {}
   void take_death(const Vacancy&, double, const View&) {}
+  void take_birth(std::span<const BodyIndex>, const View&, Rng&) {}
   void persist(Archive&) {}
 };
 
@@ -142,7 +149,8 @@ class Economy {
     flows_[newborn.species].outside_J += energy_J;
   }
 
-  /// The energy of a newborn from its living parents, in equal parts. Throws RuleError if one has less than its part.
+  /// The energy of a newborn from its living parents, in equal parts, and what the rule grants on top. Throws RuleError if one
+  /// has less than its part.
   void endow(Individual& newborn, double energy_J, std::span<Individual> robots, std::span<const BodyIndex> parents) {
     const double part_J = energy_J / static_cast<double>(parents.size());
     for (const BodyIndex body : parents) {
@@ -157,6 +165,10 @@ class Economy {
       newborn.energy_J += part_J;
     }
     flows_[newborn.species].received_J += newborn.energy_J;
+    const double grant_J = energy::ask::grant_J(rule_of(newborn), newborn);
+    check("grant_J", grant_J, 0.0, std::numeric_limits<double>::max());
+    newborn.energy_J += grant_J;
+    flows_[newborn.species].outside_J += grant_J;
   }
 
   /// Begins the ledger of a tick.
@@ -231,6 +243,9 @@ class Economy {
     food_.take_death(death, left_J, view);
   }
 
+  /// The field changes by a birth of the rule Recruitment.
+  void take_birth(std::span<const BodyIndex> parents, const View& view, Rng& rng) { food_.take_birth(parents, view, rng); }
+
   void persist(Archive& archive) {
     const std::size_t species = flows_.size();
     archive(flows_);
@@ -271,6 +286,7 @@ class Economy<Rules, false> {
   void bite(std::span<Individual>, const View&, const auto&) {}
   void eat(BodyIndex, BodyIndex, std::span<Individual>, const View&) {}
   void lose(const Vacancy& death, Individual&, const View& view) { food_.take_death(death, 0.0, view); }
+  void take_birth(std::span<const BodyIndex> parents, const View& view, Rng& rng) { food_.take_birth(parents, view, rng); }
   void persist(Archive& archive) { archive(food_); }
 
  private:

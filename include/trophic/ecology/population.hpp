@@ -127,6 +127,12 @@ class Population {
     economy_.lose(death, census_.change(death.body), view);
   }
 
+  /// Changes the field after a birth of the rule Recruitment.
+  void note_birth(std::span<const Ancestor> parents, const View& view, Rng& rng) {
+    if constexpr (energy::detail::TakesBirths<PolicyIn<Rules, RuleSlot::resource>>)
+      economy_.take_birth(bodies_of(parents), view, rng);
+  }
+
   /// Registers an individual's adversary at this tick, if it perceives one.
   void sight(BodyIndex body, const std::optional<Sighting>& sighting, const View& view) {
     Individual& self = census_.change(body);

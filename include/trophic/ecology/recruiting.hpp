@@ -21,6 +21,7 @@ template <class Rules>
 void recruit(EcologyState<Rules>& all, Turnover<Rules>& turnover, observe::Audience& audience, const auto& acting) {
   auto& population = all.population;
   Rng rng{all.params.seed, Stream::recruitment, acting.turn, static_cast<std::uint64_t>(all.tick)};
+  Rng field_rng{all.params.seed, Stream::resource, 2 + acting.turn, static_cast<std::uint64_t>(all.tick)};
   const auto recruiting = population.states().recruitment.all();
   BodyIndex spare = 0;
   for (const auto& recruit : reproduction::ask::recruits(all.rules.recruitment, recruiting, all.view(), rng)) {
@@ -40,6 +41,7 @@ void recruit(EcologyState<Rules>& all, Turnover<Rules>& turnover, observe::Audie
                               .endowment_J = recruit.endowment_J};
     population.replace(spare, recruit.species, parentage, all.view());
     turnover.begin_life(audience, spare, place);
+    population.note_birth(recruit.parents, all.view(), field_rng);
   }
   all.bodies.stand();
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <span>
 #include <trophic/params/params.hpp>
 
@@ -40,19 +41,21 @@ enum class WithoutTarget { decides, keeps_decision };
   return {"decides", "keeps_decision"};
 }
 
-/// When a run ends before its duration: never, once some species is extinct, or once at most one species is left. This can happen
-/// only in tables without a floor and a minimum number of predators. As with the duration, runs that differ in it belong to the
-/// same experiment.
-enum class EndsWhen { time_is_up, a_species_is_gone, one_species_is_left };
-[[nodiscard]] constexpr std::array<std::string_view, 3> enum_names(EndsWhen) {
-  return {"time_is_up", "a_species_is_gone", "one_species_is_left"};
+/// When a run ends before its duration: never, once some species is extinct, once at most one species is left, or once some
+/// species is extinct or no body is spare. This can happen only in tables without a floor and a minimum number of predators. As
+/// with the duration, runs that differ in it belong to the same experiment.
+enum class EndsWhen { time_is_up, a_species_is_gone, one_species_is_left, gone_or_no_spare };
+[[nodiscard]] constexpr std::array<std::string_view, 4> enum_names(EndsWhen) {
+  return {"time_is_up", "a_species_is_gone", "one_species_is_left", "gone_or_no_spare"};
 }
 
-/// Whether a run with these numbers of members per species ends.
-[[nodiscard]] constexpr bool ends_now(EndsWhen when, std::span<const std::size_t> members) {
+/// Whether a run with these numbers of members per species and so many bodies ends.
+[[nodiscard]] constexpr bool ends_now(EndsWhen when, std::span<const std::size_t> members, std::size_t bodies) {
   const auto gone = static_cast<std::size_t>(std::ranges::count(members, std::size_t{0}));
-  return (when == EndsWhen::a_species_is_gone && gone > 0) ||
-         (when == EndsWhen::one_species_is_left && gone + 1 >= members.size());
+  if (when == EndsWhen::one_species_is_left) return gone + 1 >= members.size();
+  if (when == EndsWhen::gone_or_no_spare && std::accumulate(members.begin(), members.end(), std::size_t{0}) >= bodies)
+    return true;
+  return when != EndsWhen::time_is_up && gone > 0;
 }
 
 /// Longest run in seconds of the ecology's clock, for writers and readers of runs: a curve has a point every 200 s.
@@ -99,7 +102,7 @@ struct EcologyParams {
               "whether robots see tags chosen earlier in the tick: in_turn (yes) or together (no)"),
         field("without_target", &EcologyParams::without_target, "a robot that perceives no adversary decides or keeps_decision"),
         field("ends_when", &EcologyParams::ends_when,
-              "when a run ends: time_is_up, or earlier if a_species_is_gone or one_species_is_left")};
+              "when a run ends: time_is_up, or earlier if a_species_is_gone, one_species_is_left or gone_or_no_spare")};
   }
 };
 

@@ -42,7 +42,7 @@ struct EnergyRow {
                       species_column("species", &EnergyRow::species, "the species"),
                       column("individuals", &EnergyRow::individuals, "", "number of living members"),
                       column("outside_J", &EnergyRow::outside_J, "J",
-                             "gained by founders and newcomers, which no parent endows, and as bonuses for catches"),
+                             "gained by founders and newcomers, which no parent endows, as bonuses for catches, and as grants"),
                       column("field_J", &EnergyRow::field_J, "J", "taken from the resource"),
                       column("victims_J", &EnergyRow::victims_J, "J", "gained from caught victims"),
                       column("received_J", &EnergyRow::received_J, "J", "gained by newborns from their parents"),

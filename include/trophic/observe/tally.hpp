@@ -7,13 +7,13 @@
 
 namespace trophic::observe {
 
-/// The extinct species of a run that is over, "gone: prey, predator"; else empty.
+/// The extinct species of a run that is over, "gone: prey, predator", or "no spare body"; else empty.
 [[nodiscard]] inline std::string end_text(const View& view) {
   std::string text;
   for (Species species = 0; view.is_over && species < view.web.size(); ++species) {
     if (view.count(species) == 0) text.append(text.empty() ? "gone: " : ", ").append(view.web.name(species));
   }
-  return text;
+  return view.is_over && text.empty() ? "no spare body" : text;
 }
 
 /// Counts so far. Founders count as births.

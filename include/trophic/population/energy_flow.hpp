@@ -9,7 +9,7 @@ namespace trophic {
 /// The energy of a species since the last tick, J. Its stock changes by
 ///   outside_J + field_J + victims_J + received_J - upkeep_J - eaten_J - given_J - lost_J.
 struct EnergyFlow {
-  double outside_J = 0.0;   ///< gained by founders and newcomers, which no parent endows, and as bonuses for catches
+  double outside_J = 0.0;   ///< gained by founders and newcomers, which no parent endows, as bonuses for catches, and as grants
   double field_J = 0.0;     ///< taken from the resource
   double victims_J = 0.0;   ///< gained from caught victims
   double received_J = 0.0;  ///< gained by newborns from their parents

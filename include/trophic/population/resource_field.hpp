@@ -13,7 +13,8 @@
 namespace trophic {
 
 /// Energy in J in the cells of a square grid over the flat floor of an arena, with further numbers per cell for the rule
-/// Resource, such as the time until a cell regrows. Cells are numbered row by row from the corner with the smallest x and y.
+/// Resource, such as the time until a cell regrows, and circular zones. Cells are numbered row by row from the corner with the
+/// smallest x and y.
 class ResourceField {
  public:
   ResourceField() = default;
@@ -45,16 +46,26 @@ class ResourceField {
   [[nodiscard]] double& layer(std::size_t number, std::size_t cell) { return layers_.at(number).at(cell); }
   [[nodiscard]] double layer(std::size_t number, std::size_t cell) const { return layers_.at(number).at(cell); }
   [[nodiscard]] std::size_t layers() const { return layers_.size(); }
+
+  /// The radius of the circular zone around the centre of a cell, such as a mating zone; 0 without a zone.
+  [[nodiscard]] double zone_m(std::size_t cell) const { return zone_m_.empty() ? 0.0 : zone_m_.at(cell); }
+  [[nodiscard]] bool has_zones() const { return !zone_m_.empty(); }
+  void set_zone(std::size_t cell, double radius_m) {
+    zone_m_.resize(cells());
+    zone_m_.at(cell) = radius_m;
+  }
+
   [[nodiscard]] double total_J() const { return std::accumulate(food_J_.begin(), food_J_.end(), 0.0); }
 
   /// Writes all numbers to an archive, or reads those of a field of the same size.
   void persist(Archive& archive) {
     const std::size_t cells = food_J_.size();
     const std::size_t layers = layers_.size();
-    archive(food_J_, layers_);
+    archive(food_J_, layers_, zone_m_);
     if (!archive.reads()) return;
     Archive::require(food_J_.size() == cells && layers_.size() == layers, "a resource of a different size");
     for (const auto& layer : layers_) Archive::require(layer.size() == cells, "a resource of a different size");
+    Archive::require(zone_m_.empty() || zone_m_.size() == cells, "a resource of a different size");
   }
 
  private:
@@ -67,6 +78,7 @@ class ResourceField {
   double half_side_m_ = 0.0;
   std::vector<double> food_J_;
   std::vector<std::vector<double>> layers_;
+  std::vector<double> zone_m_;
 };
 
 }  // namespace trophic

@@ -9,6 +9,7 @@
 #include <trophic/rules/released.hpp>
 #include <trophic/support/json.hpp>
 #include <trophic/support/rng.hpp>
+#include <trophic/worlds/mating_zones.hpp>
 #include <unit/checkpoint/resumed.hpp>
 
 namespace {
@@ -64,6 +65,10 @@ TEST_CASE("resume: run of paper interrupted at any moment -> the same bytes") {
 
 TEST_CASE("resume: run of released interrupted at any moment -> the same bytes") {
   check_random_moments<rules::Released>();
+}
+
+TEST_CASE("resume: run of mating_zones, whose zones move, interrupted at any moment -> the same bytes") {
+  check_random_moments<worlds::MatingZones>();
 }
 
 TEST_CASE("resume: run interrupted ten times -> the same bytes") {

@@ -15,6 +15,7 @@
 #include <trophic/support/whole_file.hpp>
 #include <trophic/worlds/food_chain.hpp>
 #include <trophic/worlds/lotka_volterra.hpp>
+#include <trophic/worlds/mating_zones.hpp>
 #include <trophic/worlds/pond_race.hpp>
 #include <trophic/worlds/ponds.hpp>
 #include <trophic/worlds/two_foods.hpp>
@@ -347,6 +348,18 @@ TEST_CASE("effects: each parameter of lotka_volterra, halved or changed later ->
                                                           {"rules.capture.reach_m", 0.0006}},
                                                 .change_tick = 5,
                                                 .last_tick = 40});
+}
+
+TEST_CASE("effects: each parameter of mating_zones, halved or changed later -> other bytes, or a remark or refusal") {
+  check_every_parameter<worlds::MatingZones>({.backend = backend::Torus::Params{.speed_m_s = 0.05},
+                                              .crowd = {{"ecology.robots", 90.0},
+                                                        {"ecology.control_hz", 4.0},
+                                                        {"rules.recruitment.spare_bodies", 40.0},
+                                                        {"rules.recruitment.interval_ticks", 8.0},
+                                                        {"rules.resource.food_W", 5.0}},
+                                              .others = {{"rules.newborn_tag.founder_tag", -1.0}},
+                                              .change_tick = 20,
+                                              .last_tick = 60});
 }
 
 TEST_CASE("effects: tables of the shipped programs -> each has its case here") {

@@ -10,6 +10,8 @@
 #include <trophic/backend/kinematic.hpp>
 #include <trophic/backend/torus.hpp>
 #include <trophic/rules/with_ageing_victims.hpp>
+#include <trophic/worlds/mating_zones.hpp>
+#include <trophic/worlds/pond.hpp>
 #include <trophic/worlds/two_foods.hpp>
 #include <unit/checkpoint/resumed.hpp>
 
@@ -173,6 +175,46 @@ TEST_CASE("living: births on a torus -> next to the parent over the edges too, f
   CHECK(neighbours.across > 0);
   CHECK(neighbours.farthest_radii < 4.0);
   CHECK(neighbours.nearest_radii >= 2.0);
+}
+
+TEST_CASE(
+    "living: mating zones -> energy from parents and from outside in the ledger, used zones move, a full world ends the run") {
+  using worlds::MatingZones;
+  struct Zones {
+    void on_event(const observe::Event& event, const View& view) {
+      if (event.kind != observe::EventKind::birth || event.individual.parents.empty()) return;
+      births += 1;
+      CHECK(event.individual.parents.size() == 2);
+      CHECK(event.individual.energy_J == doctest::Approx(100.0));
+      CHECK(zones_in(view).size() == 40);
+    }
+    void on_tick(const View& view) {
+      std::vector<std::size_t> now;
+      for (const MatingZone& zone : zones_in(view)) now.push_back(zone.cell);
+      if (view.tick > 0 && births == before) CHECK(now == cells);
+      if (births > before) CHECK(now != cells);
+      before = births;
+      cells = now;
+      living = view.count(0);
+    }
+    std::size_t births = 0;
+    std::size_t before = 0;
+    std::size_t living = 0;
+    std::vector<std::size_t> cells;
+  };
+  Experiment<MatingZones> experiment{.seed = 1};
+  experiment.rules.resource.zones = 40;
+  experiment.rules.resource.food_W = 1.0;
+  Ecology<MatingZones> ecology{experiment, backend::Torus::Params{.speed_m_s = 0.04}};
+  EnergyAuditor auditor;
+  Zones zones;
+  ecology.run_until(6000.0, auditor, zones);
+  CHECK(auditor.worst < 1e-9);
+  CHECK(zones.births >= 70);
+  CHECK(zones.living == 100);
+  CHECK(ecology.view().is_over);
+  CHECK(ecology.time_s() < 6000.0);
+  CHECK(observe::end_text(ecology.view()) == "no spare body");
 }
 
 TEST_CASE("living: cause that a rule names -> in events, counts and parents' rules") {

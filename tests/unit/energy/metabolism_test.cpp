@@ -2,6 +2,7 @@
 #include <doctest/doctest.h>
 
 #include <support/hand_population.hpp>
+#include <trophic/energy/metabolism/falling_energy.hpp>
 #include <trophic/energy/metabolism/fixed_gains.hpp>
 #include <trophic/energy/metabolism/grazing_and_hunting.hpp>
 #include <trophic/energy/metabolism/no_metabolism.hpp>
@@ -108,4 +109,21 @@ TEST_CASE("no metabolism: individuals have, spend and need no energy") {
   CHECK(none.bite_J(0, 0, 9.0, robots.view()) == 0.0);
   CHECK(none.meal_J(1, 0, robots.view()) == 0.0);
   CHECK_FALSE(none.starves(0, robots.view()));
+}
+
+TEST_CASE("falling energy: by hand -> a price for time alone, all food up to the capacity, a grant up to that of a newborn") {
+  const energy::metabolism::FallingEnergy falling{{.first_J = 90.0, .newborn_J = 100.0, .loss_W = 0.5, .capacity_J = 100.0}};
+  const HandPopulation robots = pair(97.0, 0.0);
+  CHECK(falling.upkeep_J(0, 9.0, robots.view()) == 1.0);
+  CHECK(falling.bite_J(0, 9.0, robots.view()) == 3.0);
+  CHECK(falling.bite_J(0, 2.0, robots.view()) == 2.0);
+  CHECK(falling.meal_J(1, 0, robots.view()) == 0.0);
+  CHECK(falling.grant_J(robots.individuals[0]) == 3.0);
+  CHECK(falling.grant_J(robots.individuals[1]) == 100.0);
+  CHECK(energy::metabolism::FallingEnergy{{.newborn_J = 0.0}}.grant_J(robots.individuals[0]) == 0.0);
+  CHECK_FALSE(falling.starves(0, robots.view()));
+  CHECK(falling.starves(1, robots.view()));
+  const HandPopulation rich = pair(130.0, 0.0);
+  CHECK(falling.bite_J(0, 9.0, rich.view()) == 0.0);
+  CHECK(falling.grant_J(rich.individuals[0]) == 0.0);
 }

@@ -4,12 +4,14 @@
 #include <support/hand_population.hpp>
 #include <trophic/energy/resource/delayed_patches.hpp>
 #include <trophic/energy/resource/logistic_field.hpp>
+#include <trophic/energy/resource/moving_zones.hpp>
 #include <trophic/energy/resource/no_resource.hpp>
 
 using namespace trophic;
 using namespace trophic::test;
 using energy::resource::DelayedPatches;
 using energy::resource::LogisticField;
+using energy::resource::MovingZones;
 
 namespace {
 
@@ -100,6 +102,65 @@ TEST_CASE("delayed patches: share that is grown at the start -> the others follo
   CHECK(scene.field.total_J() == doctest::Approx(900.0 + 1350.0).epsilon(0.1));
   scene.grow(16);
   CHECK(scene.field.total_J() == 3600.0);
+}
+
+TEST_CASE("moving zones: start -> as many as named, apart if there is room, together if not") {
+  Arena arena;
+  arena.half_side_m = 12.5;
+  const auto nearest_m = [&](std::size_t number) {
+    Rng rng{number, Stream::user};
+    const ResourceField field = MovingZones{{.zones = number, .radius_m = 1.5, .apart_m = 4.0}}.start(arena, rng);
+    const auto zones = zones_in(field);
+    CHECK(zones.size() == number);
+    double least_m = 100.0;
+    for (const MatingZone& one : zones) {
+      CHECK(one.radius_m == 1.5);
+      for (const MatingZone& other : zones)
+        if (other.cell != one.cell) least_m = std::min(least_m, distance_m(field.centre(one.cell), field.centre(other.cell)));
+    }
+    return least_m;
+  };
+  CHECK(nearest_m(15) >= 4.0);
+  CHECK(nearest_m(200) < 4.0);
+  Rng rng{1, Stream::user};
+  CHECK_THROWS_AS(static_cast<void>((MovingZones{{.zones = 10, .cells_in_a_row = 3}}.start(arena, rng))), std::invalid_argument);
+}
+
+TEST_CASE("moving zones: a birth -> the zone that holds all parents moves, no other does") {
+  HandPopulation robots{{{.x_m = -5.0}, {.x_m = -5.5}, {.x_m = 5.0}, {.x_m = 0.0, .y_m = 8.0}}};
+  robots.arena.half_side_m = 12.5;
+  const MovingZones rule{{.zones = 0, .radius_m = 2.0}};
+  Rng rng{1, Stream::user};
+  ResourceField field = rule.start(robots.arena, rng);
+  const std::size_t left = field.cell_at(-5.0, 0.0);
+  const std::size_t right = field.cell_at(5.0, 0.0);
+  for (const std::size_t cell : {left, right}) field.set_zone(cell, 2.0);
+  View view = robots.view();
+  view.foods = {&field, 1};
+  const auto after = [&](std::vector<BodyIndex> parents) {
+    rule.on_birth(field, parents, view, rng);
+    CHECK(zones_in(field).size() == 2);
+    return std::pair{field.zone_m(left) > 0.0, field.zone_m(right) > 0.0};
+  };
+  CHECK(after({0, 2}) == std::pair{true, true});
+  CHECK(after({3, 3}) == std::pair{true, true});
+  CHECK(after({}) == std::pair{true, true});
+  CHECK(after({0, 1}) == std::pair{false, true});
+  CHECK(after({2}) == std::pair{false, false});
+}
+
+TEST_CASE("moving zones: food -> in equal parts where the living are, what is left is gone") {
+  HandPopulation robots{{{.x_m = -5.0}, {.x_m = 5.0}, {.x_m = 5.0}, {.species = no_species, .y_m = 8.0}}};
+  robots.arena.half_side_m = 12.5;
+  const MovingZones rule{{.food_W = 6.0}};
+  Rng rng{1, Stream::user};
+  ResourceField field = rule.start(robots.arena, rng);
+  for (int tick = 0; tick < 2; ++tick) {
+    rule.grow(field, robots.view(), rng);
+    CHECK(field.total_J() == doctest::Approx(12.0));
+    CHECK(field.food_J(field.cell_at(robots.poses[0])) == doctest::Approx(4.0));
+    CHECK(field.food_J(field.cell_at(robots.poses[1])) == doctest::Approx(8.0));
+  }
 }
 
 TEST_CASE("no resource: no cells") {

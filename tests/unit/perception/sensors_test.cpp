@@ -11,6 +11,7 @@
 #include <trophic/perception/sensors/distance_over_terrain.hpp>
 #include <trophic/perception/sensors/food_gradient.hpp>
 #include <trophic/perception/sensors/hearing.hpp>
+#include <trophic/perception/sensors/nearest_zone.hpp>
 #include <trophic/perception/sensors/own_energy.hpp>
 #include <trophic/perception/sensors/own_speed.hpp>
 #include <trophic/perception/sensors/random_turn.hpp>
@@ -223,6 +224,26 @@ TEST_CASE("food gradient: four cells around -> shares ahead and to the right, 0 
   field.food_J(field.cell_at(0.5, -0.5)) = 1.0;  // behind
   field.food_J(field.cell_at(-0.5, 0.5)) = 4.0;  // left
   CHECK(values_of(nose, view) == std::array{0.25, -0.5});
+}
+
+TEST_CASE("nearest zone: ahead, right and distance, over the edges of a torus, and without a zone") {
+  test::HandPopulation robots{{{.x_m = -9.0, .y_m = 0.5, .heading_rad = std::numbers::pi / 2.0}}};
+  ResourceField field{robots.arena, 20};
+  field.set_zone(field.cell_at(9.5, 0.5), 2.0);
+  View view = robots.view();
+  const perception::sensors::NearestZone sensor;
+  CHECK(values_of(sensor, view) == std::array{0.0, 0.0, 1.0});
+  view.foods = {&field, 1};
+  const auto there = values_of(sensor, view);
+  CHECK(there[0] == doctest::Approx(0.0));
+  CHECK(there[1] == doctest::Approx(1.0));
+  CHECK(there[2] == 1.0);
+  view.space.period_m = 20.0;
+  const auto across = values_of(sensor, view);
+  CHECK(across[1] == doctest::Approx(-1.0));
+  CHECK(across[2] == doctest::Approx(0.15));
+  field.set_zone(field.cell_at(-8.5, 0.5), 2.0);
+  CHECK(values_of(sensor, view)[2] == doctest::Approx(0.05));
 }
 
 TEST_CASE("own energy: share of the scale, from 0 to 1") {

@@ -9,16 +9,22 @@
   "double first_J(const Individual&, Rng&) const, double upkeep_J(BodyIndex, double walked_m, const View&) const, double "     \
   "bite_J(BodyIndex, std::size_t food, double there_J, const View&) const, double meal_J(BodyIndex hunter, BodyIndex victim, " \
   "const View&) const, bool starves(BodyIndex, const View&) const; bonus_J, if there is one, must be callable as double "      \
-  "bonus_J(BodyIndex hunter, BodyIndex victim, const View&) const; see trophic/energy/metabolism/contract.hpp"
+  "bonus_J(BodyIndex hunter, BodyIndex victim, const View&) const, and grant_J as double grant_J(const Individual&) const; "   \
+  "see trophic/energy/metabolism/contract.hpp"
 
 namespace trophic::energy {
 
 namespace detail {
 
 TROPHIC_PROBE_NAME(bonus_J)
+TROPHIC_PROBE_NAME(grant_J)
 template <class P>
 concept GivesBonus = requires(const P policy, BodyIndex body, const View& view) {
   { policy.bonus_J(body, body, view) } -> std::same_as<double>;
+};
+template <class P>
+concept GivesGrant = requires(const P policy, const Individual& newborn) {
+  { policy.grant_J(newborn) } -> std::same_as<double>;
 };
 
 }  // namespace detail
@@ -37,6 +43,7 @@ concept GivesBonus = requires(const P policy, BodyIndex body, const View& view) 
 /// is lost
 /// - optional: `bonus_J(hunter, victim, view)`: returns what a hunter gets from outside at a catch, >= 0, as in worlds without a
 /// budget
+/// - optional: `grant_J(newborn)`: returns what a newborn gets from outside on top of the `energy_J` that its parents gave, >= 0
 /// - `starves(self, view)`: returns whether an individual dies of hunger (Cause::starved); asked after bites and catches
 ///
 /// A newborn's endowment is part of its birth: Recruit::endowment_J of the rule Recruitment.
@@ -49,6 +56,7 @@ concept Metabolism = requires(const P policy, const Individual& newborn, BodyInd
   { policy.meal_J(body, body, view) } -> std::same_as<double>;
   { policy.starves(body, view) } -> std::same_as<bool>;
   requires !detail::StateNames_bonus_J<P> || detail::GivesBonus<P>;
+  requires !detail::StateNames_grant_J<P> || detail::GivesGrant<P>;
 };
 
 namespace ask {
@@ -58,6 +66,13 @@ template <class P>
 [[nodiscard]] double bonus_J([[maybe_unused]] const P& policy, [[maybe_unused]] BodyIndex hunter,
                              [[maybe_unused]] BodyIndex victim, [[maybe_unused]] const View& view) {
   if constexpr (detail::GivesBonus<P>) return policy.bonus_J(hunter, victim, view);
+  return 0.0;
+}
+
+/// Returns 0 for a rule without a grant.
+template <class P>
+[[nodiscard]] double grant_J([[maybe_unused]] const P& policy, [[maybe_unused]] const Individual& newborn) {
+  if constexpr (detail::GivesGrant<P>) return policy.grant_J(newborn);
   return 0.0;
 }
 

@@ -6,9 +6,10 @@
 #include <trophic/support/rng.hpp>
 
 #define TROPHIC_SENTENCE_Resource                                                                                       \
-  "ResourceField start(const Arena&, Rng&) const and void grow(ResourceField&, const View&, Rng&) const; on_bite and "  \
-  "on_death, if there are any, must be callable as void on_bite(ResourceField&, std::size_t cell, double taken_J, "     \
-  "BodyIndex, const View&) const and void on_death(ResourceField&, const Vacancy&, double left_J, const View&) const; " \
+  "ResourceField start(const Arena&, Rng&) const and void grow(ResourceField&, const View&, Rng&) const; on_bite, "     \
+  "on_death and on_birth, if there are any, must be callable as void on_bite(ResourceField&, std::size_t cell, double " \
+  "taken_J, BodyIndex, const View&) const, void on_death(ResourceField&, const Vacancy&, double left_J, const View&) "  \
+  "const and void on_birth(ResourceField&, std::span<const BodyIndex> parents, const View&, Rng&) const; "              \
   "a rule of several foods has food_names and other arguments; see trophic/energy/resource/contract.hpp"
 
 namespace trophic::energy {
@@ -17,6 +18,7 @@ namespace detail {
 
 TROPHIC_PROBE_NAME(on_bite)
 TROPHIC_PROBE_NAME(on_death)
+TROPHIC_PROBE_NAME(on_birth)
 /// `Of`: ResourceField for a rule of one food, std::span<ResourceField> for one of several.
 template <class P, class Of>
 concept TakesDeathsOf = requires(const P policy, Of& field, const Vacancy& death, const View& view) {
@@ -32,6 +34,12 @@ concept TakesBitesOfFoods = requires(const P policy, std::span<ResourceField> fo
 };
 template <class P>
 concept TakesDeaths = TakesDeathsOf<P, ResourceField> || TakesDeathsOf<P, std::span<ResourceField>>;
+template <class P, class Of>
+concept TakesBirthsOf = requires(const P policy, Of& field, std::span<const BodyIndex> parents, const View& view, Rng& rng) {
+  policy.on_birth(field, parents, view, rng);
+};
+template <class P>
+concept TakesBirths = TakesBirthsOf<P, ResourceField> || TakesBirthsOf<P, std::span<ResourceField>>;
 
 }  // namespace detail
 
@@ -45,12 +53,15 @@ concept TakesDeaths = TakesDeathsOf<P, ResourceField> || TakesDeathsOf<P, std::s
 ///   only
 /// - `void on_death(ResourceField&, const Vacancy&, double left_J, const View&) const`: an individual, which is still there, dies
 ///   with this energy, which is lost; what the hook adds to the field counts as grown
+/// - `void on_birth(ResourceField&, std::span<const BodyIndex> parents, const View&, Rng&) const`: a birth of the rule
+///   Recruitment took place; `parents` are the living ones; may change layers only
 template <class P>
 concept OneFood = requires(const P policy, const Arena& arena, ResourceField& field, const View& view, Rng& rng) {
   { policy.start(arena, rng) } -> std::same_as<ResourceField>;
   {policy.grow(field, view, rng)};
   requires !detail::StateNames_on_bite<P> || detail::TakesBites<P>;
   requires !detail::StateNames_on_death<P> || detail::TakesDeathsOf<P, ResourceField>;
+  requires !detail::StateNames_on_birth<P> || detail::TakesBirthsOf<P, ResourceField>;
 };
 
 /// A rule of several foods has `static constexpr std::array<std::string_view, N> food_names` and the same functions for all of
@@ -64,6 +75,7 @@ concept SeveralFoods = requires(const P policy, const Arena& arena, std::span<Re
   {policy.grow(foods, view, rng)};
   requires !detail::StateNames_on_bite<P> || detail::TakesBitesOfFoods<P>;
   requires !detail::StateNames_on_death<P> || detail::TakesDeathsOf<P, std::span<ResourceField>>;
+  requires !detail::StateNames_on_birth<P> || detail::TakesBirthsOf<P, std::span<ResourceField>>;
 };
 
 /// The state of the world. Every rule and sensor may read each food's field as `view.foods`; individuals take energy from it
@@ -113,6 +125,15 @@ void on_death([[maybe_unused]] const P& policy, [[maybe_unused]] std::span<Resou
     policy.on_death(foods.front(), death, left_J, view);
   } else if constexpr (detail::TakesDeaths<P>) {
     policy.on_death(foods, death, left_J, view);
+  }
+}
+template <class P>
+void on_birth([[maybe_unused]] const P& policy, [[maybe_unused]] std::span<ResourceField> foods,
+              [[maybe_unused]] std::span<const BodyIndex> parents, [[maybe_unused]] const View& view, [[maybe_unused]] Rng& rng) {
+  if constexpr (detail::TakesBirthsOf<P, ResourceField>) {
+    policy.on_birth(foods.front(), parents, view, rng);
+  } else if constexpr (detail::TakesBirths<P>) {
+    policy.on_birth(foods, parents, view, rng);
   }
 }
 

@@ -92,6 +92,11 @@ struct Foods {
       if constexpr (energy::detail::TakesDeaths<Rule>) rule<Rule, food>().on_death(foods[food], death, left_J, view);
     });
   }
+  void on_birth(std::span<ResourceField> foods, std::span<const BodyIndex> parents, const View& view, Rng& rng) const {
+    each([&]<class Rule, std::size_t food>() {
+      if constexpr (energy::detail::TakesBirths<Rule>) rule<Rule, food>().on_birth(foods[food], parents, view, rng);
+    });
+  }
 
  private:
   /// Calls `visit.template operator()<its rule, its place>()` for each food.
