@@ -726,6 +726,7 @@ PACE = {
     "sight_m_trait_end": "sight at the end, m",
     "sight_m_trait_slope": "rise of sight in the last third, m per 1000 s",
     "at_bound": "share within 5 % of the bound",
+    "number": "number in the last third",
     "progress_early": "progress to 8000 s, s",
     "progress_third": "progress in the last third, s",
     "progress_late": "progress from 8000 s on, s",
@@ -782,6 +783,19 @@ def going_on(data, sets=RACE):
     ]
     lines.sort(key=lambda line: (list(PACE.values()).index(line[0]), list(SIDES.values()).index(line[1])))
     return table(["measure", "side", "seeds", "both inherit", "over", "p (Holm)", "found in 80 %", "runs"], lines)
+
+
+def through_time(data, sets=RACE):
+    """How long hunters of each time take to reach victims of each time."""
+    lines = {}
+    for words, row in race_sets(data, "_through_time", sets):
+        lines.setdefault((words, row["hunters_s"]), []).append(signed(row, ("contact_s", "lower", "upper"), 1.0, ""))
+    times = ("the start", "12,000 s", "24,000 s")
+    found = {words: [of for (set_, _), of in lines.items() if set_ == words] for words, _ in lines}
+    return table(
+        ["seeds", "predators of", *(f"prey of {time}" for time in times)],
+        [[words, time, *of] for words, rows in found.items() for time, of in zip(times, rows)],
+    )
 
 
 def lasting(data, sets=RACE):
@@ -1278,6 +1292,7 @@ def tables(data, choices):
         "paces driven": lambda: paces(data, True),
         "paces described": lambda: paces(data, False),
         "paces go on": lambda: going_on(data),
+        "paces through time": lambda: through_time(data),
         "paces last": lambda: lasting(data, RACE | OTHER_RACES),
         "paces other driven": lambda: paces(data, True, OTHER_RACES),
         "paces other described": lambda: paces(data, False, OTHER_RACES),

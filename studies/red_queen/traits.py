@@ -35,13 +35,17 @@ def dropped(born, rule, inherits, generator, draws=DRAWS):
     return found
 
 
-def means_of(born, species, values, times_s):
-    """The mean over the living of a species at each time, shape (times, columns of values); nan if none lives."""
+def lives_of(born, species, times_s):
+    """Whether each individual lives, and is of a species, at each time, shape (times, individuals)."""
+    begins, ends = born["origin_time"].to_numpy(), born["destruction_time"].fillna(math.inf).to_numpy()
     of = (born["species"] == species).to_numpy()
-    begins, ends = born["origin_time"].to_numpy()[of], born["destruction_time"].fillna(math.inf).to_numpy()[of]
-    lives = (begins <= times_s[:, None]) & (times_s[:, None] < ends)
+    return of & (begins <= times_s[:, None]) & (times_s[:, None] < ends)
+
+
+def means_of(lives, values):
+    """The mean over the living at each time, shape (times, columns of values); nan if none lives."""
     with numpy.errstate(invalid="ignore"):
-        return lives @ values[of] / lives.sum(axis=1, keepdims=True)
+        return lives @ values / lives.sum(axis=1, keepdims=True)
 
 
 class Course:
@@ -56,9 +60,10 @@ class Course:
         drift = dropped(born, rule, self.inherits, numpy.random.default_rng(int(run.manifest["seed"])))
         own = born[trait].to_numpy()[:, None]
         at_bound = (own >= 0.95 * rule["most"]).astype(float)
+        lives = {species: lives_of(born, species, self.times_s) for species in self.inherits}
+        self.number = {species: of.sum(axis=1) for species, of in lives.items()}
         self.own, self.drift, self.at_bound = (
-            {species: means_of(born, species, values, self.times_s) for species in self.inherits}
-            for values in (own, drift, at_bound)
+            {species: means_of(of, values) for species, of in lives.items()} for values in (own, drift, at_bound)
         )
         self.persists = all(numpy.isfinite(of[-1, 0]) for of in self.own.values())
 
@@ -82,6 +87,7 @@ class Course:
                 "trait_end": over[end].mean(),
                 "trait_slope": numpy.polyfit(times_s[third] / 1000.0, over[third], 1)[0],
                 "at_bound": self.at_bound[species][end].mean(),
+                "number": self.number[species][third].mean(),
             }
         return found
 
