@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The race with bodies: walks of single robots at different paces, and pace, or the gait's frequency, that is inherited in the pond on MuJoCo."""
 import itertools
+import pathlib
+import sys
 import tomllib
 from collections.abc import Callable
 from typing import NamedTuple
@@ -10,6 +12,8 @@ import installed
 import numpy
 import pandas
 import ponds
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "red_queen"))
 import traits
 from trophic import metrics, selection, statistics
 

@@ -1308,7 +1308,11 @@ def raced_with_bodies(data, name):
                 row["runs"] + (f" and {row['null_runs']}" if row["null"] == "alone" else ""),
             ]
         )
-    persists = [[row["set"], share(row), row["runs"]] for row in rows if row["metric"] == "persists"]
+    persists = [
+        [row["set"], signed(row, ("mean", "lower", "upper"), 1.0, ""), row["runs"]]
+        for row in rows
+        if row["metric"] == "persists"
+    ]
     head = [
         "world",
         "of",

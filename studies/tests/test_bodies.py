@@ -5,6 +5,8 @@ import json
 import shutil
 import subprocess
 
+import bodies_race
+import numpy
 import pytest
 
 FEW = ["--duration", 8, "--set", "ecology.robots=8", "--set", "rules.community.predators=4", "--set", "rules.starvation.interval.base_ticks=1",
@@ -66,6 +68,25 @@ def test_a_pond_begets_bodies_and_gaits_in_growing_numbers(folder):
     short = ["--against", "own", "--epochs", "0,8", "--team-size", 2, "--teams", 2, "--duration", 100, "--reach", 2.5]
     folder.run("trophic", "contest", "run", "--program", shutil.which("trophic-bodies"), *short, "--out", "met")
     assert len({row["contact_s"] for row in folder.rows("met/contests.csv")}) > 2
+
+
+@needs_mujoco
+def test_a_side_of_the_race_inherits_gaits_that_mutate_and_the_other_begins_anew(folder):
+    sets = ["ecology.robots=30", "rules.community.predators=10", "rules.recruitment.spare_bodies=15", "rules.recruitment.birth_J=20",
+            "physics.timestep_s=0.002", "rules.heredity.predator.inherited=false", "rules.gait.prey.first_sd=1"]  # fmt: skip
+    options = [part for each in sets for part in ("--set", each)]
+    folder.run(
+        "trophic-bodies", "--rules", "gaits_race", "--backend", "mujoco", "--duration", 20, *options, "--out", "run"
+    )
+    genes, born = bodies_race.gaits(folder.path / "run"), {"prey": 0, "predator": 0}
+    for row in folder.rows("run/phylogeny.csv"):
+        if float(row["origin_time"]) > 0.0:
+            own, parent = genes.loc[int(row["id"])], genes.loc[int(row["ancestor_id"])]
+            born[row["species"]] += 1
+            if row["species"] == "prey":  # founders differ by far more than a mutation of sd 0.05
+                assert 0.0 < numpy.abs(own - parent).max() < 0.25
+            assert row["species"] == "prey" or numpy.abs(own - bodies_race.SHIPPED).max() < 0.25
+    assert min(born.values()) > 1
 
 
 def test_brains_evolve_without_bodies_and_only_their_genes_are_measured(folder):

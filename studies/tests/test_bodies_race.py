@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: MIT
 """The race with bodies: walks of single robots, and drift of an inherited trait."""
+import csv
 import pathlib
 
 import bodies_race
+import designs
 import numpy
+import pages
+import ponds
 import pandas
 import pytest
 
@@ -44,6 +48,41 @@ def test_a_mean_weights_individuals_by_their_time(tmp_path):
     assert bodies_race.means_of(run, values, 25.0, 35.0)["prey"] == pytest.approx((5 * 2 + 10 * 5) / 15)
 
 
+def family(runs, both, alone):
+    """Values of so many runs a world: pace of prey where both inherit and where prey alone do, and 1 otherwise; the first run of each has none."""
+    spread, rows = numpy.linspace(-0.1, 0.1, runs), []
+    for world, species in bodies_race.WORLDS.items():
+        for run in range(runs):
+            rows.append(ponds.row_of(world, f"{run:02}", "", ("persists", "all", "all"), float(run > 0)))
+            for side, on in zip(bodies_race.SPECIES, species):
+                level = {"both": both, "prey": alone}.get(world, 1.0) if side == "prey" else 1.0
+                for kind, value in (("end", level), ("late_change", level - 1.0)):
+                    key = ("pace", side, kind)
+                    if on and run > 0:
+                        rows.append(ponds.row_of(world, f"{run:02}", "", key, value + spread[run]))
+                        rows.append(ponds.row_of(world, f"{run:02}", "neutral", key, 1.0 if kind == "end" else 0.0))
+    return rows
+
+
+def test_a_family_of_six_finds_what_is_there_and_the_page_shows_it(tmp_path):
+    rows = bodies_race.results(family(11, both=1.6, alone=1.2), "pace")
+    tested = {(row["set"], row["species"], row["group"]): row for row in rows if row["p"]}
+    assert len(tested) == 6 and all(row["runs"] == "10" for row in tested.values())
+    assert float(tested["both", "prey", "end"]["difference"]) == pytest.approx(0.6, abs=0.02)
+    assert float(tested["both less alone", "prey", "end"]["difference"]) == pytest.approx(0.4, abs=0.001)
+    assert {key[1] for key, row in tested.items() if float(row["p_holm"]) < 0.05} == {"prey"}
+    assert [row["mean"] for row in rows if row["metric"] == "persists"] == ["0.909091"] * 4
+    data = pages.Data(tmp_path)
+    assert pages.raced_with_bodies(data, "few") == "No run of this design is complete.\n"
+    for name, of in (("few", bodies_race.results(family(2, 1.6, 1.2), "pace")), ("all", rows)):
+        with open(tmp_path / f"{name}.csv", "w", newline="") as file:
+            table = csv.DictWriter(file, of[0].keys(), lineterminator="\n")
+            table.writeheader()
+            table.writerows(of)
+    assert designs.read(tmp_path / "few.csv")[0]["p"] == "" and "| both | 0.5 |" in pages.raced_with_bodies(data, "few")
+    assert "+0.61 [" in pages.raced_with_bodies(data, "all")
+
+
 def walks(pace, speeds, overturned):
     return [
         f"spider,{pace},0,{place},{speed},0.03,0.99,0.05,0.1,{share},MuJoCo 2.2.2,abc"
@@ -75,7 +114,7 @@ def test_the_program_measures_walks_and_refuses_bad_input(folder):
     rows = {(row["steering"], row["pace"]): row for row in bodies_race.walk_rows("", folder.path / "walks.csv")}
     assert len(rows) == 32 and rows["straight", "1"]["walks"] == 10
     speed = {key: float(row["speed_m_s"]) for key, row in rows.items()}
-    assert speed["straight", "1"] == pytest.approx(0.049, rel=0.1)
-    assert speed["steered", "1"] == pytest.approx(0.0429, rel=0.1)  # the robot file's own measure
-    assert speed["straight", "2"] == pytest.approx(2.0 * speed["straight", "1"], rel=0.2)
+    assert speed["straight", "1"] == pytest.approx(0.049, rel=0.2)  # of 10 s of a gait that does not repeat exactly
+    assert speed["steered", "1"] == pytest.approx(0.0429, rel=0.2)  # the robot file's own measure
+    assert speed["straight", "2"] == pytest.approx(2.0 * speed["straight", "1"], rel=0.3)
     assert rows["straight", "2"]["upright_walks"] == 10 and rows["straight", "10"]["upright_walks"] < 10
