@@ -179,6 +179,29 @@ class Seen(InFolderWithSets):
         self.assertEqual(list(tick["foods"]), ["food"])
         self.assertTrue(len(tick["foods"]["food"]) == GRASS and 0.5 * TOP < max(tick["foods"]["food"]) <= TOP)
 
+    def test_each_of_two_foods_is_on_page_live_page_film_and_in_gltf(self):
+        run = self.folder / "run"
+        command = [WORLDS, "--rules", "two_foods", "--backend", "kinematic", "--duration", "40"]
+        run_ok(*command, "--out", run)
+        page = self.make("show", "page.html", run=run).read_text()
+        packed = re.search(r'data-file="food">([^<]*)<', page)[1]
+        rows = self.rows_of(zlib.decompress(base64.b64decode(packed)).decode())
+        for food in ("grass", "fruit"):
+            self.assertEqual(sum(row["food"] == food and row["time_s"] == "0" for row in rows), GRASS)
+        scene = json.loads(self.make("export", "scene.gltf", run=run).read_text())
+        names = [scene["meshes"][node["mesh"]]["name"] for node in scene["nodes"] if "mesh" in node]
+        self.assertEqual((names.count("grass"), names.count("fruit")), (GRASS, GRASS))
+        both = numpy.array((0.885, 0.905, 0.925))
+        for food in ((0.61, 0.77, 0.5), (0.78, 0.63, 0.86)):  # each filters the light of the floor
+            both = both * numpy.array(food) / (0.885, 0.905, 0.925)
+        picture = self.picture("start.png", "--from", 0, run=run)
+        near = numpy.abs(picture - 255 * both).sum(axis=-1) < 60
+        self.assertGreater(near.mean(), 0.3)
+        with LiveRun([*command, "--out", "live"], self.folder) as live, live.page() as watched:
+            watched.send({"do": "speed", "value": 0})
+            tick = watched.until(lambda message: message["kind"] == "tick" and message["time_s"] == 40.0)
+        self.assertEqual({food: len(cells) for food, cells in tick["foods"].items()}, {"grass": GRASS, "fruit": GRASS})
+
     def test_births_at_the_start_are_shown_filmed_and_exported(self):
         """A rule that gives bodies to predators at time 0. A killed run is compared with its recording row by row."""
         run = self.folder / "run"

@@ -295,6 +295,28 @@ class Worlds(InFolder):
             alike = numpy.corrcoef(pace.loc[births["id"]], pace.loc[births["parent_id"].astype(int)])[0, 1]
             self.assertTrue(least < alike < most, alike)
 
+    def test_each_of_two_foods_has_its_rows_and_its_ledger(self):
+        folder, _ = self.run_world("two_foods", "kinematic", "--duration", 400)
+        resource, field, energy = (pandas.read_csv(folder / f"{name}.csv") for name in ("resource", "field", "energy"))
+        self.assertEqual(list(resource.food.unique()), ["grass", "fruit"])
+        for name, ledger in resource.groupby("food"):
+            flows = ledger.eval("grown_J - taken_J - destroyed_J")
+            numpy.testing.assert_allclose(ledger.stock_J.diff().iloc[1:], flows.iloc[1:], atol=1e-9, err_msg=name)
+            self.assertTrue((ledger.taken_J.sum() > 100.0) and (ledger.destroyed_J == 0.0).all(), name)
+            cells = field[field.food == name].groupby("time_s").food_J.agg(["size", "sum"])
+            self.assertEqual(set(cells["size"]), {400})
+            numpy.testing.assert_allclose(cells["sum"], ledger.set_index("time_s").stock_J[cells.index])
+        eaten_J = energy.groupby("tick").field_J.sum()
+        numpy.testing.assert_allclose(resource.groupby("tick").taken_J.sum(), eaten_J, atol=1e-9)
+
+    def test_what_a_bite_leaves_of_a_patch_is_destroyed(self):
+        """Sheep that take 3 J of a patch of 4 J: the last joule is destroyed."""
+        folder, _ = self.run_world("wolf_sheep", "torus", "--duration", 30, "--set", "rules.metabolism.sheep.gain_J=3")
+        resource = pandas.read_csv(folder / "resource.csv")
+        self.assertGreater(resource.taken_J.sum(), 300.0)
+        numpy.testing.assert_allclose(3.0 * resource.destroyed_J, resource.taken_J)
+        self.assertTrue((resource.grown_J >= 0.0).all())
+
     def test_conditions_of_the_pond_act_and_without_them_it_is_the_pond(self):
         def events(rules, setting):
             folder, _ = self.run_world(rules, "kinematic", "--duration", 1000, "--set", setting)

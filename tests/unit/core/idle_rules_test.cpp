@@ -9,7 +9,7 @@
 #include <trophic/habitat/load/installed_models.hpp>
 #include <trophic/rules/by_species.hpp>
 #include <trophic/rules/paper.hpp>
-#include <trophic/worlds/pond.hpp>
+#include <trophic/worlds/two_foods.hpp>
 
 using namespace trophic;
 using rules::Paper;
@@ -77,6 +77,18 @@ TEST_CASE("idle rules: distance or number that the world does not reach -> a rem
   CHECK(remarks(Experiment<with_capture<Paper, death::capture::CatchOutsideRefuges>>{}) ==
         std::vector<std::string>{
             "rules.capture: catch_outside_refuges protects no prey: arena walled_square has no zone named refuge"});
+}
+
+TEST_CASE("idle rules: diets in a table of one food -> a remark, with two foods none") {
+  using Eaters = with_metabolism<worlds::Pond, rules::by_species<energy::metabolism::GrazingByDiet<>>>;
+  using OneFood = with_traits<Eaters, reproduction::traits::List<energy::metabolism::Diet>>;
+  CHECK(remarks(Experiment<OneFood>{}) ==
+        std::vector<std::string>{
+            "rules.metabolism: diets have no effect: the table has one food or none (energy::resource::Foods)"});
+  CHECK(remarks(Experiment<worlds::TwoFoods>{}).empty());
+  Experiment<worlds::TwoFoods> experiment;
+  experiment.rules.recruitment.birth_J = 5000.0;
+  CHECK(remarks(experiment).size() == 2);
 }
 
 TEST_CASE("idle rules: births that cost more than a body holds -> a remark for each species") {

@@ -45,6 +45,8 @@ before(async () => {
   show("pond.html", "pond");
   execFileSync(process.env.WORLDS, ["--rules", "pond_with_refuges", "--backend", "kinematic", "--duration", "60", "--out", at("refuges")]);
   show("refuges.html", "refuges");
+  execFileSync(process.env.WORLDS, ["--rules", "two_foods", "--backend", "kinematic", "--duration", "60", "--out", at("foods")]);
+  show("foods.html", "foods");
   execFileSync(process.env.WORLDS, ["--rules", "wolf_sheep", "--robots", "200", "--set", "rules.recruitment.sheep.spare_bodies=50", "--set", "rules.metabolism.sheep.gain_J=0", "--duration", "150", "--out", at("meadow")]);
   show("meadow.html", "meadow");
   execFileSync(process.env.TROPHIC, ["show", at("bodies"), "--from", "200", "--to", "300", "--out", at("some_bodies.html")]);
@@ -205,6 +207,13 @@ onPage("page: numbers go from 10 to 70 and down to 20 -> the living are drawn at
   const energy = rows("pond", "energy.csv").filter((row) => row.species === "prey").map((row) => Number(row.stock_J));
   assert.equal(shown[1].length, energy.length);
   energy.forEach((stock_J, i) => assert.ok(Math.abs(shown[1][i] - stock_J) <= 1e-3 * stock_J));
+});
+
+onPage("page: two foods -> each in the legend with its colour, both on the floor", ["foods.html", "#t=0&view=top"], async (opened) => {
+  const foods = await opened.page.$$eval("header .legend li:has(i.food)", (items) => items.map((item) => [item.textContent, item.firstChild.style.getPropertyValue("--mark")]));
+  assert.deepEqual(foods, [["grass, up to 7.5 J a cell", "#9cc47f"], ["fruit, up to 7.5 J a cell", "#c7a1db"]]);
+  const both = await opened.pixels("#8c8b78"); // each filters the light of the floor
+  assert.ok(both > 3000 && (await opened.pixels("#9cc47f")) < 0.1 * both, `${both} pixels of both foods`);
 });
 
 onPage("page: click on the time bar -> jumps, click on an event -> selects its individual", ["long.html"], async (opened) => {
