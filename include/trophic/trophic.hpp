@@ -28,11 +28,13 @@
 #include <trophic/death/starvation/choice/hungriest_share.hpp>
 #include <trophic/ecology/simulations_of.hpp>
 #include <trophic/ecology/stepped_run.hpp>
+#include <trophic/energy/metabolism/falling_energy.hpp>
 #include <trophic/energy/metabolism/fixed_gains.hpp>
 #include <trophic/energy/metabolism/grazing_and_hunting.hpp>
 #include <trophic/energy/order/by_turns.hpp>
 #include <trophic/energy/resource/delayed_patches.hpp>
 #include <trophic/energy/resource/logistic_field.hpp>
+#include <trophic/energy/resource/moving_zones.hpp>
 #include <trophic/initialization/community/food_chain.hpp>
 #include <trophic/initialization/embodiment/stands_up.hpp>
 #include <trophic/perception/heading/reversed_on_back.hpp>
@@ -42,6 +44,7 @@
 #include <trophic/perception/sensors/food_gradient.hpp>
 #include <trophic/perception/sensors/hearing.hpp>
 #include <trophic/perception/sensors/joint_angles.hpp>
+#include <trophic/perception/sensors/nearest_zone.hpp>
 #include <trophic/perception/sensors/own_energy.hpp>
 #include <trophic/perception/sensors/own_speed.hpp>
 #include <trophic/perception/sensors/random_turn.hpp>
@@ -51,6 +54,7 @@
 #include <trophic/perception/tag_switch/first_switch_free.hpp>
 #include <trophic/perception/visibility/same_tag_if_active.hpp>
 #include <trophic/perception/visibility/within_range.hpp>
+#include <trophic/population/mating_zones.hpp>
 #include <trophic/reproduction/body_plan/inherited_modules.hpp>
 #include <trophic/reproduction/body_plan/named_body.hpp>
 #include <trophic/reproduction/heredity/all_but.hpp>
@@ -66,6 +70,7 @@
 #include <trophic/reproduction/recruitment/at_energy.hpp>
 #include <trophic/reproduction/recruitment/by_chance.hpp>
 #include <trophic/reproduction/recruitment/by_mating.hpp>
+#include <trophic/reproduction/recruitment/in_zones.hpp>
 #include <trophic/reproduction/traits/list.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/reproduction/viability/survives_trial.hpp>
