@@ -54,7 +54,6 @@
 #include <trophic/perception/tag_switch/first_switch_free.hpp>
 #include <trophic/perception/visibility/same_tag_if_active.hpp>
 #include <trophic/perception/visibility/within_range.hpp>
-#include <trophic/population/mating_zones.hpp>
 #include <trophic/reproduction/body_plan/inherited_modules.hpp>
 #include <trophic/reproduction/body_plan/named_body.hpp>
 #include <trophic/reproduction/heredity/all_but.hpp>
