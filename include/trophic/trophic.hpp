@@ -29,12 +29,14 @@
 #include <trophic/death/starvation/choice/hungriest_share.hpp>
 #include <trophic/ecology/simulations_of.hpp>
 #include <trophic/ecology/stepped_run.hpp>
+#include <trophic/energy/metabolism/falling_energy.hpp>
 #include <trophic/energy/metabolism/fixed_gains.hpp>
 #include <trophic/energy/metabolism/grazing_by_diet.hpp>
 #include <trophic/energy/order/by_turns.hpp>
 #include <trophic/energy/resource/delayed_patches.hpp>
 #include <trophic/energy/resource/foods.hpp>
 #include <trophic/energy/resource/logistic_field.hpp>
+#include <trophic/energy/resource/moving_zones.hpp>
 #include <trophic/initialization/community/food_chain.hpp>
 #include <trophic/initialization/embodiment/stands_up.hpp>
 #include <trophic/perception/heading/reversed_on_back.hpp>
@@ -44,6 +46,7 @@
 #include <trophic/perception/sensors/food_gradient.hpp>
 #include <trophic/perception/sensors/hearing.hpp>
 #include <trophic/perception/sensors/joint_angles.hpp>
+#include <trophic/perception/sensors/nearest_zone.hpp>
 #include <trophic/perception/sensors/own_energy.hpp>
 #include <trophic/perception/sensors/own_speed.hpp>
 #include <trophic/perception/sensors/random_turn.hpp>
@@ -68,6 +71,7 @@
 #include <trophic/reproduction/recruitment/at_energy.hpp>
 #include <trophic/reproduction/recruitment/by_chance.hpp>
 #include <trophic/reproduction/recruitment/by_mating.hpp>
+#include <trophic/reproduction/recruitment/in_zones.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/reproduction/viability/survives_trial.hpp>
 #include <trophic/reproduction/viability/within_mass.hpp>

@@ -67,9 +67,12 @@ def mean_field(rng, zones, offspring, food_J=0.0, endows=False, side_m=25.0, rad
         energy_J = numpy.maximum(energy_J, numpy.minimum(energy_J + food_J / len(energy_J), 100.0))
         at_m, born = rng.uniform(0.0, side_m, (len(energy_J), 2)), []
         single = numpy.ones(len(energy_J), dtype=bool)
-        for centre_m in rng.uniform(0.0, side_m, (zones, 2)):
-            way_m = (at_m - centre_m + 0.5 * side_m) % side_m - 0.5 * side_m
-            inside = numpy.flatnonzero(single & ((way_m**2).sum(axis=1) <= radius_m**2))
+        centres_m = rng.uniform(0.0, side_m, (zones, 1, 2))
+        ways_m = numpy.abs(at_m - centres_m)
+        ways_m = numpy.minimum(ways_m, side_m - ways_m)
+        is_inside = (ways_m**2).sum(axis=2) <= radius_m**2
+        for zone in numpy.flatnonzero(is_inside.sum(axis=1) > 1):
+            inside = numpy.flatnonzero(single & is_inside[zone])
             for pair in zip(inside[::2], inside[1::2]):
                 each_J = min(25.0, *energy_J[list(pair)])
                 energy_J[list(pair)] -= each_J
