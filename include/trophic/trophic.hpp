@@ -66,7 +66,10 @@
 #include <trophic/reproduction/recruitment/at_energy.hpp>
 #include <trophic/reproduction/recruitment/by_chance.hpp>
 #include <trophic/reproduction/recruitment/by_mating.hpp>
-#include <trophic/reproduction/traits/list.hpp>
+#include <trophic/reproduction/recruitment/mate/alike_genomes.hpp>
+#include <trophic/reproduction/recruitment/mate/alike_in.hpp>
+#include <trophic/reproduction/recruitment/mate/other_sex.hpp>
+#include <trophic/reproduction/recruitment/with_mate.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/reproduction/viability/survives_trial.hpp>
 #include <trophic/reproduction/viability/within_mass.hpp>
