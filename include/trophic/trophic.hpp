@@ -72,6 +72,10 @@
 #include <trophic/reproduction/recruitment/by_chance.hpp>
 #include <trophic/reproduction/recruitment/by_mating.hpp>
 #include <trophic/reproduction/recruitment/in_zones.hpp>
+#include <trophic/reproduction/recruitment/mate/alike_genomes.hpp>
+#include <trophic/reproduction/recruitment/mate/alike_in.hpp>
+#include <trophic/reproduction/recruitment/mate/other_sex.hpp>
+#include <trophic/reproduction/recruitment/with_mate.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/reproduction/viability/survives_trial.hpp>
 #include <trophic/reproduction/viability/within_mass.hpp>

@@ -129,6 +129,18 @@ TEST_CASE_TEMPLATE_DEFINE("parent of a given species", Policy, trophic_parent_sp
   });
 }
 
+namespace trophic::conformance {
+
+/// The same robots with a sex and a sight.
+[[nodiscard]] inline test::HandPopulation with_traits(test::HandPopulation robots) {
+  robots.traits = {"sex", "sight_m"};
+  for (const Individual& one : robots.individuals)
+    one.genome->traits = {static_cast<double>(one.id % 2), 8.0 + 0.3 * static_cast<double>(one.id % 7)};
+  return robots;
+}
+
+}  // namespace trophic::conformance
+
 TEST_CASE_TEMPLATE_DEFINE("recruitment", Policy, trophic_recruitment_suite) {
   using namespace trophic;
   static_assert(reproduction::Recruitment<Policy>);
@@ -145,7 +157,8 @@ TEST_CASE_TEMPLATE_DEFINE("recruitment", Policy, trophic_recruitment_suite) {
     for (auto& birth : births) birth.place.reset();
     return births;
   };
-  conformance::on_populations([&](test::HandPopulation robots, std::uint64_t seed) {
+  conformance::on_populations([&](const test::HandPopulation& bare, std::uint64_t seed) {
+    test::HandPopulation robots = conformance::with_traits(bare);
     const std::size_t size = robots.individuals.size();
     for (BodyIndex body = 0; body < size; body += 3) {
       robots.individuals[body].species = no_species;
@@ -176,7 +189,7 @@ TEST_CASE_TEMPLATE_DEFINE("recruitment", Policy, trophic_recruitment_suite) {
   });
   conformance::check_params_used_on_populations<Policy>(
       [&](conformance::Answers& answers, const Policy& made, const test::HandPopulation& whole, std::uint64_t seed) {
-        test::HandPopulation robots = whole;
+        test::HandPopulation robots = conformance::with_traits(whole);
         for (BodyIndex body = 0; body < robots.individuals.size(); body += 3) robots.individuals[body].species = no_species;
         const conformance::AnyStates<Policy> states{made, robots, seed};
         Rng rng{seed, Stream::user};
@@ -185,6 +198,7 @@ TEST_CASE_TEMPLATE_DEFINE("recruitment", Policy, trophic_recruitment_suite) {
         answers.add(made.spare_bodies());
         for (const auto& birth : reproduction::ask::recruits(made, states.all(), view, rng)) {
           answers.add(std::pair{birth.parents.empty() ? 0 : birth.parents.front().id, birth.endowment_J});
+          answers.add(birth.first_pays);
           answers.add(birth.place.value_or(GroundPose{}).x_m);
         }
         for (BodyIndex body = 0; body < robots.individuals.size(); ++body) {

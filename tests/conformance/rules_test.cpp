@@ -95,8 +95,13 @@
 #include <trophic/reproduction/recruitment/by_chance.hpp>
 #include <trophic/reproduction/recruitment/by_mating.hpp>
 #include <trophic/reproduction/recruitment/in_zones.hpp>
+#include <trophic/reproduction/recruitment/mate/alike_genomes.hpp>
+#include <trophic/reproduction/recruitment/mate/alike_in.hpp>
+#include <trophic/reproduction/recruitment/mate/other_sex.hpp>
 #include <trophic/reproduction/recruitment/no_recruitment.hpp>
+#include <trophic/reproduction/recruitment/with_mate.hpp>
 #include <trophic/reproduction/traits/list.hpp>
+#include <trophic/reproduction/traits/sex.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/reproduction/viability/survives_trial.hpp>
 #include <trophic/reproduction/viability/within_mass.hpp>
@@ -187,7 +192,11 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_parent_species_suite, rules::Paper::Parent, ru
 TEST_CASE_TEMPLATE_INVOKE(trophic_recruitment_suite, reproduction::recruitment::NoRecruitment,
                           reproduction::recruitment::AfterEscapes, reproduction::recruitment::AtEnergy,
                           reproduction::recruitment::ByMating, reproduction::recruitment::ByChance,
-                          reproduction::recruitment::InZones);
+                          reproduction::recruitment::InZones,
+                          reproduction::recruitment::WithMate<>,
+                          reproduction::recruitment::WithMate<reproduction::recruitment::mate::OtherSex,
+                                                              reproduction::recruitment::mate::AlikeIn<Sight>,
+                                                              reproduction::recruitment::mate::AlikeGenomes>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_gait_suite, control::gait::RobotsGait, control::gait::NamedGait, control::gait::InheritedCpg,
                           control::gait::InheritedCppn, control::gait::Learnt<control::gait::InheritedCpg>,
                           control::gait::Learnt<control::gait::InheritedCppn>);
@@ -208,7 +217,8 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_heredity_suite, reproduction::heredity::Crosso
                           reproduction::heredity::NothingInherited, reproduction::heredity::AllButBrain,
                           reproduction::heredity::AllButGait, reproduction::heredity::AllButBody,
                           reproduction::heredity::Switched<reproduction::heredity::OwnCopy>);
-TEST_CASE_TEMPLATE_INVOKE(trophic_traits_suite, reproduction::traits::NoTraits, reproduction::traits::List<Sight>);
+TEST_CASE_TEMPLATE_INVOKE(trophic_traits_suite, reproduction::traits::NoTraits, reproduction::traits::List<Sight>,
+                          reproduction::traits::List<reproduction::traits::Sex>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_mutation_suite, reproduction::mutation::NormalMutation, reproduction::mutation::UniformMutation,
                           reproduction::mutation::NoMutation);
 

@@ -16,6 +16,11 @@ struct Parentage {
   reproduction::Descent descent = reproduction::Descent::random;
   std::vector<Ancestor> parents = {};  ///< empty if the genome is random by rule or there is no individual to inherit from
   double endowment_J = 0.0;            ///< energy from the living parents; if 0, the energy comes from outside
+  bool first_pays = false;             ///< whether the first of them gives all of it
+  /// Those of the living parents that give energy, in equal parts.
+  [[nodiscard]] std::span<const BodyIndex> payers(std::span<const BodyIndex> living) const {
+    return first_pays && !living.empty() ? living.first(1) : living;
+  }
 };
 
 /// The circumstances of births other than the rules: `habitat` is for tables whose bodies or gaits differ, `nursery` for those

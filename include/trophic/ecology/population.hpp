@@ -228,7 +228,7 @@ class Population {
     if (parentage.endowment_J == 0.0 || living.empty()) {
       economy_.endow_from_outside(born);
     } else {
-      economy_.endow(born, parentage.endowment_J, census_.change_all(), living);
+      economy_.endow(born, parentage.endowment_J, census_.change_all(), parentage.payers(living));
     }
     census_.replace(body, std::move(born));
     acts_.rest(body);

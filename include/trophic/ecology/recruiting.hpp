@@ -6,13 +6,14 @@
 
 namespace trophic {
 
-/// Whether the living parents of a birth have the energy that they must give, in equal parts.
+/// Whether the living parents of a birth have the energy that they must give.
 template <class Rules>
-[[nodiscard]] bool can_endow(const Population<Rules>& population, const reproduction::Recruit& recruit) {
-  const std::vector<BodyIndex> living = population.bodies_of(recruit.parents);
+[[nodiscard]] bool can_endow(const Population<Rules>& population, const Parentage& parentage) {
+  const std::vector<BodyIndex> living = population.bodies_of(parentage.parents);
   if (!has_energy<Rules> || living.empty()) return true;
-  const double part_J = recruit.endowment_J / static_cast<double>(living.size());
-  return std::ranges::all_of(living, [&](BodyIndex body) { return part_J <= std::max(population[body].energy_J, 0.0); });
+  const auto payers = parentage.payers(living);
+  const double part_J = parentage.endowment_J / static_cast<double>(payers.size());
+  return std::ranges::all_of(payers, [&](BodyIndex body) { return part_J <= std::max(population[body].energy_J, 0.0); });
 }
 
 /// Gets the births of a tick from the rule Recruitment. Each takes the first spare body; a birth without a body or room, or whose
@@ -29,16 +30,17 @@ void recruit(EcologyState<Rules>& all, Turnover<Rules>& turnover, observe::Audie
     detail::check_recruit(all.web, all.habitat.arena, recruit,
                           [&](const Ancestor& parent) { return population.misfit(recruit.species, parent.genome.get()); });
     while (spare < population.individuals().size() && population[spare].lives()) ++spare;
-    const bool has_body = spare < population.individuals().size() && can_endow(population, recruit);
+    using reproduction::Descent;
+    const Parentage parentage{.descent = recruit.parents.empty() ? Descent::random : Descent::of_parent,
+                              .parents = recruit.parents,
+                              .endowment_J = recruit.endowment_J,
+                              .first_pays = recruit.first_pays};
+    const bool has_body = spare < population.individuals().size() && can_endow(population, parentage);
     const auto place = recruit.place || !has_body ? recruit.place : turnover.place_of_birth(recruit.parents);
     if (!has_body || !place) {
       ++all.refused_births;
       continue;
     }
-    using reproduction::Descent;
-    const Parentage parentage{.descent = recruit.parents.empty() ? Descent::random : Descent::of_parent,
-                              .parents = recruit.parents,
-                              .endowment_J = recruit.endowment_J};
     population.replace(spare, recruit.species, parentage, all.view());
     turnover.begin_life(audience, spare, place);
     population.note_birth(recruit.parents, all.view(), field_rng);

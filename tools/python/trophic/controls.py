@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy
 
+from .metrics import kinds
 from .metrics.living import changes_numbers
 from .statistics import Lives
 from .values import NEUTRAL, ONE_SIDED, SHADOW, MeasuredSet, Metric
@@ -77,6 +78,10 @@ RULES = {
 MIXED = "it mixes active and inactive members, whose shares change with the numbers; the groups active and inactive are tested apart"
 
 
+BY_RUN = "each is a conclusion about one run"
+_WHOSE = {MIXED: "behaviour of a mixed group", BY_RUN: "kinds and their p values"}
+
+
 class Control(NamedTuple):
     """The control of a metric of a set."""
 
@@ -90,6 +95,8 @@ class Control(NamedTuple):
 def control_of(of: MeasuredSet, metric: Metric) -> Control:
     """The null that answers for a metric of a set, as far as the set has it."""
     rule = RULES[_case(of, metric)]
+    if metric.metric in kinds.DESCRIBED:
+        return Control(rule, "", BY_RUN)
     if rule.null not in of.nulls_of(metric):
         described = (
             "; mutation alone makes a difference from the shadow, which is described" if rule.null == NEUTRAL else ""
@@ -153,8 +160,6 @@ def sentences(of: MeasuredSet, metrics: Iterable[Metric]) -> list[str]:
     found = [control_of(of, metric) for metric in metrics]
     said = dict.fromkeys(f"tested: {one.rule.sentence()}" for one in found if one.null)
     why = dict.fromkeys(
-        (one.rule.measures if one.not_tested != MIXED else "behaviour of a mixed group", one.not_tested)
-        for one in found
-        if one.not_tested
+        (_WHOSE.get(one.not_tested, one.rule.measures), one.not_tested) for one in found if one.not_tested
     )
     return [*said, *(f"not tested: {measures}: {reason}" for measures, reason in why)]

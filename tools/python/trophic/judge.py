@@ -559,6 +559,7 @@ _NULLS = {
     **{name: f"in the {title}" for name, title in NULLS.items()},
     "permuted_tags": "with permuted tags",
     "drift": "under drift",
+    "same_parents": "with the same parents, mated at random",
 }
 _NOUNS = {
     "velocity": "the velocity of {who} towards their adversaries",
@@ -573,6 +574,8 @@ _NOUNS = {
     "wall_sticking_gap": "the excess of {first} over {second} within 1 m of a wall",
     "tag_symmetry": "the tag symmetry of {who}",
     "population": "the number of {who}",
+    "kinds_silhouette": "the silhouette of kinds of {who}",
+    "kinds_gene_flow": "the gene flow between kinds of {who}",
     "hunger": "the hunger of {who}",
     "ticks_at": "the share of time with {group} {who}",
     "deaths": "the number of {who} that die in a run",

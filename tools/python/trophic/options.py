@@ -212,6 +212,12 @@ def _analyze(parser: argparse.ArgumentParser) -> None:
         "need the runs' neutral null (made with --neutral)",
     )
     add(
+        "--kinds",
+        **_TEXTS,
+        help="measure kinds instead: clusters of individuals within a species by their genome, or by columns of genomes.csv such as a trait, and "
+        "gene flow between them, each compared with random mating of the same parents; docs/how-to/are-there-kinds.md explains it",
+    )
+    add(
         "--selection",
         **_TEXTS,
         help="measure selection on a trait instead, by its episodes, with Price's equation: turns_to, open_speed, velocity_open, gene:NUMBER or "
@@ -407,12 +413,14 @@ VERBS = {
             "--compare": ["--shadow", "--published"],
             "--lineages": ["--published", "--until", "--compare", "--column", "--metric-file"],
             "--bodies": ["--published", "--lineages"],
+            "--kinds": ["--published", "--until", "--lineages", "--bodies"],
             "--published": ["--metric"],
             "--selection": [
                 "--compare",
                 "--published",
                 "--lineages",
                 "--bodies",
+                "--kinds",
                 "--metric",
                 "--column",
                 "--metric-file",

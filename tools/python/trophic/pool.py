@@ -22,7 +22,7 @@ import pandas
 from . import metrics, runs
 from .description import changes_of, describe, lived_s
 from .errors import RunError, printable
-from .metrics import Measuring, Web, bodies, own, walls
+from .metrics import Measuring, Web, bodies, kinds, own, walls
 from .runs import Run
 from .values import CLONES, MOST_NUMBER, NEUTRAL, SHADOW, MeasuredSet, RunValues, one_sided_name, one_sided_species
 from .words import NO_NEUTRAL, excerpt, number_text
@@ -176,13 +176,16 @@ def read_set(
     inherited = metrics.inherited(shipped, how)
     if inherited and NEUTRAL not in nulls:
         remarks.append(f"{pooled[0].path}: {NO_NEUTRAL}")
-    if not how.bodies and how.lineages is None and (lost := metrics.lost_to_thinning(pooled[0].every_ticks)):
+    is_shipped = not how.bodies and not how.kinds and how.lineages is None
+    if is_shipped and (lost := metrics.lost_to_thinning(pooled[0].every_ticks)):
         remarks.append(lost)
     for run in every:
         for column in how.columns:
             own.check_column(column, run)  # type: ignore[arg-type]
         if how.bodies:
             bodies.check(run)
+        if how.kinds:
+            kinds.check(run, how.kinds)
     metrics.check_names(shipped, how)
     if how.lineages is not None:
         from .metrics import lineages  # type: ignore[attr-defined]
@@ -221,7 +224,7 @@ def pooled_sets(
     folders = [pathlib.Path(path) for path in paths]
     pooled, nulls = pooled_runs(folders, how), {}
     sides = map(one_sided_name, pooled[0][0].web.species)
-    for name in (SHADOW, *sides, NEUTRAL, *([CLONES] if not how.bodies and how.lineages is None else [])):
+    for name in (SHADOW, *sides, NEUTRAL, *([] if how.bodies or how.kinds or how.lineages else [CLONES])):
         its_folders = [pathlib.Path(shadow)] if name == SHADOW and shadow is not None else null_folders(folders, name)
         if its_folders:
             nulls[name] = pooled_runs(its_folders, how)

@@ -17,6 +17,7 @@ struct Recruit {
   std::vector<Ancestor> parents = {};    ///< parents, of the newborn's species; without any the genome is random
   double endowment_J = 0.0;              ///< energy that living parents give in equal parts; 0: the energy comes from outside
   std::optional<GroundPose> place = {};  ///< if empty: a free place next to the first living parent, or anywhere without one
+  bool first_pays = false;               ///< whether the first living parent gives all of `endowment_J`
   friend bool operator==(const Recruit&, const Recruit&) = default;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <concepts>
 #include <stdexcept>
 #include <trophic/params/group.hpp>
 #include <trophic/reproduction/traits/contract.hpp>
@@ -10,13 +11,22 @@
 
 namespace trophic::reproduction::traits {
 
+/// A trait with a mutation of its own, such as Sex: its Params have `first`, `least`, `most` and `double next(double x, Rng&)
+/// const`, the value of a newborn whose parent has x, or that has no parent and begins with `first`.
+template <class T>
+concept OwnTrait = requires(const typename T::Params params, double x, Rng& rng) {
+  { T::name } -> std::convertible_to<std::string_view>;
+  { params.first + params.least + params.most } -> std::convertible_to<double>;
+  { params.next(x, rng) } -> std::same_as<double>;
+};
+
 /// A trait is a type with a name and the defaults of its parameters:
 ///   struct Sight {
 ///     static constexpr std::string_view name = "sight_m";
 ///     static constexpr double first = 8.0, least = 1.0, most = 20.0, sd = 0.5;
 ///   };
 template <class T>
-concept Trait = requires {
+concept Trait = OwnTrait<T> || requires {
   { T::name } -> std::convertible_to<std::string_view>;
   { T::first + T::least + T::most + T::sd } -> std::convertible_to<double>;
 };
@@ -34,13 +44,29 @@ struct TraitParams {
                       field("most", &TraitParams::most, any_number(), "upper bound"),
                       field("sd", &TraitParams::sd, at_least(0.0), "standard deviation of mutations")};
   }
+  [[nodiscard]] double next(double x, Rng& rng) const { return std::clamp(x + rng.normal(0.0, sd), least, most); }
   friend bool operator==(const TraitParams&, const TraitParams&) = default;
 };
 
+namespace detail {
+
+template <class T>
+struct ParamsOfTrait {
+  using type = TraitParams<T>;
+  static constexpr bool fit = T::least <= T::first && T::first <= T::most && T::sd >= 0.0;
+};
+template <OwnTrait T>
+struct ParamsOfTrait<T> {
+  using type = typename T::Params;
+  static constexpr bool fit = true;
+};
+
+}  // namespace detail
+
 /// Rule, for each trait x in the list:
 ///   x <- clip(x + N(0, sd), least, most)
-/// at each birth, from the parent's x or, without a parent, from `first`. Not in the paper; all parameters are free.
-/// Reads: the traits.   Random draws: 2 per trait.
+/// at each birth, from the parent's x or, without a parent, from `first`; an OwnTrait has its own rule. Not in the paper; all
+/// parameters are free.   Reads: the traits.   Random draws: 2 per trait, or those of an OwnTrait.
 template <Trait... Traits>
 struct List {
   struct Names {
@@ -53,11 +79,11 @@ struct List {
   static constexpr std::string_view source = "not in the paper";
   static_assert(((std::ranges::count(Names::names, Traits::name) == 1) && ...), "two traits of a list have one name");
 
-  using Params = GroupOf<Names, TraitParams<Traits>...>;
+  using Params = GroupOf<Names, typename detail::ParamsOfTrait<Traits>::type...>;
   Params params;
 
   explicit List(const Params& given = {}) : params{given} {
-    static_assert(((Traits::least <= Traits::first && Traits::first <= Traits::most && Traits::sd >= 0.0) && ...),
+    static_assert((detail::ParamsOfTrait<Traits>::fit && ...),
                   "a trait's first must be >= its least and <= its most, and its sd >= 0");
     each([](std::size_t place, const auto& trait) {
       if (trait.least <= trait.first && trait.first <= trait.most) return;
@@ -74,9 +100,7 @@ struct List {
     return traits;
   }
   void mutate(std::span<double> traits, Rng& rng) const {
-    each([&](std::size_t place, const auto& trait) {
-      traits[place] = std::clamp(traits[place] + rng.normal(0.0, trait.sd), trait.least, trait.most);
-    });
+    each([&](std::size_t place, const auto& trait) { traits[place] = trait.next(traits[place], rng); });
   }
   [[nodiscard]] std::optional<BeyondBound> beyond(std::span<const double> traits) const {
     std::optional<BeyondBound> found;

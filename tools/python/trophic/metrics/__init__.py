@@ -76,7 +76,7 @@ READINGS = {
     "wall_contact": "wall_sticking",
 }
 """Metrics that are another reading of a metric, which is tested for them."""
-_INHERITED = ("modes_", "activity_", "body_", "brain_genes", "gait_genes")
+_INHERITED = ("modes_", "activity_", "body_", "brain_genes", "gait_genes", "kinds")
 
 
 @dataclasses.dataclass
@@ -92,6 +92,8 @@ class Measuring:
     """Own metrics: functions of a Run."""
     bodies: bool = False
     """Measures of bodies, and no others but own ones."""
+    kinds: Sequence[str] = ()
+    """Measures of kinds by these loci, kinds.GENOME or columns of genomes.csv, and no others but own ones."""
     lineages: str | None = None
     """The program that made the runs, whose brains are asked: measures of lineages, and no others."""
     inputs: Sequence = ()
@@ -181,6 +183,10 @@ def measure_run(run: PooledRun, how: Measuring) -> RunValues:
         from . import bodies
 
         results = bodies.measure_run(run, events, agents)
+    elif how.kinds:
+        from . import kinds
+
+        results = kinds.measure_run(run, how.kinds)
     else:
         is_constant = not living.changes_numbers(run)
         results = shipped(
@@ -239,6 +245,10 @@ def names(run: PooledRun, how: Measuring | None = None) -> list[Metric]:
         from . import bodies
 
         return bodies.names(run.web)
+    if how is not None and how.kinds:
+        from . import kinds
+
+        return kinds.names(run.web)
     is_constant = not living.changes_numbers(run)
     return names_of(run.web, run.tags, is_constant, _causes_of(run)) + (
         [] if is_constant else living.names(run.web, living.has_energy(run))

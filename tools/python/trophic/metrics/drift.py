@@ -78,9 +78,9 @@ def _refuse_shared(run: PooledRun) -> None:
     )
 
 
-def read_descent(run: PooledRun) -> Descent:
-    """Reads phylogeny.csv and genomes.csv. Raises RunError as `check`, and for a table that is cut, was changed since the run, or lacks a genome or a
-    parent."""
+def read_descent(run: PooledRun, loci: Sequence[str] | None = None) -> Descent:
+    """Reads phylogeny.csv and genomes.csv, of which it takes the columns `loci`, by default all weights. Raises RunError as `check`, and for a table
+    that is cut, was changed since the run, or lacks a genome or a parent."""
     check(run)
     table = _whole(run, "phylogeny.csv", ["id", "ancestor_list", "origin_time", "destruction_time", "species"])
     path, end_s = run.path / "phylogeny.csv", run.reached_s or 0.0
@@ -127,15 +127,18 @@ def read_descent(run: PooledRun) -> Descent:
         table.destruction_time.to_numpy(),
         species,
         parents,
-        *_weights(run, places, species),
+        *_weights(run, places, species, loci),
     )
 
 
-def _weights(run: PooledRun, places: dict[int, int], species: Sequence[str]) -> tuple[numpy.ndarray, dict[str, int]]:
+def _weights(
+    run: PooledRun, places: dict[int, int], species: Sequence[str], loci: Sequence[str] | None
+) -> tuple[numpy.ndarray, dict[str, int]]:
     """The weights and sizes of the individuals' genomes, as Descent has them."""
     path = run.path / "genomes.csv"
     with open(path, encoding="utf-8") as file:
-        columns = [name for name in file.readline().rstrip("\r\n").split(",") if re.fullmatch(r"w\d+", name)]
+        header = file.readline().rstrip("\r\n").split(",")
+    columns = [name for name in header if re.fullmatch(r"w\d+", name)] if loci is None else list(loci)
     table = _whole(run, "genomes.csv", ["id", "genome_id", *columns])
     if (table.groupby("genome_id")["id"].nunique() > 1).any():
         _refuse_shared(run)

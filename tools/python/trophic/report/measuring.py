@@ -18,6 +18,7 @@ def measuring_of(request: Mapping[str, Any]) -> Measuring:
         columns=request.get("column") or (),
         functions=functions,
         bodies=bool(request.get("bodies")),
+        kinds=request.get("kinds") or (),
         lineages=_program_of(request),
         window_s=request.get("window"),
         jobs=request.get("jobs"),
