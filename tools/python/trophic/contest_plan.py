@@ -38,6 +38,7 @@ PLAYED = "played.jsonl"
 _TEAM, _PARTNER, _PLACES = range(3)  # purposes of draws
 _DEFAULT_EPOCHS = 4
 _BATCH_S = 20.0  # how long a call of the program shall take
+_RECORD_HZ, _MOST_RECORDED = 10, 100
 
 
 @dataclasses.dataclass
@@ -422,6 +423,11 @@ def _play_some(
     found = json.loads(outcomes.read_text(encoding="utf-8"))
     for each in (path, outcomes):
         each.unlink()
+    if "record_hz" in plan:
+        runs = folder / "plan.json.runs"
+        for number, match in enumerate(matches):
+            (runs / str(number)).rename(folder / f"contest-{match}")
+        runs.rmdir()
     return iter(found)
 
 
@@ -429,7 +435,7 @@ def _play_some(
 
 
 def run(request: dict) -> int:
-    """`trophic contest`. `request`: runs, shadow, panel, epochs, against, split, teams, team_size, duration, reach, seed, backend, `experiment` (the
+    """`trophic contest`. `request`: runs, shadow, panel, record, epochs, against, split, teams, team_size, duration, reach, seed, backend, `experiment` (the
     program), jobs, accept_other_build and out."""
     for name in ("duration", "reach"):
         if not 0.0 < request[name] <= MOST_TIME_S:
@@ -443,12 +449,18 @@ def run(request: dict) -> int:
     if request["jobs"] == 0:
         raise RunError("--jobs 0: must be >= 1")
     plan, rows, remarks = plan_of(request)
+    if request["record"]:
+        if len(rows) > _MOST_RECORDED:
+            raise RunError(
+                f"--record: {len(rows)} contests: must be <= {_MOST_RECORDED}; fewer runs, --teams or --epochs make fewer"
+            )
+        plan["record_hz"] = _RECORD_HZ
     for what in remarks:
         remark(request["who"], what)
     program = chosen_program(request)
     out = request["out"]
     try:
-        with result_folder(out, keeps=PLAYED, name="contests") as folder:
+        with result_folder(out, keeps="" if request["record"] else PLAYED, name="contests") as folder:
             out, began = str(folder.with_suffix("")), time.monotonic()
             outcomes = play(plan, program, request["jobs"] or os.cpu_count() or 1, folder)
             table = pandas.DataFrame(
