@@ -2,6 +2,7 @@
 // The ledger of energy: transfers between the resource, the individuals and the outside since the last tick.
 #pragma once
 
+#include <algorithm>
 #include <tuple>
 
 namespace trophic {
@@ -32,6 +33,12 @@ struct ResourceFlow {
   double grown_J = 0.0;      ///< grown by the rule Resource and its hooks
   double taken_J = 0.0;      ///< taken by individuals
   double destroyed_J = 0.0;  ///< destroyed by the rule Resource and its hooks, such as the rest of a bitten patch, or by decay
+
+  /// Adds what the rule Resource changes in a cell.
+  void note(double change_J) {
+    grown_J += std::max(change_J, 0.0);
+    destroyed_J += std::max(-change_J, 0.0);
+  }
   static constexpr auto saved() { return std::tuple{&ResourceFlow::grown_J, &ResourceFlow::taken_J, &ResourceFlow::destroyed_J}; }
 };
 

@@ -5,11 +5,12 @@
 #include <trophic/population/state.hpp>
 #include <trophic/support/rng.hpp>
 
-#define TROPHIC_SENTENCE_Metabolism                                                                                            \
-  "double first_J(const Individual&, Rng&) const, double upkeep_J(BodyIndex, double walked_m, const View&) const, double "     \
-  "bite_J(BodyIndex, std::size_t food, double there_J, const View&) const, double meal_J(BodyIndex hunter, BodyIndex victim, " \
-  "const View&) const, bool starves(BodyIndex, const View&) const; bonus_J, if there is one, must be callable as double "      \
-  "bonus_J(BodyIndex hunter, BodyIndex victim, const View&) const; see trophic/energy/metabolism/contract.hpp"
+#define TROPHIC_SENTENCE_Metabolism                                                                                             \
+  "double first_J(const Individual&, Rng&) const, double upkeep_J(BodyIndex, double walked_m, const View&) const, double "      \
+  "bite_J(BodyIndex, std::size_t food, double there_J, const View&) const, double meal_J(BodyIndex hunter, BodyIndex victim, "  \
+  "const View&) const, bool starves(BodyIndex, const View&) const; bonus_J, if there is one, must be callable as double "       \
+  "bonus_J(BodyIndex hunter, BodyIndex victim, const View&) const, and waste_J as double waste_J(BodyIndex, std::size_t food, " \
+  "double bite_J, const View&) const; see trophic/energy/metabolism/contract.hpp"
 
 namespace trophic::energy {
 
@@ -19,6 +20,12 @@ TROPHIC_PROBE_NAME(bonus_J)
 template <class P>
 concept GivesBonus = requires(const P policy, BodyIndex body, const View& view) {
   { policy.bonus_J(body, body, view) } -> std::same_as<double>;
+};
+
+TROPHIC_PROBE_NAME(waste_J)
+template <class P>
+concept WastesFood = requires(const P policy, BodyIndex body, std::size_t food, const View& view) {
+  { policy.waste_J(body, food, 1.0, view) } -> std::same_as<double>;
 };
 
 }  // namespace detail
@@ -37,6 +44,8 @@ concept GivesBonus = requires(const P policy, BodyIndex body, const View& view) 
 /// is lost
 /// - optional: `bonus_J(hunter, victim, view)`: returns what a hunter gets from outside at a catch, >= 0, as in worlds without a
 /// budget
+/// - optional: `waste_J(self, food, bite_J, view)`: returns what it destroys of that food with this bite, >= 0; at most what is
+///   left in the cell
 /// - `starves(self, view)`: returns whether an individual dies of hunger (Cause::starved); asked after bites and catches
 ///
 /// A newborn's endowment is part of its birth: Recruit::endowment_J of the rule Recruitment.
@@ -49,6 +58,7 @@ concept Metabolism = requires(const P policy, const Individual& newborn, BodyInd
   { policy.meal_J(body, body, view) } -> std::same_as<double>;
   { policy.starves(body, view) } -> std::same_as<bool>;
   requires !detail::StateNames_bonus_J<P> || detail::GivesBonus<P>;
+  requires !detail::StateNames_waste_J<P> || detail::WastesFood<P>;
 };
 
 namespace ask {
@@ -58,6 +68,14 @@ template <class P>
 [[nodiscard]] double bonus_J([[maybe_unused]] const P& policy, [[maybe_unused]] BodyIndex hunter,
                              [[maybe_unused]] BodyIndex victim, [[maybe_unused]] const View& view) {
   if constexpr (detail::GivesBonus<P>) return policy.bonus_J(hunter, victim, view);
+  return 0.0;
+}
+
+/// Returns 0 for a rule without waste.
+template <class P>
+[[nodiscard]] double waste_J([[maybe_unused]] const P& policy, [[maybe_unused]] BodyIndex self, [[maybe_unused]] std::size_t food,
+                             [[maybe_unused]] double bite_J, [[maybe_unused]] const View& view) {
+  if constexpr (detail::WastesFood<P>) return policy.waste_J(self, food, bite_J, view);
   return 0.0;
 }
 
