@@ -55,8 +55,8 @@ struct SquareCosts {
     return Budget{params.budget}.upkeep_J(self, view.trait<control::pace::WalkingPace>(self) * walked_m, view) +
            params.sight_W_per_m2 * sight_m * sight_m * view.tick_s;
   }
-  [[nodiscard]] double bite_J(BodyIndex self, double there_J, const View& view) const {
-    return Budget{params.budget}.bite_J(self, there_J, view);
+  [[nodiscard]] double bite_J(BodyIndex self, std::size_t food, double there_J, const View& view) const {
+    return Budget{params.budget}.bite_J(self, food, there_J, view);
   }
   [[nodiscard]] double meal_J(BodyIndex hunter, BodyIndex victim, const View& view) const {
     return Budget{params.budget}.meal_J(hunter, victim, view);

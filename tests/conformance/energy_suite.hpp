@@ -19,7 +19,11 @@ TEST_CASE_TEMPLATE_DEFINE("metabolism", Policy, trophic_metabolism_suite) {
       Rng rng{seed, Stream::user, body};
       answers.add(made.first_J(robots.individuals[body], rng));
       answers.add(made.upkeep_J(body, 0.01 * static_cast<double>(body), robots.view()));
-      for (std::size_t food = 0; food < 3; ++food) answers.add(made.bite_J(body, food, 50.0, robots.view()));
+      for (std::size_t food = 0; food < 3; ++food) {
+        const double bite_J = made.bite_J(body, food, 50.0, robots.view());
+        answers.add(bite_J);
+        answers.add(energy::ask::waste_J(made, body, food, bite_J, robots.view()));
+      }
       answers.add(made.meal_J(body, 0, robots.view()));
       answers.add(made.starves(body, robots.view()));
       answers.add(energy::ask::grant_J(made, robots.individuals[body]));
@@ -38,8 +42,10 @@ TEST_CASE_TEMPLATE_DEFINE("metabolism", Policy, trophic_metabolism_suite) {
       }
       for (const double there_J : {0.0, 0.01, 1000.0}) {
         for (std::size_t food = 0; food < robots.foods.size(); ++food) {
-          CHECK(policy.bite_J(body, food, there_J, robots.view()) >= 0.0);
-          CHECK(policy.bite_J(body, food, there_J, robots.view()) <= there_J);
+          const double bite_J = policy.bite_J(body, food, there_J, robots.view());
+          CHECK(bite_J >= 0.0);
+          CHECK(bite_J <= there_J);
+          CHECK(energy::ask::waste_J(policy, body, food, bite_J, robots.view()) >= 0.0);
         }
       }
       const BodyIndex victim = robots.individuals.size() - 1 - body;

@@ -302,7 +302,7 @@ class Worlds(InFolder):
         for name, ledger in resource.groupby("food"):
             flows = ledger.eval("grown_J - taken_J - destroyed_J")
             numpy.testing.assert_allclose(ledger.stock_J.diff().iloc[1:], flows.iloc[1:], atol=1e-9, err_msg=name)
-            self.assertTrue((ledger.taken_J.sum() > 100.0) and (ledger.destroyed_J == 0.0).all(), name)
+            self.assertTrue(min(ledger.taken_J.sum(), ledger.destroyed_J.sum()) > 100.0, name)  # generalists waste
             cells = field[field.food == name].groupby("time_s").food_J.agg(["size", "sum"])
             self.assertEqual(set(cells["size"]), {400})
             numpy.testing.assert_allclose(cells["sum"], ledger.set_index("time_s").stock_J[cells.index])

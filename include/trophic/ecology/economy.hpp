@@ -53,19 +53,22 @@ class FoodSupply {
       energy::ask::on_birth(rules_.resource, fields_, parents, view, rng);
   }
 
-  /// Lets an individual take `bite_J(there_J)` of a food at its position. Returns the amount.
-  template <class Bite>
-  double bite(std::size_t food, BodyIndex body, const View& view, const Bite& bite_J) {
+  /// Lets an individual take `bite_J(there_J)` of a food at its position, and destroy `waste_J(that bite)`. Returns the bite.
+  template <class Bite, class Waste>
+  double bite(std::size_t food, BodyIndex body, const View& view, const Bite& bite_J, const Waste& waste_J) {
     const std::size_t cell = fields_[food].cell_at(view.poses[body]);
     double& there_J = fields_[food].food_J(cell);
     const double taken_J = bite_J(there_J);
     if (taken_J == 0.0) return 0.0;
     there_J -= taken_J;
     flows_[food].taken_J += taken_J;
+    const double wasted_J = std::min(waste_J(taken_J), there_J);
+    there_J -= wasted_J;
+    flows_[food].destroyed_J += wasted_J;
     const double before_J = there_J;
     energy::ask::on_bite(rules_.resource, fields_, food, cell, taken_J, body, view);
     check_cell("on_bite", food, cell);
-    note(food, there_J - before_J);
+    flows_[food].note(there_J - before_J);
     return taken_J;
   }
 
@@ -82,27 +85,28 @@ class FoodSupply {
     for (std::size_t cell = 0; cell < fields_[food].cells(); ++cell) check_cell(what, food, cell);
   }
   void check_cell(const char* what, std::size_t food, std::size_t cell) const {
-    const double there_J = fields_[food].food_J(cell);
+    const double there_J = fields_[food].food_J()[cell];
     if (there_J >= 0.0 && std::isfinite(there_J)) return;
     const std::string of = names.empty() ? "" : " of " + std::string{names[food]};
     throw RuleError{"resource", std::string{what} + ": " + number_text(there_J) + " J" + of + " in cell " + std::to_string(cell) +
                                     ": must be >= 0 and finite"};
-  }
-  void note(std::size_t food, double change_J) {
-    flows_[food].grown_J += std::max(change_J, 0.0);
-    flows_[food].destroyed_J += std::max(-change_J, 0.0);
   }
   template <class Change>
   void change(const char* what, const Change& change) {
     before_J_.clear();
     for (const ResourceField& field : fields_) before_J_.insert(before_J_.end(), field.food_J().begin(), field.food_J().end());
     change();
-    auto before_J = before_J_.begin();
+    const double* before_J = before_J_.data();
     for (std::size_t food = 0; food < fields_.size(); ++food) {
-      check_field(what, food);
-      if (static_cast<std::size_t>(before_J_.end() - before_J) < fields_[food].cells())
+      const std::span<const double> now_J = fields_[food].food_J();
+      if (static_cast<std::size_t>(before_J_.data() + before_J_.size() - before_J) < now_J.size())
         throw RuleError{"resource", std::string{what} + ": must keep the number of cells"};
-      for (const double now_J : fields_[food].food_J()) note(food, now_J - *before_J++);
+      check_field(what, food);
+      ResourceFlow sum;
+      for (std::size_t cell = 0; cell < now_J.size(); ++cell) sum.note(now_J[cell] - before_J[cell]);
+      flows_[food].grown_J += sum.grown_J;
+      flows_[food].destroyed_J += sum.destroyed_J;
+      before_J += now_J.size();
     }
   }
 
@@ -204,11 +208,17 @@ class Economy {
       for (const BodyIndex body : order) {
         Individual& self = robots[body];
         for (std::size_t food = 0; food < food_.fields().size(); ++food) {
-          const double taken_J = food_.bite(food, body, view, [&](double there_J) {
-            const double bite_J = rule_of(self).bite_J(body, food, there_J, view);
-            check("bite_J", bite_J, 0.0, there_J);
-            return bite_J;
-          });
+          const auto bite_J = [&](double there_J) {
+            const double taken_J = rule_of(self).bite_J(body, food, there_J, view);
+            check("bite_J", taken_J, 0.0, there_J);
+            return taken_J;
+          };
+          const auto waste_J = [&](double taken_J) {
+            const double wasted_J = energy::ask::waste_J(rule_of(self), body, food, taken_J, view);
+            check("waste_J", wasted_J, 0.0, std::numeric_limits<double>::max());
+            return wasted_J;
+          };
+          const double taken_J = food_.bite(food, body, view, bite_J, waste_J);
           self.energy_J += taken_J;
           flows_[self.species].field_J += taken_J;
         }

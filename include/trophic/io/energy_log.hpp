@@ -9,7 +9,7 @@ namespace trophic::io {
 
 namespace detail {
 
-inline constexpr std::string_view food_help = "the food, in a table with several (resource::Foods)";
+inline constexpr std::string_view food_help = "the food; only in a table of several";
 inline constexpr Written if_named{.if_any = true};
 
 /// The name of a food in a row.
@@ -71,7 +71,7 @@ struct ResourceRow {
                       column("grown_J", &ResourceRow::grown_J, "J", "grown by the rule Resource"),
                       column("taken_J", &ResourceRow::taken_J, "J", "eaten by individuals"),
                       column("destroyed_J", &ResourceRow::destroyed_J, "J",
-                             "destroyed by the rule Resource, such as the rest of a bitten patch"),
+                             "destroyed by eaters and by the rule Resource, such as the rest of a bitten patch"),
                       column("stock_J", &ResourceRow::stock_J, "J", "energy of all cells")};
   }
 };

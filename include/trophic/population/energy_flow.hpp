@@ -2,6 +2,7 @@
 // The ledger of energy: transfers between the resource, the individuals and the outside since the last tick.
 #pragma once
 
+#include <algorithm>
 #include <tuple>
 
 namespace trophic {
@@ -29,9 +30,16 @@ struct EnergyFlow {
 
 /// The energy of a food of the resource since the last tick, J. Its stock changes by grown_J - taken_J - destroyed_J.
 struct ResourceFlow {
-  double grown_J = 0.0;      ///< grown by the rule Resource and its hooks
-  double taken_J = 0.0;      ///< taken by individuals
-  double destroyed_J = 0.0;  ///< destroyed by the rule Resource and its hooks, such as the rest of a bitten patch, or by decay
+  double grown_J = 0.0;  ///< grown by the rule Resource and its hooks
+  double taken_J = 0.0;  ///< taken by individuals
+  double destroyed_J =
+      0.0;  ///< destroyed by eaters, by the rule Resource and its hooks: waste, decay, the rest of a bitten patch
+
+  /// Adds what the rule Resource changes in a cell.
+  void note(double change_J) {
+    grown_J += std::max(change_J, 0.0);
+    destroyed_J += std::max(-change_J, 0.0);
+  }
   static constexpr auto saved() { return std::tuple{&ResourceFlow::grown_J, &ResourceFlow::taken_J, &ResourceFlow::destroyed_J}; }
 };
 

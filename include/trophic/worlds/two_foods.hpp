@@ -20,13 +20,13 @@ inline constexpr auto with_two_foods = [](auto& params) {
   half.capacity_J_m2 *= 0.5;
   params.resource.template get<0>() = params.resource.template get<1>() = half;
   params.metabolism.template get<0>().energy = pond.metabolism.get<0>();
+  params.metabolism.template get<0>().energy.bite_W = 0.8;
   params.metabolism.template get<1>().energy = pond.metabolism.get<1>();
 };
 
 /// Rules: like Pond, but two foods, grass and fruit, lie on the floor together (Foods), each with half of the energy of Pond's
-/// one. Each prey eats them by its heritable Diet (GrazingByDiet): a specialist bites one food as fast as prey of Pond, and a
-/// generalist bites both more slowly. Diets begin between the foods.   Source: not in the literature as such. All parameters are
-/// free.
+/// one. Each prey eats them by its heritable Diet (GrazingByDiet): a specialist of one food gains twice what prey of Pond do, and
+/// a generalist of both as much. Diets begin between the foods.   Source: not in the literature as such. All parameters are free.
 using TwoFoods = named<
     with_params<
         with_traits<with_metabolism<with_resource<Pond, GrassAndFruit>, rules::by_species<energy::metabolism::GrazingByDiet<>>>,

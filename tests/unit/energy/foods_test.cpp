@@ -97,8 +97,20 @@ TEST_CASE("grazing by diet: two foods -> specialists bite one at the full rate, 
   CHECK(bites(squares, 2) == std::pair{1.0, 1.0});
   CHECK(bites(squares, 3) == std::pair{4.0 * 0.5625, 4.0 * 0.0625});
   CHECK(bites(diner(1.0), 2) == std::pair{2.0, 2.0});
-  CHECK(bites(diner(0.5), 2).first == doctest::Approx(4.0 * std::sqrt(0.5)));
   CHECK(squares.bite_J(0, 0, 1.5, view) == 1.5);  // what is there
+  CHECK(squares.bite_J(2, 0, 1.5, view) == 0.75);
+}
+
+TEST_CASE("grazing by diet: waste -> what a grazer takes of a food and does not gain, none of a specialist") {
+  const HandPopulation robots = eaters({0.0, 0.5, 0.25}, 2);
+  const View view = robots.view();
+  const GrazingByDiet<> rule = diner(2.0);
+  CHECK(rule.waste_J(0, 0, 4.0, view) == 0.0);
+  CHECK(rule.waste_J(0, 1, 0.0, view) == 0.0);
+  CHECK(rule.waste_J(1, 0, 1.0, view) == 1.0);  // it takes 2 J, half of its bite
+  CHECK(rule.waste_J(1, 0, 0.75, view) == 0.75);
+  CHECK(rule.waste_J(2, 1, 0.25, view) == 0.75);
+  CHECK(diner(1.0).waste_J(1, 0, 2.0, view) == 0.0);
 }
 
 TEST_CASE("grazing by diet: three foods or one -> diets lie between neighbours, or there is one for all") {

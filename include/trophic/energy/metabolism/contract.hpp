@@ -5,11 +5,12 @@
 #include <trophic/population/state.hpp>
 #include <trophic/support/rng.hpp>
 
-#define TROPHIC_SENTENCE_Metabolism                                                                                            \
-  "double first_J(const Individual&, Rng&) const, double upkeep_J(BodyIndex, double walked_m, const View&) const, double "     \
-  "bite_J(BodyIndex, std::size_t food, double there_J, const View&) const, double meal_J(BodyIndex hunter, BodyIndex victim, " \
-  "const View&) const, bool starves(BodyIndex, const View&) const; bonus_J, if there is one, must be callable as double "      \
-  "bonus_J(BodyIndex hunter, BodyIndex victim, const View&) const, and grant_J as double grant_J(const Individual&) const; "   \
+#define TROPHIC_SENTENCE_Metabolism                                                                                             \
+  "double first_J(const Individual&, Rng&) const, double upkeep_J(BodyIndex, double walked_m, const View&) const, double "      \
+  "bite_J(BodyIndex, std::size_t food, double there_J, const View&) const, double meal_J(BodyIndex hunter, BodyIndex victim, "  \
+  "const View&) const, bool starves(BodyIndex, const View&) const; bonus_J, if there is one, must be callable as double "       \
+  "bonus_J(BodyIndex hunter, BodyIndex victim, const View&) const, grant_J as double grant_J(const Individual&) const, and "    \
+  "waste_J as double waste_J(BodyIndex, std::size_t food, double bite_J, const View&) const; "                                  \
   "see trophic/energy/metabolism/contract.hpp"
 
 namespace trophic::energy {
@@ -25,6 +26,12 @@ concept GivesBonus = requires(const P policy, BodyIndex body, const View& view) 
 template <class P>
 concept GivesGrant = requires(const P policy, const Individual& newborn) {
   { policy.grant_J(newborn) } -> std::same_as<double>;
+};
+
+TROPHIC_PROBE_NAME(waste_J)
+template <class P>
+concept WastesFood = requires(const P policy, BodyIndex body, std::size_t food, const View& view) {
+  { policy.waste_J(body, food, 1.0, view) } -> std::same_as<double>;
 };
 
 }  // namespace detail
@@ -44,6 +51,8 @@ concept GivesGrant = requires(const P policy, const Individual& newborn) {
 /// - optional: `bonus_J(hunter, victim, view)`: returns what a hunter gets from outside at a catch, >= 0, as in worlds without a
 /// budget
 /// - optional: `grant_J(newborn)`: returns what a newborn gets from outside on top of the `energy_J` that its parents gave, >= 0
+/// - optional: `waste_J(self, food, bite_J, view)`: returns what it destroys of that food with this bite, >= 0; at most what is
+///   left in the cell
 /// - `starves(self, view)`: returns whether an individual dies of hunger (Cause::starved); asked after bites and catches
 ///
 /// A newborn's endowment is part of its birth: Recruit::endowment_J of the rule Recruitment.
@@ -57,6 +66,7 @@ concept Metabolism = requires(const P policy, const Individual& newborn, BodyInd
   { policy.starves(body, view) } -> std::same_as<bool>;
   requires !detail::StateNames_bonus_J<P> || detail::GivesBonus<P>;
   requires !detail::StateNames_grant_J<P> || detail::GivesGrant<P>;
+  requires !detail::StateNames_waste_J<P> || detail::WastesFood<P>;
 };
 
 namespace ask {
@@ -73,6 +83,14 @@ template <class P>
 template <class P>
 [[nodiscard]] double grant_J([[maybe_unused]] const P& policy, [[maybe_unused]] const Individual& newborn) {
   if constexpr (detail::GivesGrant<P>) return policy.grant_J(newborn);
+  return 0.0;
+}
+
+/// Returns 0 for a rule without waste.
+template <class P>
+[[nodiscard]] double waste_J([[maybe_unused]] const P& policy, [[maybe_unused]] BodyIndex self, [[maybe_unused]] std::size_t food,
+                             [[maybe_unused]] double bite_J, [[maybe_unused]] const View& view) {
+  if constexpr (detail::WastesFood<P>) return policy.waste_J(self, food, bite_J, view);
   return 0.0;
 }
 

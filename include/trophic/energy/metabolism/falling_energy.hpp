@@ -35,7 +35,7 @@ struct FallingEnergy {
   [[nodiscard]] double first_J(const Individual&, Rng&) const { return params.first_J; }
   [[nodiscard]] double grant_J(const Individual& newborn) const { return std::max(params.newborn_J - newborn.energy_J, 0.0); }
   [[nodiscard]] double upkeep_J(BodyIndex, double, const View& view) const { return params.loss_W * view.tick_s; }
-  [[nodiscard]] double bite_J(BodyIndex self, double there_J, const View& view) const {
+  [[nodiscard]] double bite_J(BodyIndex self, std::size_t, double there_J, const View& view) const {
     return std::clamp(params.capacity_J - view.robots[self].energy_J, 0.0, there_J);
   }
   [[nodiscard]] double meal_J(BodyIndex, BodyIndex, const View&) const { return 0.0; }
