@@ -23,7 +23,8 @@ struct EnergyAuditor {
     if (view.field != nullptr) {
       const double now_there_J = view.field->total_J();
       const ResourceFlow& flow = view.resource;
-      if (view.tick > 0) worst = std::max(worst, std::abs(now_there_J - there_J - flow.grown_J + flow.taken_J) / now_there_J);
+      if (view.tick > 0)
+        worst = std::max(worst, std::abs(now_there_J - there_J - flow.grown_J + flow.taken_J) / std::max(1.0, now_there_J));
       there_J = now_there_J;
     }
     stock_J = now_J;
