@@ -68,11 +68,13 @@ void note_effects(NamedParams& params, const Experiment<Rules>& experiment, cons
   const FoodWeb web = policies.community.web();
   const bool newcomers = detail::has_newcomers<Rules>(policies, experiment.null);
   const bool weightless = BrainGenes<Rules>{policies, experiment.seed}.most(web.size()) == std::size_t{0};
+  constexpr bool only_turns = std::same_as<PolicyIn<Rules, RuleSlot::acts>, control::acts::List<control::acts::Turn>>;
   const bool one_tag = for_species(policies.brain, 0).tags().size() == 1 && is_neutral<Rules, RuleSlot::acts>;
   for (NamedParam& param : params) {
     if (param.read == Read::for_newcomers) param.read = newcomers ? Read::at_birth : Read::at_start;
     if (acts_through_joints(param.path) && !backend.has_joints()) param.no_effect = ": " + backend.name() + " has no joints";
-    if (param.path == "ecology.decision_order" && one_tag) param.no_effect = ": a decision changes nothing that others perceive";
+    if (param.path == "ecology.decision_order" && (one_tag || only_turns))
+      param.no_effect = ": a decision changes nothing that others perceive";
     if ((param.path.starts_with("rules.initial_genome.") || param.path.starts_with("rules.mutation.")) && weightless)
       param.no_effect = ": brains of this table have no weights";
   }
