@@ -21,14 +21,15 @@ using worlds::Pond;
 namespace {
 
 using ManuredPond = with_resource<Pond, Manure>;
-using MatingPond = with_heredity<with_recruitment<Pond, Mates>, reproduction::heredity::Crossover>;
+using MatingPond = WithSexes<Pond>;
 using SeeingPond = with_traits<with_visibility<Pond, AsFarAsItSees>, Traits>;
 
 template <class Rules>
 [[nodiscard]] Experiment<Rules> short_run() {
   Experiment<Rules> experiment{.seed = 4};
   experiment.ecology.duration_s = 800.0;
-  experiment.rules.recruitment = {.spare_bodies = 90, .birth_J = 60.0, .share = 0.5};
+  experiment.rules.recruitment.spare_bodies = 90;
+  experiment.rules.recruitment.birth_J = 60.0;
   return experiment;
 }
 
@@ -82,21 +83,36 @@ TEST_CASE_TEMPLATE("rules of the how-to: run killed three times -> the same byte
   CHECK(auditor.turned_over_J > 100.0);
 }
 
-TEST_CASE("two parents of a pond: both in the phylogeny, genes of both, the distance of mutation alone") {
+TEST_CASE(
+    "two parents of a pond: a mother and a father near, both in the phylogeny, the distance of mutation alone, one or both pay") {
   struct Couples {
-    void on_event(const observe::Event& event, const View&) {
+    void on_event(const observe::Event& event, const View& view) {
       const Individual& child = event.individual;
-      if (event.kind != observe::EventKind::birth || child.parents.size() != 2) return;
+      if (event.kind != observe::EventKind::birth) return;
+      is_female[child.id] = view.trait<reproduction::traits::Sex>(event.body) == 1.0;
+      if (child.parents.size() != 2) return;
+      CHECK(is_female.at(child.parents[0]));
+      CHECK_FALSE(is_female.at(child.parents[1]));
       CHECK(child.mutation_distance > 0.0);
       CHECK(child.mutation_distance < 8.0 * 0.05 * std::sqrt(15.0));  // by eight standard deviations of each weight
-      CHECK(child.energy_J == doctest::Approx(30.0));
+      const auto energy_of = [&](IndividualId id) { return std::ranges::find(view.robots, id, &Individual::id)->energy_J; };
+      CHECK(child.energy_J >= (both_pay ? 2.0 : 1.0) * 0.3 * 60.0);
+      if (!both_pay) CHECK(child.energy_J == doctest::Approx(0.3 / 0.7 * energy_of(child.parents[0])));
       ++couples;
     }
+    bool both_pay;
+    std::map<IndividualId, bool> is_female = {};
     std::size_t couples = 0;
-  } couples;
-  Ecology<MatingPond> ecology{short_run<MatingPond>(), backend::Kinematic::Params{}};
-  ecology.run_until(800.0, couples);
-  CHECK(couples.couples > 10);
+  };
+  for (const bool both_pay : {true, false}) {
+    CAPTURE(both_pay);
+    auto experiment = short_run<MatingPond>();
+    experiment.rules.recruitment.both_pay = both_pay;
+    Ecology<MatingPond> ecology{experiment, backend::Kinematic::Params{}};
+    Couples couples{both_pay};
+    ecology.run_until(800.0, couples);
+    CHECK(couples.couples > 10);
+  }
 
   const TemporaryFolder folder;
   run_part(short_run<MatingPond>(), backend::Kinematic::Params{}, folder.path() / "run", never, 100.0, {.replay_hz = 0.0});
