@@ -192,8 +192,7 @@ TEST_CASE_TEMPLATE_INVOKE(trophic_parent_species_suite, rules::Paper::Parent, ru
 TEST_CASE_TEMPLATE_INVOKE(trophic_recruitment_suite, reproduction::recruitment::NoRecruitment,
                           reproduction::recruitment::AfterEscapes, reproduction::recruitment::AtEnergy,
                           reproduction::recruitment::ByMating, reproduction::recruitment::ByChance,
-                          reproduction::recruitment::InZones,
-                          reproduction::recruitment::WithMate<>,
+                          reproduction::recruitment::InZones, reproduction::recruitment::WithMate<>,
                           reproduction::recruitment::WithMate<reproduction::recruitment::mate::OtherSex,
                                                               reproduction::recruitment::mate::AlikeIn<Sight>,
                                                               reproduction::recruitment::mate::AlikeGenomes>);

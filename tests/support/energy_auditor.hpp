@@ -26,8 +26,7 @@ struct EnergyAuditor {
       const double now_there_J = view.foods[food].total_J();
       const ResourceFlow& flow = view.resource[food];
       const double change_J = flow.grown_J - flow.taken_J - flow.destroyed_J;
-      if (view.tick > 0)
-        worst = std::max(worst, std::abs(now_there_J - there_J[food] - change_J) / std::max(1.0, now_there_J));
+      if (view.tick > 0) worst = std::max(worst, std::abs(now_there_J - there_J[food] - change_J) / std::max(1.0, now_there_J));
       there_J[food] = now_there_J;
       eaten_J += flow.taken_J;
     }

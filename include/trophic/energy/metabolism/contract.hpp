@@ -5,12 +5,12 @@
 #include <trophic/population/state.hpp>
 #include <trophic/support/rng.hpp>
 
-#define TROPHIC_SENTENCE_Metabolism                                                                                             \
-  "double first_J(const Individual&, Rng&) const, double upkeep_J(BodyIndex, double walked_m, const View&) const, double "      \
-  "bite_J(BodyIndex, std::size_t food, double there_J, const View&) const, double meal_J(BodyIndex hunter, BodyIndex victim, "  \
-  "const View&) const, bool starves(BodyIndex, const View&) const; bonus_J, if there is one, must be callable as double "       \
-  "bonus_J(BodyIndex hunter, BodyIndex victim, const View&) const, grant_J as double grant_J(const Individual&) const, and "    \
-  "waste_J as double waste_J(BodyIndex, std::size_t food, double bite_J, const View&) const; "                                  \
+#define TROPHIC_SENTENCE_Metabolism                                                                                            \
+  "double first_J(const Individual&, Rng&) const, double upkeep_J(BodyIndex, double walked_m, const View&) const, double "     \
+  "bite_J(BodyIndex, std::size_t food, double there_J, const View&) const, double meal_J(BodyIndex hunter, BodyIndex victim, " \
+  "const View&) const, bool starves(BodyIndex, const View&) const; bonus_J, if there is one, must be callable as double "      \
+  "bonus_J(BodyIndex hunter, BodyIndex victim, const View&) const, grant_J as double grant_J(const Individual&) const, and "   \
+  "waste_J as double waste_J(BodyIndex, std::size_t food, double bite_J, const View&) const; "                                 \
   "see trophic/energy/metabolism/contract.hpp"
 
 namespace trophic::energy {
