@@ -115,8 +115,8 @@ TEST_CASE("falling energy: by hand -> a price for time alone, all food up to the
   const energy::metabolism::FallingEnergy falling{{.first_J = 90.0, .newborn_J = 100.0, .loss_W = 0.5, .capacity_J = 100.0}};
   const HandPopulation robots = pair(97.0, 0.0);
   CHECK(falling.upkeep_J(0, 9.0, robots.view()) == 1.0);
-  CHECK(falling.bite_J(0, 9.0, robots.view()) == 3.0);
-  CHECK(falling.bite_J(0, 2.0, robots.view()) == 2.0);
+  CHECK(falling.bite_J(0, 0, 9.0, robots.view()) == 3.0);
+  CHECK(falling.bite_J(0, 0, 2.0, robots.view()) == 2.0);
   CHECK(falling.meal_J(1, 0, robots.view()) == 0.0);
   CHECK(falling.grant_J(robots.individuals[0]) == 3.0);
   CHECK(falling.grant_J(robots.individuals[1]) == 100.0);
@@ -124,6 +124,6 @@ TEST_CASE("falling energy: by hand -> a price for time alone, all food up to the
   CHECK_FALSE(falling.starves(0, robots.view()));
   CHECK(falling.starves(1, robots.view()));
   const HandPopulation rich = pair(130.0, 0.0);
-  CHECK(falling.bite_J(0, 9.0, rich.view()) == 0.0);
+  CHECK(falling.bite_J(0, 0, 9.0, rich.view()) == 0.0);
   CHECK(falling.grant_J(rich.individuals[0]) == 0.0);
 }
