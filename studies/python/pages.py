@@ -11,6 +11,7 @@ import open_ended
 import ponds
 import provenance
 import zones
+from trophic import statistics
 
 MARKED = re.compile(r"(<!-- table: ([\w ]+) -->\n).*?(<!-- /table -->)", re.S)
 TITLES = {
@@ -745,27 +746,86 @@ def race_sets(data, file, sets):
     ]
 
 
-def paces(data, primary, sets=RACE):
-    """Differences of a side between the world in which both inherit and that in which it alone does; * after Holm's correction for the primary ones."""
-    lines = []
-    for words, row in race_sets(data, "", sets):
-        if (row["family"] == "primary") != primary or row["measure"] not in PACE:
-            continue
-        lines.append(
-            [
-                PACE[row["measure"]],
-                SIDES[row["side"]],
-                words,
-                *(row[key] and f"{float(row[key]):+.3g}" for key in ("both", row["side"], "none")),
-                signed(row, ("difference", "lower", "upper")) + (star(row["p_holm"]) if primary else ""),
-                *([p_text(row["p_holm"])] if primary else []),
-                row["detectable"] and f"{float(row['detectable']):.2g}",
-                f"{row['runs']}, {row['alone_runs']}",
-            ]
-        )
+def paces(data, sets=RACE):
+    """Primary differences of a side between the world in which both inherit and that in which it alone does; * after Holm's correction."""
+    lines = [
+        [
+            PACE[row["measure"]],
+            SIDES[row["side"]],
+            words,
+            *(row[key] and f"{float(row[key]):+.3g}" for key in ("both", row["side"], "none")),
+            signed(row, ("difference", "lower", "upper")) + star(row["p_holm"]),
+            p_text(row["p_holm"]),
+            row["detectable"] and f"{float(row['detectable']):.2g}",
+            f"{row['runs']}, {row['alone_runs']}",
+        ]
+        for words, row in race_sets(data, "", sets)
+        if row["family"] == "primary"
+    ]
     lines.sort(key=lambda line: (list(PACE.values()).index(line[0]), list(SIDES.values()).index(line[1])))
-    head = ["measure", "side", "seeds", "both inherit", "this side alone", "none", "both less alone"]
-    return table([*head, *(["p (Holm)"] if primary else []), "found in 80 %", "runs: both, alone"], lines)
+    head = ["measure", "side", "seeds", "both inherit", "this side alone", "none", "both less alone", "p (Holm)"]
+    return table([*head, "found in 80 %", "runs: both, alone"], lines)
+
+
+def in_each_world(data, sets=RACE):
+    """The mean of each measure of a side, with its interval over runs, in the worlds in which the side inherits."""
+    found = {}
+    for words, row in race_sets(data, "_values", sets):
+        if row["measure"] in PACE and row["value"]:
+            found.setdefault((row["measure"], row["side"], words), {}).setdefault(row["world"], []).append(
+                float(row["value"])
+            )
+    lines = []
+    for measure, words in PACE.items():
+        for side, sides in SIDES.items():
+            for of_set in sets.values():
+                worlds = found.get((measure, side, of_set), {})
+                cells = [statistics.estimate(worlds.get(world, [])) for world in ("both", side)]
+                if any(cell.runs for cell in cells):
+                    lines.append([words, sides, of_set, *(estimated(cell) for cell in cells)])
+    return table(["measure", "side", "seeds", "both inherit", "this side alone"], lines)
+
+
+def estimated(of):
+    if not of.runs:
+        return "not run"
+    return f"{of.mean:.3g}" + (f" [{of.interval[0]:.3g}, {of.interval[1]:.3g}]" if of.interval else "")
+
+
+QUESTIONS = {
+    "Does it go on?": ("_goes_on", {"trait_slope": "pace", "progress_third": "contests"}, "goes on"),
+    "Does the other side drive it?": ("", {"trait_end": "pace", "progress_late": "contests"}, "driven"),
+}
+
+
+def race_answers(data):
+    """The answers by the rule of the design: yes, if both measures of a side are greater after correction in the first runs and on fresh seeds."""
+    lines = []
+    for question, (file, measures, word) in QUESTIONS.items():
+        rows = race_sets(data, file, RACE)
+        for side, sides in SIDES.items():
+            greater = {
+                words: [
+                    name
+                    for measure, name in measures.items()
+                    for of, row in rows
+                    if (of, row["side"], row["measure"]) == (words, side, measure)
+                    and star(row["p_holm"])
+                    and float(row["difference"]) > 0.0
+                ]
+                for words in dict.fromkeys(of for of, _ in rows)
+            }
+            is_yes = len(greater) == 2 and all(len(of) == 2 for of in greater.values())
+            answer = word if is_yes else "undecided"
+            lines.append(
+                [
+                    question,
+                    sides,
+                    *(" and ".join(greater.get(of, ["not run"])) or "neither" for of in RACE.values()),
+                    answer,
+                ]
+            )
+    return table(["question", "side", "greater in the first runs", "greater on fresh seeds", "answer"], lines)
 
 
 def going_on(data, sets=RACE):
@@ -802,24 +862,22 @@ def through_time(data, sets=RACE):
 
 def lasting(data, sets=RACE):
     """How many runs of each world keep both species to the end."""
-    lines = {}
+    lives = {}
     for words, row in race_sets(data, "_values", sets):
         if row["measure"] == "lived_s" and row["side"] == "prey":
-            lines.setdefault((words, row["world"]), []).append(float(row["value"]))
+            lives.setdefault((words, row["world"]), []).append(float(row["value"]) >= 24000.0)
     worlds = {"both": "both inherit", "prey": "prey alone", "predator": "predators alone", "none": "none"}
-    return table(
-        ["seeds", *worlds.values()],
+    lines = [
         [
-            [
-                words,
-                *(
-                    f"{sum(each >= 24000 for each in lines[words, world])} of {len(lines[words, world])}"
-                    for world in worlds
-                ),
-            ]
-            for words in dict.fromkeys(words for words, _ in lines)
-        ],
-    )
+            words,
+            *(
+                f"{sum(of)} of {len(of)}" if of else "not run"
+                for of in (lives.get((words, each), []) for each in worlds)
+            ),
+        ]
+        for words in dict.fromkeys(words for words, _ in lives)
+    ]
+    return table(["seeds", *worlds.values()], lines)
 
 
 def draw_race(rows, path):
@@ -833,6 +891,8 @@ def draw_race(rows, path):
         drift = {}
         for world in (side, "both"):
             of = [row for row in rows if (row["world"], row["side"], row["trait"]) == (world, side, "walking_pace")]
+            if not of:
+                continue
             color = colors["both"][side] if world == "both" else colors["alone"]
             label = f"{other} evolve too" if world == "both" else f"{words} alone evolve"
             lines, means = {}, {}
@@ -1368,13 +1428,14 @@ def tables(data, choices):
         "queen mujoco": lambda: queen(data("red_queen_mujoco"), True, "released"),
     }
     made |= {
-        "paces driven": lambda: paces(data, True),
-        "paces described": lambda: paces(data, False),
+        "paces worlds": lambda: in_each_world(data),
+        "paces answers": lambda: race_answers(data),
+        "paces driven": lambda: paces(data),
         "paces go on": lambda: going_on(data),
         "paces through time": lambda: through_time(data),
         "paces last": lambda: lasting(data, RACE | OTHER_RACES),
-        "paces other driven": lambda: paces(data, True, OTHER_RACES),
-        "paces other described": lambda: paces(data, False, OTHER_RACES),
+        "paces other driven": lambda: paces(data, OTHER_RACES),
+        "paces other worlds": lambda: in_each_world(data, OTHER_RACES),
         "paces other go on": lambda: going_on(data, OTHER_RACES),
     }
     made |= {
