@@ -766,6 +766,42 @@ def paces(data, primary, sets=RACE):
     return table([*head, *(["p (Holm)"] if primary else []), "found in 80 %", "runs: both, alone"], lines)
 
 
+QUESTIONS = {
+    "Does it go on?": ("_goes_on", {"trait_slope": "pace", "progress_third": "contests"}, "goes on"),
+    "Does the other side drive it?": ("", {"trait_end": "pace", "progress_late": "contests"}, "driven"),
+}
+
+
+def race_answers(data):
+    """The answers by the rule of the design: yes, if both measures of a side are greater after correction in the first runs and on fresh seeds."""
+    lines = []
+    for question, (file, measures, word) in QUESTIONS.items():
+        rows = race_sets(data, file, RACE)
+        for side, sides in SIDES.items():
+            greater = {
+                words: [
+                    name
+                    for measure, name in measures.items()
+                    for of, row in rows
+                    if (of, row["side"], row["measure"]) == (words, side, measure)
+                    and star(row["p_holm"])
+                    and float(row["difference"]) > 0.0
+                ]
+                for words in dict.fromkeys(of for of, _ in rows)
+            }
+            is_yes = len(greater) == 2 and all(len(of) == 2 for of in greater.values())
+            answer = word if is_yes else "undecided"
+            lines.append(
+                [
+                    question,
+                    sides,
+                    *(" and ".join(greater.get(of, ["not run"])) or "neither" for of in RACE.values()),
+                    answer,
+                ]
+            )
+    return table(["question", "side", "greater in the first runs", "greater on fresh seeds", "answer"], lines)
+
+
 def going_on(data, sets=RACE):
     """Whether pace and contests still move in the last third where both inherit; * after Holm's correction."""
     lines = [
@@ -1289,6 +1325,7 @@ def tables(data, choices):
         "queen mujoco": lambda: queen(data("red_queen_mujoco"), True, "released"),
     }
     made |= {
+        "paces answers": lambda: race_answers(data),
         "paces driven": lambda: paces(data, True),
         "paces described": lambda: paces(data, False),
         "paces go on": lambda: going_on(data),

@@ -105,6 +105,10 @@ def check_epoch(run: PooledRun, epoch_s: float) -> None:
         )
 
 
+def _known(numbers: numpy.ndarray) -> list[float]:
+    return numbers[~numpy.isnan(numbers)].tolist()
+
+
 def living_genomes(run: PooledRun, epochs_s: Sequence[float]) -> list[dict[str, list[list[list[float]]]]]:
     """The genomes, [weights, genes of gait, of body, traits], of the individuals that were alive after the rules of each epoch's tick: for each epoch
     by species, in the order of their ids. A genome that several share changes at later births: the last one up to the epoch counts.
@@ -124,13 +128,14 @@ def living_genomes(run: PooledRun, epochs_s: Sequence[float]) -> list[dict[str, 
         alive = born[(born["origin_time"] <= epoch_s) & (gone_s > epoch_s)].sort_values("id")
         last = genomes[genomes["time_s"] <= epoch_s].drop_duplicates("genome_id", keep="last").set_index("genome_id")
         by_species: dict[str, list] = {}
-        for one in alive.itertuples(index=False):
-            if one.genome_id not in last.index:
+        rows = last.index.get_indexer(alive["genome_id"])
+        ids, own, of_traits = last["id"].to_numpy(), last[weights].to_numpy(float), last[traits].to_numpy(float)
+        for one, row in zip(alive.itertuples(index=False), rows):
+            if row < 0:
                 raise RunError(f"{run.path / 'genomes.csv'}: has no genome of individual {one.id}")
-            row = last.loc[one.genome_id]
-            own = row[weights].dropna().tolist()
-            brain, gait, body = (parts.get((int(row["id"]), part), []) for part in ("brain", "gait", "body"))
-            by_species.setdefault(one.species, []).append([brain or own, gait, body, row[traits].dropna().tolist()])
+            brain, gait, body = (parts.get((int(ids[row]), part), []) for part in ("brain", "gait", "body"))
+            genome = [brain or _known(own[row]), gait, body, _known(of_traits[row])]
+            by_species.setdefault(one.species, []).append(genome)
         living.append(by_species)
     return living
 
