@@ -9,6 +9,7 @@ import bodies_race
 import designs
 import ponds
 import provenance
+from trophic import statistics
 
 MARKED = re.compile(r"(<!-- table: ([\w ]+) -->\n).*?(<!-- /table -->)", re.S)
 TITLES = {
@@ -743,27 +744,50 @@ def race_sets(data, file, sets):
     ]
 
 
-def paces(data, primary, sets=RACE):
-    """Differences of a side between the world in which both inherit and that in which it alone does; * after Holm's correction for the primary ones."""
-    lines = []
-    for words, row in race_sets(data, "", sets):
-        if (row["family"] == "primary") != primary or row["measure"] not in PACE:
-            continue
-        lines.append(
-            [
-                PACE[row["measure"]],
-                SIDES[row["side"]],
-                words,
-                *(row[key] and f"{float(row[key]):+.3g}" for key in ("both", row["side"], "none")),
-                signed(row, ("difference", "lower", "upper")) + (star(row["p_holm"]) if primary else ""),
-                *([p_text(row["p_holm"])] if primary else []),
-                row["detectable"] and f"{float(row['detectable']):.2g}",
-                f"{row['runs']}, {row['alone_runs']}",
-            ]
-        )
+def paces(data, sets=RACE):
+    """Primary differences of a side between the world in which both inherit and that in which it alone does; * after Holm's correction."""
+    lines = [
+        [
+            PACE[row["measure"]],
+            SIDES[row["side"]],
+            words,
+            *(row[key] and f"{float(row[key]):+.3g}" for key in ("both", row["side"], "none")),
+            signed(row, ("difference", "lower", "upper")) + star(row["p_holm"]),
+            p_text(row["p_holm"]),
+            row["detectable"] and f"{float(row['detectable']):.2g}",
+            f"{row['runs']}, {row['alone_runs']}",
+        ]
+        for words, row in race_sets(data, "", sets)
+        if row["family"] == "primary"
+    ]
     lines.sort(key=lambda line: (list(PACE.values()).index(line[0]), list(SIDES.values()).index(line[1])))
-    head = ["measure", "side", "seeds", "both inherit", "this side alone", "none", "both less alone"]
-    return table([*head, *(["p (Holm)"] if primary else []), "found in 80 %", "runs: both, alone"], lines)
+    head = ["measure", "side", "seeds", "both inherit", "this side alone", "none", "both less alone", "p (Holm)"]
+    return table([*head, "found in 80 %", "runs: both, alone"], lines)
+
+
+def in_each_world(data, sets=RACE):
+    """The mean of each measure of a side, with its interval over runs, in the worlds in which the side inherits."""
+    found = {}
+    for words, row in race_sets(data, "_values", sets):
+        if row["measure"] in PACE and row["value"]:
+            found.setdefault((row["measure"], row["side"], words), {}).setdefault(row["world"], []).append(
+                float(row["value"])
+            )
+    lines = []
+    for measure, words in PACE.items():
+        for side, sides in SIDES.items():
+            for of_set in sets.values():
+                worlds = found.get((measure, side, of_set), {})
+                cells = [statistics.estimate(worlds.get(world, [])) for world in ("both", side)]
+                if any(cell.runs for cell in cells):
+                    lines.append([words, sides, of_set, *(estimated(cell) for cell in cells)])
+    return table(["measure", "side", "seeds", "both inherit", "this side alone"], lines)
+
+
+def estimated(of):
+    if not of.runs:
+        return "not run"
+    return f"{of.mean:.3g}" + (f" [{of.interval[0]:.3g}, {of.interval[1]:.3g}]" if of.interval else "")
 
 
 QUESTIONS = {
@@ -836,24 +860,22 @@ def through_time(data, sets=RACE):
 
 def lasting(data, sets=RACE):
     """How many runs of each world keep both species to the end."""
-    lines = {}
+    lives = {}
     for words, row in race_sets(data, "_values", sets):
         if row["measure"] == "lived_s" and row["side"] == "prey":
-            lines.setdefault((words, row["world"]), []).append(float(row["value"]))
+            lives.setdefault((words, row["world"]), []).append(float(row["value"]) >= 24000.0)
     worlds = {"both": "both inherit", "prey": "prey alone", "predator": "predators alone", "none": "none"}
-    return table(
-        ["seeds", *worlds.values()],
+    lines = [
         [
-            [
-                words,
-                *(
-                    f"{sum(each >= 24000 for each in lines[words, world])} of {len(lines[words, world])}"
-                    for world in worlds
-                ),
-            ]
-            for words in dict.fromkeys(words for words, _ in lines)
-        ],
-    )
+            words,
+            *(
+                f"{sum(of)} of {len(of)}" if of else "not run"
+                for of in (lives.get((words, each), []) for each in worlds)
+            ),
+        ]
+        for words in dict.fromkeys(words for words, _ in lives)
+    ]
+    return table(["seeds", *worlds.values()], lines)
 
 
 def draw_race(rows, path):
@@ -867,6 +889,8 @@ def draw_race(rows, path):
         drift = {}
         for world in (side, "both"):
             of = [row for row in rows if (row["world"], row["side"], row["trait"]) == (world, side, "walking_pace")]
+            if not of:
+                continue
             color = colors["both"][side] if world == "both" else colors["alone"]
             label = f"{other} evolve too" if world == "both" else f"{words} alone evolve"
             lines, means = {}, {}
@@ -1325,14 +1349,14 @@ def tables(data, choices):
         "queen mujoco": lambda: queen(data("red_queen_mujoco"), True, "released"),
     }
     made |= {
+        "paces worlds": lambda: in_each_world(data),
         "paces answers": lambda: race_answers(data),
-        "paces driven": lambda: paces(data, True),
-        "paces described": lambda: paces(data, False),
+        "paces driven": lambda: paces(data),
         "paces go on": lambda: going_on(data),
         "paces through time": lambda: through_time(data),
         "paces last": lambda: lasting(data, RACE | OTHER_RACES),
-        "paces other driven": lambda: paces(data, True, OTHER_RACES),
-        "paces other described": lambda: paces(data, False, OTHER_RACES),
+        "paces other driven": lambda: paces(data, OTHER_RACES),
+        "paces other worlds": lambda: in_each_world(data, OTHER_RACES),
         "paces other go on": lambda: going_on(data, OTHER_RACES),
     }
     made |= {
