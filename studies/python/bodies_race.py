@@ -286,3 +286,20 @@ def speeds_of(folder, width=0.25):
         }
         for (species, low), of in every.groupby(["species", "from"])
     ]
+
+
+def meetings(contests, end_s, team="1"):
+    """The rows of contests of one run in which victims of the start meet hunters of the start and of the end."""
+    return [
+        row
+        for hunters_s in (0.0, end_s)
+        for row, of in enumerate(contests)
+        if (of["team"], float(of["victim_epoch_s"]), float(of["hunter_epoch_s"])) == (team, 0.0, hunters_s)
+    ]
+
+
+def stack(pictures, path):
+    """Writes pictures of one width below each other."""
+    from matplotlib import image
+
+    image.imsave(path, numpy.vstack([image.imread(picture) for picture in pictures]))

@@ -101,6 +101,16 @@ def test_the_ceiling_is_below_the_first_pace_at_which_a_walk_turns_over(tmp_path
     assert len(bodies_race.walk_facts(tmp_path / "walks.csv")) == 8
 
 
+def test_the_picture_has_the_same_prey_before_early_and_late_predators():
+    times = [(hunters, victims) for hunters in ("0", "600") for victims in ("0", "600")]
+    contests = [
+        {"team": team, "hunter_epoch_s": hunters, "victim_epoch_s": victims}
+        for team in ("0", "1")
+        for hunters, victims in times
+    ]
+    assert bodies_race.meetings(contests, 600) == [4, 6]
+
+
 def test_the_program_measures_walks_and_refuses_bad_input(folder):
     for words, error in (
         (("9", "9.81", "spider"), "SECONDS = 9: must be >= 10"),
