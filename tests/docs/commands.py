@@ -12,7 +12,13 @@ import sys
 import tempfile
 
 INSTALLED = ("trophic", "trophic-predator-prey", "trophic-worlds")
-STUDIES = ("trophic-ablations", "trophic-arms-race", "trophic-bodies", "trophic-open-ended", "trophic-readings")  # of studies/CMakeLists.txt
+STUDIES = (
+    "trophic-ablations",
+    "trophic-arms-race",
+    "trophic-bodies",
+    "trophic-open-ended",
+    "trophic-readings",
+)  # of studies/CMakeLists.txt
 SYSTEM = {
     "apt-get", "bash", "black", "cat", "cd", "clang-format", "cp", "diff", "docker", "export", "for", "do", "done", "git", "head", "less", "ls", "mkdir", "mv", "pandoc",
     "parallel", "pip", "pre-commit", "rm", "run-clang-tidy", "sbatch", "simulate", "snakemake", "source", "squeue", "srun", "sudo", "tar",
