@@ -18,6 +18,7 @@
 #include <trophic/control/gait/learnt.hpp>
 #include <trophic/control/gait/named_gait.hpp>
 #include <trophic/control/pace/constant_pace.hpp>
+#include <trophic/control/pace/inherited_pace.hpp>
 #include <trophic/control/steering/bending_steering.hpp>
 #include <trophic/control/steering/no_steering.hpp>
 #include <trophic/death/activation/founders_start_active.hpp>
@@ -66,7 +67,6 @@
 #include <trophic/reproduction/recruitment/at_energy.hpp>
 #include <trophic/reproduction/recruitment/by_chance.hpp>
 #include <trophic/reproduction/recruitment/by_mating.hpp>
-#include <trophic/reproduction/traits/list.hpp>
 #include <trophic/reproduction/viability/module_limits.hpp>
 #include <trophic/reproduction/viability/survives_trial.hpp>
 #include <trophic/reproduction/viability/within_mass.hpp>

@@ -718,6 +718,176 @@ def queen(rows, primary, *names):
     )
 
 
+PACE = {
+    "trait_end": "pace at the end",
+    "trait_slope": "rise of pace in the last third, per 1000 s",
+    "trait_common": "pace near 8000 s, all runs",
+    "trait_last_both": "pace at the last time with both, all runs",
+    "sight_m_trait_end": "sight at the end, m",
+    "sight_m_trait_slope": "rise of sight in the last third, m per 1000 s",
+    "at_bound": "share within 5 % of the bound",
+    "number": "number in the last third",
+    "progress_early": "progress to 8000 s, s",
+    "progress_third": "progress in the last third, s",
+    "progress_late": "progress from 8000 s on, s",
+}
+RACE = {"pond_race": "first", "pond_race_again": "fresh"}
+OTHER_RACES = {"pond_race_small_steps": "sd 0.03", "pond_sight": "sight, square costs"}
+SIDES = {"prey": "prey", "predator": "predators"}
+
+
+def race_sets(data, file, sets):
+    """The rows of sets of runs that are made, with their names in words."""
+    return [
+        (words, row) for name, words in sets.items() if f"{name}{file}" in data.origins for row in data(name + file)
+    ]
+
+
+def paces(data, primary, sets=RACE):
+    """Differences of a side between the world in which both inherit and that in which it alone does; * after Holm's correction for the primary ones."""
+    lines = []
+    for words, row in race_sets(data, "", sets):
+        if (row["family"] == "primary") != primary or row["measure"] not in PACE:
+            continue
+        lines.append(
+            [
+                PACE[row["measure"]],
+                SIDES[row["side"]],
+                words,
+                *(row[key] and f"{float(row[key]):+.3g}" for key in ("both", row["side"], "none")),
+                signed(row, ("difference", "lower", "upper")) + (star(row["p_holm"]) if primary else ""),
+                *([p_text(row["p_holm"])] if primary else []),
+                row["detectable"] and f"{float(row['detectable']):.2g}",
+                f"{row['runs']}, {row['alone_runs']}",
+            ]
+        )
+    lines.sort(key=lambda line: (list(PACE.values()).index(line[0]), list(SIDES.values()).index(line[1])))
+    head = ["measure", "side", "seeds", "both inherit", "this side alone", "none", "both less alone"]
+    return table([*head, *(["p (Holm)"] if primary else []), "found in 80 %", "runs: both, alone"], lines)
+
+
+QUESTIONS = {
+    "Does it go on?": ("_goes_on", {"trait_slope": "pace", "progress_third": "contests"}, "goes on"),
+    "Does the other side drive it?": ("", {"trait_end": "pace", "progress_late": "contests"}, "driven"),
+}
+
+
+def race_answers(data):
+    """The answers by the rule of the design: yes, if both measures of a side are greater after correction in the first runs and on fresh seeds."""
+    lines = []
+    for question, (file, measures, word) in QUESTIONS.items():
+        rows = race_sets(data, file, RACE)
+        for side, sides in SIDES.items():
+            greater = {
+                words: [
+                    name
+                    for measure, name in measures.items()
+                    for of, row in rows
+                    if (of, row["side"], row["measure"]) == (words, side, measure)
+                    and star(row["p_holm"])
+                    and float(row["difference"]) > 0.0
+                ]
+                for words in dict.fromkeys(of for of, _ in rows)
+            }
+            is_yes = len(greater) == 2 and all(len(of) == 2 for of in greater.values())
+            answer = word if is_yes else "undecided"
+            lines.append(
+                [
+                    question,
+                    sides,
+                    *(" and ".join(greater.get(of, ["not run"])) or "neither" for of in RACE.values()),
+                    answer,
+                ]
+            )
+    return table(["question", "side", "greater in the first runs", "greater on fresh seeds", "answer"], lines)
+
+
+def going_on(data, sets=RACE):
+    """Whether pace and contests still move in the last third where both inherit; * after Holm's correction."""
+    lines = [
+        [
+            PACE[row["measure"]],
+            SIDES[row["side"]],
+            words,
+            signed(row, ("difference", "lower", "upper")) + star(row["p_holm"]),
+            {"none": "the world of none"}.get(row["over"], row["over"]),
+            p_text(row["p_holm"]),
+            row["detectable"] and f"{float(row['detectable']):.2g}",
+            row["runs"],
+        ]
+        for words, row in race_sets(data, "_goes_on", sets)
+    ]
+    lines.sort(key=lambda line: (list(PACE.values()).index(line[0]), list(SIDES.values()).index(line[1])))
+    return table(["measure", "side", "seeds", "both inherit", "over", "p (Holm)", "found in 80 %", "runs"], lines)
+
+
+def through_time(data, sets=RACE):
+    """How long hunters of each time take to reach victims of each time."""
+    lines = {}
+    for words, row in race_sets(data, "_through_time", sets):
+        lines.setdefault((words, row["hunters_s"]), []).append(signed(row, ("contact_s", "lower", "upper"), 1.0, ""))
+    times = ("the start", "12,000 s", "24,000 s")
+    found = {words: [of for (set_, _), of in lines.items() if set_ == words] for words, _ in lines}
+    return table(
+        ["seeds", "predators of", *(f"prey of {time}" for time in times)],
+        [[words, time, *of] for words, rows in found.items() for time, of in zip(times, rows)],
+    )
+
+
+def lasting(data, sets=RACE):
+    """How many runs of each world keep both species to the end."""
+    lines = {}
+    for words, row in race_sets(data, "_values", sets):
+        if row["measure"] == "lived_s" and row["side"] == "prey":
+            lines.setdefault((words, row["world"]), []).append(float(row["value"]))
+    worlds = {"both": "both inherit", "prey": "prey alone", "predator": "predators alone", "none": "none"}
+    return table(
+        ["seeds", *worlds.values()],
+        [
+            [
+                words,
+                *(
+                    f"{sum(each >= 24000 for each in lines[words, world])} of {len(lines[words, world])}"
+                    for world in worlds
+                ),
+            ]
+            for words in dict.fromkeys(words for words, _ in lines)
+        ],
+    )
+
+
+def draw_race(rows, path):
+    """The mean pace of each run by time: of each side, if both inherit and if it alone does, with the range of drift."""
+    import matplotlib.pyplot as plt
+
+    fig, axes = plt.subplots(1, 2, figsize=(9, 3.8), layout="constrained", sharey=True)
+    colors = {"both": {"prey": "#1b7837", "predator": "#b2182b"}, "alone": "#8073ac"}
+    for ax, (side, words) in zip(axes, SIDES.items()):
+        other = SIDES["predator" if side == "prey" else "prey"]
+        drift = {}
+        for world in (side, "both"):
+            of = [row for row in rows if (row["world"], row["side"], row["trait"]) == (world, side, "walking_pace")]
+            color = colors["both"][side] if world == "both" else colors["alone"]
+            label = f"{other} evolve too" if world == "both" else f"{words} alone evolve"
+            lines, means = {}, {}
+            for row in of:
+                time_s = float(row["time_s"])
+                lines.setdefault(row["run"], []).append((time_s, float(row["mean"])))
+                means.setdefault(time_s, []).append(float(row["mean"]))
+                drift.setdefault(time_s, []).append((float(row["drift_lower"]), float(row["drift_upper"])))
+            for line in lines.values():
+                ax.plot(*zip(*line), color=color, alpha=0.25, lw=0.8)
+            mean = [(time_s, sum(of) / len(of)) for time_s, of in sorted(means.items())]
+            ax.plot(*zip(*mean), color=color, lw=2.5, label=label)
+        band = [(time_s, *(sum(each) / len(of) for each in zip(*of))) for time_s, of in sorted(drift.items())]
+        times, low, high = zip(*band)
+        ax.fill_between(times, low, high, color="grey", alpha=0.25, lw=0, label="drift of a run, 95 %")
+        ax.set(title=words, xlabel="time [s]", xlim=(0, max(times)))
+        ax.legend(fontsize=8, loc="upper left", frameon=False)
+    axes[0].set(ylabel="mean walking pace", ylim=(0, None))
+    fig.savefig(path, dpi=150)
+
+
 def living(rows):
     """Measures of the pond and of its nulls, described: numbers change, so the shadow is not a control of one species."""
     lines, nulls = [], [null for null in ("shadow", "clones", "mean_field") if any(row[null] for row in rows)]
@@ -1133,6 +1303,17 @@ def tables(data, choices):
         "queen primary": lambda: queen(data("red_queen"), True, "paper", "pond", "growing"),
         "queen other": lambda: queen(data("red_queen"), False, "paper"),
         "queen mujoco": lambda: queen(data("red_queen_mujoco"), True, "released"),
+    }
+    made |= {
+        "paces answers": lambda: race_answers(data),
+        "paces driven": lambda: paces(data, True),
+        "paces described": lambda: paces(data, False),
+        "paces go on": lambda: going_on(data),
+        "paces through time": lambda: through_time(data),
+        "paces last": lambda: lasting(data, RACE | OTHER_RACES),
+        "paces other driven": lambda: paces(data, True, OTHER_RACES),
+        "paces other described": lambda: paces(data, False, OTHER_RACES),
+        "paces other go on": lambda: going_on(data, OTHER_RACES),
     }
     made |= {
         "worlds": lambda: worlds(data("no_criterion")),

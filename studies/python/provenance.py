@@ -120,6 +120,8 @@ STUDY = {
     "open-ended": ("studies/open_ended",),
     "pond-race": ("studies/red_queen",),
     "pond-race-again": ("studies/red_queen",),
+    "pond-race-small-steps": ("studies/red_queen",),
+    "pond-sight": ("studies/red_queen", "studies/race"),
     "ranges": ("studies/readings",),
     "red-queen": ("studies/red_queen", "studies/arms_race"),
     "red-queen-mujoco": ("studies/red_queen", "studies/arms_race"),

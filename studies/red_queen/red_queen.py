@@ -95,7 +95,7 @@ def living_panel(options):
 
 
 def make_contests(options, world, panel, epochs, teams):
-    """The contests of a world's runs against the last living of another set, as a frame."""
+    """The contests of a world's runs against the last living of another set or, if `panel` is "others", among these runs, as a frame."""
     out = options.out / f"contests/{world}-{panel}"
     if not (out / "progress.csv").exists():
         out.parent.mkdir(exist_ok=True)
@@ -103,8 +103,11 @@ def make_contests(options, world, panel, epochs, teams):
             options.trophic,
             "contest",
             *(living_runs(options, world) if options.trait else [options.out / world]),
-            "--panel",
-            living_panel(options) if options.trait else options.out / panel,
+            *(
+                ["--against", panel]
+                if panel == "others"
+                else ["--panel", living_panel(options) if options.trait else options.out / panel]
+            ),
             "--program",
             options.program,
             "--backend",
@@ -145,9 +148,9 @@ def measured(options, world):
                 of_role, role, contests.epochs_of(played), *times
             )
     runs = selection.read_sets([options.out / world], None, Measuring())[0]["runs"]
-    traits = [(selection.events_of(run), change.turns_to(run), run.lived_s) for run in runs]
+    turns = [(selection.events_of(run), change.turns_to(run), run.lived_s) for run in runs]
     for side in SIDES:
-        terms = [selection.terms(events, z, side, end_s) for events, z, end_s in traits]
+        terms = [selection.terms(events, z, side, end_s) for events, z, end_s in turns]
         found |= {
             (f"{term}_{name}", side): numpy.array([of[term, period] for of in terms])
             for term in ("survival", "parenthood", "mutation")
@@ -164,14 +167,21 @@ def measured_trait(options, world):
         end_s = options.duration
         thirds = [0, end_s / 3, end_s * 2 / 3, end_s]
         played = make_contests(options, world, "panel", thirds, options.teams)
+        if world == "both":
+            make_contests(options, world, "others", [0, end_s / 2, end_s], options.teams)
         rows, courses = [], []
         for run in trophic.read_runs(str(options.out / world)):
-            course = traits.Course(run, options.trait)
-            courses.append(traits.series(course, world, run.path.name, 5))
+            of_traits = [traits.Course(run, trait) for trait in options.trait]
+            courses += [traits.series(course, world, run.path.name, 5) for course in of_traits]
             of_run = played[played["hunters_run"].str.endswith(f"{world}/{run.path.name}")]
             as_prey = played[played["victims_run"].str.endswith(f"{world}/{run.path.name}")]
             for side, role, of in zip(SIDES, ("victim", "hunter"), (as_prey, of_run)):
-                values = course.values(side)
+                first, *others = (course.values(side) for course in of_traits)
+                values = dict(first)
+                for trait, found in zip(options.trait[1:], others):
+                    values |= {
+                        f"{trait}_{name}": value for name, value in found.items() if name not in ("lived_s", "number")
+                    }
                 for period, times in zip(
                     ("early", "middle", "third", "late"), (*zip(thirds, thirds[1:]), thirds[1::2])
                 ):
@@ -262,6 +272,18 @@ def goes_on(values):
     return tested(rows)
 
 
+def through_time(options):
+    """The contact time of hunters of each time and victims of each time where both inherit, of different runs: mean and interval over the hunters' runs."""
+    played = pandas.read_csv(options.out / "contests/both-others/contests.csv", dtype={"hunters_run": str})
+    rows = []
+    for (hunters_s, victims_s), of in played.groupby(["hunter_epoch_s", "victim_epoch_s"]):
+        means = of.groupby("hunters_run")["contact_s"].mean()
+        lower, upper = statistics.interval_of_mean(means) or (None, None)
+        row = {"hunters_s": hunters_s, "victims_s": victims_s, "runs": len(means), "contact_s": means.mean()}
+        rows.append(row | {"lower": lower, "upper": upper})
+    return pandas.DataFrame(rows)
+
+
 def meetings(options):
     """The contact time of the last living hunters of each world and the last living victims of each other world: mean and interval over runs."""
     rows = []
@@ -294,7 +316,10 @@ def main():
         parser.add_argument(f"--{name}", type=int, default=default)
     parser.add_argument("--contests-on", metavar="BACKEND", help="backend of the contests (default: the runs')")
     parser.add_argument(
-        "--trait", help="a heritable trait of the table; only runs in which both species last meet in contests"
+        "--trait",
+        action="append",
+        default=[],
+        help="a heritable trait of the table, the first one for the primary measures; only runs in which both species last meet in contests",
     )
     parser.add_argument("--teams", type=int, default=8, help="of a trait: teams of each run and epoch in contests")
     parser.add_argument("--panel-runs", type=int, help="runs of the panel (default: as many as replicates)")
@@ -304,7 +329,11 @@ def main():
     make_runs(options, "panel", (True, True), options.seed + 1000, options.panel_runs or options.replicates)
     if options.trait:
         values = {world: measured_trait(options, world) for world in WORLDS}
-        found = [("red_queen", differences(values)), ("goes_on", goes_on(values))]
+        found = [
+            ("red_queen", differences(values)),
+            ("through_time", through_time(options)),
+            ("goes_on", goes_on(values)),
+        ]
     else:
         for world, inherited in WORLDS.items():
             make_runs(options, world, inherited, options.seed, options.replicates, "--neutral")

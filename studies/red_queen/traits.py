@@ -35,13 +35,17 @@ def dropped(born, rule, inherits, generator, draws=DRAWS):
     return found
 
 
-def means_of(born, species, values, times_s):
-    """The mean over the living of a species at each time, shape (times, columns of values); nan if none lives."""
+def lives_of(born, species, times_s):
+    """Whether each individual lives, and is of a species, at each time, shape (times, individuals)."""
+    begins, ends = born["origin_time"].to_numpy(), born["destruction_time"].fillna(math.inf).to_numpy()
     of = (born["species"] == species).to_numpy()
-    begins, ends = born["origin_time"].to_numpy()[of], born["destruction_time"].fillna(math.inf).to_numpy()[of]
-    lives = (begins <= times_s[:, None]) & (times_s[:, None] < ends)
+    return of & (begins <= times_s[:, None]) & (times_s[:, None] < ends)
+
+
+def means_of(lives, values):
+    """The mean over the living at each time, shape (times, columns of values); nan if none lives."""
     with numpy.errstate(invalid="ignore"):
-        return lives @ values[of] / lives.sum(axis=1, keepdims=True)
+        return lives @ values / lives.sum(axis=1, keepdims=True)
 
 
 class Course:
@@ -52,13 +56,14 @@ class Course:
         self.times_s = numpy.linspace(0.0, self.end_s, POINTS)
         rules, born = run.manifest["params"]["rules"], born_of(run)
         rule, heredity = rules["traits"][trait], rules["heredity"]
-        inherits = {species: heredity[species]["inherited"] for species in run.manifest["species"]}
-        drift = dropped(born, rule, inherits, numpy.random.default_rng(int(run.manifest["seed"])))
+        self.trait, self.inherits = trait, {each: heredity[each]["inherited"] for each in run.manifest["species"]}
+        drift = dropped(born, rule, self.inherits, numpy.random.default_rng(int(run.manifest["seed"])))
         own = born[trait].to_numpy()[:, None]
         at_bound = (own >= 0.95 * rule["most"]).astype(float)
+        lives = {species: lives_of(born, species, self.times_s) for species in self.inherits}
+        self.number = {species: of.sum(axis=1) for species, of in lives.items()}
         self.own, self.drift, self.at_bound = (
-            {species: means_of(born, species, values, self.times_s) for species in inherits}
-            for values in (own, drift, at_bound)
+            {species: means_of(of, values) for species, of in lives.items()} for values in (own, drift, at_bound)
         )
         self.persists = all(numpy.isfinite(of[-1, 0]) for of in self.own.values())
 
@@ -82,26 +87,28 @@ class Course:
                 "trait_end": over[end].mean(),
                 "trait_slope": numpy.polyfit(times_s[third] / 1000.0, over[third], 1)[0],
                 "at_bound": self.at_bound[species][end].mean(),
+                "number": self.number[species][third].mean(),
             }
         return found
 
 
 def series(course, world, run, every):
-    """Rows of the mean and of drift by time, for a figure."""
+    """Rows of the mean of the species that inherit, and of drift, at some of the times, for a figure."""
     return pandas.DataFrame(
         [
             {
                 "world": world,
                 "run": run,
                 "side": species,
+                "trait": course.trait,
                 "time_s": course.times_s[at],
                 "mean": course.own[species][at, 0],
                 "drift": course.drift[species][at].mean(),
                 "drift_lower": numpy.quantile(course.drift[species][at], 0.025),
                 "drift_upper": numpy.quantile(course.drift[species][at], 0.975),
             }
-            for species in course.own
+            for species, inherits in course.inherits.items()
             for at in range(0, len(course.times_s), every)
-            if numpy.isfinite(course.own[species][at, 0])
+            if inherits and numpy.isfinite(course.own[species][at, 0])
         ]
     )

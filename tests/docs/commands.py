@@ -17,6 +17,7 @@ STUDIES = (
     "trophic-arms-race",
     "trophic-bodies",
     "trophic-open-ended",
+    "trophic-race",
     "trophic-readings",
 )  # of studies/CMakeLists.txt
 SYSTEM = {

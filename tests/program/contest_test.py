@@ -41,6 +41,27 @@ class Contest(InFolder):
         self.assert_refused(self.call(TROPHIC, *command, *arguments, "--out", "refused"), says)
         self.assertFalse((self.folder / "refused").exists())
 
+    def test_recorded_contests_are_runs_that_last_as_long_as_until_all_are_reached(self):
+        self.runs("study", replicates=2)
+        few = ["--teams", 2, "--team-size", 4, "--reach", 2, "--duration", 100, "--epochs", "0,120"]
+        self.contest("study", *few, "--record", "--jobs", 2, "--out", "recorded")
+        self.contest("study", *few, "--out", "plain")
+        self.assertEqual(self.rows("recorded/contests.csv"), self.rows("plain/contests.csv"))
+        rows = self.rows("recorded/contests.csv")
+        self.assertEqual(len(list((self.folder / "recorded").glob("contest-*"))), len(rows))
+        alike = []
+        for number, row in enumerate(rows):
+            run = self.folder / f"recorded/contest-{number}"
+            result = json.loads((run / "manifest.json").read_text())["result"]
+            self.assertEqual(result["reached_s"] < 100, float(row["contacted"]) == 1 and float(row["contact_s"]) < 100)
+            self.assertGreater((run / "replay.trp").stat().st_size, 1000)
+            alike.append(
+                [row["x_m"] for row in self.rows(f"recorded/contest-{number}/agents.csv") if row["tick"] == "0"]
+            )
+        self.assertEqual(alike[0], alike[2])  # hunters of two epochs, at the same places
+        self.run_ok(TROPHIC, "show", "recorded/contest-0", "recorded/contest-2", "-o", "both.html")
+        self.refused("study", "--record", "--epochs", "0,40,80,120", says="--record: 192 contests: must be <= 100")
+
     def test_every_pair_of_epochs_meets_in_runs_and_shadow_and_jobs_do_not_matter(self):
         self.runs("study", "--shadow")
         short = ["--duration", 150, "--reach", 3, "--against", "both", "--epochs", "0,60,120", "--team-size", 5]

@@ -285,6 +285,16 @@ class Worlds(InFolder):
     def test_both_species_of_the_pond_live_on_and_its_ledger_closes(self):
         self.pyramid("pond", 4000, "prey", "predator")
 
+    def test_prey_of_the_race_have_the_pace_of_their_parent_unless_they_inherit_nothing(self):
+        for inherited, least, most in (("true", 0.5, 0.9), ("false", -0.2, 0.2)):
+            setting = f"rules.heredity.prey.inherited={inherited}"
+            folder, _ = self.run_world("pond_race", "kinematic", "--duration", 1000, "--set", setting)
+            pace = pandas.read_csv(folder / "genomes.csv").set_index("id")["walking_pace"]
+            births = pandas.read_csv(folder / "events.csv").query("event == 'birth' and tick > 0 and species == 'prey'")
+            self.assertGreater(len(births), 200)
+            alike = numpy.corrcoef(pace.loc[births["id"]], pace.loc[births["parent_id"].astype(int)])[0, 1]
+            self.assertTrue(least < alike < most, alike)
+
     def test_conditions_of_the_pond_act_and_without_them_it_is_the_pond(self):
         def events(rules, setting):
             folder, _ = self.run_world(rules, "kinematic", "--duration", 1000, "--set", setting)

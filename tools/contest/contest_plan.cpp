@@ -2,6 +2,7 @@
 // Definitions of contest_plan.hpp.
 #include <tools/contest/contest_plan.hpp>
 #include <trophic/habitat/ecology_params.hpp>
+#include <trophic/io/run_folder.hpp>
 #include <trophic/population/view.hpp>
 #include <trophic/support/whole_file.hpp>
 
@@ -58,13 +59,22 @@ Lineup lineup_of(const Plan& plan, const Match& match) {
   return lineup;
 }
 
-Outcome play(const MakeContest& make, const Plan& plan, const Match& match, const replicates::StopOnSignal* stop) {
+Outcome play(const MakeContest& make, const Plan& plan, const Match& match, const replicates::StopOnSignal* stop,
+             const std::filesystem::path& run) {
   const std::unique_ptr<Simulation> arena = make(match.places, lineup_of(plan, match));
   detail::ContactWatch watch{plan, match};
-  if (stop == nullptr) {
-    arena->run_until(plan.duration_s, watch);
+  const auto meet = [&](auto&... observers) {
+    if (stop == nullptr) {
+      arena->run_until(plan.duration_s, watch, observers...);
+    } else {
+      arena->run_until(plan.duration_s, watch, *stop, observers...);
+    }
+  };
+  if (run.empty()) {
+    meet();
   } else {
-    arena->run_until(plan.duration_s, watch, *stop);
+    io::RunFolder folder{run, {}, {.replay_hz = plan.record_hz}};
+    meet(folder);
   }
   return watch.outcome(plan.duration_s);
 }
@@ -81,7 +91,8 @@ Plan read_plan(const std::filesystem::path& path) {
               .fingerprint = json.at("fingerprint").get<std::string>(),
               .params = json.at("params"),
               .duration_s = json.at("duration_s").get<double>(),
-              .reach_m = json.at("reach_m").get<double>()};
+              .reach_m = json.at("reach_m").get<double>(),
+              .record_hz = json.value("record_hz", 0.0)};
     for (const Json& team : json.at("teams")) {
       plan.teams.push_back({.species = whole_number<Species>(team, "species")});
       for (const auto& [weights, gait, body, traits] : team.at("genomes").get<std::vector<std::array<std::vector<double>, 4>>>())

@@ -30,6 +30,7 @@ struct Plan {
   Json params = Json::object();  ///< of these runs, as in their manifests
   double duration_s = 0.0;       ///< of each contest, seconds of the ecology's clock
   double reach_m = 0.0;          ///< a hunter this close to a victim reaches it
+  double record_hz = 0.0;        ///< frames per simulated second of each contest that is written as a run; 0: none is
   std::vector<Team> teams = {};
   std::vector<Match> matches = {};
 };
@@ -44,9 +45,9 @@ struct Outcome {
 [[nodiscard]] Lineup lineup_of(const Plan& plan, const Match& match);
 
 /// Lets two teams meet. Throws as the ecology does, and std::invalid_argument for genomes that the brain does not take.
-/// `stop`: ends it early, if not null; the outcome is then none.
+/// `stop`: ends it early, if not null; the outcome is then none. `run`: a new folder for the contest as a run, or empty.
 [[nodiscard]] Outcome play(const MakeContest& make, const Plan& plan, const Match& match,
-                           const replicates::StopOnSignal* stop = nullptr);
+                           const replicates::StopOnSignal* stop = nullptr, const std::filesystem::path& run = {});
 
 /// Reads a plan as `trophic contest` writes it, in JSON. Throws std::invalid_argument naming the file and what is wrong.
 [[nodiscard]] Plan read_plan(const std::filesystem::path& path);

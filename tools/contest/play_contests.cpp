@@ -11,6 +11,7 @@
 #include <tools/contest/play_contests.hpp>
 #include <tools/replicates/parallel.hpp>
 #include <tools/replicates/stop_on_signal.hpp>
+#include <trophic/io/run_folder.hpp>
 #include <trophic/support/new_file.hpp>
 
 namespace trophic::command {
@@ -49,13 +50,15 @@ int play_contests(const std::filesystem::path& path, std::size_t jobs, const Off
   if (const std::string why = why_not_played(plan, offer); !why.empty()) throw std::invalid_argument{why};
   const MakeContest make = experiment_of(plan, offer)->contests();
   std::vector<contest::Outcome> outcomes(plan.matches.size());
+  const std::filesystem::path runs = plan.record_hz > 0.0 ? path.string() + ".runs" : "";
+  if (!runs.empty()) static_cast<void>(io::make_new_folder(runs));
   const replicates::StopOnSignal stop;
   std::atomic<bool> has_failed = false;
   const auto attempts = replicates::in_parallel(
       outcomes.size(), jobs,
       [&](std::size_t i) {
         try {
-          outcomes[i] = contest::play(make, plan, plan.matches[i], &stop);
+          outcomes[i] = contest::play(make, plan, plan.matches[i], &stop, runs.empty() ? runs : runs / std::to_string(i));
         } catch (...) {
           has_failed = true;
           throw;

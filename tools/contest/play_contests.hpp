@@ -19,8 +19,8 @@ namespace trophic::command {
 [[nodiscard]] std::unique_ptr<AnyExperiment> experiment_of(const contest::Plan& plan, const Offer& offer);
 
 /// Plays the matches of the plan in a file, `jobs` at a time, and writes their outcomes into a new file, PLAN.outcomes; they do
-/// not depend on `jobs`. Returns the exit code. Throws std::invalid_argument as `why_not_played`, and for genomes that the
-/// table's brain does not take.
+/// not depend on `jobs`. With a rate `record_hz` it also writes each contest as a run, into PLAN.runs/0, 1, ... Returns the exit
+/// code. Throws std::invalid_argument as `why_not_played`, and for genomes that the table's brain does not take.
 [[nodiscard]] int play_contests(const std::filesystem::path& plan, std::size_t jobs, const Offer& offer);
 
 }  // namespace trophic::command

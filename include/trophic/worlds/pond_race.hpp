@@ -24,12 +24,11 @@ inline constexpr auto with_600_robots = [](EcologyParams& ecology) {
 /// Each metre costs what it costs in Pond, so a faster individual spends more. One species may inherit against another that does
 /// not (`rules.heredity.prey.inherited`).   Source: not in the literature as such.
 using PondRace = named<
-    with_ecology<
-        with_params<with_heredity<with_pace<with_traits<Pond, reproduction::traits::List<control::pace::WalkingPace>>,
-                                            control::pace::InheritedPace<>>,
-                                  rules::by_species<reproduction::heredity::Switched<Pond::Heredity>>>,
-                    on_four_times_the_floor>,
-        with_600_robots>,
+    with_ecology<with_params<with_heredity<with_pace<with_traits<Pond, reproduction::traits::List<control::pace::WalkingPace>>,
+                                                     control::pace::InheritedPace<>>,
+                                           rules::by_species<reproduction::heredity::Switched<Pond::Heredity>>>,
+                             on_four_times_the_floor>,
+                 with_600_robots>,
     "pond_race">;
 
 }  // namespace trophic::worlds

@@ -275,8 +275,11 @@ TEST_CASE("effects: each parameter of pond_with_conditions, halved or changed la
 TEST_CASE("effects: each parameter of pond_race, halved or changed later -> other bytes, or a remark or refusal") {
   const test::TemporaryFolder folder;
   ShortRuns runs = pond(folder);
-  runs.crowd.insert({{"rules.resource.cells_in_a_row", 20.0}, {"rules.metabolism.predator.efficiency", 0.3}});
-  runs.others.insert({{"rules.traits.walking_pace.least", 0.7}, {"rules.traits.walking_pace.most", 1.3}});
+  runs.crowd.insert({{"rules.resource.cells_in_a_row", 20.0},
+                     {"rules.metabolism.predator.efficiency", 0.3},
+                     {"rules.traits.walking_pace.least", 0.9},
+                     {"rules.traits.walking_pace.most", 1.1}});
+  runs.others.insert({{"rules.traits.walking_pace.least", 0.8}, {"rules.traits.walking_pace.most", 1.2}});
   check_every_parameter<worlds::PondRace>(runs);
 }
 

@@ -38,6 +38,7 @@ PLAYED = "played.jsonl"
 _TEAM, _PARTNER, _PLACES = range(3)  # purposes of draws
 _DEFAULT_EPOCHS = 4
 _BATCH_S = 20.0  # how long a call of the program shall take
+_RECORD_HZ, _MOST_RECORDED = 10, 100
 
 
 @dataclasses.dataclass
@@ -104,6 +105,10 @@ def check_epoch(run: PooledRun, epoch_s: float) -> None:
         )
 
 
+def _known(numbers: numpy.ndarray) -> list[float]:
+    return numbers[~numpy.isnan(numbers)].tolist()
+
+
 def living_genomes(run: PooledRun, epochs_s: Sequence[float]) -> list[dict[str, list[list[list[float]]]]]:
     """The genomes, [weights, genes of gait, of body, traits], of the individuals that were alive after the rules of each epoch's tick: for each epoch
     by species, in the order of their ids. A genome that several share changes at later births: the last one up to the epoch counts.
@@ -123,13 +128,14 @@ def living_genomes(run: PooledRun, epochs_s: Sequence[float]) -> list[dict[str, 
         alive = born[(born["origin_time"] <= epoch_s) & (gone_s > epoch_s)].sort_values("id")
         last = genomes[genomes["time_s"] <= epoch_s].drop_duplicates("genome_id", keep="last").set_index("genome_id")
         by_species: dict[str, list] = {}
-        for one in alive.itertuples(index=False):
-            if one.genome_id not in last.index:
+        rows = last.index.get_indexer(alive["genome_id"])
+        ids, own, of_traits = last["id"].to_numpy(), last[weights].to_numpy(float), last[traits].to_numpy(float)
+        for one, row in zip(alive.itertuples(index=False), rows):
+            if row < 0:
                 raise RunError(f"{run.path / 'genomes.csv'}: has no genome of individual {one.id}")
-            row = last.loc[one.genome_id]
-            own = row[weights].dropna().tolist()
-            brain, gait, body = (parts.get((int(row["id"]), part), []) for part in ("brain", "gait", "body"))
-            by_species.setdefault(one.species, []).append([brain or own, gait, body, row[traits].dropna().tolist()])
+            brain, gait, body = (parts.get((int(ids[row]), part), []) for part in ("brain", "gait", "body"))
+            genome = [brain or _known(own[row]), gait, body, _known(of_traits[row])]
+            by_species.setdefault(one.species, []).append(genome)
         living.append(by_species)
     return living
 
@@ -422,6 +428,11 @@ def _play_some(
     found = json.loads(outcomes.read_text(encoding="utf-8"))
     for each in (path, outcomes):
         each.unlink()
+    if "record_hz" in plan:
+        runs = folder / "plan.json.runs"
+        for number, match in enumerate(matches):
+            (runs / str(number)).rename(folder / f"contest-{match}")
+        runs.rmdir()
     return iter(found)
 
 
@@ -429,7 +440,7 @@ def _play_some(
 
 
 def run(request: dict) -> int:
-    """`trophic contest`. `request`: runs, shadow, panel, epochs, against, split, teams, team_size, duration, reach, seed, backend, `experiment` (the
+    """`trophic contest`. `request`: runs, shadow, panel, record, epochs, against, split, teams, team_size, duration, reach, seed, backend, `experiment` (the
     program), jobs, accept_other_build and out."""
     for name in ("duration", "reach"):
         if not 0.0 < request[name] <= MOST_TIME_S:
@@ -443,12 +454,18 @@ def run(request: dict) -> int:
     if request["jobs"] == 0:
         raise RunError("--jobs 0: must be >= 1")
     plan, rows, remarks = plan_of(request)
+    if request["record"]:
+        if len(rows) > _MOST_RECORDED:
+            raise RunError(
+                f"--record: {len(rows)} contests: must be <= {_MOST_RECORDED}; fewer runs, --teams or --epochs make fewer"
+            )
+        plan["record_hz"] = _RECORD_HZ
     for what in remarks:
         remark(request["who"], what)
     program = chosen_program(request)
     out = request["out"]
     try:
-        with result_folder(out, keeps=PLAYED, name="contests") as folder:
+        with result_folder(out, keeps="" if request["record"] else PLAYED, name="contests") as folder:
             out, began = str(folder.with_suffix("")), time.monotonic()
             outcomes = play(plan, program, request["jobs"] or os.cpu_count() or 1, folder)
             table = pandas.DataFrame(

@@ -369,6 +369,11 @@ def _contest(parser: argparse.ArgumentParser) -> None:
         metavar="N",
         help="number of contests in parallel (default: one per core); results do not depend on it",
     )
+    add(
+        "--record",
+        **_FLAG,
+        help="also write each contest, of at most 100, as a run in OUT/contest-N, N its row in contests.csv from 0, for trophic show and film",
+    )
     add("--accept-other-build", **_FLAG, help="accept runs made by different builds of a program")
     add(
         "--out",
