@@ -29,7 +29,8 @@ SIGNS = dict(zip(CELLS, (1.0, -1.0, -1.0, 1.0)))
 """Of the interaction: what both do together beyond what each does alone."""
 SPECIES = ("prey", "predator")
 TESTED = ("links", "most_links", "new_types")
-STRUCTURE = ("links", "most_links", "hidden", "pace")
+DESCRIBED = ("hidden", "pace")
+STRUCTURE = ("links", "most_links", *DESCRIBED)
 PAIRS = [(metric, species) for metric in TESTED for species in SPECIES]
 MUST_GROW = ("links", "most_links")
 """Measures that also must grow in the run itself, as the null may fall."""
@@ -218,7 +219,9 @@ def interacts(values, group):
         key = (metric, species, group)
         of = statistics.contrast(*((sign, over_null(values, cell, key)) for cell, sign in SIGNS.items()))
         row = ponds.result("interaction", key, f"interaction of {group}s", of=difference([], of))
-        row["generation_s"], row["smallest"] = "", designs.number(of and statistics.detectable_difference(of, 0.05 / 6))
+        row["generation_s"], row["smallest"] = "", designs.number(
+            of and statistics.detectable_difference(of, 0.05 / len(PAIRS))
+        )
         rows.append(row)
     return ponds.with_tests(rows, group == "level")
 
@@ -235,7 +238,7 @@ def described(values):
         if not len(persists := values(cell, ("persists", "all", "all"))):
             continue
         rows.append(ponds.result(cell, ("persists", "all", "all"), "described", persists))
-        for metric in ("links", "most_links", "new_types", "hidden", "pace"):
+        for metric in (*TESTED, *DESCRIBED):
             for species in SPECIES:
                 for group in ("level", "slope"):
                     key = (metric, species, group)

@@ -1103,23 +1103,19 @@ def growth(rows):
 
 
 def two_by_two(rows, group):
-    """Levels or slopes over the neutral null in the four cells, and their interaction."""
+    """Levels or slopes over the neutral null in the cells that are there, and the interaction of all four."""
     of = {
         (row["set"], row["metric"], row["species"], row["group"]): row for row in rows if row["family"] == "described"
     }
+    cells = [cell for cell in open_ended.CELLS if any(cell == key[0] for key in of)]
     both = {(row["metric"], row["species"]): row for row in rows if row["family"] == f"interaction of {group}s"}
-    lines = []
-    for metric, species in [
-        *open_ended.PAIRS,
-        *((name, side) for name in ("hidden", "pace") for side in open_ended.SPECIES),
-    ]:
-        cells = [of[cell, metric, species, group] for cell in open_ended.CELLS]
-        lines.append(
-            [metric, species, *(signed(row, ("difference", "difference_lower", "difference_upper")) for row in cells)]
-        )
+    described = [(metric, species) for metric in open_ended.DESCRIBED for species in open_ended.SPECIES]
+    keys, lines = ("difference", "difference_lower", "difference_upper"), []
+    for metric, species in [*open_ended.PAIRS, *described]:
         row = both.get((metric, species))
+        lines.append([metric, species, *(signed(of[cell, metric, species, group], keys) for cell in cells)])
         lines[-1] += [family(row), p_text(row["p_holm"])] if row and row["difference"] else ["", ""]
-    return table(["measure", "species", *open_ended.CELLS, "interaction", "p (Holm)"], lines)
+    return table(["measure", "species", *cells, "interaction", "p (Holm)"], lines)
 
 
 def persisting_cells(rows):

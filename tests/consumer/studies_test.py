@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """studies_test.py ROOT PREFIX CMAKE COMPILER: a copy of studies/ outside the tree builds on the trophic installed in PREFIX, runs a stage at a fraction
-of its length, and passes the tests of two programs and of the studies' scripts. The other three programs take more minutes to compile."""
+of its length, and passes the tests of two programs and of the studies' scripts. The other programs take more minutes to compile."""
 
 import csv
 import os
