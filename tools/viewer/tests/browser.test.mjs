@@ -211,7 +211,7 @@ onPage("page: numbers go from 10 to 70 and down to 20 -> the living are drawn at
 
 onPage("page: two foods -> each in the legend with its colour, both on the floor", ["foods.html", "#t=0&view=top"], async (opened) => {
   const foods = await opened.page.$$eval("header .legend li:has(i.food)", (items) => items.map((item) => [item.textContent, item.firstChild.style.getPropertyValue("--mark")]));
-  assert.deepEqual(foods, [["grass, up to 7.5 J a cell", "#9cc47f"], ["fruit, up to 7.5 J a cell", "#c7a1db"]]);
+  assert.deepEqual(foods, [["grass, up to 15 J a cell", "#9cc47f"], ["fruit, up to 15 J a cell", "#c7a1db"]]);
   const both = await opened.pixels("#8c8b78"); // each filters the light of the floor
   assert.ok(both > 3000 && (await opened.pixels("#9cc47f")) < 0.1 * both, `${both} pixels of both foods`);
 });
