@@ -293,6 +293,9 @@ TEST_CASE("effects: each parameter of two_foods, halved or changed later -> othe
     moved.key().insert(moved.key().rfind('.') + 1, "energy.");
     runs.crowd.insert(std::move(moved));
   }
+  runs.crowd.insert(
+      {{"rules.metabolism.prey.energy.bite_W", 2.0}, {"rules.traits.diet.least", 0.4}, {"rules.traits.diet.most", 0.6}});
+  runs.others.insert({{"rules.traits.diet.least", 0.3}, {"rules.traits.diet.most", 0.7}});
   check_every_parameter<worlds::TwoFoods>(runs);
 }
 
