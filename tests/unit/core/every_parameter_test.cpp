@@ -294,8 +294,9 @@ TEST_CASE("effects: each parameter of two_foods, halved or changed later -> othe
     runs.crowd.insert(std::move(moved));
   }
   runs.crowd.insert(
-      {{"rules.metabolism.prey.energy.bite_W", 2.0}, {"rules.traits.diet.least", 0.48}, {"rules.traits.diet.most", 0.52}});
+      {{"rules.metabolism.prey.energy.bite_W", 2.0}, {"rules.traits.diet.least", 0.45}, {"rules.traits.diet.most", 0.55}});
   runs.others.insert({{"rules.traits.diet.least", 0.3}, {"rules.traits.diet.most", 0.7}});
+  runs.change_tick = 20;  // most births are soon after the start
   check_every_parameter<worlds::TwoFoods>(runs);
 }
 
