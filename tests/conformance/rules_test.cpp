@@ -170,7 +170,7 @@ TEST_CASE("brain: Outside -> the numbers of its genome, no outputs of its own") 
 TEST_CASE_TEMPLATE_INVOKE(trophic_act_suite, control::acts::Turn, control::acts::Tag, control::acts::Effort, control::acts::Eat,
                           control::acts::Mate, control::acts::Signal<0>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_pace_suite, control::pace::SamePace, control::pace::ConstantPace,
-                          control::pace::InheritedPace<>);
+                          control::pace::InheritedPace<reproduction::traits::List<control::pace::WalkingPace>>);
 TEST_CASE_TEMPLATE_INVOKE(trophic_steering_suite, control::steering::TargetedSteering, control::steering::BendingSteering,
                           control::steering::NoSteering);
 

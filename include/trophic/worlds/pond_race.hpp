@@ -4,10 +4,12 @@
 
 #include <trophic/control/pace/inherited_pace.hpp>
 #include <trophic/reproduction/heredity/switched.hpp>
+#include <trophic/reproduction/traits/list.hpp>
 #include <trophic/worlds/pond.hpp>
 
 namespace trophic::worlds {
 
+using HeritablePace = reproduction::traits::List<control::pace::WalkingPace>;
 inline constexpr auto on_four_times_the_floor = [](auto& params) {
   params.community.predators = 48;
   params.recruitment.spare_bodies = 360;
@@ -23,12 +25,12 @@ inline constexpr auto with_600_robots = [](EcologyParams& ecology) {
 /// A predator gets 0.15 of the energy of its prey, as those of Pond that walk faster and faster eat their prey up.
 /// Each metre costs what it costs in Pond, so a faster individual spends more. One species may inherit against another that does
 /// not (`rules.heredity.prey.inherited`).   Source: not in the literature as such.
-using PondRace = named<
-    with_ecology<with_params<with_heredity<with_pace<with_traits<Pond, reproduction::traits::List<control::pace::WalkingPace>>,
-                                                     control::pace::InheritedPace<>>,
-                                           rules::by_species<reproduction::heredity::Switched<Pond::Heredity>>>,
-                             on_four_times_the_floor>,
-                 with_600_robots>,
-    "pond_race">;
+using PondRace =
+    named<with_ecology<
+              with_params<with_heredity<with_pace<with_traits<Pond, HeritablePace>, control::pace::InheritedPace<HeritablePace>>,
+                                        rules::by_species<reproduction::heredity::Switched<Pond::Heredity>>>,
+                          on_four_times_the_floor>,
+              with_600_robots>,
+          "pond_race">;
 
 }  // namespace trophic::worlds

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <trophic/control/pace/contract.hpp>
-#include <trophic/reproduction/traits/list.hpp>
 
 namespace trophic::control::pace {
 
@@ -13,9 +12,10 @@ struct WalkingPace {
   static constexpr double first = 1.0, least = 0.2, most = 4.0, sd = 0.1;
 };
 
-/// Rule: a robot walks at its own WalkingPace. `Traits` is the table's rule for traits, which holds WalkingPace.   Source: not in
-/// the paper. All parameters are free.   Reads: the traits.   Random draws: 0.
-template <class Traits = reproduction::traits::List<WalkingPace>>
+/// Rule: a robot walks at its own WalkingPace. `Traits` is the table's rule for traits, such as
+/// reproduction::traits::List<WalkingPace>. Source: not in the paper. All parameters are free.   Reads: the traits.   Random
+/// draws: 0.
+template <class Traits>
 struct InheritedPace {
   static constexpr std::string_view name = "inherited_pace";
   static constexpr std::string_view source = "not in the paper";
@@ -23,6 +23,5 @@ struct InheritedPace {
 
   [[nodiscard]] double pace(BodyIndex self, const View& view) const { return view.trait<WalkingPace>(self); }
 };
-static_assert(Pace<InheritedPace<>>);
 
 }  // namespace trophic::control::pace
