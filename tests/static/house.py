@@ -39,7 +39,8 @@ def library_alone():
     """
     offences, engines = [], sorted(path.name for path in (ROOT / "backends").iterdir())
     for folder in ("include", "src", "studies", *(f"backends/{engine}" for engine in engines)):
-        homes = [CORE, *(ROOT / "backends").glob("*/include")] if folder == "src" else [CORE, ROOT / folder / "include"]
+        all_backends = (ROOT / "backends").glob("*/include")
+        homes = [CORE, *(all_backends if folder in ("src", "studies") else [ROOT / folder / "include"])]
         for path in sources(folder):
             for name in re.findall(r'^\s*#\s*include\s*[<"]([^>"]+)', path.read_text(), re.M):
                 is_own = name.startswith(("trophic/", "tools/")) and name != INSTALLED

@@ -119,6 +119,7 @@ TEST_CASE("models: search order -> TROPHIC_MODELS, then the library's folder") {
         "no arena \"moon\"; searched: " + own.path().string() +
             "/arenas/moon.toml, " TROPHIC_MODEL_DIR
             "/arenas/moon.toml; there are height_field, refuges, square_25, square_51, stirred_square, walled_by_density, "
+            "walled_pond, "
             "walled_square");
   REQUIRE(unsetenv("TROPHIC_MODELS") == 0);
   CHECK(find_model(ModelKind::robot, "spider") == std::filesystem::path{TROPHIC_MODEL_DIR} / "robots/spider.toml");

@@ -59,7 +59,7 @@ TEST_CASE("in zones: a pair -> a birth, only at the last tick of an interval, an
   CHECK(scene.pairs().empty());
 }
 
-TEST_CASE("in zones: three in one zone -> the oldest takes the nearest, the third has no mate; four make two pairs") {
+TEST_CASE("in zones: three in one zone -> the oldest takes the nearest, the third has no mate, four make two pairs") {
   TwoZones scene{{{.x_m = -5.0, .id = 7}, {.x_m = -5.5, .id = 3}, {.x_m = -4.0, .id = 5}}};
   CHECK(scene.pairs() == ParentIds{{3, 7}});
   scene.robots.individuals[1].id = 9;
@@ -74,7 +74,7 @@ TEST_CASE("in zones: another species, and bodies without an individual -> no mat
         ParentIds{{0, 2}});
 }
 
-TEST_CASE("in zones: energy below the cost -> both give what the poorer one has; without any no mate") {
+TEST_CASE("in zones: energy below the cost -> both give what the poorer one has, without any no mate") {
   TwoZones scene{{{.x_m = -5.0}, {.x_m = -5.5}}};
   CHECK(scene.births().at(0).endowment_J == 50.0);
   scene.robots.individuals[1].energy_J = 10.0;
@@ -83,7 +83,7 @@ TEST_CASE("in zones: energy below the cost -> both give what the poorer one has;
   CHECK(scene.births().empty());
 }
 
-TEST_CASE("in zones: two newborns -> each near one parent at the step, half of the energy each; without a step no place") {
+TEST_CASE("in zones: two newborns -> each near one parent at the step, half of the energy each, without a step no place") {
   const TwoZones scene{{{.x_m = -5.0}, {.x_m = -5.5}}};
   const auto births = scene.births({.interval_ticks = 30, .offspring = 2, .cost_J = 25.0, .step_m = 3.0});
   REQUIRE(births.size() == 2);

@@ -116,7 +116,7 @@ TEST_CASE("with mate: both pay or one -> the endowment, the energy that a mate n
   CHECK(WithMate<mate::OtherSex, mate::AlikeIn<Hue>>::name == "with_mate_other_sex_alike_in_hue");
 }
 
-TEST_CASE("alike in: strength 0 -> all near are as likely; else likeliness by the Gaussian function of the difference") {
+TEST_CASE("alike in: strength 0 -> all near are as likely, else likeliness by the Gaussian function of the difference") {
   const HandPopulation population = row_of({{.sex = 1}, {.x_m = 0.1, .hue = 0.5}, {.x_m = -0.2, .hue = 2.0}, {.x_m = 0.3}});
   for (const double strength : {0.0, 1.0, 3.0}) {
     CAPTURE(strength);
@@ -131,7 +131,7 @@ TEST_CASE("alike in: strength 0 -> all near are as likely; else likeliness by th
   }
 }
 
-TEST_CASE("alike genomes: by the root mean square difference of the weights; other numbers of weights only with strength 0") {
+TEST_CASE("alike genomes: by the root mean square difference of the weights, other numbers of weights only with strength 0") {
   HandPopulation population = row_of({{}, {.x_m = 1.0}, {.x_m = 2.0}, {.x_m = -1.0}});
   const std::vector<std::vector<double>> weights{{0.0, 0.0}, {0.0, 0.0}, {0.6, 0.8}, {0.0, 0.0, 0.0}};
   for (std::size_t i = 0; i < weights.size(); ++i) population.individuals[i].genome->weights = weights[i];
