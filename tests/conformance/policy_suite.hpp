@@ -330,7 +330,10 @@ template <class Policy>
 void check_policy() {
   const std::string_view name = Policy::name;
   CHECK_FALSE(name.empty());
-  const std::string_view between_parts = MadeOfParts<Policy> ? ":, " : "";
+  constexpr bool names_foods = requires {
+    Policy::food_names;
+  };
+  const std::string_view between_parts = MadeOfParts<Policy> || names_foods ? ":, " : "";
   CHECK(std::ranges::all_of(name, [&](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || between_parts.find(c) != std::string_view::npos;
   }));
