@@ -117,7 +117,7 @@ class FoodSupply {
   std::vector<double> before_J_;  ///< of all cells, while a rule changes them
 };
 
-/// In a table without that rule there is no food.
+/// A table without that rule has no food.
 template <class Rules>
 class FoodSupply<Rules, false> {
  public:

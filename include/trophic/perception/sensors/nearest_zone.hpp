@@ -8,8 +8,8 @@
 namespace trophic::perception::sensors {
 
 /// Rule: three values, the unit vector to the centre of the nearest zone, ahead and to the right, and the distance to it over the
-/// arena's half side, at most 1; 0, 0 and 1 without a zone. [peterson2026] has the direction, of the nearest or of an assigned
-/// zone.   Reads: own pose, zones.   Random draws: 0.
+/// arena's half side, at most 1; 0, 0 and 1 without a zone. [peterson2026] has the direction to an assigned zone.
+/// Reads: own pose, zones.   Random draws: 0.
 struct NearestZone {
   static constexpr std::string_view name = "nearest_zone";
   static constexpr std::string_view source = "not in the paper; direction as in [peterson2026]";
