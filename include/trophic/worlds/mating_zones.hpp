@@ -27,8 +27,8 @@ static_assert(initialization::Community<Community>);
 }  // namespace mating_zones
 
 /// Rules: 30 founders on a square of 25 m have 100 J each and lose 5 a minute (FallingEnergy). At the end of each minute those in
-/// a zone of 2 m mate in pairs; each parent gives 25 J, the newborn starts with 100 J at 3 m from a parent (InZones), and the zone
-/// moves (MovingZones). A run ends at 0 or at 100 robots. Newborns that have only what their parents gave:
+/// a zone of 2 m mate in pairs; each parent gives 25 J, the newborn starts with 100 J at 3 m from a parent (InZones), and the
+/// zone moves (MovingZones). A run ends at 0 or at 100 robots. Newborns that have only what their parents gave:
 /// `rules.metabolism.newborn_J=0`. Finite food, 300 a minute for all: `rules.resource.food_W=5`. Brains steer by the nearest zone
 /// and inherit weights from both parents.   Source: Sec. 4.6 of [peterson2026], on the backend `torus`; other backends have walls
 /// instead of its torus. Its robots are geckos with HyperNEAT, which have to learn to walk, and steer by an assigned zone. Units:
