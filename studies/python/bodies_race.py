@@ -15,6 +15,8 @@ import ponds
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "red_queen"))
 import traits
+from red_queen import SIDES as SPECIES
+from red_queen import WORLDS, switches
 from trophic import metrics, selection, statistics
 
 # Walks of single robots
@@ -117,22 +119,9 @@ def draw_walks(rows, path):
 
 # Worlds
 
-WORLDS = {"both": (True, True), "prey": (True, False), "predator": (False, True), "none": (False, False)}
-"""Whether prey and predators inherit."""
-SPECIES = ("prey", "predator")
-SETTINGS = [
-    "ecology.robots=150",
-    "rules.community.predators=12",
-    "rules.recruitment.spare_bodies=90",
-    "rules.resource.cells_in_a_row=20",
-    "rules.metabolism.predator.efficiency=0.3",
-]
+SETTINGS = [*ponds.SPACE, "rules.metabolism.predator.efficiency=0.3"]
 """The numbers of `pond`: pond_race is larger, and its predators get less from their prey."""
 TESTED = tuple((species, kind) for kind in ("end", "late_change") for species in SPECIES)
-
-
-def switches(world):
-    return [f"rules.heredity.{species}.inherited={str(on).lower()}" for species, on in zip(SPECIES, WORLDS[world])]
 
 
 class Trait(NamedTuple):

@@ -69,6 +69,18 @@ def runs_of(metrics):
     return values
 
 
+def write(table, rows):
+    """Writes the rows of a CSV file."""
+    with open(table, "w", newline="") as file:
+        writer = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def p_text(p):
+    return "" if p == "" else "<0.001" if float(p) < 0.0005 else f"{float(p):.3f}"
+
+
 def mean(values):
     return sum(values) / len(values)
 

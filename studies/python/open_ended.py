@@ -10,16 +10,10 @@ import ponds
 from trophic import metrics, selection, statistics
 from trophic.metrics import drift, forests
 
-SMALL_SPACE = [
-    "ecology.robots=150",
-    "rules.community.predators=12",
-    "rules.recruitment.spare_bodies=90",
-    "rules.resource.cells_in_a_row=20",
-]
 LOW_LIMITS = ["rules.brain.most_hidden=3", "rules.traits.walking_pace.most=1.25"]
 CELLS = {
-    "small space, low limits": SMALL_SPACE + LOW_LIMITS,
-    "small space, high limits": SMALL_SPACE,
+    "small space, low limits": ponds.SPACE + LOW_LIMITS,
+    "small space, high limits": ponds.SPACE,
     "large space, low limits": LOW_LIMITS,
     "large space, high limits": [],
 }

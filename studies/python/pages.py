@@ -11,6 +11,7 @@ import open_ended
 import ponds
 import provenance
 import zones
+from designs import p_text
 from trophic import statistics
 
 MARKED = re.compile(r"(<!-- table: ([\w ]+) -->\n).*?(<!-- /table -->)", re.S)
@@ -167,10 +168,6 @@ def against_shadow(rows):
                 ]
             )
     return table(["metric", "ours", "shadow", "difference", "p (Holm)", "against the shadow"], lines)
-
-
-def p_text(p):
-    return "" if p == "" else "<0.001" if float(p) < 0.0005 else f"{float(p):.3f}"
 
 
 GRID = [

@@ -8,6 +8,13 @@ import pandas
 from trophic import metrics, selection, statistics
 from trophic.values import one_sided_name
 
+SPACE = [
+    "ecology.robots=150",
+    "rules.community.predators=12",
+    "rules.recruitment.spare_bodies=90",
+    "rules.resource.cells_in_a_row=20",
+]
+"""The numbers of `pond` in a table derived from pond_race, which has four times of all."""
 WORLDS = {
     "as shipped": ["pond"],
     "the inactive breed": ["pond", "rules.recruitment.only_active=false"],

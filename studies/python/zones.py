@@ -2,7 +2,6 @@
 """Mating zones: the number of zones at which extinction changes to explosion, and which rule makes runs last. Rows of results from single runs.
 
 A row of a run has run, null (empty or "shadow"), outcome, minutes, and how its robots turn and how far they are from the nearest zone, late in the run."""
-import csv
 import json
 
 import designs
@@ -231,7 +230,6 @@ def rule_lines(rows):
     lines = []
     for row in rows:
         ends = " / ".join(row[outcome] for outcome in OUTCOMES)
-        p = "" if row["p_holm"] == "" else "< 0.001" if float(row["p_holm"]) < 0.001 else f"{float(row['p_holm']):.3f}"
         lines.append(
             [
                 row["rule"],
@@ -243,7 +241,7 @@ def rule_lines(rows):
                 mean(row, "robots", 0),
                 f"{mean(row, 'turns', 3)}, {mean(row, 'turns_shadow', 3)}".strip(", "),
                 ranged(row, "turns", 3),
-                p,
+                designs.p_text(row["p_holm"]),
                 ranged(row, "distance_m", 1),
                 row["answer"],
             ]
@@ -262,14 +260,6 @@ def rule_lines(rows):
         "distance, m, over the shadow",
         "answer",
     ], lines
-
-
-def write(path, rows):
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with open(path, "w", newline="") as file:
-        table = csv.DictWriter(file, rows[0].keys(), lineterminator="\n")
-        table.writeheader()
-        table.writerows(rows)
 
 
 def draw(cells, path):

@@ -40,13 +40,13 @@ def call(*words):
         raise SystemExit(f"red_queen: exit code {done.returncode} of {words[0]}")
 
 
+def switches(inherited):
+    """The parameters of a world in which these sides inherit."""
+    return [f"rules.heredity.{side}.inherited={str(on).lower()}" for side, on in zip(SIDES, inherited)]
+
+
 def make_runs(options, name, inherited, seed, count, *more):
     out = options.out / name
-    switches = [
-        word
-        for side, on in zip(SIDES, inherited)
-        for word in ("--set", f"rules.heredity.{side}.inherited={str(on).lower()}")
-    ]
     call(
         options.program,
         "--rules",
@@ -65,7 +65,7 @@ def make_runs(options, name, inherited, seed, count, *more):
         0,
         "--jobs",
         options.jobs,
-        *switches,
+        *(word for switch in switches(inherited) for word in ("--set", switch)),
         *(word for assignment in options.set for word in ("--set", assignment)),
         *more,
         "--out",
