@@ -54,7 +54,7 @@ concept TakesBirths = TakesBirthsOf<P, ResourceField> || TakesBirthsOf<P, std::s
 /// - `void on_death(ResourceField&, const Vacancy&, double left_J, const View&) const`: an individual, which is still there, dies
 ///   with this energy, which is lost; what the hook adds to the field counts as grown
 /// - `void on_birth(ResourceField&, std::span<const BodyIndex> parents, const View&, Rng&) const`: a birth of the rule
-///   Recruitment took place; `parents` are the living ones; may change layers only
+///   Recruitment took place; `parents` are the living ones; may change zones and layers, no food
 template <class P>
 concept OneFood = requires(const P policy, const Arena& arena, ResourceField& field, const View& view, Rng& rng) {
   { policy.start(arena, rng) } -> std::same_as<ResourceField>;
