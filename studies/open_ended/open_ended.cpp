@@ -5,5 +5,5 @@
 #include "tables.hpp"
 
 int main(int argc, char** argv) {
-  return trophic::experiment<trophic::open_ended::GrowingRace>(argc, argv);
+  return trophic::experiment<trophic::open_ended::GrowingRace, trophic::open_ended::GrowingRaceTwoFoods>(argc, argv);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The rule table of the study: the race's pond with more senses and a brain that grows.
+// The rule tables of the study: the race's pond with more senses and a brain that grows, with one food and with two.
 #pragma once
 
 #include <trophic/control/brain/growing_brain.hpp>
@@ -7,6 +7,7 @@
 #include <trophic/perception/sensors/own_energy.hpp>
 #include <trophic/perception/sensors/own_speed.hpp>
 #include <trophic/worlds/pond_race.hpp>
+#include <trophic/worlds/two_foods.hpp>
 
 namespace trophic::open_ended {
 
@@ -29,5 +30,22 @@ inline constexpr auto from_no_neurons = [](auto& params) {
 using GrowingRace =
     named<with_params<with_brain<with_sensors<worlds::PondRace, Senses>, control::brain::GrowingBrain>, from_no_neurons>,
           "growing_race">;
+
+using PaceAndDiet = reproduction::traits::List<control::pace::WalkingPace, energy::metabolism::Diet>;
+inline constexpr auto with_two_foods_on_four_times_the_floor = [](auto& params) {
+  worlds::with_two_foods(params);
+  params.resource.template get<0>().cells_in_a_row = params.resource.template get<1>().cells_in_a_row = 40;
+  params.metabolism.template get<1>().energy.efficiency = 0.15;
+};
+
+/// Rules: like GrowingRace, with the two foods of TwoFoods, of which each prey inherits its Diet too. Each food grows as the one
+/// of GrowingRace.   Source: not in the literature as such.
+using GrowingRaceTwoFoods =
+    named<with_params<with_pace<with_traits<with_metabolism<with_resource<GrowingRace, worlds::GrassAndFruit>,
+                                                            rules::by_species<energy::metabolism::GrazingByDiet<PaceAndDiet>>>,
+                                            PaceAndDiet>,
+                                control::pace::InheritedPace<PaceAndDiet>>,
+                      with_two_foods_on_four_times_the_floor>,
+          "growing_race_two_foods">;
 
 }  // namespace trophic::open_ended

@@ -19,12 +19,24 @@ CELLS = {
 }
 """Parameters of growing_race."""
 BOTH = "large space, high limits"
+TWO_FOODS = "large space, high limits, two foods"
+"""The fifth cell: BOTH in growing_race_two_foods, where prey inherit their diet."""
 SIGNS = dict(zip(CELLS, (1.0, -1.0, -1.0, 1.0)))
 """Of the interaction: what both do together beyond what each does alone."""
 SPECIES = ("prey", "predator")
 TESTED = ("links", "most_links", "new_types")
 DESCRIBED = ("hidden", "pace")
-STRUCTURE = ("links", "most_links", *DESCRIBED)
+SPECIALISTS = "specialists"
+"""Share of prey whose diet is within SPECIALISED of one food."""
+SPECIALISED = 0.2
+STRUCTURE = ("links", "most_links", *DESCRIBED, SPECIALISTS)
+KINDS = {
+    (SPECIALISTS, "prey", "level"): "neutral",
+    ("kinds_silhouette", "prey", "late"): "same_parents",
+    ("kinds_gene_flow", "prey", "late"): "same_parents",
+}
+"""What tells kinds of diets, and its null; clusters and the gene flow between them are those of trophic.metrics.kinds."""
+GROUPS = ("level", "slope")
 PAIRS = [(metric, species) for metric in TESTED for species in SPECIES]
 MUST_GROW = ("links", "most_links")
 """Measures that also must grow in the run itself, as the null may fall."""
@@ -66,8 +78,11 @@ class Lives:
         first = numpy.searchsorted(self.times_s, self.born_s)
         self.seen = numpy.flatnonzero(first < numpy.searchsorted(self.times_s, self.died_s))
         self.genes = self._genes(run)
-        traits = pandas.read_csv(run.path / "genomes.csv", usecols=["id", "walking_pace"]).set_index("id")
-        self.pace = traits["walking_pace"].reindex(self.ids[self.seen]).to_numpy()
+        traits = pandas.read_csv(run.path / "genomes.csv").set_index("id").reindex(self.ids[self.seen])
+        self.pace = traits["walking_pace"].to_numpy()
+        self.has_diets = "diet" in traits
+        to_food = 0.5 - (traits["diet"] - 0.5).abs() if self.has_diets else numpy.full(len(self.seen), numpy.nan)
+        self.specialised = numpy.where(numpy.isnan(to_food), numpy.nan, to_food <= SPECIALISED)
 
     def _genes(self, run):
         """Of each individual that is seen."""
@@ -103,8 +118,11 @@ def structure(lives, inputs):
     for side in SPECIES:
         for time_s in lives.times_s:
             at = lives.living(time_s, side)
-            links, hidden, pace = (of[at, 0], of[at, 1], lives.pace[at]) if len(at) else (numpy.array([numpy.nan]),) * 3
-            for name, value in zip(STRUCTURE, (links.mean(), links.max(), hidden.mean(), pace.mean())):
+            each = (of[at, 0], of[at, 1], lives.pace[at], lives.specialised[at])
+            links, hidden, pace, specialised = each if len(at) else (numpy.array([numpy.nan]),) * len(each)
+            for name, value in zip(
+                STRUCTURE, (links.mean(), links.max(), hidden.mean(), pace.mean(), specialised.mean())
+            ):
                 found[name, side].append(value)
     return {key: numpy.array(values) for key, values in found.items()}
 
@@ -135,9 +153,11 @@ def measured(cell, folder, program, met):
             str(program), run, inputs, species, [genes for lives in both for genes in lives.genes]
         )[:, 0]
         of_types = numpy.split(types, [len(both[0].seen)])
+        values += kinds_of(cell, number, run) if both[0].has_diets else []
         for null, lives, its in zip(("", "neutral"), both, of_types):
             found = structure(lives, len(inputs[0][0]))
-            curves += [(cell, number, null, *key, lives.times_s, points) for key, points in found.items()]
+            known = {key: points for key, points in found.items() if not numpy.isnan(points).all()}
+            curves += [(cell, number, null, *key, lives.times_s, points) for key, points in known.items()]
         presence.append(
             (
                 number,
@@ -156,6 +176,17 @@ def measured(cell, folder, program, met):
             for side, present, theirs in zip(SPECIES, its, against):
                 curves.append((cell, number, name, "new_types", side, times_s, new_types(present, theirs)))
     return curves, values
+
+
+def kinds_of(cell, number, run):
+    """Rows of a run's clusters of diets among prey and the gene flow between them, and of their null."""
+    found = metrics.kinds.measure_run(run, ["diet"]).rows
+    unknown = {row[:3] for row in found if row[-1] != row[-1]}
+    return [
+        ponds.row_of(cell, number, row[4], row[:3], row[-1])
+        for row in found
+        if row[:3] in KINDS and row[:3] not in unknown
+    ]
 
 
 def ends_of(curves):
@@ -182,19 +213,19 @@ def means_of(curves, every=4):
     ]
 
 
-def over_null(values, cell, key):
-    """The values of a cell's runs less those of their neutral nulls, run by run."""
-    return values(cell, key) - values(cell, key, "neutral")
+def over_null(values, cell, key, null="neutral"):
+    """The values of a cell's runs less those of their nulls, run by run."""
+    return values(cell, key) - values(cell, key, null)
 
 
-def grows(values, cell, pairs=PAIRS):
+def grows(values, cell, pairs=PAIRS, family="slope"):
     """Slopes in the last third, over the neutral null: one family. With p of growth, and the upper bounds a generation."""
     rows = []
     for metric, species in pairs:
         key = (metric, species, "slope")
         ours, less = values(cell, key), over_null(values, cell, key)
         of, own = (statistics.contrast((1.0, each)) for each in (less, ours))
-        row = ponds.result(cell, key, "slope", ours, "neutral", values(cell, key, "neutral"), difference(less, of))
+        row = ponds.result(cell, key, family, ours, "neutral", values(cell, key, "neutral"), difference(less, of))
         if of and metric in MUST_GROW:  # both must be above 0
             row["of"].p = max(row["of"].p, statistics.p_value(own) if own.value > 0.0 else 1.0)
         if of and of.value <= 0.0:
@@ -208,16 +239,26 @@ def grows(values, cell, pairs=PAIRS):
 
 def interacts(values, group):
     """What space and limits do together beyond what each does alone, over the neutral null: one family, or described."""
+    return combined(values, group, "interaction", f"interaction of {group}s", SIGNS, group == "level")
+
+
+def by_foods(values):
+    """Slopes over the neutral null with two foods, less those with one: one family."""
+    return combined(values, "slope", "two foods less one", "two foods", {TWO_FOODS: 1.0, BOTH: -1.0}, True)
+
+
+def combined(values, group, name, family, signs, is_tested):
+    """A weighted sum of cells over the neutral null, for each measure of both species."""
     rows = []
     for metric, species in PAIRS:
         key = (metric, species, group)
-        of = statistics.contrast(*((sign, over_null(values, cell, key)) for cell, sign in SIGNS.items()))
-        row = ponds.result("interaction", key, f"interaction of {group}s", of=difference([], of))
+        of = statistics.contrast(*((sign, over_null(values, cell, key)) for cell, sign in signs.items()))
+        row = ponds.result(name, key, family, of=difference([], of))
         row["generation_s"], row["smallest"] = "", designs.number(
             of and statistics.detectable_difference(of, 0.05 / len(PAIRS))
         )
         rows.append(row)
-    return ponds.with_tests(rows, group == "level")
+    return ponds.with_tests(rows, is_tested)
 
 
 def difference(values, of):
@@ -225,27 +266,35 @@ def difference(values, of):
     return statistics.difference_of(of.value if of else None, of, scatter)
 
 
+def over(values, cell, key, family, null):
+    less = over_null(values, cell, key, null)
+    of = difference(less, statistics.contrast((1.0, less)))
+    return ponds.result(cell, key, family, values(cell, key), null, values(cell, key, null), of)
+
+
+def diverges(values):
+    """Specialists, clusters of diets and gene flow between them in the cell with two foods, over their nulls: one family."""
+    rows = ponds.with_tests([over(values, TWO_FOODS, key, "kinds of diet", null) for key, null in KINDS.items()])
+    return [row | {"generation_s": "", "smallest": ""} for row in rows]
+
+
 def described(values):
     """Levels and slopes in each cell over the null, and the shares of runs in which both species live to the end."""
     rows = []
-    for cell in CELLS:
+    for cell in (*CELLS, TWO_FOODS):
         if not len(persists := values(cell, ("persists", "all", "all"))):
             continue
         rows.append(ponds.result(cell, ("persists", "all", "all"), "described", persists))
-        for metric in (*TESTED, *DESCRIBED):
-            for species in SPECIES:
-                for group in ("level", "slope"):
-                    key = (metric, species, group)
-                    less = over_null(values, cell, key)
-                    of = difference(less, statistics.contrast((1.0, less)))
-                    rows.append(
-                        ponds.result(
-                            cell, key, "described", values(cell, key), "neutral", values(cell, key, "neutral"), of
-                        )
-                    )
+        told = [(name, species, group) for name in (*TESTED, *DESCRIBED) for species in SPECIES for group in GROUPS]
+        rows += [over(values, cell, key, "described", "neutral") for key in told]
     return [row | {"generation_s": "", "smallest": ""} for row in ponds.with_tests(rows, False)]
 
 
 def results(rows):
     values = ponds.Values(rows)
-    return [*grows(values, BOTH), *interacts(values, "level"), *interacts(values, "slope"), *described(values)]
+    cells = [*grows(values, BOTH), *interacts(values, "level"), *interacts(values, "slope"), *by_foods(values)]
+    return [*cells, *results_of_foods(values), *described(values)]
+
+
+def results_of_foods(values):
+    return [*grows(values, TWO_FOODS, family="slope with two foods"), *diverges(values)]

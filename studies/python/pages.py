@@ -1075,10 +1075,10 @@ def draw_worlds(rows, runs, end_s, path):
     fig.savefig(path, dpi=150)
 
 
-def growth(rows):
-    """Slopes at the end in the cell with space and limits, over the neutral null, and their upper bounds."""
+def growth(rows, name="slope"):
+    """Slopes at the end in a cell, over the neutral null, and their upper bounds."""
     lines = []
-    for row in (row for row in rows if row["family"] == "slope"):
+    for row in (row for row in rows if row["family"] == name):
         bound = row["difference_upper"] and row["generation_s"]
         per_generation = f"{float(row['difference_upper']) * float(row['generation_s']) / 1000.0:+.2f}" if bound else ""
         lines.append(
@@ -1113,6 +1113,24 @@ def two_by_two(rows, group):
         lines.append([metric, species, *(signed(of[cell, metric, species, group], keys) for cell in cells)])
         lines[-1] += [family(row), p_text(row["p_holm"])] if row and row["difference"] else ["", ""]
     return table(["measure", "species", *cells, "interaction", "p (Holm)"], lines)
+
+
+def by_foods(rows):
+    """Slopes over the neutral null with two foods, less those with one."""
+    of = [row for row in rows if row["family"] == "two foods"]
+    lines = [[row["metric"], row["species"], family(row), p_text(row["p_holm"]), row["smallest"]] for row in of]
+    return table(["measure", "species", "two foods less one", "p (Holm)", "found in 80 % of studies"], lines)
+
+
+def kinds_of_diet(first, again):
+    """Specialists and clusters among prey with two foods, over their nulls, in the first runs and on fresh seeds."""
+    lines = []
+    for seeds, rows in (("first", first), ("fresh", again)):
+        for row in (row for row in rows if row["family"] == "kinds of diet"):
+            mean = signed(row, ("mean", "lower", "upper"))
+            null = row["null_mean"] and f"{float(row['null_mean']):+.3g}"
+            lines.append([row["metric"], seeds, mean, null, family(row), p_text(row["p_holm"]), row["runs"]])
+    return table(["measure", "seeds", "mean", "null", "over the null", "p (Holm)", "runs"], lines)
 
 
 def persisting_cells(rows):
@@ -1437,6 +1455,9 @@ def tables(data, choices):
         "worlds activity": lambda: world_activity(data("no_criterion")),
         "worlds selection": lambda: world_selection(data("no_criterion_selection")),
         "open ended": lambda: growth(data("open_ended")),
+        "open ended two foods": lambda: growth(data("open_ended"), "slope with two foods"),
+        "open ended foods": lambda: by_foods(data("open_ended")),
+        "open ended kinds": lambda: kinds_of_diet(data("open_ended"), data("open_ended_again")),
         "open ended levels": lambda: two_by_two(data("open_ended"), "level"),
         "open ended slopes": lambda: two_by_two(data("open_ended"), "slope"),
         "open ended persistence": lambda: persisting_cells(data("open_ended")),

@@ -69,7 +69,7 @@ def test_levels_and_slopes_are_of_the_last_third():
 def values_of(own=(), null=(), group="slope"):
     """Values of runs that scatter by 0.1 about these means, {(cell, metric, species): mean}, and about 0 otherwise."""
     rng, rows = numpy.random.default_rng(1), []
-    for cell in open_ended.CELLS:
+    for cell in (*open_ended.CELLS, open_ended.TWO_FOODS):
         for run in RUNS:
             rows.append(ponds.row_of(cell, run, "", ("persists", "all", "all"), 1.0))
             for species in open_ended.SPECIES:
@@ -113,6 +113,38 @@ def test_only_what_both_do_together_is_an_interaction():
     rows = open_ended.results(values_of(together, group="level"))
     assert found(rows, "interaction of levels") == {("most_links", "prey")}
     assert not found(rows, "interaction of slopes") and pages.two_by_two(rows, "level").count("\n") == 12
+
+
+def test_two_foods_are_compared_with_one_and_kinds_with_their_nulls():
+    foods = open_ended.TWO_FOODS
+    rows = open_ended.results(values_of({(foods, "new_types", "prey"): 0.5}))
+    assert found(rows, "slope with two foods") == found(rows, "two foods") == {("new_types", "prey")}
+    assert not found(rows, "slope") and "| new_types | prey | +0.5" in pages.by_foods(rows)
+    planted = open_ended.diverges(ponds.Values(kinds_of(0.2, -0.2)))
+    assert found(planted, "kinds of diet") == {
+        ("specialists", "prey"),
+        ("kinds_silhouette", "prey"),
+        ("kinds_gene_flow", "prey"),
+    }
+    assert not found(open_ended.diverges(ponds.Values(kinds_of(0.0, 0.0))), "kinds of diet")
+    assert pages.kinds_of_diet(planted, planted).count("\n") == 8
+
+
+def kinds_of(more, less):
+    """Values of runs whose diets cluster by so much more, with so much less gene flow between them, than in the nulls."""
+    rng, rows = numpy.random.default_rng(1), []
+    for key, null in open_ended.KINDS.items():
+        for run in RUNS:
+            for name, mean in (("", less if key[0] == "kinds_gene_flow" else more), (null, 0.0)):
+                rows.append(ponds.row_of(open_ended.TWO_FOODS, run, name, key, 0.5 + mean + 0.02 * rng.normal()))
+    return rows
+
+
+def test_diets_near_one_food_are_specialised(tmp_path):
+    run = run_in(tmp_path / "run")
+    (run.path / "genomes.csv").write_text("id,walking_pace,diet\n0,1,0.1\n1,2,0.5\n2,1.5,0.85\n3,4,0.5\n")
+    of = open_ended.structure(open_ended.Lives(run), 2)
+    assert set(of["specialists", "prey"]) == {1.0} and set(of["specialists", "predator"]) == {0.0}
 
 
 def test_published_results_are_those_of_scipy_from_the_published_values():
