@@ -1118,7 +1118,11 @@ def two_by_two(rows, group):
 def by_foods(rows):
     """Slopes over the neutral null with two foods, less those with one."""
     of = [row for row in rows if row["family"] == "two foods"]
-    lines = [[row["metric"], row["species"], family(row), p_text(row["p_holm"]), row["smallest"]] for row in of]
+    lines = [
+        [row["metric"], row["species"], family(row), p_text(row["p_holm"]), f"{float(row['smallest'] or 'nan'):.2f}"]
+        for row in of
+        if row["difference"]
+    ]
     return table(["measure", "species", "two foods less one", "p (Holm)", "found in 80 % of studies"], lines)
 
 
