@@ -731,7 +731,7 @@ PACE = {
     "progress_third": "progress in the last third, s",
     "progress_late": "progress from 8000 s on, s",
 }
-RACE = {"pond_race": "first", "pond_race_again": "fresh"}
+RACE = {"pond_race": "first", "pond_race_again": "fresh", "pond_race_more": "further"}
 OTHER_RACES = {"pond_race_small_steps": "sd 0.03", "pond_sight": "sight, square costs"}
 SIDES = {"prey": "prey", "predator": "predators"}
 
@@ -796,7 +796,7 @@ QUESTIONS = {
 
 
 def race_answers(data):
-    """The answers by the rule of the design: yes, if both measures of a side are greater after correction in the first runs and on fresh seeds."""
+    """The answers by the rule of the design: yes, if both measures of a side are greater after correction in two sets that follow one another."""
     lines = []
     for question, (file, measures, word) in QUESTIONS.items():
         rows = race_sets(data, file, RACE)
@@ -812,8 +812,8 @@ def race_answers(data):
                 ]
                 for words in dict.fromkeys(of for of, _ in rows)
             }
-            is_yes = len(greater) == 2 and all(len(of) == 2 for of in greater.values())
-            answer = word if is_yes else "undecided"
+            all_of = [len(greater.get(of, [])) == len(measures) for of in RACE.values()]
+            answer = word if any(all(pair) for pair in itertools.pairwise(all_of)) else "undecided"
             lines.append(
                 [
                     question,
@@ -822,7 +822,22 @@ def race_answers(data):
                     answer,
                 ]
             )
-    return table(["question", "side", "greater in the first runs", "greater on fresh seeds", "answer"], lines)
+    return table(["question", "side", *(f"greater in the {of} runs" for of in RACE.values()), "answer"], lines)
+
+
+def pooled_paces(data):
+    """Differences of a side between the world in which both inherit and that in which it alone does, over the runs of all sets; described."""
+    values = {}
+    for _, row in race_sets(data, "_values", RACE):
+        if row["value"]:
+            values.setdefault((row["measure"], row["side"], row["world"]), []).append(float(row["value"]))
+    lines = []
+    for measure, side in itertools.product(QUESTIONS["Does the other side drive it?"][1], SIDES):
+        both, alone = (values.get((measure, side, world), []) for world in ("both", side))
+        if of := statistics.contrast((1.0, both), (-1.0, alone)):
+            interval = "{:+.3g} [{:+.3g}, {:+.3g}]".format(of.value, *statistics.interval_of(of))
+            lines.append([PACE[measure], SIDES[side], interval, f"{len(both)}, {len(alone)}"])
+    return table(["measure", "side", "both less alone", "runs: both, alone"], lines)
 
 
 def going_on(data, sets=RACE):
@@ -1446,6 +1461,7 @@ def tables(data, choices):
         "paces worlds": lambda: in_each_world(data),
         "paces answers": lambda: race_answers(data),
         "paces driven": lambda: paces(data),
+        "paces pooled": lambda: pooled_paces(data),
         "paces go on": lambda: going_on(data),
         "paces through time": lambda: through_time(data),
         "paces last": lambda: lasting(data, RACE | OTHER_RACES),
