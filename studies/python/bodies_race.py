@@ -277,7 +277,10 @@ def speeds_of(folder, width=0.25):
     ]
 
 
-def meetings(contests, end_s, team="1"):
+TITLES = ("predators of the start hunt prey of the start", "predators of the end hunt the same prey")
+
+
+def meetings(contests, end_s, team="0"):
     """The rows of contests of one run in which victims of the start meet hunters of the start and of the end."""
     return [
         row
