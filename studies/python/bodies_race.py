@@ -277,6 +277,35 @@ def speeds_of(folder, width=0.25):
     ]
 
 
+def progress_rows(world, table, end_s):
+    """Rows of the progress of each run in a table of contests, over its teams: how much sooner hunters of the end reach victims, and how much later
+    hunters reach victims of the end, than those of the start."""
+    contests = pandas.read_csv(table)
+    means = contests.groupby(["hunters_run", "hunter_epoch_s", "victim_epoch_s"])["contact_s"].mean()
+    rows = []
+    for number, (_, of) in enumerate(means.groupby(level=0, sort=True)):
+        matrix = of.unstack().to_numpy()  # hunters' times by victims'
+        assert matrix.shape == (2, 2) and end_s == contests["hunter_epoch_s"].max()
+        for species, value in (
+            ("predator", matrix[0].mean() - matrix[1].mean()),
+            ("prey", matrix[:, 1].mean() - matrix[:, 0].mean()),
+        ):
+            rows.append(ponds.row_of(world, f"{number:02}", "", ("progress", species, "all"), value))
+    return rows
+
+
+def progress(rows):
+    """Progress of both species of runs in which both inherit, over runs in which none does: one family."""
+    values, found = ponds.Values(rows), []
+    for species in SPECIES:
+        key = ("progress", species, "all")
+        both, none = values("both", key), values("none", key)
+        of = statistics.contrast((1.0, both), (-1.0, none))
+        row = ponds.result("both", key, "primary", both, "none", none, ponds.difference((1.0, both), (-1.0, none)))
+        found.append(row | {"detectable": designs.number(of and statistics.detectable_difference(of, 0.05 / 2))})
+    return ponds.with_tests(found)
+
+
 TITLES = ("predators of the start hunt prey of the start", "predators of the end hunt the same prey")
 
 

@@ -1417,6 +1417,24 @@ def raced_with_bodies(data, name):
     return table(head, lines) + "\n" + table(["who inherits", "both persist", "runs"], persists)
 
 
+def contests_with_bodies(data):
+    """Progress on MuJoCo of genomes that evolved without bodies."""
+    lines = [
+        [
+            SIDES[row["species"]],
+            signed(row, ("mean", "lower", "upper")),
+            row["null_mean"] and f"{float(row['null_mean']):+.3g}",
+            signed(row, ("difference", "difference_lower", "difference_upper")) + star(row["p_holm"]),
+            p_text(row["p_holm"]),
+            row["detectable"] and f"{float(row['detectable']):.2g}",
+            f"{row['runs']}, {row['null_runs']}",
+        ]
+        for row in (data("race_with_bodies_contests") if "race_with_bodies_contests" in data.origins else [])
+    ]
+    head = ["progress of", "both inherit, s", "none, s", "difference, s", "p (Holm)", "found in 80 %"]
+    return table([*head, "runs: both, none"], lines)
+
+
 def open_choices(choices):
     """The list of open choices."""
     lines = [
@@ -1492,6 +1510,7 @@ def tables(data, choices):
     made |= {
         "walks": lambda: walks(data("race_with_bodies_walks")),
         "walks ceilings": lambda: walk_ceilings(data("race_with_bodies_walks")),
+        "race with bodies contests": lambda: contests_with_bodies(data),
         "race with bodies": lambda: raced_with_bodies(data, "race_with_bodies"),
         "race with bodies gaits": lambda: raced_with_bodies(data, "race_with_bodies_gaits"),
     }

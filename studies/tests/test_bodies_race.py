@@ -101,6 +101,29 @@ def test_the_ceiling_is_below_the_first_pace_at_which_a_walk_turns_over(tmp_path
     assert len(bodies_race.walk_facts(tmp_path / "walks.csv")) == 8
 
 
+def test_progress_is_that_of_both_epochs_and_over_the_runs_without_inheritance(tmp_path):
+    lines = ["hunters_run,hunter_epoch_s,victim_epoch_s,contact_s"]
+    for run in "ab":
+        for hunters, victims, contact_s in ((0, 0, 200), (0, 600, 240), (600, 0, 100), (600, 600, 160)):
+            lines += [f"{run},{hunters},{victims},{contact_s + shift}" for shift in (-10, 10)]
+    (tmp_path / "contests.csv").write_text("\n".join([*lines, ""]))
+    rows = bodies_race.progress_rows("both", tmp_path / "contests.csv", 600)
+    assert [(row["run"], row["species"], row["value"]) for row in rows[:2]] == [
+        ("00", "predator", "90"),
+        ("00", "prey", "50"),
+    ]
+    assert len(rows) == 4
+    rng = numpy.random.default_rng(1)
+    rows = [
+        ponds.row_of(world, f"{run:02}", "", ("progress", species, "all"), mean + rng.normal())
+        for world, mean in (("both", 5.0), ("none", 0.0))
+        for species in ("prey", "predator")
+        for run in range(12)
+    ]
+    found = bodies_race.progress(rows)
+    assert all(float(row["p_holm"]) < 0.001 and 4 < float(row["difference"]) < 6 for row in found) and len(found) == 2
+
+
 def test_the_picture_has_the_same_prey_before_early_and_late_predators():
     times = [(hunters, victims) for hunters in ("0", "600") for victims in ("0", "600")]
     contests = [
