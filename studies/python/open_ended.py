@@ -153,7 +153,7 @@ def measured(cell, folder, program, met):
             str(program), run, inputs, species, [genes for lives in both for genes in lives.genes]
         )[:, 0]
         of_types = numpy.split(types, [len(both[0].seen)])
-        values += kinds_of(cell, number, run) if both[0].has_diets else []
+        values += kinds_of(cell, number, run, neutral) if both[0].has_diets else []
         for null, lives, its in zip(("", "neutral"), both, of_types):
             found = structure(lives, len(inputs[0][0]))
             known = {key: points for key, points in found.items() if not numpy.isnan(points).all()}
@@ -178,9 +178,12 @@ def measured(cell, folder, program, met):
     return curves, values
 
 
-def kinds_of(cell, number, run):
-    """Rows of a run's clusters of diets among prey and the gene flow between them, and of their null."""
+def kinds_of(cell, number, run, neutral):
+    """Rows of a run's clusters of diets among prey and the gene flow between them, of their null, and of the neutral null."""
     found = metrics.kinds.measure_run(run, ["diet"]).rows
+    found += [
+        (*row[:4], "neutral", *row[5:]) for row in metrics.kinds.measure_run(neutral, ["diet"]).rows if not row[4]
+    ]
     unknown = {row[:3] for row in found if row[-1] != row[-1]}
     return [
         ponds.row_of(cell, number, row[4], row[:3], row[-1])
@@ -275,7 +278,10 @@ def over(values, cell, key, family, null):
 def diverges(values):
     """Specialists, clusters of diets and gene flow between them in the cell with two foods, over their nulls: one family."""
     rows = ponds.with_tests([over(values, TWO_FOODS, key, "kinds of diet", null) for key, null in KINDS.items()])
-    return [row | {"generation_s": "", "smallest": ""} for row in rows]
+    others = [
+        over(values, TWO_FOODS, key, "kinds of diet", "neutral") for key, null in KINDS.items() if null != "neutral"
+    ]
+    return [row | {"generation_s": "", "smallest": ""} for row in [*rows, *ponds.with_tests(others, are_tested=False)]]
 
 
 def described(values):

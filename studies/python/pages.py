@@ -1148,8 +1148,10 @@ def kinds_of_diet(first, again):
         for row in (row for row in rows if row["family"] == "kinds of diet"):
             mean = signed(row, ("mean", "lower", "upper"))
             null = row["null_mean"] and f"{float(row['null_mean']):+.3g}"
-            lines.append([row["metric"], seeds, mean, null, family(row), p_text(row["p_holm"]), row["runs"]])
-    return table(["measure", "seeds", "mean", "null", "over the null", "p (Holm)", "runs"], lines)
+            lines.append(
+                [row["metric"], seeds, mean, row["null"], null, family(row), p_text(row["p_holm"]), row["runs"]]
+            )
+    return table(["measure", "seeds", "mean", "null", "its mean", "over the null", "p (Holm)", "runs"], lines)
 
 
 def persisting_cells(rows):

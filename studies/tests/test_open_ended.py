@@ -127,7 +127,7 @@ def test_two_foods_are_compared_with_one_and_kinds_with_their_nulls():
         ("kinds_gene_flow", "prey"),
     }
     assert not found(open_ended.diverges(ponds.Values(kinds_of(0.0, 0.0))), "kinds of diet")
-    assert pages.kinds_of_diet(planted, planted).count("\n") == 8
+    assert pages.kinds_of_diet(planted, planted).count("\n") == 12
 
 
 def kinds_of(more, less):
@@ -135,7 +135,7 @@ def kinds_of(more, less):
     rng, rows = numpy.random.default_rng(1), []
     for key, null in open_ended.KINDS.items():
         for run in RUNS:
-            for name, mean in (("", less if key[0] == "kinds_gene_flow" else more), (null, 0.0)):
+            for name, mean in {"": less if key[0] == "kinds_gene_flow" else more, null: 0.0, "neutral": 0.0}.items():
                 rows.append(ponds.row_of(open_ended.TWO_FOODS, run, name, key, 0.5 + mean + 0.02 * rng.normal()))
     return rows
 
