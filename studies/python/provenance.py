@@ -121,7 +121,6 @@ STUDY = {
     "pond-race": ("studies/red_queen",),
     "pond-race-again": ("studies/red_queen",),
     "pond-race-more": ("studies/red_queen",),
-    "race-with-bodies-contests": ("studies/red_queen",),
     "pond-race-small-steps": ("studies/red_queen",),
     "pond-sight": ("studies/red_queen", "studies/race"),
     "race-with-bodies-gaits": ("studies/bodies",),
