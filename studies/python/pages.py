@@ -1420,10 +1420,12 @@ def raced_with_bodies(data, name):
 
 
 def contests_with_bodies(data):
-    """Progress on MuJoCo of genomes that evolved without bodies."""
+    """Progress on MuJoCo of genomes that evolved without bodies, in the first runs and on fresh seeds."""
+    sets = {"race_with_bodies_contests": "first", "race_with_bodies_contests_again": "fresh"}
     lines = [
         [
             SIDES[row["species"]],
+            words,
             signed(row, ("mean", "lower", "upper")),
             row["null_mean"] and f"{float(row['null_mean']):+.3g}",
             signed(row, ("difference", "difference_lower", "difference_upper")) + star(row["p_holm"]),
@@ -1431,9 +1433,9 @@ def contests_with_bodies(data):
             row["detectable"] and f"{float(row['detectable']):.2g}",
             f"{row['runs']}, {row['null_runs']}",
         ]
-        for row in (data("race_with_bodies_contests") if "race_with_bodies_contests" in data.origins else [])
+        for words, row in race_sets(data, "", sets)
     ]
-    head = ["progress of", "both inherit, s", "none, s", "difference, s", "p (Holm)", "found in 80 %"]
+    head = ["progress of", "seeds", "both inherit, s", "none, s", "difference, s", "p (Holm)", "found in 80 %"]
     return table([*head, "runs: both, none"], lines)
 
 
