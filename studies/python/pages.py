@@ -1397,7 +1397,7 @@ def raced_with_bodies(data, name):
                 signed(row, ("difference", "difference_lower", "difference_upper")) + star(row["p_holm"]),
                 p_text(row["p_holm"]),
                 row["detectable"] and f"{float(row['detectable']):.2g}",
-                row["runs"] + (f" and {row['null_runs']}" if row["null"] == "alone" else ""),
+                row["runs"] + (f" and {row['null_runs'] or 0}" if row["null"] == "alone" else ""),
             ]
         )
     persists = [

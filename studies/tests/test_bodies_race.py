@@ -124,6 +124,21 @@ def test_progress_is_that_of_both_epochs_and_over_the_runs_without_inheritance(t
     assert all(float(row["p_holm"]) < 0.001 and 4 < float(row["difference"]) < 6 for row in found) and len(found) == 2
 
 
+def test_comparisons_whose_runs_are_not_made_count_in_the_family():
+    rng, rows = numpy.random.default_rng(2), []
+    for run in range(10):
+        rows.append(ponds.row_of("both", f"{run:02}", "", ("persists", "all", "all"), 1.0))
+        for species in ("prey", "predator"):
+            for kind, mean in (("end", 0.3), ("late_change", 0.0)):
+                for null, more in (("", mean), ("neutral", 0.0)):
+                    key = ("pace", species, kind)
+                    rows.append(ponds.row_of("both", f"{run:02}", null, key, 1.0 + more + 0.2 * rng.normal()))
+    tested = [row for row in bodies_race.results(rows, "pace") if row["family"] == "primary"]
+    first = min((row for row in tested if row["p"]), key=lambda row: float(row["p"]))
+    assert len(tested) == 6 and float(first["p_holm"]) == pytest.approx(6 * float(first["p"]), rel=1e-3)
+    assert [row["p"] == row["difference"] == "" for row in tested] == [False] * 4 + [True] * 2
+
+
 def test_the_picture_has_the_same_prey_before_early_and_late_predators():
     times = [(hunters, victims) for hunters in ("0", "600") for victims in ("0", "600")]
     contests = [
