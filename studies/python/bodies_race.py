@@ -17,7 +17,7 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "red_queen"))
 import traits
 from red_queen import SIDES as SPECIES
 from red_queen import WORLDS, switches
-from trophic import metrics, selection, statistics
+from trophic import contests, metrics, selection, statistics
 
 # Walks of single robots
 
@@ -284,18 +284,11 @@ def speeds_of(folder, width=0.25):
 
 
 def progress_rows(world, table, end_s):
-    """Rows of the progress of each run in a table of contests, over its teams: how much sooner hunters of the end reach victims, and how much later
-    hunters reach victims of the end, than those of the start."""
-    contests = pandas.read_csv(table)
-    means = contests.groupby(["hunters_run", "hunter_epoch_s", "victim_epoch_s"])["contact_s"].mean()
-    rows = []
-    for number, (_, of) in enumerate(means.groupby(level=0, sort=True)):
-        matrix = of.unstack().to_numpy()  # hunters' times by victims'
-        assert matrix.shape == (2, 2) and end_s == contests["hunter_epoch_s"].max()
-        for species, value in (
-            ("predator", matrix[0].mean() - matrix[1].mean()),
-            ("prey", matrix[:, 1].mean() - matrix[:, 0].mean()),
-        ):
+    """Rows of the progress of each run in a table of contests, from the start to the end, over its teams."""
+    played, rows = pandas.read_csv(table), []
+    for species, role in (("predator", "hunter"), ("prey", "victim")):
+        values = contests.progress_of_runs(played, role, contests.epochs_of(played), 0.0, end_s)
+        for number, value in enumerate(values):
             rows.append(ponds.row_of(world, f"{number:02}", "", ("progress", species, "all"), value))
     return rows
 
@@ -315,12 +308,12 @@ def progress(rows):
 TITLES = ("predators of the start hunt prey of the start", "predators of the end hunt the same prey")
 
 
-def meetings(contests, end_s, team="0"):
+def meetings(played, end_s, team="0"):
     """The rows of contests of one run in which victims of the start meet hunters of the start and of the end."""
     return [
         row
         for hunters_s in (0.0, end_s)
-        for row, of in enumerate(contests)
+        for row, of in enumerate(played)
         if (of["team"], float(of["victim_epoch_s"]), float(of["hunter_epoch_s"])) == (team, 0.0, hunters_s)
     ]
 

@@ -102,17 +102,18 @@ def test_the_ceiling_is_below_the_first_pace_at_which_a_walk_turns_over(tmp_path
 
 
 def test_progress_is_that_of_both_epochs_and_over_the_runs_without_inheritance(tmp_path):
-    lines = ["hunters_run,hunter_epoch_s,victim_epoch_s,contact_s"]
+    lines = ["against,hunters_run,victims_run,hunter_epoch_s,victim_epoch_s,contact_s"]
     for run in "ab":
         for hunters, victims, contact_s in ((0, 0, 200), (0, 600, 240), (600, 0, 100), (600, 600, 160)):
-            lines += [f"{run},{hunters},{victims},{contact_s + shift}" for shift in (-10, 10)]
+            lines += [f"others,{run},{run},{hunters},{victims},{contact_s + shift}" for shift in (-10, 10)]
     (tmp_path / "contests.csv").write_text("\n".join([*lines, ""]))
     rows = bodies_race.progress_rows("both", tmp_path / "contests.csv", 600)
-    assert [(row["run"], row["species"], row["value"]) for row in rows[:2]] == [
+    assert [(row["run"], row["species"], row["value"]) for row in rows] == [
         ("00", "predator", "90"),
+        ("01", "predator", "90"),
         ("00", "prey", "50"),
+        ("01", "prey", "50"),
     ]
-    assert len(rows) == 4
     rng = numpy.random.default_rng(1)
     rows = [
         ponds.row_of(world, f"{run:02}", "", ("progress", species, "all"), mean + rng.normal())
