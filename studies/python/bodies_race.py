@@ -121,7 +121,12 @@ def draw_walks(rows, path):
 
 SETTINGS = [*ponds.SPACE, "rules.metabolism.predator.efficiency=0.3"]
 """The numbers of `pond`: pond_race is larger, and its predators get less from their prey."""
-TESTED = tuple((species, kind) for kind in ("end", "late_change") for species in SPECIES)
+FAMILY = (
+    *((species, kind, "neutral") for kind in ("end", "late_change") for species in SPECIES),
+    *((species, "end", "alone") for species in SPECIES),
+)
+"""What is tested where both inherit: a species' trait, when, and over what."""
+AGAIN = FAMILY[:2]
 
 
 class Trait(NamedTuple):
@@ -144,9 +149,8 @@ class Trait(NamedTuple):
         """The same if nothing selects, as traits.dropped has it: a column a draw. `inherits`: by species."""
         born = pandas.read_csv(run / "phylogeny.csv", usecols=["id", "ancestor_id", "species"])
         born = born.sort_values("id", ignore_index=True)
-        rule, generator = {"sd": self.sd, **dict(zip(("least", "most"), self.bounds))}, numpy.random.default_rng(
-            len(born)
-        )
+        rule = {"sd": self.sd, **dict(zip(("least", "most"), self.bounds))}
+        generator = numpy.random.default_rng(len(born))
         genes = [traits.dropped(born, rule | {"first": first}, inherits, generator, draws) for first in self.first]
         return pandas.DataFrame(self.of(numpy.stack(genes, axis=-1)), index=born["id"])
 
@@ -173,10 +177,8 @@ def generator(weights):
 
 def frequency(weights):
     """The highest frequency of a pattern generator, as a multiple of that of the shipped gait."""
-    highest = numpy.abs(
-        numpy.linalg.eigvals(generator(numpy.stack([weights, numpy.broadcast_to(SHIPPED, weights.shape)]))).imag
-    ).max(axis=-1)
-    return highest[0] / highest[1]
+    highest, shipped = (numpy.abs(numpy.linalg.eigvals(generator(of)).imag).max(axis=-1) for of in (weights, SHIPPED))
+    return highest / shipped
 
 
 GAIT = tomllib.loads((installed.models() / "gaits/spider_published.toml").read_text())
@@ -220,16 +222,23 @@ def values_of(world, folder, trait, end_s):
     return rows
 
 
-def results(rows, name):
+def tested(name, key, null, ours, others, comparisons):
+    """A row of results that is one of so many comparisons, with the smallest difference that 80 % of studies would find."""
+    of = statistics.contrast((1.0, ours), (-1.0, others))
+    row = ponds.result(name, key, "primary", ours, null, others, ponds.difference((1.0, ours), (-1.0, others)))
+    return row | {"detectable": designs.number(of and statistics.detectable_difference(of, 0.05 / comparisons))}
+
+
+def results(rows, name, family=FAMILY):
     """One family (Holm): a trait over its neutral null where both inherit, at the end and its late change, and at the end less than where this side
-    alone inherits. Then what is described."""
-    values, tested = ponds.Values(rows), []
-    for species, kind in TESTED:
-        tested.append(ponds.over(values, "both", (name, species, kind), "primary", "neutral"))
-    for species in SPECIES:
-        both, alone = (values(world, (name, species, "end")) for world in ("both", species))
-        of = ponds.difference((1.0, both), (-1.0, alone))
-        tested.append(ponds.result("both less alone", (name, species, "end"), "primary", both, "alone", alone, of))
+    alone inherits, or some of these. Then what is described."""
+    values, compared = ponds.Values(rows), []
+    for species, kind, null in family:
+        key, both = (name, species, kind), values("both", (name, species, kind))
+        if null == "neutral":
+            compared.append(tested("both", key, null, both, values("both", key, null), len(family)))
+        else:
+            compared.append(tested("both less alone", key, null, both, values(species, key), len(family)))
     worlds = [world for world in WORLDS if len(values(world, ("persists", "all", "all")))]
     described = [
         ponds.result(world, ("persists", "all", "all"), "described", values(world, ("persists", "all", "all")))
@@ -241,17 +250,12 @@ def results(rows, name):
         for species, on in zip(SPECIES, WORLDS[world])
         if on and world != "both"
     ]
-    for row, (world, other) in zip(tested, [("both", "neutral")] * 4 + [("both", None)] * 2):
-        key = (name, row["species"], row["group"])
-        against = values(world, key, other) if other else values(row["species"], key)
-        of = statistics.contrast((1.0, values(world, key)), (-1.0, against))
-        row["detectable"] = designs.number(of and statistics.detectable_difference(of, 0.05 / len(tested)))
     for row in described:
         row["detectable"] = ""
-    missing = [row for row in tested if row["of"].p is None]
+    missing = [row for row in compared if row["of"].p is None]
     for row in missing:  # it counts in the family before its runs are made
         row["of"].p = 1.0
-    found = ponds.with_tests(tested)
+    found = ponds.with_tests(compared)
     for row in missing:
         row["p"] = row["p_holm"] = ""
     return [*found, *ponds.with_tests(described, are_tested=False)]
@@ -299,9 +303,7 @@ def progress(rows):
     for species in SPECIES:
         key = ("progress", species, "all")
         both, none = values("both", key), values("none", key)
-        of = statistics.contrast((1.0, both), (-1.0, none))
-        row = ponds.result("both", key, "primary", both, "none", none, ponds.difference((1.0, both), (-1.0, none)))
-        found.append(row | {"detectable": designs.number(of and statistics.detectable_difference(of, 0.05 / 2))})
+        found.append(tested("both", key, "none", both, none, len(SPECIES)))
     return ponds.with_tests(found)
 
 

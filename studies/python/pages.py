@@ -1516,6 +1516,7 @@ def tables(data, choices):
         "walks ceilings": lambda: walk_ceilings(data("race_with_bodies_walks")),
         "race with bodies contests": lambda: contests_with_bodies(data),
         "race with bodies": lambda: raced_with_bodies(data, "race_with_bodies"),
+        "race with bodies again": lambda: raced_with_bodies(data, "race_with_bodies_again"),
         "race with bodies gaits": lambda: raced_with_bodies(data, "race_with_bodies_gaits"),
     }
     for name in ("arms_race", "ranges", "room", "mujoco", "mujoco_brains"):
