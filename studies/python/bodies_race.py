@@ -89,34 +89,6 @@ def ceiling(rows):
     return max(upright, key=lambda row: float(row["speed_m_s"]), default=None), beyond
 
 
-def draw_walks(rows, path):
-    """Speed, and the share of the time upside down, against pace."""
-    import matplotlib.pyplot as plt
-
-    fig, axes = plt.subplots(2, 2, figsize=(10, 5.6), layout="constrained", sharex=True, sharey="row")
-    colors = ("black", "#e66101", "#b35806", "#7fbf7b", "#5aae61", "#1b7837", "#67a9cf", "#2166ac")
-    for column, steering in zip(axes.T, ("straight", "steered")):
-        for (variant, color), marker in zip(zip(VARIANTS, colors), "os^DPv<>"):
-            of = of_walks(rows, variant, steering)
-            paces, speeds, lower, upper, overturned = (
-                numpy.array([float(row[name] or "nan") for row in of])
-                for name in ("pace", "speed_m_s", "lower", "upper", "overturned")
-            )
-            bars = 100.0 * numpy.array([speeds - lower, upper - speeds])
-            style = {"color": color, "marker": marker, "ms": 3.5, "lw": 1.0, "label": variant}
-            column[0].errorbar(paces, 100.0 * speeds, yerr=bars, capsize=2, **style)
-            column[1].plot(paces, overturned, **style)
-        column[0].axhline(0.0, color="grey", lw=0.8)
-        column[0].set_title({"straight": "straight ahead", "steered": "steered by ±0.7 rad"}[steering], fontsize=10)
-        column[1].set(xlabel="pace [fraction of the gait's frequency]", xscale="log")
-        column[1].set_xticks([0.2, 0.5, 1, 2, 4, 10], ["0.2", "0.5", "1", "2", "4", "10"])
-    axes[0, 0].set_ylabel("speed along the heading [cm/s]")
-    axes[1, 0].set_ylabel("share of the time upside down")
-    axes[0, 0].legend(fontsize=8)
-    fig.supxlabel("means of 10 walks of 180 s; bars: 95 % intervals", fontsize=8)
-    fig.savefig(path, dpi=150)
-
-
 # Worlds
 
 SETTINGS = [*ponds.SPACE, "rules.metabolism.predator.efficiency=0.3"]

@@ -6,6 +6,7 @@ import pathlib
 import bodies_race
 import designs
 import numpy
+import page_tables.bodies_race
 import pages
 import ponds
 import pandas
@@ -73,14 +74,16 @@ def test_a_family_of_six_finds_what_is_there_and_the_page_shows_it(tmp_path):
     assert {key[1] for key, row in tested.items() if float(row["p_holm"]) < 0.05} == {"prey"}
     assert [row["mean"] for row in rows if row["metric"] == "persists"] == ["0.909091"] * 4
     data = pages.Data(tmp_path)
-    assert pages.raced_with_bodies(data, "few") == "No run of this design is complete.\n"
+    assert page_tables.bodies_race.raced_with_bodies(data, "few") == "No run of this design is complete.\n"
     for name, of in (("few", bodies_race.results(family(2, 1.6, 1.2), "pace")), ("all", rows)):
         with open(tmp_path / f"{name}.csv", "w", newline="") as file:
             table = csv.DictWriter(file, of[0].keys(), lineterminator="\n")
             table.writeheader()
             table.writerows(of)
-    assert designs.read(tmp_path / "few.csv")[0]["p"] == "" and "| both | 0.5 |" in pages.raced_with_bodies(data, "few")
-    assert "+0.61 [" in pages.raced_with_bodies(data, "all")
+    assert designs.read(tmp_path / "few.csv")[0][
+        "p"
+    ] == "" and "| both | 0.5 |" in page_tables.bodies_race.raced_with_bodies(data, "few")
+    assert "+0.61 [" in page_tables.bodies_race.raced_with_bodies(data, "all")
 
 
 def walks(pace, speeds, overturned):

@@ -5,7 +5,7 @@ import types
 
 import numpy
 import open_ended
-import pages
+from page_tables import open_ended as tables
 import pandas
 import ponds
 import pytest
@@ -102,7 +102,7 @@ def test_growth_is_above_zero_and_above_the_null():
     assert found(open_ended.results(values_of(null=falling)), "slope") == {("new_types", "prey")}
     assert not found(open_ended.results(values_of(planted, planted)), "slope")
     assert not found(open_ended.results(values_of(falling)), "slope")
-    assert "+0.5" in pages.growth(rows)
+    assert "+0.5" in tables.growth(rows)
 
 
 def test_only_what_both_do_together_is_an_interaction():
@@ -112,14 +112,14 @@ def test_only_what_both_do_together_is_an_interaction():
     together = {(open_ended.BOTH, "most_links", "prey"): 1.0}
     rows = open_ended.results(values_of(together, group="level"))
     assert found(rows, "interaction of levels") == {("most_links", "prey")}
-    assert not found(rows, "interaction of slopes") and pages.two_by_two(rows, "level").count("\n") == 12
+    assert not found(rows, "interaction of slopes") and tables.two_by_two(rows, "level").count("\n") == 12
 
 
 def test_two_foods_are_compared_with_one_and_kinds_with_their_nulls():
     foods = open_ended.TWO_FOODS
     rows = open_ended.results(values_of({(foods, "new_types", "prey"): 0.5}))
     assert found(rows, "slope with two foods") == found(rows, "two foods") == {("new_types", "prey")}
-    assert not found(rows, "slope") and "| new_types | prey | +0.46" in pages.by_foods(rows)
+    assert not found(rows, "slope") and "| new_types | prey | +0.46" in tables.by_foods(rows)
     planted = open_ended.diverges(ponds.Values(kinds_of(0.2, -0.2)))
     assert found(planted, "kinds of diet") == {
         ("specialists", "prey"),
@@ -127,7 +127,7 @@ def test_two_foods_are_compared_with_one_and_kinds_with_their_nulls():
         ("kinds_gene_flow", "prey"),
     }
     assert not found(open_ended.diverges(ponds.Values(kinds_of(0.0, 0.0))), "kinds of diet")
-    assert pages.kinds_of_diet(planted, planted).count("\n") == 12
+    assert tables.kinds_of_diet(planted, planted).count("\n") == 12
 
 
 def kinds_of(more, less):

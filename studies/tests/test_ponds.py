@@ -3,7 +3,7 @@
 import pathlib
 
 import numpy
-import pages
+import page_tables.ponds
 import pandas
 import ponds
 import pytest
@@ -87,7 +87,7 @@ def test_a_table_shows_the_intervals_that_hold_for_the_whole_family():
     cell = "{:+.2f} [{:+.2f}, {:+.2f}]".format(
         *(100 * float(row[name]) for name in ("difference", "together_lower", "together_upper"))
     )
-    assert cell in pages.worlds(rows)
+    assert cell in page_tables.ponds.worlds(rows)
 
 
 def test_published_results_are_those_of_scipy_from_the_published_values():

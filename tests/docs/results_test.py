@@ -217,10 +217,10 @@ class Rows(unittest.TestCase):
         self.assertEqual((alone["p"], alone["p_holm"], alone["difference"]), ("", "", ""))
 
     def test_stars_stand_over_the_null_of_the_measure(self):
-        import pages
+        from page_tables import cells
 
         marked = [
-            pages.star_over(null, metric, "0.01")
+            cells.star_over(null, metric, "0.01")
             for metric in ("body_plans", "walked")
             for null in ("shadow", "neutral")
         ]

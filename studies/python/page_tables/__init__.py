@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Tables and figures of the documents, a module for each subject."""
