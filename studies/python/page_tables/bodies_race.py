@@ -100,6 +100,18 @@ def raced_with_bodies(data, name):
     return table(head, lines) + "\n" + table(["who inherits", "both persist", "runs"], persists)
 
 
+def speeds(rows, fewest=1000):
+    """How fast individuals move in the pond by their pace; those with fewer rows of data than `fewest` are left out."""
+    paces, lines = {}, []
+    for row in rows:
+        if int(row["rows"]) >= fewest:
+            of_pace = paces.setdefault((float(row["pace_from"]), row["pace_to"]), {})
+            of_pace[row["species"]] = f"{float(row['speed_cm_s']):.3g}"
+    for (low, high), of in sorted(paces.items()):
+        lines.append([f"{low:g} to {high}", *(of.get(species, "") for species in SIDES)])
+    return table(["pace", *(f"{words}, cm/s" for words in SIDES.values())], lines)
+
+
 def contests_with_bodies(data):
     """Progress on MuJoCo of genomes that evolved without bodies, in the first runs and on fresh seeds."""
     sets = {"race_with_bodies_contests": "first", "race_with_bodies_contests_again": "fresh"}
@@ -155,6 +167,7 @@ def tables(data):
         "walks ceilings": lambda: walk_ceilings(data("race_with_bodies_walks")),
         "race with bodies contests": lambda: contests_with_bodies(data),
         "race with bodies": lambda: raced_with_bodies(data, "race_with_bodies"),
+        "race with bodies speeds": lambda: speeds(data("race_with_bodies_speeds")),
         "race with bodies again": lambda: raced_with_bodies(data, "race_with_bodies_again"),
         "race with bodies gaits": lambda: raced_with_bodies(data, "race_with_bodies_gaits"),
     }
