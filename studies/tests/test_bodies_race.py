@@ -104,6 +104,19 @@ def test_the_ceiling_is_below_the_first_pace_at_which_a_walk_turns_over(tmp_path
     assert len(bodies_race.walk_facts(tmp_path / "walks.csv")) == 8
 
 
+def test_speed_is_how_far_an_individual_moves_between_rows_by_its_pace(tmp_path):
+    run = tmp_path / "both/replicate-00"
+    run.mkdir(parents=True)
+    moved = [(12, 1, 0.0, 0.0), (24, 1, 0.3, 0.4), (36, 1, 0.3, 0.4), (12, 2, 1.0, 0.0), (24, 2, 1.0, 0.6)]
+    rows = [f"{time_s},{id},prey,{x_m},{y_m},{1.1 if id == 1 else 2.3}" for time_s, id, x_m, y_m in moved]
+    (run / "agents.csv").write_text("\n".join(["time_s,id,species,x_m,y_m,walking_pace", *rows, ""]))
+    found = bodies_race.speeds_of(tmp_path)
+    of = {row["pace_from"]: (row["rows"], float(row["speed_cm_s"])) for row in found}
+    assert of == {"1": (2, pytest.approx(100 * 0.5 / 12 / 2, rel=1e-3)), "2.25": (1, pytest.approx(5.0, rel=1e-3))}
+    lines = page_tables.bodies_race.speeds(found, fewest=2).splitlines()
+    assert lines[2:] == ["| 1 to 1.25 | 2.08 |  |"]
+
+
 def test_progress_is_that_of_both_epochs_and_over_the_runs_without_inheritance(tmp_path):
     lines = ["against,hunters_run,victims_run,hunter_epoch_s,victim_epoch_s,contact_s"]
     for run in "ab":
