@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The tables of claims: each question with the answer, the effect, its interval and the number of runs, all from results/data."""
-import designs
+import data_rows
 
 SETS = {
     "mujoco_released": ("released code, MuJoCo", "released-on-mujoco.md"),
@@ -27,7 +27,7 @@ def signed(row, keys):
     """Effect and interval with their unit, as readers see them."""
     speed = row["metric"].startswith("velocity")
     scale, places = (100.0, 2) if speed else (1.0, 3)
-    middle, lower, upper = (designs.fixed(scale * float(row[key]), places, "+") for key in keys)
+    middle, lower, upper = (data_rows.fixed(scale * float(row[key]), places, "+") for key in keys)
     return f"{middle} [{lower}, {upper}]" + (" cm/s" if speed else "")
 
 
@@ -44,7 +44,7 @@ def power(question, row, published, tests):
     """The runs and shadows with which 80 % of studies find the smallest effect of interest, at 5 % over the tests of a set, which Holm asks of the first."""
     claim, counting = SMALLEST[question]
     smallest = float(next(of["margin"] for of in published if of["claim"] == claim and counting in of["counting"]))
-    runs = designs.runs_for(row, smallest, 0.05 / tests)
+    runs = data_rows.runs_for(row, smallest, 0.05 / tests)
     words = f"{100.0 * smallest:.2f} cm/s" if row["metric"].startswith("velocity") else f"{smallest:.3f}"
     return f"{runs or 'more than 1000'} (for {words})"
 
@@ -60,7 +60,7 @@ def evolved(data):
                 line(
                     "" if number else row["question"],
                     row["answer"],
-                    signed(designs.together(row, tests[name]), ("difference", "lower", "upper")),
+                    signed(data_rows.together(row, tests[name]), ("difference", "lower", "upper")),
                     row["runs"],
                     SETS[name],
                     power(row["question"], row, data(f"{name}_published"), tests[name]),

@@ -7,7 +7,7 @@ import tomllib
 from collections.abc import Callable
 from typing import NamedTuple
 
-import designs
+import data_rows
 import installed
 import numpy
 import pandas
@@ -51,9 +51,9 @@ def walk_rows(variant, table):
                 "pace": f"{pace:g}",
                 "walks": len(of),
                 "upright_walks": int((of["overturned"] == 0.0).sum()),
-                "speed_m_s": designs.number(speed.mean),
-                **dict(zip(("lower", "upper"), map(designs.number, speed.interval or (None, None)))),
-                **{name: designs.number(of[name].mean()) for name in MEASURED},
+                "speed_m_s": data_rows.number(speed.mean),
+                **dict(zip(("lower", "upper"), map(data_rows.number, speed.interval or (None, None)))),
+                **{name: data_rows.number(of[name].mean()) for name in MEASURED},
             }
         )
     return rows
@@ -70,7 +70,7 @@ def walk_facts(table):
             "master": None,
             "null": "",
         }
-        for row in designs.read(table)
+        for row in data_rows.read(table)
     ]
 
 
@@ -198,7 +198,7 @@ def tested(name, key, null, ours, others, comparisons):
     """A row of results that is one of so many comparisons, with the smallest difference that 80 % of studies would find."""
     of = statistics.contrast((1.0, ours), (-1.0, others))
     row = ponds.result(name, key, "primary", ours, null, others, ponds.difference((1.0, ours), (-1.0, others)))
-    return row | {"detectable": designs.number(of and statistics.detectable_difference(of, 0.05 / comparisons))}
+    return row | {"detectable": data_rows.number(of and statistics.detectable_difference(of, 0.05 / comparisons))}
 
 
 def results(rows, name, family=FAMILY):
@@ -253,7 +253,7 @@ def speeds_of(folder, width=0.25):
             "pace_from": f"{low:g}",
             "pace_to": f"{low + width:g}",
             "rows": len(of),
-            "speed_cm_s": designs.number(100.0 * of["speed"].mean()),
+            "speed_cm_s": data_rows.number(100.0 * of["speed"].mean()),
         }
         for (species, low), of in every.groupby(["species", "from"])
     ]

@@ -3,7 +3,7 @@
 Channon's two by two: space to grow, and limits of brain and body.
 
 A curve is a row with set (the cell), run, null (empty for the runs), metric, species, time_s and value. Values of single runs come from curves."""
-import designs
+import data_rows
 import numpy
 import pandas
 import ponds
@@ -234,8 +234,8 @@ def grows(values, cell, pairs=PAIRS, family="slope"):
         if of and of.value <= 0.0:
             row["of"].p = 1.0
         generation_s = statistics.mean_of(values(cell, ("generation_s", species, "last")))
-        row["generation_s"] = designs.number(generation_s)
-        row["smallest"] = designs.number(of and statistics.detectable_difference(of, 0.05 / len(pairs)))
+        row["generation_s"] = data_rows.number(generation_s)
+        row["smallest"] = data_rows.number(of and statistics.detectable_difference(of, 0.05 / len(pairs)))
         rows.append(row)
     return ponds.with_tests(rows)
 
@@ -257,7 +257,7 @@ def combined(values, group, name, family, signs, is_tested):
         key = (metric, species, group)
         of = statistics.contrast(*((sign, over_null(values, cell, key)) for cell, sign in signs.items()))
         row = ponds.result(name, key, family, of=difference([], of))
-        row["generation_s"], row["smallest"] = "", designs.number(
+        row["generation_s"], row["smallest"] = "", data_rows.number(
             of and statistics.detectable_difference(of, 0.05 / len(PAIRS))
         )
         rows.append(row)

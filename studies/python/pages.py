@@ -4,7 +4,7 @@ import re
 import sys
 
 import answers
-import designs
+import data_rows
 import provenance
 from page_tables import bodies_race, evolution, open_ended, paper, ponds, races, zones
 from page_tables.cells import table
@@ -25,7 +25,7 @@ class Data:
         path = self.folder / f"{name}.csv"
         if not path.exists():
             raise SystemExit(f"{path}: no such file; the stage of studies/reproduce that writes it has not run")
-        return designs.read(path)
+        return data_rows.read(path)
 
 
 def tables(data, choices):

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Four worlds of the pond: which condition of births and of protection does what. Rows of results from the values of single runs.
+"""Four worlds of the pond: which condition of births and of protection does what. Rows of results from the values of single runs, and of its other worlds.
 
 A value is a row with set (the world), run, null (empty for the runs), metric, species, group and value, as results/data/no_criterion_runs.csv has it."""
-import designs
+import data_rows
 import numpy
 import pandas
 from trophic import metrics, selection, statistics
@@ -130,11 +130,11 @@ def result(world, key, family, values=(), null="", others=(), of=None):
         **dict(zip(("metric", "species", "group"), key)),
         "family": family,
         "runs": str(ours.runs or ""),
-        "mean": designs.number(ours.mean),
-        **dict(zip(("lower", "upper"), map(designs.number, interval or (None, None)))),
+        "mean": data_rows.number(ours.mean),
+        **dict(zip(("lower", "upper"), map(data_rows.number, interval or (None, None)))),
         "null": null,
         "null_runs": str(theirs.runs or ""),
-        "null_mean": designs.number(theirs.mean),
+        "null_mean": data_rows.number(theirs.mean),
         "of": of or statistics.Difference(),
     }
 
@@ -147,10 +147,10 @@ def with_tests(rows, are_tested=True):
     for row in rows:
         of = row.pop("of")
         together = of.corrected or (None, None)
-        row["difference"] = designs.number(of.value)
+        row["difference"] = data_rows.number(of.value)
         for name, bounds in (("difference", of.interval or (None, None)), ("together", together)):
-            row |= dict(zip((f"{name}_lower", f"{name}_upper"), map(designs.number, bounds)))
-        row["p"], row["p_holm"] = map(designs.number, (of.p, of.adjusted) if are_tested else (None, None))
+            row |= dict(zip((f"{name}_lower", f"{name}_upper"), map(data_rows.number, bounds)))
+        row["p"], row["p_holm"] = map(data_rows.number, (of.p, of.adjusted) if are_tested else (None, None))
     return rows
 
 
@@ -230,3 +230,85 @@ def results(rows, end_s):
     """The rows of no_criterion.csv."""
     values = Values(rows)
     return [*evolved(values), *contrasted(values), *survived(values, end_s), *described(values)]
+
+
+def persisting(table):
+    """The names of the runs in which every species lives to the end."""
+    return [
+        row["run"]
+        for row in data_rows.read(table)
+        if (row["metric"], row["species"], row["baseline"], row["time_s"], row["value"])
+        == ("persists", "all", "", "", "1")
+    ]
+
+
+LIVING = {
+    "persists",
+    "velocity",
+    "generation_time",
+    "lineage_depth",
+    "pyramid_numbers",
+    "cycles",
+    "period",
+    "phase",
+    "search_rate_holling",
+    "handling_time",
+    "trophic_efficiency",
+}
+
+
+def living_rows(name, summary):
+    """Measures of a world whose numbers change, with those of its nulls; p of the two velocities is corrected for them alone (Holm)."""
+    rows = []
+    for metric in summary["sets"][0]["metrics"]:
+        if metric["metric"] not in LIVING or metric["metric"] == "velocity" and metric["group"] != "inherited":
+            continue
+        nulls = {null["name"]: null for null in metric["baselines"]}
+        shadow = nulls.get("shadow", {})
+        rows.append(
+            {
+                "set": name,
+                "metric": metric["metric"],
+                "species": metric["species"],
+                "unit": metric["unit"],
+                "runs": metric["runs"],
+                **{key: data_rows.number(metric[key]) for key in ("mean", "lower", "upper")},
+                **{
+                    null: data_rows.number(nulls.get(null, {}).get("value"))
+                    for null in ("shadow", "clones", "mean_field")
+                },
+                **{key: data_rows.number(shadow.get(key)) for key in ("difference", "p")},
+                **{f"difference_{key}": data_rows.number(shadow.get(key)) for key in ("lower", "upper")},
+                "p_holm": "",
+            }
+        )
+    tested = [row for row in rows if row["metric"] == "velocity" and row["p"]]
+    for row, p in zip(tested, statistics.holm([float(row["p"]) for row in tested])):
+        row["p_holm"] = data_rows.number(p)
+    return rows
+
+
+def atlas_rows(analysis):
+    """Persistence and velocities over the shadow in each cell of a sweep, with its two settings."""
+    cells = {
+        row["cell"]: {"reach_m": row["rules.capture.reach_m"], "growth_1_s": row["rules.resource.growth_1_s"]}
+        for row in data_rows.read(analysis / "cells.csv")
+    }
+    keys = (
+        "metric",
+        "species",
+        "unit",
+        "runs",
+        "mean",
+        "lower",
+        "upper",
+        "shadow",
+        "over_shadow",
+        "over_lower",
+        "over_upper",
+    )
+    return [
+        {**cells[row["cell"]], **{key: row[key] for key in keys}}
+        for row in data_rows.read(analysis / "sweep_metrics.csv")
+        if (row["metric"], row["group"]) in (("persists", "all"), ("velocity", "inherited"))
+    ]

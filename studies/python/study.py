@@ -7,7 +7,7 @@ import shutil
 import subprocess
 import sys
 
-import designs
+import data_rows
 import installed
 import provenance
 
@@ -134,7 +134,7 @@ class Study:
         found = self.made(
             f"{name}-selection", "selection.csv", "trophic", "analyze", self.out / "runs" / name, "--selection", *traits
         )
-        return [row for row in designs.read(found) if row["period"] == "all"]
+        return [row for row in data_rows.read(found) if row["period"] == "all"]
 
     def with_friction(self, model, friction, servo=None):
         """The path of a copy of a model with another sliding friction, and of a robot with other gains of its servos, by position and velocity."""
@@ -159,7 +159,7 @@ class Study:
         """The values of these (metric, species, group) in each run of a set and of its nulls, from its analyses; `called`: the set's name in the rows."""
         rows = []
         for analysis in analyses:
-            for row in designs.read(self.out / f"analysis/{name}{analysis}/metrics.csv"):
+            for row in data_rows.read(self.out / f"analysis/{name}{analysis}/metrics.csv"):
                 key = (row["metric"], row["species"], row["group"])
                 is_run = not row["baseline"] or row["baseline"].startswith(provenance.NULLS)
                 if is_run and key in keys and not row["time_s"] and row["value"]:
@@ -178,6 +178,6 @@ class Study:
         if not rows:
             print(f"{name}: nothing to write", flush=True)
             return
-        designs.write(self.data / f"{name}.csv", rows)
+        data_rows.write(self.data / f"{name}.csv", rows)
         runs = [run for made, of_set in self.made_of.items() if made.startswith(of) for run in of_set]
         provenance.write(self.data, provenance.row(name, self.stage, runs))

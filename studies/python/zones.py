@@ -4,7 +4,7 @@
 A row of a run has run, null (empty or "shadow"), outcome, minutes, and how its robots turn and how far they are from the nearest zone, late in the run."""
 import json
 
-import designs
+import data_rows
 import numpy
 import pandas
 from scipy import stats
@@ -150,7 +150,7 @@ def critical_rows(cells):
         found = critical(of)
         runs = sum(int(row[outcome]) for row in of for outcome in OUTCOMES)
         lasted = sum(int(row["lasted"]) for row in of)
-        numbers = dict(zip(("n_c", "lower", "upper"), map(designs.number, found or (None, None, None))))
+        numbers = dict(zip(("n_c", "lower", "upper"), map(data_rows.number, found or (None, None, None))))
         rows.append({"robots": key[0], "offspring": key[1], "runs": runs, "lasted": lasted, **numbers})
     return rows
 
@@ -171,14 +171,14 @@ def cell_rows(name, rule, offspring, zones, values):
     ours, theirs = ([row for row in values if row["null"] == null] for null in ("", "shadow"))
     row = {"set": name, "rule": rule, "offspring": offspring, "zones": zones, "runs": len(ours)}
     row |= counts_of(one["outcome"] for one in ours)
-    row["minutes"] = designs.number(numpy.median([float(one["minutes"]) for one in ours]))
+    row["minutes"] = data_rows.number(numpy.median([float(one["minutes"]) for one in ours]))
     row["shadow_lasted"] = counts_of(one["outcome"] for one in theirs)["lasted"]
-    row["mean_field_lasted"] = designs.number(lasting_without_robots(rule, offspring, zones))
-    row["robots"] = designs.number(statistics.mean_of([float(one["robots"]) for one in ours if one["robots"]]))
+    row["mean_field_lasted"] = data_rows.number(lasting_without_robots(rule, offspring, zones))
+    row["robots"] = data_rows.number(statistics.mean_of([float(one["robots"]) for one in ours if one["robots"]]))
     for measure in ("turns", "distance_m"):
         ends = [[float(one[measure]) for one in side if one[measure]] for side in (ours, theirs)]
-        row[measure] = designs.number(statistics.mean_of(ends[0]))
-        row[f"{measure}_shadow"] = designs.number(statistics.mean_of(ends[1]))
+        row[measure] = data_rows.number(statistics.mean_of(ends[0]))
+        row[f"{measure}_shadow"] = data_rows.number(statistics.mean_of(ends[1]))
         is_told = min(map(len, ends)) >= 6
         of = statistics.contrast((1.0, ends[0]), (-1.0, ends[1])) if is_told else None
         row[measure + "_of"] = statistics.difference_of(of.value if of else None, of)
@@ -191,11 +191,11 @@ def with_answers(rows):
     for row in rows:
         for measure in ("turns", "distance_m"):
             of = row.pop(measure + "_of")
-            row[f"{measure}_difference"] = designs.number(of.value)
-            bounds = zip(("lower", "upper"), map(designs.number, of.interval or (None, None)))
+            row[f"{measure}_difference"] = data_rows.number(of.value)
+            bounds = zip(("lower", "upper"), map(data_rows.number, of.interval or (None, None)))
             row |= {f"{measure}_{name}": bound for name, bound in bounds}
             if measure == "turns":
-                row["p"], row["p_holm"] = designs.number(of.p), designs.number(of.adjusted)
+                row["p"], row["p_holm"] = data_rows.number(of.p), data_rows.number(of.adjusted)
                 progress = of.value is not None and of.value > 0.0 and of.adjusted is not None and of.adjusted <= 0.05
         lasts = row["lasted"] >= NEEDED * row["runs"]
         row["answer"] = "yes" if lasts and progress else "lasts, no progress shown" if lasts else "no"

@@ -4,7 +4,7 @@ import csv
 import pathlib
 
 import bodies_race
-import designs
+import data_rows
 import numpy
 import page_tables.bodies_race
 import pages
@@ -80,7 +80,7 @@ def test_a_family_of_six_finds_what_is_there_and_the_page_shows_it(tmp_path):
             table = csv.DictWriter(file, of[0].keys(), lineterminator="\n")
             table.writeheader()
             table.writerows(of)
-    assert designs.read(tmp_path / "few.csv")[0][
+    assert data_rows.read(tmp_path / "few.csv")[0][
         "p"
     ] == "" and "| both | 0.5 |" in page_tables.bodies_race.raced_with_bodies(data, "few")
     assert "+0.61 [" in page_tables.bodies_race.raced_with_bodies(data, "all")

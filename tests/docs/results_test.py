@@ -21,6 +21,7 @@ import system_python
 sys.argv[1:1] = [str(ROOT)]
 system_python.need("scipy")
 del sys.argv[1]
+import data_rows
 import designs
 import provenance
 
@@ -39,7 +40,7 @@ DATA = ROOT / "studies/results/data"
 class Origins(unittest.TestCase):
     def test_each_data_file_has_one_row_of_origin(self):
         files = {path.stem for path in DATA.glob("*.csv")} - {"provenance"}
-        rows = designs.read(DATA / "provenance.csv")
+        rows = data_rows.read(DATA / "provenance.csv")
         self.assertEqual(sorted(files), [row["data"] for row in rows])
         for row in rows:
             self.assertFalse([field for field in provenance.FIELDS if not row[field]], row)
@@ -47,7 +48,7 @@ class Origins(unittest.TestCase):
     def test_revisions_are_commits_of_the_history(self):
         if not (ROOT / ".git").exists():
             self.skipTest("not a checkout")
-        for revision in {row["revision"] for row in designs.read(DATA / "provenance.csv")}:
+        for revision in {row["revision"] for row in data_rows.read(DATA / "provenance.csv")}:
             for commit in revision.removeprefix(provenance.BEFORE).split(", "):
                 self.assertRegex(commit, "^[0-9a-f]{8,40}$")
                 done = subprocess.run(["git", "-C", ROOT, "merge-base", "--is-ancestor", commit, "HEAD"])
@@ -60,13 +61,13 @@ class Origins(unittest.TestCase):
             self.assertLess(path.stat().st_size, 200_000, path)
             data = path.stem.removesuffix("_runs")
             values = collections.defaultdict(dict)
-            for row in designs.read(path):
+            for row in data_rows.read(path):
                 key = tuple(row[name] for name in ("set", "null", "metric", "species", "group"))
                 values[key][int(row["run"])] = float(row["value"])
             runs = {run for of_key in values.values() for run in of_key}
             self.assertEqual(f"{len(runs)} of master seed", origins[data]["seeds"].rpartition(" ")[0], path)
             compared = 0
-            for row in designs.read(DATA / f"{data}.csv"):
+            for row in data_rows.read(DATA / f"{data}.csv"):
                 key = (row["set"], "", row["metric"], row["species"], row["group"])
                 if key in values and row["mean"]:
                     of_key = list(values[key].values())
@@ -149,7 +150,7 @@ def intervals_of_data():
     """Each effect with its interval in the data, also in units a hundred times smaller."""
     found = []
     for path in DATA.glob("*.csv"):
-        for row in designs.read(path):
+        for row in data_rows.read(path):
             for names in INTERVALS:
                 try:
                     values = [float(row[name]) for name in names]
@@ -188,11 +189,11 @@ class Rows(unittest.TestCase):
     def test_answers_have_no_observed_power(self):
         for path in DATA.glob("*.csv"):
             self.assertNotIn("runs would decide", path.read_text(), path)
-        self.assertEqual(designs.without_observed_power("no (9 runs would decide the rest)"), "no")
+        self.assertEqual(data_rows.without_observed_power("no (9 runs would decide the rest)"), "no")
 
     def test_numbers_that_are_not_zero_are_not_written_as_zero(self):
         self.assertEqual(
-            [designs.fixed(value, 2, "+") for value in (0.274, -0.0016, 0.0)], ["+0.27", "-0.002", "+0.00"]
+            [data_rows.fixed(value, 2, "+") for value in (0.274, -0.0016, 0.0)], ["+0.27", "-0.002", "+0.00"]
         )
 
     def test_prices_terms_are_tested_over_the_neutral_null_alone(self):
@@ -211,7 +212,7 @@ class Rows(unittest.TestCase):
             }
             return {key: str(value) for key, value in (of | null | {"p_holm": 0.001, "null": "zero"}).items()}
 
-        alike, apart, alone = designs.over_neutral([term(3.0, 3.1), term(3.0, 0.0), term(3.0, "")])
+        alike, apart, alone = data_rows.over_neutral([term(3.0, 3.1), term(3.0, 0.0), term(3.0, "")])
         self.assertGreater(float(alike["p_holm"]), 0.5)
         self.assertLess(float(apart["p_holm"]), 0.01)
         self.assertEqual((alone["p"], alone["p_holm"], alone["difference"]), ("", "", ""))
@@ -228,9 +229,9 @@ class Rows(unittest.TestCase):
 
     def test_runs_for_an_effect_of_interest_depend_on_the_spread_alone(self):
         row = {"runs": "10", "lower": "-1.0", "upper": "1.0"}
-        runs = designs.runs_for(row, 1.0, 0.05)
-        self.assertEqual(runs, designs.runs_for(row | {"lower": "4.0", "upper": "6.0"}, 1.0, 0.05))
-        self.assertGreater(designs.runs_for(row, 0.5, 0.05), 3 * runs)
+        runs = data_rows.runs_for(row, 1.0, 0.05)
+        self.assertEqual(runs, data_rows.runs_for(row | {"lower": "4.0", "upper": "6.0"}, 1.0, 0.05))
+        self.assertGreater(data_rows.runs_for(row, 0.5, 0.05), 3 * runs)
 
 
 class Design(unittest.TestCase):

@@ -2,7 +2,7 @@
 """Tables and a figure of the race with bodies."""
 import bodies_race
 import numpy
-from designs import p_text
+from data_rows import p_text
 from page_tables.cells import SIDES, signed, star, table
 from page_tables.races import race_sets
 

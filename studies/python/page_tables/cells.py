@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Cells of tables of the documents, and their rows."""
-import designs
+import data_rows
 
 TITLES = {
     "attribution_caught": "inherited among the caught prey",
@@ -26,7 +26,7 @@ def digits(row, text, sign=False):
     if text == "":
         return ""
     scale, places = (100.0, 2) if is_velocity(row) else (1.0, 1) if row["metric"] == "deaths" else (1.0, 3)
-    return designs.fixed(scale * float(text), places, "+" if sign else "")
+    return data_rows.fixed(scale * float(text), places, "+" if sign else "")
 
 
 def ranged(row, keys, sign=False):

@@ -2,8 +2,8 @@
 """Tables of what evolves: lineages, bodies, gaits and brains, and how selection acts on behaviour."""
 import itertools
 
-import designs
-from designs import p_text
+import data_rows
+from data_rows import p_text
 from page_tables.cells import signed, star, star_over, table
 
 LINEAGES = [
@@ -144,7 +144,7 @@ def evolved_lives(rows):
 def selected(rows, of="pond"):
     """Price's terms over the neutral null. With generations they are cm/s a generation, otherwise in the trait's unit."""
     keys, lines = ("runs_mean", "neutral_mean", "difference", "difference_lower", "difference_upper"), []
-    for row in designs.over_neutral(rows):
+    for row in data_rows.over_neutral(rows):
         scale = 100.0 / float(row["generations"]) if "generations" in row else 100.0 if row["unit"] == "m/s" else 1.0
         lines.append(
             [

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Tables and a figure of growth at the end of long runs."""
 import open_ended
-from designs import p_text
+from data_rows import p_text
 from page_tables.cells import family, share, signed, table
 
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Tables of the paper's rules: claims, readings of the text, ablations and inheritance."""
-import designs
-from designs import p_text
+import data_rows
+from data_rows import p_text
 from page_tables.cells import digits, of_key, ranged, star, table, title
 
 
@@ -160,7 +160,7 @@ def changes(rows, base="paper"):
         for key in COMPARED:
             ours, theirs = (of_key([row for row in rows if row["set"] == of], key) for of in (name, base))
             numbers = ([float(one[column]) for column in ("mean", "deviation", "runs")] for one in (ours, theirs))
-            middle, lower, upper = (digits(ours, value, True) for value in designs.welch(*numbers))
+            middle, lower, upper = (digits(ours, value, True) for value in data_rows.welch(*numbers))
             line.append(f"{middle} [{lower}, {upper}]")
         lines.append(line)
     return table([f"swapped in `{base}`", *(SHORT[GRID.index(key)] for key in COMPARED)], lines)
@@ -176,7 +176,7 @@ def at_walls(rows, base="released"):
     lines = []
     for name, row in of_set.items():
         if name != base:
-            middle, lower, upper = designs.welch(
+            middle, lower, upper = data_rows.welch(
                 *([float(one[key]) for key in ("mean", "deviation", "runs")] for one in (row, of_set[base]))
             )
             lines.append(

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Tables and figures of the pond, in which energy alone decides births."""
 import ponds
-from designs import p_text
+from data_rows import p_text
 from page_tables.cells import family, share, signed, star, table
 
 

@@ -2,8 +2,8 @@
 """Tables and a figure of races: of arms, of the Red Queen, and of paces."""
 import itertools
 
-import designs
-from designs import p_text
+import data_rows
+from data_rows import p_text
 from page_tables.cells import SIDES, estimated, signed, star, table
 from trophic import statistics
 
@@ -13,7 +13,7 @@ def seconds(row, places=1):
     if not row or not row["lower"]:
         return "too few runs"
     return "{} [{}, {}]".format(
-        *(designs.fixed(float(row[key]), places, "+") for key in ("over_shadow", "lower", "upper"))
+        *(data_rows.fixed(float(row[key]), places, "+") for key in ("over_shadow", "lower", "upper"))
     )
 
 

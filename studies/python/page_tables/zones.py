@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Tables and a figure of mating zones."""
-import designs
+import data_rows
 import zones
 from page_tables.cells import table
 
@@ -44,7 +44,7 @@ def rules(rows):
                 mean(row, "robots", 0),
                 f"{mean(row, 'turns', 3)}, {mean(row, 'turns_shadow', 3)}".strip(", "),
                 ranged(row, "turns", 3),
-                designs.p_text(row["p_holm"]),
+                data_rows.p_text(row["p_holm"]),
                 ranged(row, "distance_m", 1),
                 row["answer"],
             ]

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Stages of the race with bodies."""
 import bodies_race
-import designs
+import data_rows
 import page_tables.bodies_race
 
 
@@ -85,7 +85,7 @@ def race_with_bodies_picture(study):
     name = "race-with-bodies-picture"
     met = study.made(name, "contests.csv", "trophic", "contest", runs, *program, *teams, "--record").parent
     sheets, films = [], []
-    for number, title in zip(bodies_race.meetings(designs.read(met / "contests.csv"), end_s), bodies_race.TITLES):
+    for number, title in zip(bodies_race.meetings(data_rows.read(met / "contests.csv"), end_s), bodies_race.TITLES):
         for files, ending, options in (
             (sheets, "png", ["--sheet", "3x1", "--from", 0, "--to", 80, "--size", "480x400"]),
             (films, "gif", ["--speed", 12, "--fps", 8, "--size", "560x520", "--title", title]),

@@ -3,6 +3,7 @@
 import tomllib
 
 import designs
+import evolution_rows
 from study import STUDIES
 
 
@@ -75,14 +76,14 @@ def evolution(study):
             f"evolution/{name}-bodies/differences", {figure: f"evolution_{name}_{figure}" for figure in drawn}
         )
         neutral = analysis / "neutral/differences.csv"
-        evolved += designs.evolved_rows(
+        evolved += evolution_rows.evolved_rows(
             name,
             analysis / "differences/differences.csv",
             analysis / "means/means.csv",
             neutral if neutral.exists() else None,
         )
         lives += [
-            {"study": name, "table": folder.name.removeprefix(f"{name}-"), **designs.lives_of(folder)}
+            {"study": name, "table": folder.name.removeprefix(f"{name}-"), **evolution_rows.lives_of(folder)}
             for folder in folders
         ]
         study.write("evolution", evolved)
@@ -92,7 +93,7 @@ def evolution(study):
 def evolution_again(study):
     """The one measure that the runs of evolving bodies suggested, in runs of other seeds."""
     analysis, _ = evolving_sets(study, "bodies", "_again", replicates=14, seed=1001, shadow=False)
-    study.write("evolution_again", designs.walked_rows(analysis / "differences/differences.csv"))
+    study.write("evolution_again", evolution_rows.walked_rows(analysis / "differences/differences.csv"))
 
 
 def evolvable_bodies(study):
@@ -109,7 +110,7 @@ def evolvable_bodies(study):
         duration_s=5000,
         shadow=False,
     )
-    generations = designs.generations_of(study.out / "runs/evolvable-bodies")
+    generations = evolution_rows.generations_of(study.out / "runs/evolvable-bodies")
     study.write(
         "evolvable_bodies",
         [

@@ -3,6 +3,7 @@
 import json
 import tomllib
 
+import data_rows
 import designs
 from page_tables import paper
 from page_tables.cells import key_of
@@ -55,13 +56,13 @@ def ranges(study):
                     "range_m": range_m,
                     "activation_m": distance_m,
                     "flee": next(
-                        (row["answer"] for row in designs.answer_rows(summary) if "flee" in row["question"]), ""
+                        (row["answer"] for row in data_rows.answer_rows(summary) if "flee" in row["question"]), ""
                     ),
                 }
                 orphans = designs.orphans(study.out / "runs" / name)
                 rows += [
                     {**cell, **row, "parent_found": orphans}
-                    for row in designs.set_rows(name, summary)
+                    for row in data_rows.set_rows(name, summary)
                     if key_of(row) in paper.GRID
                 ]
                 values += study.runs_of(name, paper.GRID)
@@ -74,9 +75,9 @@ def table_on(backend, table, count):
     def stage(study):
         name = f"{backend}-{table}"
         summary = study.replicates("trophic-predator-prey", name, "--backend", backend, "--rules", table, count=count)
-        study.write(f"{backend}_{table}", designs.set_rows(name, summary))
-        study.write(f"{backend}_{table}_answers", designs.answer_rows(summary))
-        published = designs.claim_rows(study.published(name))
+        study.write(f"{backend}_{table}", data_rows.set_rows(name, summary))
+        study.write(f"{backend}_{table}_answers", data_rows.answer_rows(summary))
+        published = data_rows.claim_rows(study.published(name))
         study.write(f"{backend}_{table}_published", published)
         keys = {*paper.AGAINST_SHADOW, *((row["metric"], row["species"], row["group"]) for row in published)}
         study.write(f"{backend}_{table}_runs", study.runs_of(name, keys, ("", "-published")))
@@ -107,7 +108,7 @@ def bodies(study):
     rows, values = [], []
     for name, assignments in ON_BODIES.items():
         sets = [part for assignment in assignments for part in ("--set", assignment)]
-        rows += designs.set_rows(
+        rows += data_rows.set_rows(
             name,
             study.replicates(
                 "trophic-readings",
@@ -141,7 +142,7 @@ def walls(study):
                 f"ecology.arena={study.with_friction('arenas/height_field', friction)}",
             ]
         sets = [part for assignment in assignments for part in ("--set", assignment)]
-        rows += designs.set_rows(
+        rows += data_rows.set_rows(
             name,
             study.replicates(
                 "trophic-predator-prey",

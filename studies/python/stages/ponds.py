@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Stages of the pond, in which energy alone decides births."""
-import designs
+import data_rows
 import page_tables.ponds
 import ponds
 from stages.races import progress_rows
@@ -20,7 +20,7 @@ PONDS = {
 def pond_progress(study, name, duration_s, program):
     """Rows of early and late progress, over the shadow, of the runs in which both species live on."""
     runs, end_s = study.out / "runs" / name, duration_s // 20 if study.quick else duration_s
-    living = [runs / run for run in designs.persisting(study.out / "analysis" / name / "metrics.csv")]
+    living = [runs / run for run in ponds.persisting(study.out / "analysis" / name / "metrics.csv")]
     return progress_rows(
         study,
         name,
@@ -94,7 +94,7 @@ def no_criterion_settings(study):
             count=30,
             duration_s=12000,
         )
-        rows += designs.living_rows(name, summary)
+        rows += ponds.living_rows(name, summary)
         study.write("no_criterion_settings", rows)
     study.write("no_criterion_progress", pond_progress(study, "no-criterion-settings/pond", 12000, "trophic-worlds"))
 
@@ -103,7 +103,7 @@ def no_criterion_mujoco(study):
     """`pond` with bodies, and its shadow."""
     study.write(
         "no_criterion_mujoco",
-        designs.living_rows(
+        ponds.living_rows(
             "pond",
             study.replicates(
                 "trophic-worlds",
@@ -139,7 +139,7 @@ def evolving_pond(name, rate):
         summary = study.replicates(
             "trophic-bodies", name, *options, *rates, "--agents-every", 6, count=8, duration_s=4000
         )
-        study.write(file, designs.living_rows("pond", summary))
+        study.write(file, ponds.living_rows("pond", summary))
         study.write(f"{file}_selection", [row for row in study.selection(name, "open_speed") if row["p"]])
         study.write(f"{file}_progress", pond_progress(study, name, 4000, "trophic-bodies"))
 
@@ -161,7 +161,7 @@ def atlas(study):
     study.sweep("trophic-worlds", sweep, runs)
     study.write(
         "atlas",
-        designs.atlas_rows(
+        ponds.atlas_rows(
             study.made(
                 "atlas",
                 "sweep_metrics.csv",
@@ -175,7 +175,7 @@ def atlas(study):
             ).parent
         ),
     )
-    page_tables.ponds.draw_atlas(designs.read(study.data / "atlas.csv"), study.data.parent / "no_criterion_atlas.png")
+    page_tables.ponds.draw_atlas(data_rows.read(study.data / "atlas.csv"), study.data.parent / "no_criterion_atlas.png")
 
 
 STAGES = {

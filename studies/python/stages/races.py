@@ -5,7 +5,9 @@ import re
 import sys
 import tomllib
 
+import data_rows
 import designs
+import race_rows
 from page_tables import races
 from study import STUDIES
 
@@ -16,7 +18,7 @@ LINEAGED = ["paper", "paper_most_escapes", "paper_ageing", "paper_most_escapes_a
 
 def progress_rows(study, name, runs, cell, epochs, *options, teams=6, program="trophic-arms-race"):
     """Rows of progress in contests of the runs in these folders."""
-    return designs.progress_rows(
+    return race_rows.progress_rows(
         cell,
         study.made(
             f"{name}-contests",
@@ -57,7 +59,7 @@ def velocities(study, name, runs):
 
 def lineage_rows(study, name, runs, cell):
     """Lineage measures of one set of runs, over the shadow and over drift."""
-    return designs.lineage_rows(
+    return race_rows.lineage_rows(
         cell,
         json.loads(
             study.made(
@@ -97,7 +99,7 @@ def raced_sweep(study, name, epochs):
         named, of_cell = f"arms-race/{name}-{number:03}", runs / f"cell-{number:03}"
         against = "both" if settings in LINEAGED else "others"
         cells += progress_rows(study, named, [of_cell], cell, epochs, "--against", against, "--split", epochs[1])
-        cells += designs.raced_rows(cell, velocities(study, named, of_cell))
+        cells += race_rows.raced_rows(cell, velocities(study, named, of_cell))
         if settings in LINEAGED:
             lineages += lineage_rows(study, named, of_cell, cell)
             study.figures(f"{named}-contests", {"contests_predator_prey_others": f"arms_race_{settings}"})
@@ -136,7 +138,7 @@ def arms_race_mujoco(study):
             )
             ours, shadow = runs / f"mujoco-{table}", runs / f"mujoco-{base}/shadow"
             over = None if table == base else velocities(study, f"arms-race/mujoco-{base}-shadow", shadow)
-            on_bodies += designs.raced_rows(cell, velocities(study, name, ours), over)
+            on_bodies += race_rows.raced_rows(cell, velocities(study, name, ours), over)
             on_bodies += progress_rows(
                 study,
                 name,
@@ -206,7 +208,7 @@ def red_queen(backend, name, program="trophic-arms-race", options=(), **tables):
             study.note(f"{name}/{table}")
             for file in ("red_queen", *others):
                 parts = [out / f"{file}.csv"] if (out / f"{file}.csv").exists() else sorted((out / file).glob("*.csv"))
-                rows = [{"table": table, **row} for part in parts for row in designs.read(part)]
+                rows = [{"table": table, **row} for part in parts for row in data_rows.read(part)]
                 found[file] = found.get(file, []) + rows
         for file, rows in found.items():
             study.write(name.replace("-", "_") + ("" if file == "red_queen" else f"_{file}"), rows)
@@ -228,7 +230,10 @@ def pond_race(name, seed, count):
         make(study)
         sets = [study.data / f"{of}_series.csv" for of in races.RACE]
         rows = [
-            {**row, "run": f"{path.stem} {row['run']}"} for path in sets if path.exists() for row in designs.read(path)
+            {**row, "run": f"{path.stem} {row['run']}"}
+            for path in sets
+            if path.exists()
+            for row in data_rows.read(path)
         ]
         races.draw_race(rows, study.data.parent / "pond_race.png")
 

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Stages of mating zones."""
-import designs
+import data_rows
 import numpy
 import page_tables.zones
 import zones
@@ -15,10 +15,10 @@ def zone_runs(study, name, engine, number, offspring, assignments, **how):
         sets = [part for assignment in changes for part in ("--set", assignment)]
         runs = study.make("trophic-worlds", name, "--backend", engine, "--rules", "mating_zones", *sets, **how)
         kept.parent.mkdir(parents=True, exist_ok=True)
-        designs.write(kept, zones.values_of(runs))
+        data_rows.write(kept, zones.values_of(runs))
         study.forget(name)
     study.note(name)
-    return designs.read(kept)
+    return data_rows.read(kept)
 
 
 def mating_zones(study):
