@@ -21,6 +21,13 @@ def test_the_frequency_of_a_gait_is_a_multiple_of_the_shipped_one():
     assert bodies_race.frequency(numpy.stack([apart, bodies_race.SHIPPED])) == pytest.approx([2.0 / shipped, 1.0])
 
 
+def test_a_mutation_changes_the_frequency_of_a_gait_less_than_pace():
+    rule = bodies_race.FREQUENCY
+    genes = rule.first + numpy.random.default_rng(1).normal(0.0, rule.sd, (20000, len(rule.first)))
+    assert bodies_race.frequency(genes).std() == pytest.approx(0.018, abs=0.001)
+    assert 5.0 < bodies_race.PACE.sd / bodies_race.frequency(genes).std() < 6.0
+
+
 def written(folder, births):
     """A run of prey of 60 s: ids with their parents (their own id: none) and times of birth and death."""
     rows = [f"{id},{parent},{born},{died},prey" for id, (parent, born, died) in enumerate(births)]
