@@ -43,7 +43,7 @@ def race_with_bodies(
             values += bodies_race.values_of(world, folder, trait, 600 if study.quick else 12000)
             study.write(f"{file}_runs", values)
             study.write(file, bodies_race.results(values, trait.name, family))
-            if trait is bodies_race.PACE:
+            if study.stage == "race-with-bodies":
                 study.write(f"{file}_speeds", bodies_race.speeds_of(study.out / "runs" / study.stage))
 
     return stage
