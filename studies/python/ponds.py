@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Four worlds of the pond: which condition of births and of protection does what. Rows of results from the values of single runs, and of its other worlds.
+"""Four worlds of the pond: which condition of births and of protection does what. Rows of results from the values of single runs, and of analyses of the pond's other settings.
 
 A value is a row with set (the world), run, null (empty for the runs), metric, species, group and value, as results/data/no_criterion_runs.csv has it."""
 import data_rows
