@@ -39,8 +39,9 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/models DESTINATION ${CMAKE_INSTALL_DATAD
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/tools/python DESTINATION ${CMAKE_INSTALL_DATADIR}/trophic FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN py.typed PATTERN "*.j2" PATTERN "*.ipynb")
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
 get_property(trophic_mujoco_version GLOBAL PROPERTY TROPHIC_MUJOCO_VERSION)
+set(TROPHIC_INSTALLED_MODELS ${CMAKE_INSTALL_DATADIR}/trophic/models)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/trophic-config.cmake.in ${PROJECT_BINARY_DIR}/trophic-config.cmake
-                              INSTALL_DESTINATION ${trophic_cmake_dir})
+                              INSTALL_DESTINATION ${trophic_cmake_dir} PATH_VARS TROPHIC_INSTALLED_MODELS)
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/trophic-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/trophic-config.cmake ${PROJECT_BINARY_DIR}/trophic-config-version.cmake
               ${PROJECT_SOURCE_DIR}/cmake/trophic-python.cmake ${PROJECT_SOURCE_DIR}/cmake/python-module.cpp.in
