@@ -11,6 +11,7 @@ import signal
 import sys
 import warnings
 from collections.abc import Callable
+from types import FrameType
 from typing import NoReturn
 
 from .errors import ProgramError, RunError, remark
@@ -116,8 +117,20 @@ def script() -> NoReturn:
 def _begins() -> None:
     """Signals are exceptions from now on, so that temporary folders go; before, they end the program at once (__main__.py)."""
     if signal.getsignal(signal.SIGINT) != signal.SIG_IGN:
-        signal.signal(signal.SIGINT, signal.default_int_handler)
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit(STOPPED))
+        signal.signal(signal.SIGINT, _stop)
+    signal.signal(signal.SIGTERM, _stop)
+
+
+def _stop(number: int, frame: FrameType | None) -> None:
+    """Raises what ends the command. During an import it waits for the end of it, because compiled modules lose exceptions."""
+    at = frame
+    while at is not None:
+        if at.f_code.co_filename == "<frozen importlib._bootstrap>":
+            signal.signal(signal.SIGALRM, lambda _, later: _stop(number, later))
+            signal.setitimer(signal.ITIMER_REAL, 0.02)
+            return
+        at = at.f_back
+    raise KeyboardInterrupt if number == signal.SIGINT else SystemExit(STOPPED)
 
 
 def _end(work) -> NoReturn:
