@@ -4,6 +4,7 @@ import subprocess
 import sys
 
 import pytest
+from conftest import ROOT
 
 # A module that loses exceptions during its import, as compiled ones do, and a command that begins and imports it.
 MODULE = """
@@ -29,11 +30,6 @@ except KeyboardInterrupt:
 @pytest.mark.parametrize("name", ["SIGINT", "SIGTERM"])
 def test_a_signal_during_an_import_ends_the_command_after_it(name, tmp_path, monkeypatch):
     (tmp_path / "loses_exceptions.py").write_text(MODULE.format(name=name))
-    monkeypatch.syspath_prepend(tmp_path)
-    program = subprocess.run(
-        [sys.executable, "-c", f"import sys; sys.path[:0] = {sys.path!r}\n{COMMAND}"],
-        capture_output=True,
-        text=True,
-        timeout=60,
-    )
+    monkeypatch.setenv("PYTHONPATH", str(ROOT / "tools/python"))
+    program = subprocess.run([sys.executable, "-c", COMMAND], cwd=tmp_path, capture_output=True, text=True, timeout=60)
     assert (program.returncode, program.stderr) == (3, "")

@@ -122,7 +122,7 @@ def _begins() -> None:
 
 
 def _stop(number: int, frame: FrameType | None) -> None:
-    """Raises what ends the command. During an import it waits for the end of it, because compiled modules lose exceptions."""
+    """Raises what ends the command. During an import it tries again later, because a compiled module may lose the exception."""
     at = frame
     while at is not None:
         if at.f_code.co_filename == "<frozen importlib._bootstrap>":
